@@ -1,0 +1,77 @@
+// The open project with its undo history: the one door through which inspector, brushes and scripts change a scene.
+// Does not: draw, or know any widget.
+// An undo step is a list of component values before and after; their maps share tiles, so a step costs what it changed.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "brushes/brush.h"
+#include "core/error.h"
+#include "scene/project.h"
+
+namespace sward {
+
+// One component of one entity, before and after; null: it was not there. Entities by name, never by handle.
+struct Change {
+    std::string entity;
+    const ComponentRow* row = nullptr;  // null: the entity itself came or went
+    std::shared_ptr<void> before, after;
+};
+struct UndoStep {
+    std::string label;  // "stroke", "set lawn.GrassField.maxGeom"
+    std::vector<Change> changes;
+};
+
+class Document {
+  public:
+    explicit Document(const Tables& tables, size_t undoBytes = size_t(512) << 20);
+    ~Document();
+
+    // --- files: a failure leaves the document as it was
+    Status open(const std::filesystem::path& dir);
+    Status create(const std::filesystem::path& dir);
+    Result<std::vector<std::string>> save();                       // the files written
+    Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
+    bool isOpen() const;
+    bool dirty() const;                                            // differs from what is on disk
+    Project& project();
+    const Tables& tables() const;
+    uint64_t revision() const;                                     // grows with every change, undo and redo
+
+    // --- edits: each is one undo step, unless within a group
+    Status setField(const std::string& path, const std::string& text);
+    Status addEntity(const std::string& name);
+    Status removeEntity(const std::string& name);
+    Status addComponent(const std::string& entity, const std::string& component);
+    Status removeComponent(const std::string& entity, const std::string& component);
+    Status addListElement(const std::string& listPath);
+    Status removeListElement(const std::string& elementPath);
+    // Replaces a map's texels (imports, fills). A new map's file name follows the convention "maps/entity.species.map.ext".
+    Status setMap(const std::string& mapPath, Map map, const std::string& label);
+    void beginGroup(const std::string& label);                     // nests; sliders hold one while dragged
+    void endGroup();
+
+    // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
+    // Status fails if the map does not exist. Large stamps are spread: strokeTo queues, pumpStroke works them off.
+    Status beginStroke(const BrushSettings& brush, double x, double z);
+    void strokeTo(double x, double z);
+    // Works off queued stamps for at most budgetMs (0: all). True while work is left.
+    bool pumpStroke(double budgetMs);
+    void endStroke();                                              // works off the rest on later pumps; the step is complete then
+    bool stroking() const;
+
+    bool canUndo() const;
+    bool canRedo() const;
+    std::string undoLabel() const;
+    std::string redoLabel() const;
+    bool undo();
+    bool redo();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sward

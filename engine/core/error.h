@@ -1,0 +1,72 @@
+// What a function returns when the user's input or machine is at fault, and what stops a programmer's mistake.
+// Does not: log. Whoever shows the error to the user does that once.
+#pragma once
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace sward {
+
+// Process exit codes; they hold from the first release (README, "Exit codes").
+enum class ExitCode { Done = 0, Failed = 1, Usage = 2, Unsound = 3, NoContext = 4, Interrupted = 130 };
+
+// A user's error: what is wrong, where, and what to do about it.
+struct Error {
+    ExitCode code = ExitCode::Failed;
+    std::string message;  // what is wrong
+    std::string file;     // the file at fault, or empty
+    int line = 0;         // 1-based; 0: none
+    int column = 0;       // 1-based; 0: none
+    std::string remedy;   // what to do; may be empty
+
+    // "file:line:column: message (remedy)", leaving out what is not known.
+    std::string text() const;
+};
+
+// A value, or the error that kept it from being made.
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : data_(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : data_(std::in_place_index<1>, std::move(error)) {}
+    explicit operator bool() const { return data_.index() == 0; }
+    T& operator*() { return std::get<0>(data_); }
+    const T& operator*() const { return std::get<0>(data_); }
+    T* operator->() { return &std::get<0>(data_); }
+    const T* operator->() const { return &std::get<0>(data_); }
+    const Error& error() const { return std::get<1>(data_); }
+
+  private:
+    std::variant<T, Error> data_;
+};
+
+template <>
+class [[nodiscard]] Result<void> {
+  public:
+    Result() = default;
+    Result(Error error) : error_(std::move(error)), ok_(false) {}
+    explicit operator bool() const { return ok_; }
+    const Error& error() const { return error_; }
+
+  private:
+    Error error_;
+    bool ok_ = true;
+};
+using Status = Result<void>;
+
+// Prints and aborts; for programmer's errors only.
+[[noreturn]] void checkFailed(const char* file, int line, const std::string& what);
+
+}  // namespace sward
+
+#define CHECK(condition)                                                        \
+    do {                                                                        \
+        if (!(condition)) ::sward::checkFailed(__FILE__, __LINE__, #condition); \
+    } while (0)
+#define CHECK_EQ(a, b)                                                                                             \
+    do {                                                                                                           \
+        const auto& checkA_ = (a);                                                                                 \
+        const auto& checkB_ = (b);                                                                                 \
+        if (!(checkA_ == checkB_))                                                                                 \
+            ::sward::checkFailed(__FILE__, __LINE__, fmt::format("{} == {}: {} != {}", #a, #b, checkA_, checkB_)); \
+    } while (0)

@@ -1,0 +1,21 @@
+// The log: lines for standard error and for whoever listens (the editor's console).
+// Thread-safe. Does not: format errors; callers pass Error::text().
+#pragma once
+#include <functional>
+#include <string>
+
+namespace sward {
+
+enum class LogLevel { Info, Warning, Error };
+using LogSink = std::function<void(LogLevel, const std::string&)>;
+
+void logInfo(const std::string& text);     // progress and facts; standard error only with setLogVerbose
+void logWarning(const std::string& text);  // something was repaired or ignored
+void logError(const std::string& text);    // something failed; the old state stays
+
+void setLogVerbose(bool verbose);
+// Calls sink for each line until the returned id is removed. The sink runs in the logging thread.
+int addLogSink(LogSink sink);
+void removeLogSink(int id);
+
+}  // namespace sward

@@ -1,0 +1,87 @@
+// Draws a project's views: plan, effect state, passes, statistics. One per open project and GL context.
+// Does not: own the context, nor change the project.
+#pragma once
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "gpu/gpu.h"
+#include "scene/project.h"
+#include "scene/rows.h"
+
+namespace sward {
+
+enum class ViewMode { Final, Tiers, Overdraw, Density, Depth, Normals };
+inline constexpr const char* kViewModes[] = {"final", "tiers", "overdraw", "density", "depth", "normals"};
+
+// Where a picture is taken from. Positions are doubles: the GPU only sees differences to the eye.
+struct ViewCamera {
+    glm::dvec3 eye{0, 2, 0};
+    glm::dvec3 target{0, 0, 1};
+    float fovDeg = 55;
+    float exposure = 0;
+};
+
+// The brush's decal on the terrain; radius 0: none.
+struct BrushDecal {
+    double x = 0, z = 0;
+    float radius = 0;
+    float falloff = 0.5f;
+};
+
+struct ViewSettings {
+    int width = 1024, height = 768;
+    int msaa = 4;               // clamped to what the driver has
+    ViewMode mode = ViewMode::Final;
+    double time = 0;            // scene seconds
+    BrushDecal decal;
+    bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)
+};
+
+struct PassStats {
+    std::string name;
+    double ms = 0;              // valid if measured
+    uint64_t draws = 0, instances = 0, vertices = 0, fragments = 0;
+};
+struct FrameStats {
+    std::vector<PassStats> passes;
+    uint64_t bladesVirtual = 0, bladesGeometry = 0, bladesVisible = 0;
+    uint64_t cells = 0;         // drawn this frame
+    uint64_t gpuBytes = 0;
+    double cpuCullMs = 0;
+    double frameMs = 0;         // wall, with one finish at the end if measured
+};
+
+class Renderer {
+  public:
+    Renderer(Gpu& gpu, const Tables& tables);
+    ~Renderer();
+    // Draws into a texture of settings' size; resolved, tone-mapped, sRGB-encoded RGBA8, first row at the bottom.
+    // Fails only if a program does not compile and no earlier version of it did; the message is the compiler's.
+    Status draw(Project& project, const ViewCamera& camera, const ViewSettings& settings);
+    unsigned image() const;                      // GL texture of the last draw
+    std::vector<uint8_t> readImage() const;      // RGB8, first row on top
+    std::vector<float> readLinear() const;       // RGB floats before tone mapping, first row on top
+    const FrameStats& stats() const;
+    // Waits for the GPU; for measuring.
+    void finish();
+    // Recompiles programs whose sources changed; keeps the last good ones. Messages of those that failed.
+    std::vector<std::string> reloadPrograms();
+    // What runs for the project now, and why: the plan as JSON text (explain --json) or for people.
+    std::string explain(Project& project, bool json);
+    std::vector<std::string> programNames() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// The camera entity named so, or the first; null if there is none.
+const Camera* findCamera(const Project& p, const std::string& name);
+ViewCamera viewOf(const Camera& c);
+// The ground under a window position (pixels from the top left), or nothing (sky).
+std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px, double py);
+
+}  // namespace sward

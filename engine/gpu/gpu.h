@@ -1,0 +1,32 @@
+// An OpenGL 4.5 core context and what was measured of it. Headless through EGL (no display), or a window's.
+// Does not: draw. Every byte that buffers and textures hold is counted in `ledger` under its owner's name.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/error.h"
+
+namespace sward {
+
+struct Gpu {
+    std::string renderer;         // GL_RENDERER
+    std::string version;
+    bool software = false;        // llvmpipe and its like: timer queries are wrong there
+    int maxSamples = 1;
+    std::map<std::string, int64_t> ledger;  // owner ("grass/geometry") -> bytes
+    int errors = 0;               // GL errors reported by the debug callback
+    std::string lastError;
+    std::shared_ptr<void> context;  // keeps a headless context alive
+
+    int64_t totalBytes() const;
+};
+
+// Makes a headless context current; prefers a hardware device. ExitCode::NoContext with what was tried.
+Result<std::unique_ptr<Gpu>> makeHeadlessGpu();
+// Takes the context that is current already (a window's).
+Result<std::unique_ptr<Gpu>> adoptCurrentGpu();
+
+}  // namespace sward

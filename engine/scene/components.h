@@ -1,0 +1,112 @@
+// The components that more than one domain reads: plain structs with their defaults; no GL handles.
+// Their field tables (names, units, ranges, help) stand in components.cpp; the ranges there are the ones enforced.
+// Lengths in metres, angles in degrees, colours linear. y is up; the terrain covers x, z in [0, size].
+#pragma once
+#include <glm/glm.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "scene/map.h"
+#include "scene/rows.h"
+
+namespace sward {
+
+// The stable id of an entity, in files, paths, undo and messages. Unique within a project.
+struct Name {
+    std::string value;
+};
+
+// Moves what the entity holds; the terrain with it everything that stands on it.
+struct Transform {
+    glm::dvec3 position{0};
+};
+
+// The ground: heights, and how it is coloured.
+// Source of the colour blend: Jahrmann and Wimmer 2013, equation 1.
+struct Terrain {
+    glm::dvec2 size{40, 40};
+    MapField height;                       // float maps in metres; integer maps span heightRange
+    glm::dvec2 heightRange{0, 10};         // metres at 0 and at full scale of an integer height map
+    float gridSpacing = 0.25f;             // metres between vertices of the finest level
+    float lodDistance = 30;                // metres to which the finest level reaches; each next level doubles it
+    MapField terrainMap;                   // RGBA, colour (sRGB) and opacity over the tile texture
+    std::string groundTexture;             // PNG tiled over the ground; empty: soil made by the program
+    float tileSize = 2;                    // metres a tile of it covers
+    glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
+};
+
+// One kind of blade. Shapes: scene/population.h.
+struct Species {
+    std::string name = "grass";
+    MapField density;                     // one channel; absent: 1 everywhere
+    float bladesPerM2 = 2000;             // at density 1
+    float height = 0.08f;
+    float heightVariation = 0.25f;        // share of the height, both ways
+    float width = 0.004f;
+    float bend = 0.5f;                    // how far the tip droops, as a share of the length
+    float leanDeg = 8;                    // mean lean from the vertical towards the painted (or own) direction
+    float leanVariationDeg = 10;
+    int segments = 3;                     // quads a blade
+    std::string texture;                  // PNG with alpha; empty: made by the program
+    glm::vec3 rootColor{0.045f, 0.065f, 0.02f};
+    glm::vec3 midColor{0.055f, 0.125f, 0.03f};
+    glm::vec3 tipColor{0.085f, 0.155f, 0.045f};
+    float hueVariationDeg = 4;
+    float lightnessVariation = 0.15f;
+    float rootOcclusion = 0.25f;          // ambient light left at the root; 1 at the tip
+    float clumpSize = 0.25f;              // metres; 0: no clumps
+    float clumpStrength = 0.5f;           // share of lean, height and tint that a clump's blades have in common
+};
+
+// Grass over the whole terrain: what grows (population) and how it is drawn (technique, distances).
+struct GrassField {
+    int technique = 0;                    // index into kTechniques
+    std::vector<Species> species{1};
+    float cellSize = 0.5f;                // metres; the patch that is repeated covers one cell
+    int seed = 1;
+    float minGeom = 4;                    // blades are all there up to here ...
+    float maxGeom = 12;                   // ... and gone from here; infinite: never fades
+    float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
+    MapField orientation;                 // two channels: direction x, z in [0,1] about 0.5; its length is the strength
+    MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
+    MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1;  // repeats over the terrain
+};
+inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "flat"};
+enum class Technique { Hybrid, Geometry, Flat };
+
+// The sun. Its colour and strength follow from its elevation and the sky's turbidity (sky/sky.h).
+struct Light {
+    float azimuthDeg = 135;               // clockwise from -z (north)
+    float elevationDeg = 42;
+    float intensity = 1;                  // factor
+};
+
+// The sky. Model: Preetham, Shirley and Smits 1999.
+struct Sky {
+    float turbidity = 3;
+    float intensity = 1;                  // factor
+};
+
+// Haze: what is seen fades into the horizon's colour.
+struct Fog {
+    float visibility = 4000;              // metres at which contrast has fallen to 2% (Koschmieder)
+};
+
+struct Camera {
+    glm::dvec3 eye{2, 1.7, 2};
+    glm::dvec3 target{20, 0, 20};
+    float fovDeg = 55;                    // vertical
+    float exposure = 0;                   // stops
+};
+
+// The rows of the components above, in file order.
+std::span<const ComponentRow> sharedComponentRows();
+
+// The union of what all components ask for.
+FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows);
+// Which entities ask for a feature; in the order of their names.
+std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f);
+
+}  // namespace sward

@@ -1,0 +1,40 @@
+// Features: the bits that a scene's components ask for, and all that runs (see frame/plan.h).
+// sceneFeatures is the one pure function from components to bits. A shader sees feature F as `const bool NAME`.
+// Does not: decide what a feature makes run; effect rows do.
+#pragma once
+#include <bitset>
+#include <cstdint>
+
+namespace sward {
+
+enum class Feature : uint8_t {
+    Terrain,           // ground is drawn
+    TerrainHeights,    // the ground is not flat: a height map
+    TerrainMap,        // 004 equation 1: a colour map blended over the ground's tile texture
+    Grass,             // blades grow
+    GrassDensity,      // a density map decides where
+    GrassOrientation,  // a painted direction turns the lean
+    GrassVegetation,   // a colour map tints blades
+    GrassOcclusion,    // an ambient-occlusion map darkens ambient light
+    GrassClumps,       // a slow field shares lean, height and tint among neighbours
+    Sun,               // a directional light
+    Sky,               // a sky drawn and lighting by a published model
+    Fog,               // haze with distance
+    Count
+};
+using FeatureSet = std::bitset<static_cast<size_t>(Feature::Count)>;
+
+// "terrain-heights" and so on, for explain and statistics.
+const char* featureName(Feature f);
+// "TERRAIN_HEIGHTS", for shaders.
+const char* featureConstant(Feature f);
+
+template <class... F>
+FeatureSet featureSet(F... f) {
+    FeatureSet s;
+    (s.set(static_cast<size_t>(f)), ...);
+    return s;
+}
+inline bool has(const FeatureSet& s, Feature f) { return s.test(static_cast<size_t>(f)); }
+
+}  // namespace sward
