@@ -7,5 +7,6 @@
 #include "numerics/opacity.h"
 #include "numerics/blade.h"
 #include "numerics/clump.h"
+#include "numerics/population.h"
 #include "numerics/sky.h"
 #include "numerics/tonemap.h"
