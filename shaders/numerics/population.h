@@ -21,7 +21,7 @@ FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 le
     reach = reach * sqrt(reach2 / max(dot(reach, reach), kTiny));
     real height = sqrt(max(size2 - reach2, real(0.0)));
     p.tip = vec3(reach.x, height, reach.y);
-    vec2 shift = (reach - vec2(t.x, t.z)) * 0.5f;
+    vec2 shift = (reach - vec2(t.x, t.z)) * real(0.5);
     p.control = vec3(c.x + shift.x, c.y * height / max(t.y, size * real(0.05) + kTiny), c.z + shift.y);
     real across = sqrt(reach2);
     vec2 own = vec2(facing.x * mirror.x, facing.y * mirror.y);
