@@ -224,6 +224,12 @@ Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::
     return wish.type ? convertMap(*map, *wish.type, range) : std::move(*map);
 }
 
+Range sidecarRange(const fs::path& file) {
+    if (extensionOf(file) != ".r16") return {};
+    const Result<Sidecar> side = readSidecar(file);
+    return side ? side->range : std::nullopt;
+}
+
 Status writeMap(const fs::path& file, const Map& map, bool flip, const Range& range) {
     CHECK(!map.empty());
     const std::string ext = extensionOf(file);

@@ -28,6 +28,8 @@ struct MapWish {
 // map of one texel is named.
 // Cost: 4096 x 4096 heights about 0.5 s on two cores.
 Result<Map> readMap(const std::filesystem::path& file, const MapWish& wish, std::vector<std::string>* repaired = nullptr);
+// The range that the sidecar of an R16 file states; nothing if it states none, is unsound, or the file is no R16.
+std::optional<std::pair<double, double>> sidecarRange(const std::filesystem::path& file);
 // Format by extension: .png, .exr (writes float), .tif, .tiff, .r16. With a range integer maps become floats lo to hi in an EXR,
 // and float maps 16-bit integers in PNG and R16; without it PNG and R16 refuse float maps.
 // Writes to a temporary beside it, fsyncs, renames.
