@@ -1,13 +1,17 @@
 // Entities and their components: sparse sets, one a component type, and views over several.
 // Handles carry a generation: one whose entity is gone is refused, and never names the entity that took its place.
 // Does not: hold blades (they are never entities), run systems, or know any component.
-// Cost: add, remove, get O(1); each<A, B...> walks the smallest set.
+// Not thread-safe, but any number of threads may read through a const Registry.
+// Cost: create, destroy, add, remove, get O(1) (amortised; destroy asks every set); each<A, B...> walks A's set.
 #pragma once
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,15 +30,35 @@ inline constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 struct PoolBase {
     std::vector<uint32_t> sparse;  // entity index -> dense slot, or kNone
     std::vector<Entity> dense;     // slot -> entity; kNoEntity: removed during an iteration
-    int iterating = 0;
-    bool holes = false;
+    size_t holes = 0;              // how many of dense are kNoEntity
+    int iterating = 0;             // how many iterations are under way
     virtual ~PoolBase() = default;
     virtual void remove(uint32_t index) = 0;
+    virtual void endIteration() = 0;
     uint32_t slot(uint32_t index) const { return index < sparse.size() ? sparse[index] : kNone; }
+    // Sets filled in equal order keep an entity in the same slot: a right guess saves the look-up in `sparse`.
+    uint32_t slot(uint32_t index, size_t guess) const {
+        return guess < dense.size() && dense[guess].index == index ? static_cast<uint32_t>(guess) : slot(index);
+    }
+};
+
+// Holds the sets of a view still for as long as it lives, exceptions included.
+template <size_t N>
+struct Iteration {
+    std::array<PoolBase*, N> pools;
+    explicit Iteration(const std::array<PoolBase*, N>& p) : pools(p) {
+        for (PoolBase* pool : pools) ++pool->iterating;
+    }
+    ~Iteration() {
+        for (PoolBase* pool : pools) pool->endIteration();
+    }
+    Iteration(const Iteration&) = delete;
+    Iteration& operator=(const Iteration&) = delete;
 };
 
 template <class C>
 struct Pool final : PoolBase {
+    static_assert(!std::is_same_v<C, bool>, "a vector of bool hands out no references: wrap it in a struct");
     std::vector<C> items;
 
     C& add(Entity e, C value) {
@@ -51,19 +75,19 @@ struct Pool final : PoolBase {
         sparse[index] = kNone;
         if (iterating > 0) {  // the slot stays until the outermost iteration ends, so that nothing moves under it
             dense[s] = kNoEntity;
-            holes = true;
+            ++holes;
             return;
         }
         moveInto(s, dense.size() - 1);
         shrink(dense.size() - 1);
     }
-    void endIteration() {
-        if (--iterating > 0 || !holes) return;
+    void endIteration() override {
+        if (--iterating > 0 || holes == 0) return;
         size_t kept = 0;
         for (size_t s = 0; s < dense.size(); ++s)
             if (!(dense[s] == kNoEntity)) moveInto(kept++, s);
         shrink(kept);
-        holes = false;
+        holes = 0;
     }
 
   private:
@@ -80,7 +104,7 @@ struct Pool final : PoolBase {
 };
 
 inline uint32_t nextTypeId() {
-    static uint32_t next = 0;
+    static std::atomic<uint32_t> next = 0;
     return next++;
 }
 template <class C>
@@ -92,6 +116,9 @@ uint32_t typeId() {
 
 class Registry {
   public:
+    // firstGeneration: other than 1 only to try what happens when generations run out.
+    explicit Registry(uint32_t firstGeneration = 1) : firstGeneration_(firstGeneration) {}
+
     // A new entity with no components.
     Entity create() {
         ++alive_;
@@ -100,20 +127,21 @@ class Registry {
             free_.pop_back();
             return {index, generations_[index]};
         }
-        generations_.push_back(1);
-        return {static_cast<uint32_t>(generations_.size() - 1), 1};
+        generations_.push_back(firstGeneration_);
+        return {static_cast<uint32_t>(generations_.size() - 1), firstGeneration_};
     }
     // Removes the entity and its components. False if the handle is stale.
     bool destroy(Entity e) {
         if (!valid(e)) return false;
         for (auto& pool : pools_)
             if (pool) pool->remove(e.index);
-        ++generations_[e.index];
-        free_.push_back(e.index);
+        if (++generations_[e.index] != 0) free_.push_back(e.index);  // 0: worn out, never used again
         --alive_;
         return true;
     }
-    bool valid(Entity e) const { return e.index < generations_.size() && generations_[e.index] == e.generation; }
+    bool valid(Entity e) const {
+        return e.generation != 0 && e.index < generations_.size() && generations_[e.index] == e.generation;
+    }
     size_t size() const { return alive_; }
 
     // Adds or replaces. Null if the handle is stale. The pointer holds until C is next added to or removed from.
@@ -124,71 +152,65 @@ class Registry {
     // False if the handle is stale or has no C.
     template <class C>
     bool remove(Entity e) {
-        detail::Pool<C>* p = find<C>();
-        if (!valid(e) || !p || p->slot(e.index) == detail::kNone) return false;
-        p->remove(e.index);
+        if (!get<C>(e)) return false;
+        pool<C>().remove(e.index);
         return true;
     }
-    // Null if the handle is stale or has no C.
+    // Null if the handle is stale or has no C. The pointer holds as long as add's.
     template <class C>
-    C* get(Entity e) {
-        detail::Pool<C>* p = find<C>();
+    const C* get(Entity e) const {
+        const detail::Pool<C>* p = find<C>();
         if (!p || !valid(e)) return nullptr;
         const uint32_t s = p->slot(e.index);
         return s == detail::kNone ? nullptr : &p->items[s];
     }
     template <class C>
-    const C* get(Entity e) const {
-        return const_cast<Registry*>(this)->get<C>(e);
+    C* get(Entity e) {
+        return const_cast<C*>(std::as_const(*this).template get<C>(e));
     }
     template <class C>
     size_t count() const {
-        const detail::Pool<C>* p = const_cast<Registry*>(this)->find<C>();
-        if (!p) return 0;
-        size_t n = 0;
-        for (const Entity& e : p->dense) n += e == kNoEntity ? 0 : 1;
-        return n;
+        const detail::Pool<C>* p = find<C>();
+        return p ? p->dense.size() - p->holes : 0;
     }
 
-    // Calls f(Entity, First&, Rest&...) for each entity with all of them, in First's order.
-    // During it: removing any component or entity is allowed, and what was removed is not visited afterwards;
-    // what is added is not visited, and adding a First or Rest invalidates the references that f was given.
+    // Calls f(Entity, First&, Rest&...) for each entity that has all of them, in First's order: the order in which they
+    // were added, until a removal outside an iteration moves the last one into the gap.
+    // During it, in f and in iterations nested in it, everything is allowed:
+    // - a removed component or entity, the current one included, is not visited afterwards; references to what was
+    //   removed from First or Rest hold until the outermost iteration over that component ends;
+    // - an entity that gains a First is not visited; one that has First and gains a Rest before its turn is;
+    // - adding a First or Rest invalidates the references that f was given to that component.
     template <class First, class... Rest, class F>
     void each(F&& f) {
         detail::Pool<First>& first = pool<First>();
-        const std::tuple<detail::Pool<Rest>*...> rest{&pool<Rest>()...};
-        ++first.iterating;
-        (++std::get<detail::Pool<Rest>*>(rest)->iterating, ...);
+        const std::tuple<detail::Pool<Rest>&...> rest{pool<Rest>()...};
+        const detail::Iteration<1 + sizeof...(Rest)> hold({&first, &pool<Rest>()...});
+        walk(first, rest, std::index_sequence_for<Rest...>{}, f);
+    }
+    // The same on a registry that only is read.
+    template <class First, class... Rest, class F>
+    void each(F&& f) const {
+        const detail::Pool<First>* first = find<First>();
+        if (!first || !(find<Rest>() && ...)) return;
+        walk(*first, std::tuple<const detail::Pool<Rest>&...>{*find<Rest>()...}, std::index_sequence_for<Rest...>{}, f);
+    }
+
+  private:
+    template <class First, class Rest, size_t... I, class F>
+    static void walk(First& first, const Rest& rest, std::index_sequence<I...>, F& f) {
         const size_t end = first.dense.size();
         for (size_t s = 0; s < end; ++s) {
             const Entity e = first.dense[s];
             if (e == kNoEntity) continue;
-            if ((hasAt(*std::get<detail::Pool<Rest>*>(rest), e.index, s) && ...))
-                f(e, first.items[s], itemAt(*std::get<detail::Pool<Rest>*>(rest), e.index, s)...);
+            [[maybe_unused]] const std::array<uint32_t, sizeof...(I)> at{std::get<I>(rest).slot(e.index, s)...};
+            if (((at[I] != detail::kNone) && ...)) f(e, first.items[s], std::get<I>(rest).items[at[I]]...);
         }
-        (std::get<detail::Pool<Rest>*>(rest)->endIteration(), ...);
-        first.endIteration();
-    }
-    template <class First, class... Rest, class F>
-    void each(F&& f) const {
-        const_cast<Registry*>(this)->each<First, Rest...>(
-            [&](Entity e, const First& a, const Rest&... rest) { f(e, a, rest...); });
-    }
-
-  private:
-    // Sets filled in equal order keep an entity in the same slot: that guess saves the look-up in `sparse`.
-    template <class C>
-    static bool hasAt(const detail::Pool<C>& p, uint32_t index, size_t guess) {
-        return (guess < p.dense.size() && p.dense[guess].index == index) || p.slot(index) != detail::kNone;
     }
     template <class C>
-    static C& itemAt(detail::Pool<C>& p, uint32_t index, size_t guess) {
-        return p.dense[guess < p.dense.size() ? guess : 0].index == index ? p.items[guess] : p.items[p.slot(index)];
-    }
-    template <class C>
-    detail::Pool<C>* find() {
+    const detail::Pool<C>* find() const {
         const uint32_t id = detail::typeId<C>();
-        return id < pools_.size() ? static_cast<detail::Pool<C>*>(pools_[id].get()) : nullptr;
+        return id < pools_.size() ? static_cast<const detail::Pool<C>*>(pools_[id].get()) : nullptr;
     }
     template <class C>
     detail::Pool<C>& pool() {
@@ -198,9 +220,10 @@ class Registry {
         return static_cast<detail::Pool<C>&>(*pools_[id]);
     }
 
-    std::vector<std::unique_ptr<detail::PoolBase>> pools_;
-    std::vector<uint32_t> generations_;
+    std::vector<std::unique_ptr<detail::PoolBase>> pools_;  // by type id
+    std::vector<uint32_t> generations_;                     // by entity index: of the one that is, or of the next
     std::vector<uint32_t> free_;
+    uint32_t firstGeneration_;
     size_t alive_ = 0;
 };
 

@@ -54,6 +54,7 @@ struct FieldRow {
     PixelType mapType = PixelType::U16;         // Map: type of a new one
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isHeight = false;                      // Map: heights, never 8-bit
+    bool isFile = false;                        // String: an image file in the project's folder, or empty
 };
 
 struct ComponentRow {

@@ -1,0 +1,72 @@
+// What a pass or system is handed: the project, the view, and the engine's shared services. No statics anywhere.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "frame/ground.h"
+#include "frame/map_textures.h"
+#include "frame/plan.h"
+#include "frame/renderer.h"
+#include "gpu/program.h"
+#include "gpu/resources.h"
+#include "shared/frame.h"
+
+namespace sward {
+
+// The frustum's six planes over eye-relative positions, normals inward: dot(n, p) + d >= 0 inside.
+struct Frustum {
+    std::array<glm::vec4, 6> planes;
+    bool touches(const glm::vec3& low, const glm::vec3& high) const;
+};
+Frustum frustumOf(const glm::mat4& viewProj);
+
+// What effects hand to effects of other domains, which never include each other.
+struct SharedResources {
+    Ground ground;             // the terrain; null without one
+    HeightBounds bounds;
+    GLuint heights = 0;        // the height map's texture; 0: flat
+    GLuint cover = 0;          // uniform buffer of CoverGlobals
+    std::array<GLuint, MAX_SPECIES> densities{};
+    GLuint orientation = 0, vegetation = 0, occlusion = 0;
+};
+
+// The targets of one view.
+struct ViewTargets {
+    Texture color, depth, resolved, image;  // RGBA16F and D32F multisampled; RGBA16F; RGBA8
+    Framebuffer scene, resolve, final;
+    int width = 0, height = 0, samples = 0;
+};
+
+struct DrawContext {
+    Gpu& gpu;
+    Project& project;
+    const Tables& tables;
+    const FramePlan& plan;
+    const ViewCamera& camera;
+    const ViewSettings& settings;
+    Programs& programs;
+    MapTextures& maps;
+    SharedResources& shared;
+    ViewTargets& targets;
+    FrameGlobals& globals;   // systems may write; uploaded before the first pass
+    FrameStats& stats;
+    Frustum frustum;
+    glm::dvec3 eye{0};         // relative to the terrain's corner, or to the world without a terrain
+    EffectState* state = nullptr;  // of the effect whose pass or system runs
+    PassStats* pass = nullptr;     // of the pass that runs
+    const Pass* row = nullptr;
+
+    template <class S>
+    S& own() { return *static_cast<S*>(state); }
+    // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
+    bool use(size_t program = 0);
+    std::string error;             // the first program that failed
+};
+
+template <class C>
+C* firstOf(Project& p) {
+    for (auto& [name, e] : p.entities)
+        if (C* c = p.registry.get<C>(e)) return c;
+    return nullptr;
+}
+
+}  // namespace sward

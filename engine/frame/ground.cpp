@@ -1,0 +1,115 @@
+#include "frame/ground.h"
+
+#include "frame/renderer.h"
+
+namespace sward {
+
+Ground findGround(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const Terrain* t = p.registry.get<Terrain>(e)) {
+            const Transform* at = p.registry.get<Transform>(e);
+            return {t, at ? at->position : glm::dvec3(0)};
+        }
+    return {};
+}
+
+std::pair<double, double> heightScale(const Terrain& t) {
+    if (t.height.map.info().type == PixelType::F32) return {0.0, 1.0};
+    return {t.heightRange.x, t.heightRange.y - t.heightRange.x};
+}
+
+double terrainHeight(const Terrain& t, double x, double z) {
+    if (!t.height.present()) return 0;
+    const auto [offset, scale] = heightScale(t);
+    return offset + scale * t.height.map.sample(x / t.size.x, z / t.size.y);
+}
+
+std::pair<float, float> HeightBounds::over(const glm::dvec2& size, double x0, double z0, double x1, double z1) const {
+    if (parts.size() <= 1) return {low, high};
+    const auto part = [](double v, double extent) { return std::clamp(static_cast<int>(std::floor(v / extent * kBoundsGrid)), 0, kBoundsGrid - 1); };
+    float lo = high, hi = low;
+    for (int z = part(z0, size.y); z <= part(z1, size.y); ++z)
+        for (int x = part(x0, size.x); x <= part(x1, size.x); ++x) {
+            const auto& [a, b] = parts[static_cast<size_t>(z) * kBoundsGrid + static_cast<size_t>(x)];
+            lo = std::min(lo, a);
+            hi = std::max(hi, b);
+        }
+    return {lo, hi};
+}
+
+namespace {
+
+// Texels whose bilinear reach touches part i of n parts over `side` texels.
+std::pair<int, int> reach(int i, int side) {
+    const double scale = static_cast<double>(side) / kBoundsGrid;
+    return {std::max(static_cast<int>(std::floor(i * scale - 0.5)), 0), std::min(static_cast<int>(std::ceil((i + 1) * scale + 0.5)), side - 1)};
+}
+
+std::pair<float, float> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
+    float lo = m.at(xs.first, ys.first), hi = lo;
+    for (int y = ys.first; y <= ys.second; ++y)
+        for (int x = xs.first; x <= xs.second; ++x) {
+            const float h = m.at(x, y);
+            lo = std::min(lo, h);
+            hi = std::max(hi, h);
+        }
+    return {lo, hi};
+}
+
+}  // namespace
+
+void updateHeightBounds(HeightBounds& b, const Terrain& t) {
+    if (!t.height.present()) {
+        b = {};
+        return;
+    }
+    const Map& m = t.height.map;
+    if (!b.parts.empty() && b.of.sameTiles(m)) return;
+    const auto [offset, scale] = heightScale(t);
+    b.of = m;
+    b.parts.resize(static_cast<size_t>(kBoundsGrid) * kBoundsGrid);
+    b.low = std::numeric_limits<float>::max();
+    b.high = -b.low;
+    for (int z = 0; z < kBoundsGrid; ++z)
+        for (int x = 0; x < kBoundsGrid; ++x) {
+            const auto [lo, hi] = boundsOf(m, reach(x, m.info().width), reach(z, m.info().height));
+            auto& part = b.parts[static_cast<size_t>(z) * kBoundsGrid + static_cast<size_t>(x)];
+            part = {static_cast<float>(offset + scale * lo), static_cast<float>(offset + scale * hi)};
+            b.low = std::min(b.low, part.first);
+            b.high = std::max(b.high, part.second);
+        }
+}
+
+const Camera* findCamera(const Project& p, const std::string& name) {
+    for (const auto& [n, e] : p.entities)
+        if (const Camera* c = p.registry.get<Camera>(e); c && (name.empty() || n == name)) return c;
+    return nullptr;
+}
+
+ViewCamera viewOf(const Camera& c) { return {c.eye, c.target, c.fovDeg, c.exposure}; }
+
+std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px, double py) {
+    const Ground ground = findGround(p);
+    if (!ground.terrain || width <= 0 || height <= 0) return {};
+    const glm::dvec3 forward = glm::normalize(c.target - c.eye);
+    const glm::dvec3 up = std::abs(forward.y) > 0.9999 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+    const double t = std::tan(glm::radians(static_cast<double>(c.fovDeg)) / 2);
+    const glm::dvec3 dir = glm::normalize(forward + right * ((2 * px / width - 1) * t * width / height) + glm::cross(right, forward) * ((1 - 2 * py / height) * t));
+    const glm::dvec3 eye = c.eye - ground.origin;
+    // March with steps that grow with distance, then bisect the step that went below.
+    const auto above = [&](double s) { const glm::dvec3 q = eye + dir * s; return q.y - terrainHeight(*ground.terrain, q.x, q.z); };
+    const double far = 4 * (ground.terrain->size.x + ground.terrain->size.y + std::abs(eye.y));
+    double a = 0, b = 0;
+    for (double s = 0.05; s < far; s += std::max(0.05, s * 0.02)) {
+        a = b, b = s;
+        if (above(s) <= 0) break;
+    }
+    if (above(b) > 0) return {};
+    for (int i = 0; i < 40; ++i) (above((a + b) / 2) > 0 ? a : b) = (a + b) / 2;
+    const glm::dvec3 hit = eye + dir * b;
+    if (hit.x < 0 || hit.z < 0 || hit.x > ground.terrain->size.x || hit.z > ground.terrain->size.y) return {};
+    return ground.origin + glm::dvec3(hit.x, terrainHeight(*ground.terrain, hit.x, hit.z), hit.z);
+}
+
+}  // namespace sward

@@ -1,0 +1,37 @@
+// The terrain as the CPU sees it: heights, bounds, and the ray that finds the ground under the mouse.
+// Does not: draw. Heights are relative to the terrain's Transform; bilinear by the rule that shaders use.
+#pragma once
+#include <glm/glm.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scene/project.h"
+
+namespace sward {
+
+// The scene's one terrain and where it stands, or null. Grass without one is not drawn.
+struct Ground {
+    const Terrain* terrain = nullptr;
+    glm::dvec3 origin{0};  // the terrain's corner x = z = 0 in the world
+};
+Ground findGround(const Project& p);
+
+// Metres at terrain-relative (x, z), clamped to the terrain; 0 without a height map.
+double terrainHeight(const Terrain& t, double x, double z);
+// What a texel of the height map means: metres = offset + scale * texel.
+std::pair<double, double> heightScale(const Terrain& t);
+
+// Lowest and highest height over a fixed grid of kBoundsGrid x kBoundsGrid parts of the terrain: bounds do not depend on the
+// map's resolution. Rebuilt when the map's tiles differ.
+inline constexpr int kBoundsGrid = 64;
+struct HeightBounds {
+    std::vector<std::pair<float, float>> parts;  // row-major, z rows; one part if flat
+    float low = 0, high = 0;
+    Map of;                                      // the map they were taken from
+    // Bounds over terrain-relative [x0, x1] x [z0, z1] of a terrain of this size.
+    std::pair<float, float> over(const glm::dvec2& size, double x0, double z0, double x1, double z1) const;
+};
+void updateHeightBounds(HeightBounds& b, const Terrain& t);
+
+}  // namespace sward

@@ -1,0 +1,138 @@
+#include "frame/map_textures.h"
+
+namespace sward {
+namespace {
+
+struct Format {
+    GLenum internal, layout, type;
+};
+Format formatOf(const MapInfo& info, bool srgb) {
+    static constexpr GLenum kLayout[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    static constexpr GLenum k8[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8}, k16[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16},
+                            k32[] = {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
+    const size_t c = static_cast<size_t>(info.channels - 1);
+    switch (info.type) {
+        case PixelType::U8: return {srgb && info.channels == 4 ? GLenum(GL_SRGB8_ALPHA8) : k8[c], kLayout[c], GL_UNSIGNED_BYTE};
+        case PixelType::U16: return {k16[c], kLayout[c], GL_UNSIGNED_SHORT};
+        default: return {k32[c], kLayout[c], GL_FLOAT};
+    }
+}
+
+// Halves an image; odd edges repeat their last texel. `stride` in texels.
+template <class T>
+std::vector<T> halve(const T* in, int width, int height, int stride, int channels) {
+    const int w = std::max(width / 2, 1), h = std::max(height / 2, 1);
+    std::vector<T> out(static_cast<size_t>(w) * h * channels);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            const int x1 = std::min(2 * x + 1, width - 1), y1 = std::min(2 * y + 1, height - 1);
+            for (int c = 0; c < channels; ++c) {
+                const auto at = [&](int i, int j) { return in[(static_cast<size_t>(j) * stride + i) * channels + c]; };
+                if constexpr (std::is_floating_point_v<T>)
+                    out[(static_cast<size_t>(y) * w + x) * channels + c] = (at(2 * x, 2 * y) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1)) * 0.25f;
+                else
+                    out[(static_cast<size_t>(y) * w + x) * channels + c] =
+                        static_cast<T>((uint32_t(at(2 * x, 2 * y)) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1) + 2) / 4);
+            }
+        }
+    return out;
+}
+
+// Uploads level 0 of a region from `pixels` and the levels filtered from it, as far as `levels` and the region go.
+// Returns the last level's texel (1 x 1) or nothing if the region is smaller than a tile.
+template <class T>
+std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, int x, int y, int width, int height, int stride, int channels,
+                           int lastLevel, uint64_t& bytes) {
+    std::vector<T> held;
+    const T* level = pixels;
+    for (int l = 0;; ++l) {
+        const bool inside = x + width <= std::max(t.width >> l, 1) && y + height <= std::max(t.height >> l, 1);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
+        if (inside && l < t.levels) glTextureSubImage2D(t.id(), l, x, y, width, height, f.layout, f.type, level);
+        bytes += static_cast<uint64_t>(width) * height * channels * sizeof(T);
+        if (l == lastLevel) break;
+        held = halve(level, width, height, stride, channels);
+        level = held.data();
+        x /= 2, y /= 2;
+        width = std::max(width / 2, 1), height = std::max(height / 2, 1);
+        stride = width;
+    }
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    return {level, level + channels};
+}
+
+constexpr int kTileLevels = 7;  // 128 = 2^7
+
+template <class F>
+void withPixelType(PixelType type, F&& f) {
+    switch (type) {
+        case PixelType::U8: return f(uint8_t{});
+        case PixelType::U16: return f(uint16_t{});
+        case PixelType::F32: return f(float{});
+    }
+}
+
+}  // namespace
+
+GLuint MapTextures::get(const std::string& owner, const std::string& key, const Map& map, bool srgb, bool repeat) {
+    Entry& e = entries_[key];
+    e.used = true;
+    const MapInfo& info = map.info();
+    const Format f = formatOf(info, srgb);
+    const bool fresh = !(e.last.info() == info) || e.texture.format != f.internal;
+    if (fresh) {
+        e.texture = makeTexture2D(gpu_, owner, f.internal, info.width, info.height, 0, repeat);
+        e.coarse.assign(static_cast<size_t>(map.tilesX()) * map.tilesY() * map.texelBytes(), std::byte{});
+    } else if (e.last.sameTiles(map)) {
+        return e.texture.id();
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (int ty = 0; ty < map.tilesY(); ++ty)
+        for (int tx = 0; tx < map.tilesX(); ++tx)
+            if (fresh || e.last.tile(tx, ty) != map.tile(tx, ty)) uploadTile(e, srgb, map, tx, ty);
+    uploadCoarse(e, srgb, map);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    e.last = map;
+    return e.texture.id();
+}
+
+void MapTextures::uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty) {
+    const MapInfo& info = map.info();
+    const int x = tx * kTileSize, y = ty * kTileSize;
+    const int w = std::min(kTileSize, info.width - x), h = std::min(kTileSize, info.height - y);
+    withPixelType(info.type, [&](auto zero) {
+        using T = decltype(zero);
+        const T* pixels = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
+        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb), pixels, x, y, w, h, kTileSize, info.channels, kTileLevels, uploaded_);
+        std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(), map.texelBytes());
+    });
+}
+
+void MapTextures::uploadCoarse(Entry& e, bool srgb, const Map& map) {
+    const MapInfo& info = map.info();
+    withPixelType(info.type, [&](auto zero) {
+        using T = decltype(zero);
+        std::vector<T> level(e.coarse.size() / sizeof(T));
+        std::memcpy(level.data(), e.coarse.data(), e.coarse.size());
+        const Format f = formatOf(info, srgb);
+        int w = map.tilesX(), h = map.tilesY();
+        for (int l = kTileLevels; l < e.texture.levels; ++l) {
+            const int lw = std::max(info.width >> l, 1), lh = std::max(info.height >> l, 1);
+            glPixelStorei(GL_UNPACK_ROW_LENGTH, w);
+            glTextureSubImage2D(e.texture.id(), l, 0, 0, std::min(lw, w), std::min(lh, h), f.layout, f.type, level.data());
+            level = halve(level.data(), w, h, w, info.channels);
+            w = std::max(w / 2, 1), h = std::max(h / 2, 1);
+        }
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    });
+}
+
+void MapTextures::beginFrame() {
+    uploaded_ = 0;
+    for (auto& [key, e] : entries_) e.used = false;
+}
+void MapTextures::endFrame() {
+    std::erase_if(entries_, [](const auto& p) { return !p.second.used; });
+}
+
+}  // namespace sward

@@ -1,0 +1,38 @@
+// Painted maps as textures: one a map, uploaded by tile, only where a tile's pointer differs from the last upload.
+// A map that no pass asked for in a frame loses its texture after it.
+// Mip levels 1 to 7 of a tile are filtered from that tile alone (tiles are aligned to 128), coarser ones from level 7.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gpu/resources.h"
+#include "scene/map.h"
+
+namespace sward {
+
+class MapTextures {
+  public:
+    explicit MapTextures(Gpu& gpu) : gpu_(gpu) {}
+    // owner: who is charged ("terrain/ground"); key: the map's identity, its PATH. srgb: 8-bit colour is decoded by the GPU.
+    // Formats: U8 R8/RG8/RGBA8, U16 R16/RG16/RGBA16, F32 R32F/RG32F/RGBA32F.
+    GLuint get(const std::string& owner, const std::string& key, const Map& map, bool srgb = false, bool repeat = false);
+    void beginFrame();
+    void endFrame();  // frees what was not asked for since beginFrame
+    uint64_t uploadedBytes() const { return uploaded_; }  // since beginFrame
+
+  private:
+    struct Entry {
+        Texture texture;
+        Map last;                       // as uploaded: tiles are compared by pointer
+        std::vector<std::byte> coarse;  // level 7, one texel a tile
+        bool used = false;
+    };
+    void uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty);
+    void uploadCoarse(Entry& e, bool srgb, const Map& map);
+    Gpu& gpu_;
+    std::map<std::string, Entry> entries_;
+    uint64_t uploaded_ = 0;
+};
+
+}  // namespace sward

@@ -1,0 +1,33 @@
+// From features to what runs: the planner. Pure: no GL, no registry.
+// What no feature asks for is not in the plan, so it is not ticked, not drawn, not compiled, and holds no memory.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/rows.h"
+
+namespace sward {
+
+struct PlannedPass {
+    const EffectRow* effect;
+    const Pass* pass;
+};
+struct FramePlan {
+    FeatureSet features;
+    unsigned views = 0;
+    std::vector<const EffectRow*> effects;  // in table order
+    std::vector<PlannedPass> passes;        // in drawing order
+    std::vector<std::pair<const EffectRow*, const System*>> systems;
+    std::vector<std::string> programs() const;     // names, sorted, once each
+    std::vector<std::string> systemNames() const;  // in running order
+    bool operator==(const FramePlan& o) const { return features == o.features && views == o.views; }
+};
+
+// Effects whose needs the features meet; their passes that serve one of the views, sorted by stage and, within a
+// stage, writers of a resource before its readers; ties keep the table's order.
+FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
+
+// "const bool NAME = true;" for each declared feature, by what the scene has.
+std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene);
+
+}  // namespace sward

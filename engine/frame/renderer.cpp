@@ -1,0 +1,251 @@
+#include "frame/renderer.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/log.h"
+#include "frame/draw_context.h"
+#include "frame/explain.h"
+#include "gpu/timer.h"
+
+namespace sward {
+namespace {
+
+constexpr float kNear = 0.05f;  // metres; the far plane is at infinity
+
+// Reversed depth without a far plane: depth = near / distance. Clip z in [0, w].
+glm::mat4 projection(float fovDeg, float aspect) {
+    const float f = 1.0f / std::tan(glm::radians(fovDeg) / 2);
+    glm::mat4 m(0);
+    m[0][0] = f / aspect;
+    m[1][1] = f;
+    m[2][3] = -1;
+    m[3][2] = kNear;
+    return m;
+}
+
+glm::mat4 rotation(const ViewCamera& c) {
+    const glm::dvec3 d = c.target - c.eye;
+    const glm::vec3 forward = glm::length(d) > 0 ? glm::vec3(glm::normalize(d)) : glm::vec3(0, 0, -1);
+    const glm::vec3 up = std::abs(forward.y) > 0.9999f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+    return glm::lookAt(glm::vec3(0), forward, up);
+}
+
+void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa) {
+    const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
+    if (t.width == width && t.height == height && t.samples == samples) return;
+    t = {};
+    const char* owner = "frame/targets";
+    t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
+    t.depth = makeTexture2DMultisample(gpu, owner, GL_DEPTH_COMPONENT32F, width, height, samples);
+    t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height);
+    t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
+    t.scene = makeFramebuffer(t.color.id(), t.depth.id(), "frame/scene");
+    t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
+    t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
+    t.width = width, t.height = height, t.samples = samples;
+}
+
+// The fixed state that every pass may rely on; a pass that changes more restores it.
+void beginScene(const ViewTargets& t) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glBindFramebuffer(GL_FRAMEBUFFER, t.scene.id());
+    glViewport(0, 0, t.width, t.height);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_MULTISAMPLE);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearDepth(0.0);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace
+
+bool Frustum::touches(const glm::vec3& low, const glm::vec3& high) const {
+    for (const glm::vec4& p : planes) {
+        const glm::vec3 far(p.x > 0 ? high.x : low.x, p.y > 0 ? high.y : low.y, p.z > 0 ? high.z : low.z);
+        if (glm::dot(glm::vec3(p), far) + p.w < 0) return false;
+    }
+    return true;
+}
+
+Frustum frustumOf(const glm::mat4& m) {
+    const auto row = [&](int r) { return glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]); };
+    // Left, right, bottom, top, near; the sixth repeats the near one: there is no far plane.
+    return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
+}
+
+bool DrawContext::use(size_t index) {
+    const ProgramRow& p = row->programs[index];
+    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, plan.features));
+    if (!program) {
+        if (error.empty()) error = program.error().text();
+        return false;
+    }
+    glUseProgram(*program);
+    return true;
+}
+
+struct Renderer::Impl {
+    Gpu& gpu;
+    const Tables& tables;
+    Programs programs;
+    MapTextures maps{gpu};
+    ViewTargets targets;
+    Buffer globalsBuffer;
+    VertexArray empty;
+    FramePlan plan;
+    bool planned = false;
+    std::map<const EffectRow*, std::unique_ptr<EffectState>> states;
+    SharedResources shared;
+    FrameStats stats;
+    GpuTimer timer{gpu};
+
+    Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) {
+        globalsBuffer = makeBuffer(gpu, "frame/globals", sizeof(FrameGlobals), nullptr);
+        empty = makeVertexArray("frame/empty");
+    }
+
+    void replan(const Project& project) {
+        FramePlan next = planFrame(sceneFeatures(project.registry, tables.components), kViewMain, tables.effects);
+        if (planned && next == plan) return;
+        plan = std::move(next);
+        planned = true;
+        std::erase_if(states, [&](const auto& s) { return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end(); });
+        programs.keepOnly(plan.programs());
+        shared = {};
+    }
+
+    DrawContext context(Project& project, const ViewCamera& camera, const ViewSettings& settings, FrameGlobals& globals) {
+        DrawContext ctx{gpu, project, tables, plan, camera, settings, programs, maps, shared, targets, globals, stats, frustumOf(globals.viewProj)};
+        shared.ground = findGround(project);
+        ctx.eye = camera.eye - shared.ground.origin;
+        return ctx;
+    }
+
+    void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s) {
+        g = {};
+        const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
+        g.viewProj = projection(camera.fovDeg, w / h) * rotation(camera);
+        g.invViewProj = glm::inverse(g.viewProj);
+        g.viewport = {w, h, 1 / w, 1 / h};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), 0, 0};
+    }
+
+    void runSystems(DrawContext& ctx) {
+        for (const EffectRow* effect : plan.effects) {
+            std::unique_ptr<EffectState>& state = states[effect];
+            ctx.state = state.get();
+            if (!state && effect->makeState) state = effect->makeState(ctx);
+            ctx.state = state.get();
+            for (const System& system : effect->systems) system.run(ctx);
+        }
+    }
+
+    void runPass(DrawContext& ctx, const PlannedPass& p) {
+        stats.passes.push_back({});
+        PassStats& pass = stats.passes.back();
+        pass.name = p.pass->name;
+        ctx.pass = &pass;
+        ctx.row = p.pass;
+        ctx.state = states[p.effect].get();
+        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, p.pass->name);
+        if (ctx.settings.measure) timer.begin();
+        p.pass->draw(ctx);
+        if (ctx.settings.measure) {
+            const GpuCost cost = timer.end();
+            pass.ms = cost.ms;
+            pass.vertices = cost.vertices;
+            pass.fragments = cost.fragments;
+        }
+        glPopDebugGroup();
+    }
+
+    void draw(DrawContext& ctx) {
+        stats.passes.clear();
+        stats.passes.reserve(plan.passes.size());
+        beginScene(targets);
+        glBindVertexArray(empty.id());
+        glNamedBufferSubData(globalsBuffer.id(), 0, sizeof(FrameGlobals), &ctx.globals);
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, globalsBuffer.id());
+        for (const PlannedPass& p : plan.passes) runPass(ctx, p);
+        glBindVertexArray(0);
+        glUseProgram(0);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+};
+
+Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
+Renderer::~Renderer() = default;
+
+Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+    Impl& r = *impl_;
+    const auto start = std::chrono::steady_clock::now();
+    r.stats = {};
+    r.replan(project);
+    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa);
+    FrameGlobals globals;
+    r.fillGlobals(globals, camera, settings);
+    DrawContext ctx = r.context(project, camera, settings, globals);
+    const BrushDecal& d = settings.decal;
+    globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
+    globals.eye = glm::vec4(glm::vec3(ctx.eye), static_cast<float>(settings.time));
+    r.maps.beginFrame();
+    r.runSystems(ctx);
+    r.draw(ctx);
+    r.maps.endFrame();
+    if (settings.measure) glFinish();
+    r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
+    r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (!ctx.error.empty()) return Error{ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    return {};
+}
+
+unsigned Renderer::image() const { return impl_->targets.image.id(); }
+const FrameStats& Renderer::stats() const { return impl_->stats; }
+void Renderer::finish() { glFinish(); }
+std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }
+
+std::vector<std::string> Renderer::reloadPrograms() {
+    std::vector<std::string> failed = impl_->programs.reload();
+    for (const std::string& message : failed) logError(message);
+    return failed;
+}
+
+std::string Renderer::explain(Project& project, bool json) {
+    impl_->replan(project);
+    return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
+}
+
+namespace {
+template <class T>
+std::vector<T> flipRows(std::vector<T> pixels, int width, int height, int channels) {
+    const size_t row = static_cast<size_t>(width) * channels;
+    for (int y = 0; y < height / 2; ++y)
+        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(y * row), pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+                         pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row));
+    return pixels;
+}
+}  // namespace
+
+std::vector<uint8_t> Renderer::readImage() const {
+    const ViewTargets& t = impl_->targets;
+    std::vector<uint8_t> pixels(static_cast<size_t>(t.width) * t.height * 3);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureImage(t.image.id(), 0, GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()), pixels.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    return flipRows(std::move(pixels), t.width, t.height, 3);
+}
+
+std::vector<float> Renderer::readLinear() const {
+    const ViewTargets& t = impl_->targets;
+    std::vector<float> pixels(static_cast<size_t>(t.width) * t.height * 3);
+    glGetTextureImage(t.resolved.id(), 0, GL_RGB, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)), pixels.data());
+    return flipRows(std::move(pixels), t.width, t.height, 3);
+}
+
+}  // namespace sward

@@ -1,0 +1,188 @@
+#include "gpu/program.h"
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "core/log.h"
+
+namespace sward {
+namespace fs = std::filesystem;
+
+fs::path shaderFolder() {
+    std::error_code ec;
+    const fs::path exe = fs::read_symlink("/proc/self/exe", ec);
+    const fs::path beside = exe.parent_path() / ".." / ".." / "shaders";
+    if (!ec && fs::is_directory(beside / "numerics", ec)) return fs::weakly_canonical(beside);
+    return fs::path(SWARD_SOURCE_DIR) / "shaders";
+}
+
+namespace {
+
+std::optional<std::string> includeOf(const std::string& line) {
+    const size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) return {};
+    const size_t a = line.find('"'), b = line.rfind('"');
+    if (a == std::string::npos || b <= a) return {};
+    return line.substr(a + 1, b - a - 1);
+}
+
+struct Loader {
+    fs::path folder;
+    ShaderText out;
+    std::set<std::string> done;
+
+    Status append(const std::string& path, const std::string& from, int fromLine) {
+        if (!done.insert(path).second) return {};
+        std::ifstream in(folder / path);
+        if (!in) {
+            const std::string where = from.empty() ? "" : fmt::format(", included by {}:{}", from, fromLine);
+            return Error{ExitCode::Failed, "shader source not found" + where, (folder / path).string(), 0, 0,
+                         "the program needs the shaders/ folder of its own version"};
+        }
+        const size_t number = out.files.size();
+        out.files.push_back(path);
+        out.text += fmt::format("#line 1 {}\n", number);
+        std::string line;
+        for (int n = 1; std::getline(in, line); ++n) {
+            const auto include = includeOf(line);
+            if (!include) {
+                if (line.rfind("#pragma once", 0) != 0) out.text += line;
+                out.text += "\n";
+                continue;
+            }
+            if (Status s = append(*include, path, n); !s) return s;
+            out.text += fmt::format("#line {} {}\n", n + 1, number);
+        }
+        return {};
+    }
+};
+
+}  // namespace
+
+Result<ShaderText> loadShaderText(const fs::path& folder, const std::string& path, const std::string& constants) {
+    Loader loader{folder, {}, {}};
+    loader.out.text = "#version 450 core\n" + constants;
+    if (Status s = loader.append(path, "", 0); !s) return s.error();
+    return std::move(loader.out);
+}
+
+std::string namedLog(const std::string& log, const std::vector<std::string>& files) {
+    static const std::regex place(R"((^|ERROR: |\n)(\d+)[:(](\d+)\)?)");
+    std::string out;
+    auto at = log.cbegin();
+    for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
+        out.append(at, log.cbegin() + it->position());
+        const size_t file = std::stoul((*it)[2]);
+        out += (*it)[1].str() + (file < files.size() ? files[file] : (*it)[2].str()) + ":" + (*it)[3].str();
+        at = log.cbegin() + it->position() + it->length();
+    }
+    out.append(at, log.cend());
+    return out;
+}
+
+namespace {
+
+Result<GLuint> compileStage(const fs::path& folder, GLenum stage, const char* path, const std::string& constants,
+                            std::vector<std::string>& files) {
+    auto text = loadShaderText(folder, path, constants);
+    if (!text) return text.error();
+    files.insert(files.end(), text->files.begin(), text->files.end());
+    const GLuint shader = glCreateShader(stage);
+    const char* source = text->text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint ok = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (ok) return shader;
+    std::string log(16384, '\0');
+    GLsizei length = 0;
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<size_t>(length));
+    glDeleteShader(shader);
+    return Error{ExitCode::Failed, "does not compile:\n" + namedLog(log, text->files), path, 0, 0, ""};
+}
+
+Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders) {
+    const GLuint program = glCreateProgram();
+    for (GLuint s : shaders) glAttachShader(program, s);
+    glLinkProgram(program);
+    GLint ok = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    if (ok) {
+        glObjectLabel(GL_PROGRAM, program, -1, name);
+        return program;
+    }
+    std::string log(16384, '\0');
+    GLsizei length = 0;
+    glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<size_t>(length));
+    glDeleteProgram(program);
+    return Error{ExitCode::Failed, "does not link:\n" + log, name, 0, 0, ""};
+}
+
+fs::file_time_type newestOf(const fs::path& folder, const std::vector<std::string>& files) {
+    fs::file_time_type newest = fs::file_time_type::min();
+    for (const std::string& f : files) {
+        std::error_code ec;
+        if (const auto t = fs::last_write_time(folder / f, ec); !ec) newest = std::max(newest, t);
+    }
+    return newest;
+}
+
+}  // namespace
+
+Result<GLuint> Programs::build(Entry& entry) {
+    const std::pair<GLenum, const char*> stages[] = {{GL_VERTEX_SHADER, entry.sources.vertex},
+                                                     {GL_FRAGMENT_SHADER, entry.sources.fragment},
+                                                     {GL_COMPUTE_SHADER, entry.sources.compute}};
+    std::vector<GLuint> shaders;
+    std::vector<std::string> files;
+    std::optional<Error> error;
+    for (const auto& [stage, path] : stages) {
+        if (!path || error) continue;
+        auto shader = compileStage(folder_, stage, path, entry.constants, files);
+        if (shader) shaders.push_back(*shader);
+        else error = shader.error();
+    }
+    Result<GLuint> program = error ? Result<GLuint>(*error) : link(entry.sources.name, shaders);
+    for (GLuint s : shaders) glDeleteShader(s);
+    if (!files.empty()) entry.files = files;
+    entry.newest = newestOf(folder_, entry.files);
+    return program;
+}
+
+Result<GLuint> Programs::get(const ProgramSources& sources, const std::string& constants) {
+    const auto place = std::make_pair(std::string(sources.name), constants);
+    if (auto it = programs_.find(place); it != programs_.end()) return it->second.program.id();
+    Entry entry{sources, constants, {}, {}, {}};
+    auto program = build(entry);
+    if (!program) return program;
+    entry.program = GlName<ProgramKind>(*program);
+    return programs_.emplace(place, std::move(entry)).first->second.program.id();
+}
+
+std::vector<std::string> Programs::reload() {
+    std::vector<std::string> failed;
+    for (auto& [key, entry] : programs_) {
+        if (newestOf(folder_, entry.files) <= entry.newest) continue;
+        auto program = build(entry);
+        if (program) entry.program = GlName<ProgramKind>(*program);
+        else failed.push_back(program.error().text());
+    }
+    return failed;
+}
+
+void Programs::keepOnly(const std::vector<std::string>& names) {
+    std::erase_if(programs_, [&](const auto& p) { return std::find(names.begin(), names.end(), p.first.first) == names.end(); });
+}
+
+std::vector<std::string> Programs::names() const {
+    std::vector<std::string> out;
+    for (const auto& [key, entry] : programs_)
+        if (out.empty() || out.back() != key.first) out.push_back(key.first);
+    return out;
+}
+
+}  // namespace sward

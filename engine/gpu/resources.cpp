@@ -1,0 +1,88 @@
+#include "gpu/resources.h"
+
+namespace sward {
+
+size_t formatBytes(GLenum format) {
+    switch (format) {
+        case GL_R8: return 1;
+        case GL_RG8: case GL_R16: case GL_R16F: return 2;
+        case GL_RGBA8: case GL_SRGB8_ALPHA8: case GL_RG16: case GL_R32F: case GL_DEPTH_COMPONENT32F: case GL_R11F_G11F_B10F: return 4;
+        case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: return 8;
+        case GL_RGB8: return 3;
+        case GL_RGB16: return 6;
+        case GL_RGB32F: return 12;
+        case GL_RGBA32F: return 16;
+        default: checkFailed(__FILE__, __LINE__, fmt::format("unknown texture format 0x{:x}", format));
+    }
+}
+
+Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags) {
+    const size_t size = std::max<size_t>(bytes, 16);
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), bytes == size ? data : nullptr, flags);
+    if (data && bytes > 0 && bytes != size) glNamedBufferSubData(id, 0, static_cast<GLsizeiptr>(bytes), data);
+    glObjectLabel(GL_BUFFER, id, -1, owner.c_str());
+    return {GlName<BufferKind>(id), Tally(gpu, owner, size)};
+}
+
+void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data) {
+    if (buffer.bytes() < bytes) buffer = makeBuffer(gpu, owner, bytes + bytes / 2, nullptr);
+    if (bytes > 0) glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), data);
+}
+
+namespace {
+int fullChain(int width, int height) {
+    int levels = 1;
+    for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
+    return levels;
+}
+size_t chainBytes(GLenum format, int width, int height, int levels) {
+    size_t sum = 0;
+    for (int l = 0; l < levels; ++l)
+        sum += formatBytes(format) * static_cast<size_t>(std::max(width >> l, 1)) * static_cast<size_t>(std::max(height >> l, 1));
+    return sum;
+}
+}  // namespace
+
+Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels, bool repeat) {
+    if (levels == 0) levels = fullChain(width, height);
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &id);
+    glTextureStorage2D(id, levels, format, width, height);
+    const GLint wrap = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrap);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrap);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
+    return {GlName<TextureKind>(id), Tally(gpu, owner, chainBytes(format, width, height, levels)), width, height, levels, format};
+}
+
+Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
+    glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE);
+    glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
+    const size_t bytes = chainBytes(format, width, height, 1) * static_cast<size_t>(samples);
+    return {GlName<TextureKind>(id), Tally(gpu, owner, bytes), width, height, 1, format};
+}
+
+Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label) {
+    GLuint id = 0;
+    glCreateFramebuffers(1, &id);
+    if (color) glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, color, 0);
+    if (depth) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
+    glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
+    CHECK_EQ(static_cast<unsigned>(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER)), static_cast<unsigned>(GL_FRAMEBUFFER_COMPLETE));
+    return Framebuffer(id);
+}
+
+VertexArray makeVertexArray(const char* label) {
+    GLuint id = 0;
+    glCreateVertexArrays(1, &id);
+    glObjectLabel(GL_VERTEX_ARRAY, id, -1, label);
+    return VertexArray(id);
+}
+
+}  // namespace sward

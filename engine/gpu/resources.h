@@ -1,0 +1,96 @@
+// Buffers, textures and framebuffers that free themselves, carry a label, and are counted in Gpu::ledger.
+// Does not: bind anything for drawing.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "gpu/gpu.h"
+
+namespace sward {
+
+// Bytes of the driver's memory under an owner's name, given back on destruction.
+class Tally {
+  public:
+    Tally() = default;
+    Tally(Gpu& gpu, std::string owner, size_t bytes) : gpu_(&gpu), owner_(std::move(owner)), bytes_(bytes) {
+        gpu.ledger[owner_] += static_cast<int64_t>(bytes);
+    }
+    Tally(Tally&& o) noexcept : gpu_(std::exchange(o.gpu_, nullptr)), owner_(std::move(o.owner_)), bytes_(o.bytes_) {}
+    Tally& operator=(Tally&& o) noexcept {
+        release();
+        gpu_ = std::exchange(o.gpu_, nullptr);
+        owner_ = std::move(o.owner_);
+        bytes_ = o.bytes_;
+        return *this;
+    }
+    ~Tally() { release(); }
+    size_t bytes() const { return gpu_ ? bytes_ : 0; }
+
+  private:
+    void release() {
+        if (!gpu_) return;
+        if ((gpu_->ledger[owner_] -= static_cast<int64_t>(bytes_)) == 0) gpu_->ledger.erase(owner_);
+        gpu_ = nullptr;
+    }
+    Gpu* gpu_ = nullptr;
+    std::string owner_;
+    size_t bytes_ = 0;
+};
+
+// An OpenGL name that is deleted with its holder. Kind: a struct with `static void destroy(GLuint)`.
+template <class Kind>
+class GlName {
+  public:
+    GlName() = default;
+    explicit GlName(GLuint id) : id_(id) {}
+    GlName(GlName&& o) noexcept : id_(std::exchange(o.id_, 0)) {}
+    GlName& operator=(GlName&& o) noexcept {
+        if (id_) Kind::destroy(id_);
+        id_ = std::exchange(o.id_, 0);
+        return *this;
+    }
+    ~GlName() {
+        if (id_) Kind::destroy(id_);
+    }
+    GLuint id() const { return id_; }
+
+  private:
+    GLuint id_ = 0;
+};
+struct BufferKind { static void destroy(GLuint id) { glDeleteBuffers(1, &id); } };
+struct TextureKind { static void destroy(GLuint id) { glDeleteTextures(1, &id); } };
+struct FramebufferKind { static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); } };
+struct VertexArrayKind { static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); } };
+struct ProgramKind { static void destroy(GLuint id) { glDeleteProgram(id); } };
+using VertexArray = GlName<VertexArrayKind>;
+using Framebuffer = GlName<FramebufferKind>;
+
+struct Buffer {
+    GlName<BufferKind> name;
+    Tally tally;
+    GLuint id() const { return name.id(); }
+    size_t bytes() const { return tally.bytes(); }
+};
+// owner: "domain/stem"; its domain/stem is what `explain` charges. data may be null. Sizes of 0 become 16.
+Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags = GL_DYNAMIC_STORAGE_BIT);
+// Makes room for `bytes` (contents are lost when it grows; grows by half again) and writes them at the start.
+void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data);
+
+struct Texture {
+    GlName<TextureKind> name;
+    Tally tally;
+    int width = 0, height = 0, levels = 1;
+    GLenum format = 0;
+    GLuint id() const { return name.id(); }
+};
+// levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
+Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1, bool repeat = false);
+Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
+Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
+VertexArray makeVertexArray(const char* label);
+
+// Bytes of one texel of a sized format; CHECK fails for one that Sward does not use.
+size_t formatBytes(GLenum format);
+
+}  // namespace sward

@@ -1,0 +1,37 @@
+#include "scene/features.h"
+
+#include "core/error.h"
+
+namespace sward {
+namespace {
+struct FeatureNames {
+    const char* name;
+    const char* constant;
+};
+// In the order of Feature.
+constexpr FeatureNames kNames[] = {
+    {"terrain", "TERRAIN"},
+    {"terrain-heights", "TERRAIN_HEIGHTS"},
+    {"terrain-map", "TERRAIN_MAP"},
+    {"grass", "GRASS"},
+    {"grass-density", "GRASS_DENSITY"},
+    {"grass-orientation", "GRASS_ORIENTATION"},
+    {"grass-vegetation", "GRASS_VEGETATION"},
+    {"grass-occlusion", "GRASS_OCCLUSION"},
+    {"grass-clumps", "GRASS_CLUMPS"},
+    {"sun", "SUN"},
+    {"sky", "SKY"},
+    {"fog", "FOG"},
+};
+static_assert(std::size(kNames) == static_cast<size_t>(Feature::Count));
+
+const FeatureNames& namesOf(Feature f) {
+    CHECK(f < Feature::Count);
+    return kNames[static_cast<size_t>(f)];
+}
+}  // namespace
+
+const char* featureName(Feature f) { return namesOf(f).name; }
+const char* featureConstant(Feature f) { return namesOf(f).constant; }
+
+}  // namespace sward

@@ -1,0 +1,64 @@
+// Which blades exist and how opaque they are while fading: Boulanger, Pattanaik, Bouatouch 2006, eq 5 and section 3.4,
+// with every blade drawn exactly once. Densities, thresholds, weights and opacities are in [0, 1].
+
+// Threshold number k of 255; k in 1..255, because 0 is reserved for "no blade".
+FN real thresholdOf(int k) { return real(k) / real(255.0); }
+
+// Eq 5 as printed, without the guard: 0/0 at omega 0.
+FN real opacityPublished(real density, real threshold, real omega) {
+    return clamp((density - threshold + omega) / (2.0f * omega), real(0.0), real(1.0));
+}
+
+// Eq 5: a ramp of half-width omega around density = threshold; at omega 0 the step, drawn at equality (figure 14a).
+FN real opacityEq5(real density, real threshold, real omega) {
+    if (!(omega > real(1e-20))) return density >= threshold ? real(1.0) : real(0.0);
+    return clamp((density - threshold + omega) / (2.0f * omega), real(0.0), real(1.0));
+}
+
+// The half-width at which fading neither adds nor removes grass at this density.
+FN real conservingWidth(real density, real omega) { return min(omega, min(density, 1.0f - density)); }
+
+// Eq 5 with its width narrowed towards density 0 and 1, so that bare ground is bare, full ground is full and the mean
+// over uniform thresholds is the density. Equal to eq 5 for omega <= density <= 1 - omega. Thresholds are above 0.
+FN real opacityConserving(real density, real threshold, real omega) {
+    return opacityEq5(density, threshold, conservingWidth(density, omega));
+}
+
+// The share of the density that slices draw. Every shader must use this one product: it decides who draws a blade.
+FN real sliceDensity(real density, real sliceWeight) {
+    precise real t = density * sliceWeight;
+    return t;
+}
+
+// Opacity of a blade in the slices, whose weight is sliceWeight.
+FN real sliceOpacity(real density, real sliceWeight, real threshold, real omega) {
+    return opacityConserving(sliceDensity(density, sliceWeight), threshold, omega);
+}
+
+// Opacity of the same blade as geometry: what the slices leave of it. Never negative, since eq 5 is monotone.
+FN real geometryOpacity(real density, real sliceWeight, real threshold, real omega) {
+    real whole = opacityConserving(density, threshold, omega);
+    return max(whole - sliceOpacity(density, sliceWeight, threshold, omega), real(0.0));
+}
+
+// The same without fading: exactly one of the two is true for a blade with threshold <= density.
+FN bool sliceHolds(real density, real sliceWeight, real threshold) {
+    return threshold <= sliceDensity(density, sliceWeight);
+}
+FN bool geometryHolds(real density, real sliceWeight, real threshold) {
+    return threshold > sliceDensity(density, sliceWeight) && threshold <= density;
+}
+
+// Who draws the blade by the paper's rule: slices compare the threshold, geometry 1 - threshold (section 3.4, with
+// equality drawn). Right only at density 1, and even there equality is drawn twice.
+FN bool geometryHoldsPublished(real density, real geometryWeight, real threshold) {
+    return 1.0f - threshold <= density * geometryWeight;
+}
+
+// The thresholds of geometry that is drawn at all lie in [lowest, highest]: outside, geometryOpacity is exactly 0.
+FN real highestThresholdDrawn(real density, real omega) {
+    return min(density + conservingWidth(density, omega), real(1.0));
+}
+FN real lowestThresholdDrawn(real densityTimesWs, real omega) {
+    return max(densityTimesWs - conservingWidth(densityTimesWs, omega), real(0.0));
+}

@@ -1,0 +1,65 @@
+// What C++ and GLSL both read of a frame: layout std140 (vec4 and mat4 only), binding numbers, limits.
+// Positions are relative to the eye; directions are in world axes; light in the renderer's exposed units.
+#ifdef __cplusplus
+#pragma once
+#define SHARED_MAT4 glm::mat4
+#define SHARED_VEC4 glm::vec4
+namespace sward {
+#else
+#define SHARED_MAT4 mat4
+#define SHARED_VEC4 vec4
+#endif
+
+struct FrameGlobals {
+    SHARED_MAT4 viewProj;      // eye-relative world to clip, reversed depth: 1 near, 0 infinitely far
+    SHARED_MAT4 invViewProj;
+    SHARED_VEC4 viewport;      // width, height, 1/width, 1/height
+    SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: scene time (s)
+    SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
+    SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
+    SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi
+    SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi; w: factor of numerics/sky.h radiances
+    SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity
+    SHARED_VEC4 groundLight;   // what the ground throws back, divided by pi
+    SHARED_VEC4 horizon[3];    // sky at the horizon towards the sun, across and away from it; w: 0
+    SHARED_VEC4 haze;          // x: extinction per metre (0: none)
+    SHARED_VEC4 heights;       // metres = x + y * texel; z: texel that is subtracted first (T-4); w: 0
+    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z, w: 0
+    SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
+};
+
+// How grass looks from where it is not drawn as blades; one a species, written by the grass domain for the ground.
+struct CoverSpecies {
+    SHARED_VEC4 color;         // mean radiance of its blades under the frame's light; w: blade area per m2 of ground at density 1
+    SHARED_VEC4 shape;         // x: mean blade height (m); y: tan of the mean lean; z: share of light left at the soil under full density; w: 0
+};
+struct CoverGlobals {
+    CoverSpecies species[4];   // MAX_SPECIES
+    SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: 0
+    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+// Uniform buffers
+#define UBO_FRAME 0
+#define UBO_COVER 1
+#define UBO_SPECIES 2
+#define UBO_NODES 3
+// Storage buffers
+#define SSBO_BLADES 0
+// Textures
+#define TEX_HEIGHT 0
+#define TEX_TERRAIN_MAP 1
+#define TEX_GROUND 2
+#define TEX_ORIENTATION 4
+#define TEX_VEGETATION 5
+#define TEX_OCCLUSION 6
+#define TEX_BLADE 7
+#define TEX_DENSITY 8      // and the MAX_SPECIES - 1 that follow
+#define TEX_SCENE 8        // post passes: nothing of the above is bound for them
+#define TEX_DEPTH 9
+// Limits
+#define MAX_SPECIES 4

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Configures (if needed) and builds a preset of CMakePresets.json: tools/build.sh PRESET [TARGET...]
+# Speaks on standard error, so that what runs afterwards has standard output to itself.
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+preset=$1
+shift
+cd "$root"
+exec >&2
+dir=build/$preset
+say() { echo "Sward: $*"; }
+
+if [ ! -f "$dir/build.ninja" ] || [ CMakePresets.json -nt "$dir/build.ninja" ]; then
+    say "configuring $preset"
+    mkdir -p "$dir"
+    if ! cmake --preset "$preset" >"$dir/configure.log" 2>&1; then
+        cat "$dir/configure.log"
+        say "CMake could not configure the $preset preset; third_party/README.md lists what it needs"
+        exit 1
+    fi
+fi
+
+# On a terminal ninja rewrites one line; elsewhere only warnings and errors are worth a log.
+quiet=(--quiet)
+[ ! -t 2 ] || quiet=()
+targets=(--target "$@")
+[ $# -gt 0 ] || targets=()
+jobs=${SWARD_JOBS:-$(nproc)}
+if [ ! -e "$dir/.built" ]; then say "building $preset with $jobs jobs (minutes the first time)"; fi
+if ! cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}" -- "${quiet[@]}"; then
+    say "the $preset build failed; the first error above says why"
+    exit 1
+fi
+: >"$dir/.built"
