@@ -1,11 +1,21 @@
 #include "techniques.h"
 
+#include "grass/geometry.h"
+#include "post/tonemap.h"
 #include "scene/components.h"
+#include "sky/sky.h"
+#include "terrain/ground.h"
 
 namespace sward {
 
 const Tables& tables() {
-    static const Tables all{sharedComponentRows(), {}};
+    static const EffectRow effects[] = {
+        sunEffect(), skyEffect(), hazeEffect(),   // light
+        groundEffect(),                           // ground
+        geometryEffect(),                         // grass
+        tonemapEffect(), decalEffect(),           // the screen
+    };
+    static const Tables all{sharedComponentRows(), effects};
     return all;
 }
 

@@ -13,36 +13,51 @@
 namespace sward {
 
 struct BrushSettings {
-    std::string map = "density";    // a map's PATH or an unambiguous tail of it
-    std::string mode = "add";       // a row's name
-    float radius = 1;               // metres
-    float strength = 1;             // [0,1]: share of the full effect that a stamp has at its centre
-    float value = 1;                // what set paints towards
-    float falloff = 0.5f;           // 0: hard edge; 1: falls off from the centre
-    float spacing = 0.1f;           // distance between stamps as a share of the diameter
-    int seed = 0;                   // of noise
+    std::string map = "density";  // a map's PATH or an unambiguous tail of it
+    std::string mode = "add";     // a row's name
+    float radius = 1;             // metres
+    float strength = 1;           // [0,1]: share of the full effect that a stamp has at its centre
+    float value = 1;              // what set paints towards, and the most that noise does
+    float falloff = 0.5f;         // 0: hard edge; 1: falls off from the centre
+    float spacing = 0.1f;         // distance between stamps as a share of the diameter
+    int seed = 0;                 // of noise
+    float low = 0, high = 1;      // limits of what is painted on float maps; integer maps keep [0,1]
 };
 
 // In texels of the map; radiusX != radiusY where texels are not square.
 struct Stamp {
     double x, y;
     double radiusX, radiusY;
+    // Number of the stamp: it turns the rounding of integer maps, so that changes smaller than one of their steps add
+    // up over stamps to what they would be without rounding. 0 rounds to nearest.
+    uint32_t turn = 0;
 };
+
+// The tiles that a stamp may change: [x0, x1[ by [y0, y1[; empty if it misses the map or paints nothing.
+struct TileRange {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    size_t count() const { return size_t(x1 - x0) * size_t(y1 - y0); }
+};
+TileRange stampTiles(const MapInfo& info, const Stamp& stamp);
 
 struct BrushRow {
     const char* name;   // "add"
     const char* label;  // "Add"
     const char* help;
     // Reads `map` as it was before the stamp (smooth needs neighbours) and returns the new tile, or the old pointer if
-    // nothing changed. Density stays in [0,1] and finite.
-    std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush);
+    // nothing changed. One-channel maps only: of others every tile is returned as it is. Settings that are not finite
+    // paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
+    std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
+                                         const BrushSettings& brush);
 };
 std::span<const BrushRow> brushRows();
 const BrushRow* findBrush(const std::string& name);
 
-// Stamp centres along a line of points (metres), beginning with the first point; `carry` keeps the distance left over,
-// so that a stroke cut into pieces gives the same stamps as a whole one.
-std::vector<std::pair<double, double>> stampsAlong(std::span<const std::pair<double, double>> points, double step, double& carry);
+// Stamp centres every `step` metres along a line of points (metres). `carry` is the distance from the first point to
+// the first stamp: 0 at the start of a stroke, and left as it must be for a next piece that begins with the last point,
+// so that a stroke cut into pieces gives the same stamps as a whole one. Without a positive finite step: one stamp.
+std::vector<std::pair<double, double>> stampsAlong(std::span<const std::pair<double, double>> points, double step,
+                                                   double& carry);
 
 // Applies one stamp to every tile it touches, on all cores.
 void applyStamp(Map& map, const BrushRow& row, const Stamp& stamp, const BrushSettings& brush);

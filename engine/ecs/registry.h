@@ -29,8 +29,8 @@ inline constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
 struct PoolBase {
     std::vector<uint32_t> sparse;  // entity index -> dense slot, or kNone
-    std::vector<Entity> dense;     // slot -> entity; kNoEntity: removed during an iteration
-    size_t holes = 0;              // how many of dense are kNoEntity
+    std::vector<uint32_t> dense;   // slot -> entity index; kNone: removed during an iteration
+    size_t holes = 0;              // how many of dense are kNone
     int iterating = 0;             // how many iterations are under way
     virtual ~PoolBase() = default;
     virtual void remove(uint32_t index) = 0;
@@ -38,7 +38,7 @@ struct PoolBase {
     uint32_t slot(uint32_t index) const { return index < sparse.size() ? sparse[index] : kNone; }
     // Sets filled in equal order keep an entity in the same slot: a right guess saves the look-up in `sparse`.
     uint32_t slot(uint32_t index, size_t guess) const {
-        return guess < dense.size() && dense[guess].index == index ? static_cast<uint32_t>(guess) : slot(index);
+        return guess < dense.size() && dense[guess] == index ? static_cast<uint32_t>(guess) : slot(index);
     }
 };
 
@@ -61,11 +61,11 @@ struct Pool final : PoolBase {
     static_assert(!std::is_same_v<C, bool>, "a vector of bool hands out no references: wrap it in a struct");
     std::vector<C> items;
 
-    C& add(Entity e, C value) {
-        if (e.index >= sparse.size()) sparse.resize(e.index + 1, kNone);
-        if (const uint32_t s = sparse[e.index]; s != kNone) return items[s] = std::move(value);
-        sparse[e.index] = static_cast<uint32_t>(dense.size());
-        dense.push_back(e);
+    C& add(uint32_t index, C value) {
+        if (index >= sparse.size()) sparse.resize(index + 1, kNone);
+        if (const uint32_t s = sparse[index]; s != kNone) return items[s] = std::move(value);
+        sparse[index] = static_cast<uint32_t>(dense.size());
+        dense.push_back(index);
         items.push_back(std::move(value));
         return items.back();
     }
@@ -74,7 +74,7 @@ struct Pool final : PoolBase {
         if (s == kNone) return;
         sparse[index] = kNone;
         if (iterating > 0) {  // the slot stays until the outermost iteration ends, so that nothing moves under it
-            dense[s] = kNoEntity;
+            dense[s] = kNone;
             ++holes;
             return;
         }
@@ -85,7 +85,7 @@ struct Pool final : PoolBase {
         if (--iterating > 0 || holes == 0) return;
         size_t kept = 0;
         for (size_t s = 0; s < dense.size(); ++s)
-            if (!(dense[s] == kNoEntity)) moveInto(kept++, s);
+            if (dense[s] != kNone) moveInto(kept++, s);
         shrink(kept);
         holes = 0;
     }
@@ -95,7 +95,7 @@ struct Pool final : PoolBase {
         if (to == from) return;
         dense[to] = dense[from];
         items[to] = std::move(items[from]);
-        sparse[dense[to].index] = static_cast<uint32_t>(to);
+        sparse[dense[to]] = static_cast<uint32_t>(to);
     }
     void shrink(size_t size) {
         dense.resize(size);
@@ -147,7 +147,7 @@ class Registry {
     // Adds or replaces. Null if the handle is stale. The pointer holds until C is next added to or removed from.
     template <class C>
     C* add(Entity e, C value = {}) {
-        return valid(e) ? &pool<C>().add(e, std::move(value)) : nullptr;
+        return valid(e) ? &pool<C>().add(e.index, std::move(value)) : nullptr;
     }
     // False if the handle is stale or has no C.
     template <class C>
@@ -198,13 +198,14 @@ class Registry {
 
   private:
     template <class First, class Rest, size_t... I, class F>
-    static void walk(First& first, const Rest& rest, std::index_sequence<I...>, F& f) {
+    void walk(First& first, const Rest& rest, std::index_sequence<I...>, F& f) const {
         const size_t end = first.dense.size();
         for (size_t s = 0; s < end; ++s) {
-            const Entity e = first.dense[s];
-            if (e == kNoEntity) continue;
-            [[maybe_unused]] const std::array<uint32_t, sizeof...(I)> at{std::get<I>(rest).slot(e.index, s)...};
-            if (((at[I] != detail::kNone) && ...)) f(e, first.items[s], std::get<I>(rest).items[at[I]]...);
+            const uint32_t index = first.dense[s];
+            if (index == detail::kNone) continue;
+            [[maybe_unused]] const std::array<uint32_t, sizeof...(I)> at{std::get<I>(rest).slot(index, s)...};
+            if (((at[I] == detail::kNone) || ...)) continue;
+            f(Entity{index, generations_[index]}, first.items[s], std::get<I>(rest).items[at[I]]...);
         }
     }
     template <class C>

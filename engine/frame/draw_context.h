@@ -59,7 +59,7 @@ struct DrawContext {
     S& own() { return *static_cast<S*>(state); }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
     bool use(size_t program = 0);
-    std::string error;             // the first program that failed
+    std::string error = {};        // the first program that failed
 };
 
 template <class C>

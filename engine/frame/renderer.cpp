@@ -90,6 +90,10 @@ bool DrawContext::use(size_t index) {
     return true;
 }
 
+glm::mat4 viewProjection(const ViewCamera& camera, int width, int height) {
+    return projection(camera.fovDeg, static_cast<float>(width) / static_cast<float>(height)) * rotation(camera);
+}
+
 struct Renderer::Impl {
     Gpu& gpu;
     const Tables& tables;
@@ -104,6 +108,9 @@ struct Renderer::Impl {
     SharedResources shared;
     FrameStats stats;
     GpuTimer timer{gpu};
+    std::vector<Map> counted;   // the density maps of virtualCount
+    std::vector<double> countedFactors;
+    double virtualCount = 0;
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) {
         globalsBuffer = makeBuffer(gpu, "frame/globals", sizeof(FrameGlobals), nullptr);
@@ -130,10 +137,10 @@ struct Renderer::Impl {
     void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s) {
         g = {};
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
-        g.viewProj = projection(camera.fovDeg, w / h) * rotation(camera);
+        g.viewProj = viewProjection(camera, s.width, s.height);
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), 0, 0};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), 0};
     }
 
     void runSystems(DrawContext& ctx) {
@@ -165,6 +172,34 @@ struct Renderer::Impl {
         glPopDebugGroup();
     }
 
+    // The population is recounted only when what it is a product of has changed.
+    double population(const Project& project) {
+        std::vector<Map> densities;
+        std::vector<double> factors;
+        for (const auto& [name, e] : project.entities) {
+            if (const Terrain* t = project.registry.get<Terrain>(e)) factors.push_back(t->size.x * t->size.y);
+            if (const GrassField* f = project.registry.get<GrassField>(e))
+                for (const Species& s : f->species) {
+                    densities.push_back(s.density.map);
+                    factors.push_back(s.bladesPerM2);
+                }
+        }
+        const bool same = factors == countedFactors && std::equal(densities.begin(), densities.end(), counted.begin(), counted.end(),
+                                                                  [](const Map& a, const Map& b) { return a.sameTiles(b); });
+        if (!same) virtualCount = virtualBlades(project);
+        counted = std::move(densities);
+        countedFactors = std::move(factors);
+        return virtualCount;
+    }
+
+    void describe(const Project& project) {
+        stats.bladesVirtual = population(project);
+        for (size_t f = 0; f < plan.features.size(); ++f)
+            if (plan.features.test(f)) stats.features.push_back(featureName(static_cast<Feature>(f)));
+        stats.programs = programs.names();
+        stats.systems = plan.systemNames();
+    }
+
     void draw(DrawContext& ctx) {
         stats.passes.clear();
         stats.passes.reserve(plan.passes.size());
@@ -193,12 +228,13 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     DrawContext ctx = r.context(project, camera, settings, globals);
     const BrushDecal& d = settings.decal;
     globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
-    globals.eye = glm::vec4(glm::vec3(ctx.eye), static_cast<float>(settings.time));
+    globals.eye = glm::vec4(glm::vec3(ctx.eye), 0);
     r.maps.beginFrame();
     r.runSystems(ctx);
     r.draw(ctx);
     r.maps.endFrame();
     if (settings.measure) glFinish();
+    if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     if (!ctx.error.empty()) return Error{ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};

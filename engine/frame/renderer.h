@@ -47,7 +47,10 @@ struct PassStats {
 };
 struct FrameStats {
     std::vector<PassStats> passes;
-    uint64_t bladesVirtual = 0, bladesGeometry = 0, bladesVisible = 0;
+    double bladesVirtual = 0;       // the population: density summed over the terrain
+    uint64_t bladesGeometry = 0;    // submitted after the density range
+    uint64_t bladesVisible = 0;     // filled by who counts them (measure/frame_stats.h)
+    std::vector<std::string> features, programs, systems;  // what ran, if measured
     uint64_t cells = 0;         // drawn this frame
     uint64_t gpuBytes = 0;
     double cpuCullMs = 0;
@@ -78,6 +81,8 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
+// Eye-relative world to clip: reversed depth, far plane at infinity.
+glm::mat4 viewProjection(const ViewCamera& camera, int width, int height);
 // The camera entity named so, or the first; null if there is none.
 const Camera* findCamera(const Project& p, const std::string& name);
 ViewCamera viewOf(const Camera& c);

@@ -40,16 +40,19 @@ FN vec3 bladePosition(vec3 control, vec3 tip, real v) { return control * (2.0f *
 // The normal is the tangent turned a quarter within the vertical plane of the azimuth: no cross product, nothing to
 // vanish while the blade stays in its plane; out of it (wind), the normal stays perpendicular to the tangent and to the
 // side.
-FN BladeFrame bladeFrame(vec3 control, vec3 tip, real azimuth, real v) {
-    real c = cos(azimuth);
-    real s = sin(azimuth);
+// facing: (cos a, sin a) of the azimuth a, a unit vector.
+FN BladeFrame bladeFrameFacing(vec3 control, vec3 tip, vec2 facing, real v) {
     real tiny = max(max(maxAbs3(control), maxAbs3(tip)) * real(1e-6), kTiny);
     BladeFrame f;
     f.position = bladePosition(control, tip, v);
     f.tangent = unitOr(control * (1.0f - v) + (tip - control) * v, tiny, unitOr(tip, tiny, vec3(0.0f, 1.0f, 0.0f)));
-    f.side = vec3(-s, real(0.0), c);
-    vec3 inPlane = vec3(f.tangent.x * c + f.tangent.z * s, f.tangent.y, 0.0f);
+    f.side = vec3(-facing.y, real(0.0), facing.x);
+    vec3 inPlane = vec3(f.tangent.x * facing.x + f.tangent.z * facing.y, f.tangent.y, 0.0f);
     vec3 turned = unitOr(inPlane, real(1e-6), vec3(0.0f, 1.0f, 0.0f));
-    f.normal = vec3(-c * turned.y, turned.x, -s * turned.y);
+    f.normal = vec3(-facing.x * turned.y, turned.x, -facing.y * turned.y);
     return f;
+}
+
+FN BladeFrame bladeFrame(vec3 control, vec3 tip, real azimuth, real v) {
+    return bladeFrameFacing(control, tip, vec2(cos(azimuth), sin(azimuth)), v);
 }

@@ -14,7 +14,7 @@ struct FrameGlobals {
     SHARED_MAT4 viewProj;      // eye-relative world to clip, reversed depth: 1 near, 0 infinitely far
     SHARED_MAT4 invViewProj;
     SHARED_VEC4 viewport;      // width, height, 1/width, 1/height
-    SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: scene time (s)
+    SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: height above the highest ground (m)
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
     SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi
@@ -23,15 +23,17 @@ struct FrameGlobals {
     SHARED_VEC4 groundLight;   // what the ground throws back, divided by pi
     SHARED_VEC4 horizon[3];    // sky at the horizon towards the sun, across and away from it; w: 0
     SHARED_VEC4 haze;          // x: extinction per metre (0: none)
-    SHARED_VEC4 heights;       // metres = x + y * texel; z: texel that is subtracted first (T-4); w: 0
-    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z, w: 0
+    SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
+    SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
+    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: 0
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
 // How grass looks from where it is not drawn as blades; one a species, written by the grass domain for the ground.
 struct CoverSpecies {
-    SHARED_VEC4 color;         // mean radiance of its blades under the frame's light; w: blade area per m2 of ground at density 1
-    SHARED_VEC4 shape;         // x: mean blade height (m); y: tan of the mean lean; z: share of light left at the soil under full density; w: 0
+    SHARED_VEC4 albedo;        // mean reflectance of what is seen of its blades; w: blade area per m2 of ground at density 1
+    SHARED_VEC4 light;         // mean light on them under the frame's light; w: mean height (m)
+    SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density; z, w: 0
 };
 struct CoverGlobals {
     CoverSpecies species[4];   // MAX_SPECIES
@@ -39,7 +41,24 @@ struct CoverGlobals {
     SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion
 };
 
+// What the vertex shader of blades reads of a species.
+struct SpeciesGlobals {
+    SHARED_VEC4 rootColor;     // w: ambient light left at the root
+    SHARED_VEC4 midColor;      // w: lean (m per m) towards the painted direction, at full strength
+    SHARED_VEC4 tipColor;      // w: clump size (m)
+    SHARED_VEC4 clumps;        // x: lean (m per m) at full clump value; y: share of height; z: share of lightness; w: cell size (m)
+    SHARED_VEC4 counts;        // x: segments; y: seed; z: fade (omega); w: species index
+};
+
+// A piece of ground to draw: 16 x 16 quads.
+struct TerrainNode {
+    SHARED_VEC4 place;         // corner relative to the eye x, z; corner relative to the terrain's corner x, z
+    SHARED_VEC4 level;         // spacing of its vertices (m); distance where morphing begins; 1/(end - begin); w: 0
+};
+#define NODES_PER_DRAW 256
+
 #ifdef __cplusplus
+static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 }
 #endif
 

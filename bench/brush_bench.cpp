@@ -1,0 +1,59 @@
+// What a stamp costs, undo included. A stroke's undo is the copy of the map it began with: tiles that stamps replace
+// live on in it, so each stamp pays for fresh tiles, as here.
+#include <benchmark/benchmark.h>
+
+#include "brushes/brush.h"
+
+namespace {
+using namespace sward;
+
+constexpr int kSide = 4096;
+
+Map paintedMap(PixelType type) {
+    Map map({kSide, kSide, 1, type});
+    std::vector<std::byte> row(size_t(kSide) * map.texelBytes());
+    uint32_t h = 1;
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            h = h * 1664525u + 1013904223u;
+            const float value = 0.25f + 0.5f * static_cast<float>(h >> 8) * 0x1p-24f;
+            if (type == PixelType::F32) std::memcpy(&row[size_t(x) * 4], &value, 4);
+            if (type == PixelType::U8) row[size_t(x)] = static_cast<std::byte>(value * 255);
+            const auto wide = static_cast<uint16_t>(value * 65535);
+            if (type == PixelType::U16) std::memcpy(&row[size_t(x) * 2], &wide, 2);
+        }
+        map.writeRows(y, 1, row.data());
+    }
+    return map;
+}
+
+// One stamp of `radius` texels at the map's middle, with the map as it was before kept for undo.
+void stamp(benchmark::State& state, const char* mode, PixelType type) {
+    const Map original = paintedMap(type);
+    const BrushRow& row = *findBrush(mode);
+    const double radius = static_cast<double>(state.range(0));
+    BrushSettings brush;
+    brush.strength = 0.5f;
+    uint32_t turn = 0;
+    for (auto _ : state) {
+        Map map = original;
+        const Map undo = map;
+        applyStamp(map, row, {kSide / 2.0, kSide / 2.0, radius, radius, turn++}, brush);
+        benchmark::DoNotOptimize(map.tile(16, 16).get());
+        if (map.sameTiles(undo)) state.SkipWithError("the stamp changed nothing");
+    }
+}
+
+BENCHMARK_CAPTURE(stamp, add_u16, "add", PixelType::U16)
+    ->Arg(100)
+    ->Arg(500)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(stamp, set_u16, "set", PixelType::U16)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stamp, noise_u16, "noise", PixelType::U16)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stamp, smooth_u16, "smooth", PixelType::U16)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stamp, add_u8, "add", PixelType::U8)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stamp, add_f32, "add", PixelType::F32)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace

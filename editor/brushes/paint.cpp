@@ -1,0 +1,42 @@
+#include "brushes/paint.h"
+
+namespace sward {
+
+StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty) {
+    const double rx = std::max(stamp.radiusX, 1.0), ry = std::max(stamp.radiusY, 1.0);
+    const double edge = std::clamp(std::max<double>(brush.falloff, 1.0 / std::min(rx, ry)), 0.0, 1.0);
+    const double core = 1.0 - edge;
+    const double cover = std::min(stamp.radiusX, 1.0) * std::min(stamp.radiusY, 1.0);
+    centreX_ = static_cast<float>(stamp.x - tx * kTileSize - 0.5);
+    centreY_ = static_cast<float>(stamp.y - ty * kTileSize - 0.5);
+    invX_ = static_cast<float>(1.0 / rx);
+    invY_ = static_cast<float>(1.0 / ry);
+    invRange_ = static_cast<float>(1.0 / (1.0 - core * core));
+    strength_ = static_cast<float>(std::clamp<double>(brush.strength, 0.0, 1.0) * cover);
+    columns_ = std::min(kTileSize, info.width - tx * kTileSize);
+    rows_ = std::min(kTileSize, info.height - ty * kTileSize);
+}
+
+bool StampWeights::row(int y, float* weight) const {
+    const float dy = (static_cast<float>(y) - centreY_) * invY_;
+    const float dy2 = dy * dy;
+    if (y >= rows_ || !(dy2 < 1.0f)) return false;
+    alignas(64) float w[kTileSize];
+    for (int i = 0; i < kTileSize; ++i) {
+        const float dx = (static_cast<float>(i) - centreX_) * invX_;
+        const float t = unitPart((1.0f - (dx * dx + dy2)) * invRange_);
+        w[i] = strength_ * (t * t * (3.0f - 2.0f * t));
+    }
+    std::fill(w + columns_, w + kTileSize, 0.0f);
+    std::memcpy(weight, w, sizeof w);
+    return true;
+}
+
+bool usableBrush(const MapInfo& info, const Stamp& stamp, const BrushSettings& b) {
+    const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
+                        std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&
+                        std::isfinite(b.falloff) && std::isfinite(b.low) && std::isfinite(b.high);
+    return finite && info.channels == 1 && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
+}
+
+}  // namespace sward

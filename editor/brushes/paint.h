@@ -1,0 +1,132 @@
+// What all brushes share: the weights of a stamp over a tile, and the loop that adds a change to its texels.
+// Values and changes are counted in steps of the map's type: 0 to 255, 0 to 65535, or the float itself.
+// Does not: know any mode; each brush gives its own change. One-channel maps only.
+#pragma once
+#include <limits>
+#include <type_traits>
+
+#include "brushes/brush.h"
+
+namespace sward {
+
+// A row of a tile, in the arithmetic of its map: float holds every step of the integers, double every sum of floats.
+template <class T>
+struct PixelTraits {
+    using Real = std::conditional_t<std::is_same_v<T, float>, double, float>;
+    static constexpr float scale = std::is_same_v<T, float> ? 1.0f : static_cast<float>(std::numeric_limits<T>::max());
+};
+template <class Real>
+struct PaintRow {
+    int x0, y;            // first texel, in the map
+    Real scale;           // steps in 1
+    const float* weight;  // kTileSize: strength times falloff, in [0,1]; 0 beyond the map's edge
+    const Real* value;    // kTileSize: as before the stamp
+    Real* change;         // kTileSize: to be filled
+};
+
+// The falloff of a stamp, relative to a tile. With r the distance in radii and c = 1 - falloff the hard core:
+// weight = smoothstep((1 - r^2) / (1 - c^2)). The edge is never narrower than a texel, and a stamp smaller than a texel
+// paints a texel with a weight of its share of it: no stair steps, and nothing at all at radius 0.
+class StampWeights {
+  public:
+    StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty);
+    // False if the row (0 to kTileSize - 1) has no weight at all; else fills kTileSize weights.
+    bool row(int y, float* weight) const;
+
+  private:
+    float centreX_, centreY_, invX_, invY_, invRange_, strength_;
+    int columns_, rows_;
+};
+
+// The loops below run over whole rows of a tile without branches, so that compilers make vector code of them.
+
+// max(x, 0) and clamp(x, 0, 1), for floating point; exact but for what 1 - x rounds off.
+template <class R>
+R positivePart(R x) {
+    return R(0.5) * (x + std::abs(x));
+}
+template <class R>
+R unitPart(R x) {
+    return positivePart(R(1) - positivePart(R(1) - x));
+}
+
+// Adds changes to integers: whole steps and, if the rest reaches the threshold, one more. Symmetric in sign.
+template <class T>
+void addSteps(const T* in, const float* change, float threshold, T* __restrict out) {
+    constexpr int most = std::numeric_limits<T>::max();
+    for (int i = 0; i < kTileSize; ++i) {
+        const int whole = static_cast<int>(change[i]);
+        const float rest = change[i] - static_cast<float>(whole);
+        const int up = rest >= threshold, down = rest <= -threshold;
+        out[i] = static_cast<T>(std::min(std::max(in[i] + whole + up - down, 0), most));
+    }
+}
+// Texels without a change keep their value, even one outside [low, high].
+inline void addFloats(const float* in, const double* change, double low, double high, float* __restrict out) {
+    for (int i = 0; i < kTileSize; ++i) {
+        const double next = in[i] + change[i];
+        const double kept = next < low ? low : next > high ? high : next;
+        out[i] = change[i] == 0 ? in[i] : static_cast<float>(kept);
+    }
+}
+// 1 - frac(1/2 + n * golden ratio): of n consecutive stamps the share rest of them reaches it, to within about one.
+inline float roundingThreshold(uint32_t turn) {
+    const uint32_t t = 0x80000000u + turn * 0x9E3779B9u;
+    return 1.0f - static_cast<float>(t >> 8) * 0x1p-24f;
+}
+bool usableBrush(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush);
+
+template <class T, class ChangeOf>
+std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
+                                       const ChangeOf& changeOf) {
+    using Real = typename PixelTraits<T>::Real;
+    const std::shared_ptr<const Tile>& old = map.tile(tx, ty);
+    const StampWeights weights(map.info(), stamp, brush, tx, ty);
+    const float threshold = roundingThreshold(stamp.turn);
+    std::shared_ptr<Tile> fresh;
+    alignas(64) float weight[kTileSize];
+    alignas(64) Real value[kTileSize], change[kTileSize];
+    alignas(64) T next[kTileSize];
+    for (int y = 0; y < kTileSize; ++y) {
+        if (!weights.row(y, weight)) continue;
+        const T* in = reinterpret_cast<const T*>(old->bytes.data()) + y * kTileSize;
+        for (int i = 0; i < kTileSize; ++i) value[i] = static_cast<Real>(in[i]);
+        changeOf(PaintRow<Real>{tx * kTileSize, ty * kTileSize + y, PixelTraits<T>::scale, weight, value, change});
+        if constexpr (std::is_same_v<T, float>)
+            addFloats(in, change, brush.low, brush.high, next);
+        else
+            addSteps(in, change, threshold, next);
+        if (std::memcmp(in, next, sizeof next) == 0) continue;
+        if (!fresh) fresh = std::make_shared<Tile>(*old);
+        std::memcpy(fresh->bytes.data() + size_t(y) * sizeof next, next, sizeof next);
+    }
+    return fresh ? std::shared_ptr<const Tile>(std::move(fresh)) : old;
+}
+
+// Calls changeOf(PaintRow<float or double>) for each row that the stamp reaches, and adds what it filled in.
+template <class ChangeOf>
+std::shared_ptr<const Tile> paintTile(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
+                                      const ChangeOf& changeOf) {
+    if (!usableBrush(map.info(), stamp, brush)) return map.tile(tx, ty);
+    switch (map.info().type) {
+        case PixelType::U8:
+            return paintTyped<uint8_t>(map, tx, ty, stamp, brush, changeOf);
+        case PixelType::U16:
+            return paintTyped<uint16_t>(map, tx, ty, stamp, brush, changeOf);
+        case PixelType::F32:
+            return paintTyped<float>(map, tx, ty, stamp, brush, changeOf);
+    }
+    return map.tile(tx, ty);
+}
+
+// change = (target - value) * weight, with target(i) in steps of the map.
+template <class Real, class Target>
+void changeTowards(const PaintRow<Real>& row, const Target& target) {
+    for (int i = 0; i < kTileSize; ++i) row.change[i] = (target(i) - row.value[i]) * static_cast<Real>(row.weight[i]);
+}
+
+// The modes; one file each.
+using ApplyBrush = std::shared_ptr<const Tile>(const Map&, int, int, const Stamp&, const BrushSettings&);
+ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise;
+
+}  // namespace sward

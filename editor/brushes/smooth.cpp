@@ -1,0 +1,97 @@
+// Moves the map towards its own mean around each texel: a square that reaches an eighth of the brush's radius, at least
+// one texel and at most kMostReach. Reads the map as it was before the stamp; beyond the edge the map goes on as there.
+// Cost: two running sums over the tile and its margin, whatever the radius.
+#include "brushes/paint.h"
+
+namespace sward {
+namespace {
+
+constexpr int kMostReach = 32;                     // texels to either side; (2 * 32 + 1)^2 * 65535 fits an int
+constexpr int kWide = kTileSize + 2 * kMostReach;  // a tile with its largest margin
+
+int reachOf(double radius) {
+    return std::clamp(static_cast<int>(std::lround(std::min(radius, 1e4) / 8)), 1, kMostReach);
+}
+
+// Integers are summed exactly; floats in double. So a flat map stays exactly as it is.
+template <class T>
+using Sum = std::conditional_t<std::is_same_v<T, float>, double, int>;
+
+// n texels of a row of the map from x0 on; columns and rows beyond the edge repeat it.
+template <class T>
+void readRow(const Map& map, int x0, int y, int n, T* out) {
+    const int width = map.info().width;
+    y = std::clamp(y, 0, map.info().height - 1);
+    const int from = std::clamp(-x0, 0, n - 1), to = std::clamp(width - x0, from + 1, n);
+    for (int i = from; i < to;) {
+        const int x = x0 + i, run = std::min(kTileSize - x % kTileSize, to - i);
+        const std::byte* row = map.tile(x / kTileSize, y / kTileSize)->bytes.data();
+        std::memcpy(out + i, row + size_t(y % kTileSize * kTileSize + x % kTileSize) * sizeof(T),
+                    size_t(run) * sizeof(T));
+        i += run;
+    }
+    std::fill(out, out + from, out[from]);
+    std::fill(out + to, out + n, out[to - 1]);
+}
+
+// sums += add - drop, over all columns: the margin's zeros cost less than a loop of unknown length.
+template <class T>
+void slide(const T* add, const T* drop, Sum<T>* __restrict sums) {
+    for (int x = 0; x < kWide; ++x) sums[x] += static_cast<Sum<T>>(add[x]) - static_cast<Sum<T>>(drop[x]);
+}
+
+template <class T>
+void meansAcross(const Sum<T>* sums, int reach, double share, float* means) {
+    Sum<T> sum = 0;
+    for (int x = 0; x < 2 * reach; ++x) sum += sums[x];
+    for (int x = 0; x < kTileSize; ++x) {
+        sum += sums[x + 2 * reach];
+        means[x] = static_cast<float>(sum * share);
+        sum -= sums[x];
+    }
+}
+
+// The means around the tile's texels, kTileSize rows of kTileSize.
+template <class T>
+std::vector<float> blurredTile(const Map& map, int tx, int ty, int reachX, int reachY) {
+    const int columns = kTileSize + 2 * reachX, rows = kTileSize + 2 * reachY;
+    const double share = 1.0 / ((2 * reachX + 1) * (2 * reachY + 1));
+    std::vector<T> texels(size_t(rows + 1) * kWide);  // the first row stays zero: nothing drops out at the start
+    std::vector<float> means(size_t(kTileSize) * kTileSize);
+    alignas(64) Sum<T> sums[kWide] = {};
+    const auto row = [&](int y) { return &texels[size_t(y + 1) * kWide]; };
+    for (int y = 0; y < rows; ++y) {
+        readRow<T>(map, tx * kTileSize - reachX, ty * kTileSize - reachY + y, columns, row(y));
+        const int top = y - 2 * reachY;  // of the tile's rows, the one whose square ends here
+        slide<T>(row(y), row(std::max(top - 1, -1)), sums);
+        if (top >= 0) meansAcross<T>(sums, reachX, share, &means[size_t(top) * kTileSize]);
+    }
+    return means;
+}
+
+std::vector<float> blurredTile(const Map& map, int tx, int ty, const Stamp& stamp) {
+    const int rx = reachOf(stamp.radiusX), ry = reachOf(stamp.radiusY);
+    switch (map.info().type) {
+        case PixelType::U8:
+            return blurredTile<uint8_t>(map, tx, ty, rx, ry);
+        case PixelType::U16:
+            return blurredTile<uint16_t>(map, tx, ty, rx, ry);
+        case PixelType::F32:
+            return blurredTile<float>(map, tx, ty, rx, ry);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::shared_ptr<const Tile> applySmooth(const Map& map, int tx, int ty, const Stamp& stamp,
+                                        const BrushSettings& brush) {
+    if (!usableBrush(map.info(), stamp, brush)) return map.tile(tx, ty);
+    const std::vector<float> mean = blurredTile(map, tx, ty, stamp);
+    return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
+        const float* of = &mean[size_t(row.y - ty * kTileSize) * kTileSize];
+        changeTowards(row, [of](int i) { return of[i]; });
+    });
+}
+
+}  // namespace sward

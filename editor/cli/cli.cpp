@@ -1,0 +1,112 @@
+#include "cli/cli.h"
+
+#include <CLI/CLI.hpp>
+
+#include "core/log.h"
+
+namespace sward {
+namespace {
+
+int exitCode(ExitCode c) { return static_cast<int>(c); }
+
+struct Verbs {
+    CLI::App app{"Sward: an editor and renderer for grass and forest", "sward"};
+    int result = 0;
+    RenderOptions render;
+    CompareOptions compare;
+    ImportOptions import;
+    ExportOptions exported;
+    ScriptOptions script;
+    std::string project = "projects/football", dir;
+    bool strict = false, json = false, verbose = false;
+
+    CLI::App* verb(const char* name, const char* help, std::function<int()> run) {
+        CLI::App* v = app.add_subcommand(name, help);
+        v->callback([this, run = std::move(run)] {
+            setLogVerbose(verbose);
+            result = run();
+        });
+        return v;
+    }
+
+    void addRender() {
+        CLI::App* v = verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); });
+        v->add_option("project", render.project, "folder of the project")->required();
+        v->add_option("--camera", render.camera, "name of one camera (default: all)");
+        v->add_option("--size", render.size, "WxH in pixels (default: 1024x768)");
+        v->add_option("--technique", render.technique, "hybrid, geometry or flat (default: the project's)");
+        v->add_option("--set", render.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--view", render.view, "final, tiers, overdraw, density, depth or normals");
+        v->add_option("--msaa", render.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
+        v->add_option("--time", render.time, "scene time in seconds");
+        v->add_option("--frames", render.frames, "measure N frames after 3 warm-ups; with --fps write them");
+        v->add_option("--fps", render.fps, "with --frames: write frame_0000.png and so on at this rate");
+        v->add_option("--out", render.out, "file (one camera) or folder (several); .png or .exr");
+        v->add_option("--stats", render.stats, "write statistics as JSON to this file");
+    }
+    void addCompare() {
+        CLI::App* v = verb("compare", "Metrics of two images of the same size", [this] { return compareVerb(compare); });
+        v->add_option("a", compare.a, "first image")->required();
+        v->add_option("b", compare.b, "second image")->required();
+        v->add_option("--heatmap", compare.heatmap, "write the difference as a PNG");
+        v->add_flag("--json", compare.json, "print JSON");
+        v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
+    }
+    void addMaps() {
+        CLI::App* in = verb("import", "Read a map of a project from a file, and save the project", [this] { return importVerb(import); });
+        in->add_option("project", import.project, "folder of the project")->required();
+        in->add_option("map", import.map, "the map's PATH, or an unambiguous tail of it")->required();
+        in->add_option("file", import.file, "EXR, PNG 8/16, TIFF, or R16 with its JSON sidecar")->required();
+        in->add_flag("--flip", import.flip, "the file's first row is the far edge");
+        in->add_option("--range", import.range, "LOW,HIGH: what 0 and full scale mean");
+        CLI::App* out = verb("export", "Write a map of a project to a file", [this] { return exportVerb(exported); });
+        out->add_option("project", exported.project, "folder of the project")->required();
+        out->add_option("--map", exported.map, "the map's PATH, or an unambiguous tail of it")->required();
+        out->add_option("--out", exported.out, "EXR, PNG, TIFF or R16 file")->required();
+        out->add_flag("--flip", exported.flip, "write the far edge first");
+    }
+    void addProjects() {
+        verb("edit", "Open the editor (default)", [this] { return editVerb(project); })->add_option("project", project, "folder of the project");
+        verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
+            ->add_option("dir", dir, "folder to make")->required();
+        CLI::App* check = verb("check", "Load everything and report every fault", [this] { return checkVerb(dir, strict); });
+        check->add_option("project", dir, "folder of the project")->required();
+        check->add_flag("--strict", strict, "what was repaired is a fault too");
+        CLI::App* explain = verb("explain", "Which features a scene has, what each makes run, and why", [this] { return explainVerb(dir, json); });
+        explain->add_option("project", dir, "folder of the project")->required();
+        explain->add_flag("--json", json, "print JSON");
+        verb("hardcases", "Run every numerical hard case on this machine", [this] { return hardcasesVerb(json); })->add_flag("--json", json, "print JSON");
+        CLI::App* s = verb("script", "Run an editor script", [this] { return scriptVerb(script); });
+        s->add_option("file", script.file, "Lua file")->required();
+        s->add_option("--project", script.project, "project to open first");
+        s->add_flag("--window", script.window, "show the editor's window while it runs");
+    }
+    Verbs() {
+        app.set_version_flag("--version", std::string("sward ") + SWARD_VERSION);
+        app.add_flag("--verbose", verbose, "say what is being done")->configurable(false);
+        addProjects();
+        addRender();
+        addCompare();
+        addMaps();
+        app.require_subcommand(0, 1);
+    }
+};
+
+}  // namespace
+
+int report(const Error& error) {
+    logError(error.text());
+    return exitCode(error.code);
+}
+
+int runCommandLine(int argc, char** argv) {
+    Verbs verbs;
+    try {
+        verbs.app.parse(argc, argv);
+        return verbs.app.get_subcommands().empty() ? editVerb(verbs.project) : verbs.result;
+    } catch (const CLI::ParseError& e) {
+        return verbs.app.exit(e) == 0 ? 0 : exitCode(ExitCode::Usage);
+    }
+}
+
+}  // namespace sward

@@ -1,0 +1,68 @@
+// The command line: one function a verb, options as plain structs. What each option means stands in the README.
+// Every verb prints its failure as "sward: error: file:line: message (remedy)" and returns the exit code of core/error.h.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "frame/renderer.h"
+
+namespace sward {
+
+int runCommandLine(int argc, char** argv);
+
+// Options that render, and what later sweeps and measures pictures, share.
+struct RenderOptions {
+    std::string project;
+    std::string camera;                  // empty: all
+    std::string size = "1024x768";
+    std::string technique;               // empty: the project's
+    std::vector<std::string> set;        // PATH=VALUE
+    std::string view = "final";
+    int msaa = 4;
+    double time = 0;
+    int frames = 0;                      // measured after 3 warm-ups; 0: the picture alone
+    double fps = 0;                      // with frames: write that many pictures
+    std::string out;
+    std::string stats;
+};
+int renderVerb(const RenderOptions& options);
+
+struct CompareOptions {
+    std::string a, b, heatmap;
+    bool json = false, linear = false;
+};
+int compareVerb(const CompareOptions& options);
+
+int newVerb(const std::string& dir);
+int checkVerb(const std::string& project, bool strict);
+struct ImportOptions {
+    std::string project, map, file;
+    bool flip = false;
+    std::string range;                   // "LOW,HIGH"
+};
+int importVerb(const ImportOptions& options);
+struct ExportOptions {
+    std::string project, map, out;
+    bool flip = false;
+};
+int exportVerb(const ExportOptions& options);
+int explainVerb(const std::string& project, bool json);
+int hardcasesVerb(bool json);
+struct ScriptOptions {
+    std::string file, project;
+    bool window = false;
+};
+int scriptVerb(const ScriptOptions& options);
+int editVerb(const std::string& project);
+
+// --- shared by the verbs
+// Prints the error and gives its exit code.
+int report(const Error& error);
+// The project with --set and --technique applied, repairs told on standard error.
+Result<Project> openForRendering(const RenderOptions& options);
+// "1024x768"; Usage error otherwise. Each side from 1 to 16384.
+Result<std::pair<int, int>> parseSize(const std::string& text);
+
+}  // namespace sward

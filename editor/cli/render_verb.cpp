@@ -1,0 +1,167 @@
+#include "cli/cli.h"
+#include "core/file.h"
+#include "core/log.h"
+#include "measure/frame_stats.h"
+#include "scene/map_io.h"
+#include "techniques.h"
+
+namespace sward {
+namespace fs = std::filesystem;
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+    int w = 0, h = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) != 2 || w < 1 || h < 1 || w > 16384 || h > 16384)
+        return Error{ExitCode::Usage, "\"" + text + "\" is no size", "", 0, 0, "write WIDTHxHEIGHT, each from 1 to 16384, such as 1024x768"};
+    return std::pair{w, h};
+}
+
+namespace {
+
+Result<ViewMode> parseView(const std::string& text) {
+    for (size_t i = 0; i < std::size(kViewModes); ++i)
+        if (text == kViewModes[i]) return static_cast<ViewMode>(i);
+    return Error{ExitCode::Usage, "there is no view \"" + text + "\"", "", 0, 0, "final, tiers, overdraw, density, depth or normals"};
+}
+
+Status setTechnique(Project& p, const std::string& name) {
+    if (name.empty()) return {};
+    for (const auto& [entity, e] : p.entities) {
+        if (!p.registry.get<GrassField>(e)) continue;
+        auto f = findField(p, tables().components, entity + ".GrassField.technique");
+        if (!f) return f.error();
+        if (Status s = setFieldText(*f, name); !s) return s;
+    }
+    return {};
+}
+
+Status applyOverride(Project& p, const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos) return Error{ExitCode::Usage, "--set " + text + " has no '='", "", 0, 0, "write PATH=VALUE"};
+    auto f = findField(p, tables().components, text.substr(0, equals));
+    if (!f) return f.error();
+    return setFieldText(*f, text.substr(equals + 1));
+}
+
+// Which cameras, in the order of their names.
+Result<std::vector<std::string>> cameraNames(const Project& p, const std::string& wanted) {
+    std::vector<std::string> all;
+    for (const auto& [name, e] : p.entities)
+        if (p.registry.get<Camera>(e)) all.push_back(name);
+    if (wanted.empty() && !all.empty()) return all;
+    if (std::find(all.begin(), all.end(), wanted) != all.end()) return std::vector<std::string>{wanted};
+    std::string list;
+    for (const std::string& n : all) list += (list.empty() ? "" : ", ") + n;
+    return Error{wanted.empty() ? ExitCode::Unsound : ExitCode::Usage, wanted.empty() ? "the project has no camera" : "there is no camera \"" + wanted + "\"",
+                 p.dir.string(), 0, 0, all.empty() ? "add an entity with a Camera" : "its cameras: " + list};
+}
+
+// Where each camera's picture goes.
+fs::path outputOf(const RenderOptions& o, const Project& p, const std::string& camera, bool several) {
+    if (o.out.empty()) return p.name + "-" + camera + ".png";
+    return several ? fs::path(o.out) / (camera + ".png") : fs::path(o.out);
+}
+
+Status writePicture(const Renderer& r, const fs::path& file, int w, int h) {
+    if (file.has_parent_path()) {
+        std::error_code ec;
+        fs::create_directories(file.parent_path(), ec);
+        if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), file.parent_path().string(), 0, 0, "choose another --out"};
+    }
+    if (file.extension() == ".exr") return writeImageExr(file, w, h, 3, r.readLinear());
+    if (file.extension() == ".png") return writeImagePng(file, w, h, 3, r.readImage());
+    return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};
+}
+
+struct Shot {
+    Renderer& renderer;
+    Project& project;
+    const Gpu& gpu;
+    ViewCamera view;
+    ViewSettings settings;
+};
+
+Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
+    FrameRecord record;
+    record.camera = camera;
+    ViewSettings s = shot.settings;
+    for (int i = 0; i < 3 + frames; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
+        shot.renderer.finish();
+        if (i >= 3) record.frameMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    s.measure = true;
+    if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
+    record.stats = shot.renderer.stats();
+    record.stats.bladesVisible = visibleBlades(shot.project, shot.view, s.width, s.height);
+    return record;
+}
+
+Status writeFilm(Shot& shot, const RenderOptions& o, const fs::path& folder, int w, int h) {
+    for (int i = 0; i < o.frames; ++i) {
+        shot.settings.time = o.time + i / o.fps;
+        if (Status s = shot.renderer.draw(shot.project, shot.view, shot.settings); !s) return s;
+        if (Status s = writePicture(shot.renderer, folder / fmt::format("frame_{:04d}.png", i), w, h); !s) return s;
+    }
+    return {};
+}
+
+Status renderAll(const RenderOptions& o, Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
+    auto cameras = cameraNames(project, o.camera);
+    if (!cameras) return cameras.error();
+    Renderer renderer(gpu, tables());
+    const bool several = cameras->size() > 1;
+    std::vector<FrameRecord> records;
+    for (const std::string& name : *cameras) {
+        Shot shot{renderer, project, gpu, viewOf(*findCamera(project, name)), {}};
+        shot.settings.width = w, shot.settings.height = h;
+        shot.settings.msaa = o.msaa, shot.settings.mode = mode, shot.settings.time = o.time;
+        const fs::path file = outputOf(o, project, name, several);
+        if (o.fps > 0 && o.frames > 0) {
+            if (Status s = writeFilm(shot, o, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s) return s;
+            continue;
+        }
+        if (!o.stats.empty() || o.frames > 0) {
+            auto record = measure(shot, name, std::max(o.frames, 1));
+            if (!record) return record.error();
+            records.push_back(std::move(*record));
+        }
+        if (Status s = renderer.draw(project, shot.view, shot.settings); !s) return s;
+        if (Status s = writePicture(renderer, file, w, h); !s) return s;
+        std::printf("%s\n", file.string().c_str());
+    }
+    if (o.stats.empty()) return {};
+    return writeFileAtomic(o.stats, frameStatsJson(records, project, gpu, w, h, std::min(o.msaa, gpu.maxSamples)));
+}
+
+}  // namespace
+
+Result<Project> openForRendering(const RenderOptions& o) {
+    auto project = loadProject(o.project, tables().components);
+    if (!project) return project;
+    for (const std::string& s : o.set)
+        if (Status st = applyOverride(*project, s); !st) return st.error();
+    if (Status s = setTechnique(*project, o.technique); !s) return s.error();
+    for (const auto& [name, e] : project->entities)
+        for (const ComponentRow& row : tables().components)
+            if (void* c = row.get(project->registry, e))
+                for (const std::string& said : repairComponent(row, c)) logWarning(name + "." + row.name + ": " + said);
+    return project;
+}
+
+int renderVerb(const RenderOptions& o) {
+    auto size = parseSize(o.size);
+    if (!size) return report(size.error());
+    auto mode = parseView(o.view);
+    if (!mode) return report(mode.error());
+    if (o.msaa < 1 || o.frames < 0 || o.fps < 0) return report({ExitCode::Usage, "--msaa, --frames and --fps take positive numbers", "", 0, 0, ""});
+    auto project = openForRendering(o);
+    if (!project) return report(project.error());
+    auto gpu = makeHeadlessGpu();
+    if (!gpu) return report(gpu.error());
+    if (Status s = renderAll(o, *project, **gpu, size->first, size->second, *mode); !s) return report(s.error());
+    return 0;
+}
+
+}  // namespace sward

@@ -1,0 +1,75 @@
+#include "cli/cli.h"
+#include "core/json.h"
+#include "core/log.h"
+#include "measure/hardcases.h"
+#include "measure/metrics.h"
+#include "scene/map_io.h"
+#include "techniques.h"
+
+namespace sward {
+
+int compareVerb(const CompareOptions& o) {
+    auto a = readImage(o.a), b = readImage(o.b);
+    if (!a) return report(a.error());
+    if (!b) return report(b.error());
+    auto d = compareImages(*a, *b, o.linear);
+    if (!d) return report({d.error().code, d.error().message, o.a + ", " + o.b, 0, 0, d.error().remedy});
+    if (d->nonFinite > 0)
+        logWarning(fmt::format("{} pixels are not finite and were left out; the first at {},{}", d->nonFinite, d->nonFiniteX, d->nonFiniteY));
+    if (!o.heatmap.empty())
+        if (Status s = writeImagePng(o.heatmap, a->width, a->height, 3, heatmap(*a, *b, o.linear)); !s) return report(s.error());
+    if (o.json) {
+        Json j;
+        j["rmse"] = d->rmse;
+        j["psnr"] = d->psnr;
+        j["non_finite"] = d->nonFinite;
+        std::printf("%s", writeJson(j).c_str());
+    } else {
+        std::printf("rmse %.6f\npsnr %s\n", d->rmse, std::isinf(d->psnr) ? "inf" : fmt::format("{:.2f}", d->psnr).c_str());
+    }
+    return 0;
+}
+
+int newVerb(const std::string& dir) {
+    auto p = newProject(dir);
+    if (!p) return report(p.error());
+    std::printf("%s: a new project; open it with: sward edit %s\n", dir.c_str(), dir.c_str());
+    return 0;
+}
+
+int checkVerb(const std::string& dir, bool strict) {
+    const CheckReport r = checkProject(dir, tables().components);
+    for (const Error& e : r.refused) std::printf("refused: %s\n", e.text().c_str());
+    for (const Fault& f : r.repaired) std::printf("repaired: %s: %s\n", f.where.c_str(), f.message.c_str());
+    if (!r.refused.empty() || (strict && !r.repaired.empty())) {
+        std::printf("%s: %zu refused, %zu repaired\n", dir.c_str(), r.refused.size(), r.repaired.size());
+        return static_cast<int>(ExitCode::Unsound);
+    }
+    std::printf("%s: sound%s\n", dir.c_str(), r.repaired.empty() ? "" : fmt::format(", {} repaired", r.repaired.size()).c_str());
+    return 0;
+}
+
+int explainVerb(const std::string& dir, bool json) {
+    auto project = loadProject(dir, tables().components);
+    if (!project) return report(project.error());
+    auto gpu = makeHeadlessGpu();
+    if (!gpu) return report(gpu.error());
+    // Drawn once at a small size, so that the memory told is what is really held.
+    Renderer renderer(**gpu, tables());
+    ViewSettings settings;
+    settings.width = 64, settings.height = 48;
+    const Camera* camera = findCamera(*project, "");
+    if (Status s = renderer.draw(*project, camera ? viewOf(*camera) : ViewCamera{}, settings); !s) return report(s.error());
+    std::printf("%s", renderer.explain(*project, json).c_str());
+    return 0;
+}
+
+int hardcasesVerb(bool json) {
+    auto gpu = makeHeadlessGpu();
+    if (!gpu) logWarning(gpu.error().text() + "; the shaders' column stays empty");
+    const std::vector<HardCaseRow> rows = runHardCases(gpu ? gpu->get() : nullptr);
+    std::printf("%s", (json ? hardCasesJson(rows) : hardCasesText(rows)).c_str());
+    return std::all_of(rows.begin(), rows.end(), [](const HardCaseRow& r) { return r.pass; }) ? 0 : 1;
+}
+
+}  // namespace sward

@@ -1,0 +1,129 @@
+#include "frame/explain.h"
+
+#include <set>
+
+#include "core/json.h"
+
+namespace sward {
+namespace {
+
+// What would bring a feature that the scene lacks.
+const char* whyAbsent(Feature f) {
+    switch (f) {
+        case Feature::Terrain: return "no entity has a Terrain";
+        case Feature::TerrainHeights: return "no Terrain has a height map: the ground is flat";
+        case Feature::TerrainMap: return "no Terrain has a terrainMap";
+        case Feature::Grass: return "no GrassField has a species with blades";
+        case Feature::GrassDensity: return "no species has a density map: density is 1 everywhere";
+        case Feature::GrassOrientation: return "no GrassField has an orientation map";
+        case Feature::GrassVegetation: return "no GrassField has a vegetation map";
+        case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
+        case Feature::GrassClumps: return "no species has both clumpSize and clumpStrength above 0";
+        case Feature::Sun: return "no Light shines";
+        case Feature::Sky: return "no Sky has an intensity above 0";
+        case Feature::Fog: return "no Fog has a finite visibility";
+        case Feature::Count: break;
+    }
+    return "";
+}
+
+// What one feature makes run: effects that need it, and programs that compile its branch in.
+struct Made {
+    std::vector<std::string> because, systems, passes, programs;
+    int64_t bytes = 0;
+};
+
+// Owners in the ledger: effects by name, and maps by the feature that asks for them ("grass-density" holds "grass/density").
+int64_t bytesOf(const Gpu& gpu, const std::string& owner) {
+    const auto it = gpu.ledger.find(owner);
+    return it == gpu.ledger.end() ? 0 : it->second;
+}
+std::string ownerOf(Feature f) {
+    std::string name = featureName(f);
+    std::replace(name.begin(), name.end(), '-', '/');
+    return name;
+}
+
+Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu) {
+    Made m;
+    m.because = entitiesWith(project.registry, tables.components, f);
+    m.bytes = bytesOf(gpu, ownerOf(f));
+    std::set<std::string> programs;
+    for (const EffectRow* e : plan.effects) {
+        if (has(e->needs, f)) {
+            m.bytes += bytesOf(gpu, e->name);
+            for (const System& s : e->systems) m.systems.push_back(s.name);
+        }
+        for (const Pass& p : e->passes) {
+            bool touched = has(e->needs, f);
+            for (const ProgramRow& program : p.programs)
+                if (touched || has(program.features, f)) {
+                    programs.insert(program.name);
+                    touched = true;
+                }
+            if (touched) m.passes.push_back(p.name);
+        }
+    }
+    m.programs.assign(programs.begin(), programs.end());
+    return m;
+}
+
+Json names(const std::vector<std::string>& list) {
+    Json j = Json::makeArray();
+    for (const std::string& n : list) j.push(n);
+    return j;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+    std::string out;
+    for (const std::string& n : list) out += (out.empty() ? "" : ", ") + n;
+    return out.empty() ? "nothing of its own" : out;
+}
+
+std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
+    Json all;
+    all["features"] = Json::makeArray();
+    all["absent"] = Json::makeArray();
+    for (size_t i = 0; i < plan.features.size(); ++i) {
+        const Feature f = static_cast<Feature>(i);
+        Json j;
+        j["name"] = featureName(f);
+        if (const auto it = made.find(f); it != made.end()) {
+            j["because"] = names(it->second.because);
+            j["systems"] = names(it->second.systems);
+            j["passes"] = names(it->second.passes);
+            j["programs"] = names(it->second.programs);
+            j["gpu_bytes"] = it->second.bytes;
+            all["features"].push(std::move(j));
+        } else {
+            j["because"] = whyAbsent(f);
+            all["absent"].push(std::move(j));
+        }
+    }
+    return writeJson(all);
+}
+
+std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
+    std::string out = "What this scene makes run, and why\n";
+    for (const auto& [f, m] : made) {
+        out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
+        out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes), joined(m.programs));
+        out += fmt::format("  memory    {:.2f} MB on the GPU\n", static_cast<double>(m.bytes) / 1e6);
+    }
+    for (const EffectRow* e : plan.effects) out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
+    out += "\nWhat it lacks: not run, not compiled, not in memory\n";
+    for (size_t i = 0; i < plan.features.size(); ++i)
+        if (!plan.features.test(i)) out += fmt::format("  {}: {}\n", featureName(static_cast<Feature>(i)), whyAbsent(static_cast<Feature>(i)));
+    return out;
+}
+
+}  // namespace
+
+std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu, bool json) {
+    std::map<Feature, Made> made;
+    for (size_t i = 0; i < plan.features.size(); ++i)
+        if (plan.features.test(i)) made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu);
+    return json ? asJson(made, plan) : asText(made, plan);
+}
+
+}  // namespace sward

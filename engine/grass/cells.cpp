@@ -1,0 +1,137 @@
+#include "grass/cells.h"
+
+#include <atomic>
+
+#include "core/jobs.h"
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+struct CellSelection {
+    const CellQuery& q;
+    int cellsX, cellsZ;
+    uint64_t nodes = 0;
+    std::vector<CellDraw> out;
+
+    struct Box {
+        double x0, z0, x1, z1;
+        float low, high;
+    };
+    Box boxOf(int x, int z, int size) const {
+        Box b{x * q.cellSize, z * q.cellSize, std::min((x + size) * q.cellSize, q.terrain.size.x), std::min((z + size) * q.cellSize, q.terrain.size.y), 0, 0};
+        std::tie(b.low, b.high) = q.bounds.over(q.terrain.size, b.x0, b.z0, b.x1, b.z1);
+        return b;
+    }
+    // 0 inside the box: never negative, never a logarithm of one (B-23).
+    double nearest(const Box& b) const {
+        const double dx = std::max({b.x0 - q.eye.x, 0.0, q.eye.x - b.x1}), dz = std::max({b.z0 - q.eye.z, 0.0, q.eye.z - b.z1});
+        const double dy = std::max({b.low - q.eye.y, 0.0, q.eye.y - b.high});
+        return std::sqrt(dx * dx + dy * dy + dz * dz);
+    }
+    double farthest(const Box& b) const {
+        const double dx = std::max(std::abs(b.x0 - q.eye.x), std::abs(b.x1 - q.eye.x)), dz = std::max(std::abs(b.z0 - q.eye.z), std::abs(b.z1 - q.eye.z));
+        const double dy = std::max(std::abs(b.low - q.eye.y), std::abs(b.high - q.eye.y));
+        return std::sqrt(dx * dx + dy * dy + dz * dz);
+    }
+    bool visible(const Box& b) const {
+        const double r = q.reach;
+        return q.frustum.touches(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
+                                 glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
+    }
+
+    void leaf(int x, int z, const Box& b) {
+        const float nearWs = f32::lodRamp(static_cast<float>(nearest(b)), q.range.min, q.range.inv);
+        const auto [least, most] = q.density ? densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
+        const float high = f32::highestThresholdDrawn(most, q.fade), low = f32::lowestThresholdDrawn(f32::sliceDensity(least, nearWs), q.fade);
+        const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
+        const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
+        if (most <= 0 || first >= last) return;
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), first, last});
+    }
+
+    void node(int x, int z, int size) {
+        if (x >= cellsX || z >= cellsZ) return;
+        ++nodes;
+        const Box b = boxOf(x, z, size);
+        if (nearest(b) >= q.range.max || !visible(b)) return;
+        if (size == 1) return leaf(x, z, b);
+        const int half = size / 2;
+        for (int i = 0; i < 4; ++i) node(x + (i & 1) * half, z + (i >> 1) * half, half);
+    }
+};
+
+}  // namespace
+
+GeometryRange geometryRange(const GrassField& f) {
+    const float inf = std::numeric_limits<float>::infinity();
+    switch (static_cast<Technique>(f.technique)) {
+        case Technique::Geometry: return {0, 0, inf};
+        case Technique::Flat: return {0, -1, 0};
+        default: return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
+    }
+}
+
+float bladeReach(const Species& species, const Patch& patch) {
+    float reach = 0;
+    for (const Blade& b : patch.blades) reach = std::max(reach, glm::length(b.tip) + b.width);
+    const float clumps = species.clumpSize > 0 ? 0.8f * species.clumpStrength * species.heightVariation : 0;
+    return reach * (1 + clumps);
+}
+
+std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {
+    const MapInfo& info = density.info();
+    const auto texel = [](double v, double extent, int n, int add) {
+        return std::clamp(static_cast<int>(std::floor(v / extent * n - 0.5)) + add, 0, n - 1);
+    };
+    const int left = texel(x0, size.x, info.width, 0), right = texel(x1, size.x, info.width, 1);
+    const int top = texel(z0, size.y, info.height, 0), bottom = texel(z1, size.y, info.height, 1);
+    float least = density.at(left, top), most = least;
+    for (int y = top; y <= bottom && (least > 0 || most < 1); ++y)
+        for (int x = left; x <= right; ++x) {
+            const float d = density.at(x, y);
+            least = std::min(least, d);
+            most = std::max(most, d);
+        }
+    return {least, most};
+}
+
+std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes) {
+    CellSelection s{q, static_cast<int>(std::ceil(q.terrain.size.x / q.cellSize)), static_cast<int>(std::ceil(q.terrain.size.y / q.cellSize)), 0, {}};
+    int root = 1;
+    while (root < std::max(s.cellsX, s.cellsZ)) root *= 2;
+    s.node(0, 0, root);
+    if (nodes) *nodes = s.nodes;
+    return std::move(s.out);
+}
+
+namespace {
+
+uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
+    const float sizeX = static_cast<float>(q.terrain.size.x), sizeZ = static_cast<float>(q.terrain.size.y);
+    const float cell = static_cast<float>(q.cellSize);
+    const glm::vec2 mirror = f32::cellMirror(f32::cellHash(c.cellX, c.cellZ, q.seed));
+    uint64_t n = 0;
+    for (uint32_t i = c.first; i < c.last; ++i) {
+        const Blade& b = q.patch.blades[i];
+        const glm::vec2 root{mirror.x > 0 ? b.root.x : cell - b.root.x, mirror.y > 0 ? b.root.y : cell - b.root.y};
+        const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
+        if (u > 1 || v > 1) continue;
+        const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);
+        const float density = q.density ? q.density->sample(u, v) : 1.0f;
+        const float weight = f32::lodRamp(glm::length(at), q.range.min, q.range.inv);
+        n += f32::geometryOpacity(density, weight, b.threshold, q.fade) > 0 && q.frustum.touches(at, at);
+    }
+    return n;
+}
+
+}  // namespace
+
+uint64_t countVisible(const CellQuery& q) {
+    const std::vector<CellDraw> cells = selectCells(q);
+    std::atomic<uint64_t> sum = 0;
+    parallelFor(cells.size(), [&](size_t i) { sum += visibleInCell(q, cells[i]); });
+    return sum;
+}
+
+}  // namespace sward

@@ -1,0 +1,49 @@
+// Which cells draw blades, and which of each cell's blades: the implicit quadtree, culled by frustum, distance and density.
+// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; B-12, B-23. Pure; nothing is stored per cell.
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "frame/draw_context.h"
+#include "scene/population.h"
+
+namespace sward {
+
+// One species' share of a cell: blades [first, last) of its patch, sorted by threshold.
+struct CellDraw {
+    int32_t cellX, cellZ;
+    float x, z;             // the cell's corner relative to the eye
+    uint32_t first, last;
+};
+
+// Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
+struct GeometryRange {
+    float min, inv, max;
+};
+GeometryRange geometryRange(const GrassField& field);
+// How far a species' blades rise above and reach beyond their cell, metres.
+float bladeReach(const Species& species, const Patch& patch);
+
+struct CellQuery {
+    const Terrain& terrain;
+    const HeightBounds& bounds;
+    const Map* density;     // null: 1 everywhere
+    const Patch& patch;
+    double cellSize;
+    float reach;            // bladeReach
+    GeometryRange range;
+    float fade;             // omega
+    uint32_t seed;          // the field's
+    glm::dvec3 eye;         // relative to the terrain's corner
+    const Frustum& frustum;
+};
+// Cells in the order of the quadtree. `nodes`, if given, counts the nodes that were looked at.
+std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes = nullptr);
+
+// Lowest and highest density that bilinear sampling can give over terrain-relative [x0, x1] x [z0, z1].
+std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1);
+
+// Blades of one species that a view draws: opacity above 0 and root within the frustum. The shader's own rule, on the CPU.
+uint64_t countVisible(const CellQuery& q);
+
+}  // namespace sward

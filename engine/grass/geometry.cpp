@@ -1,0 +1,196 @@
+#include "grass/geometry.h"
+
+#include "core/numerics.h"
+#include "frame/draw_context.h"
+#include "frame/tiles.h"
+#include "grass/cells.h"
+#include "grass/cover.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/geometry";
+
+// As OpenGL's DrawElementsIndirectCommand.
+struct Command {
+    uint32_t count, instances, firstIndex;
+    int32_t baseVertex;
+    uint32_t baseInstance;
+};
+
+struct SpeciesState {
+    uint64_t key = 0;
+    Patch patch;
+    Buffer blades, indices, cells, commands, globals;
+    VertexArray mesh;
+    Texture texture;
+    std::string textureOf = "?";
+    std::vector<CellDraw> selected;
+};
+struct GeometryState : EffectState {
+    std::vector<std::unique_ptr<SpeciesState>> species;
+    Buffer cover;
+};
+
+// Per blade 2 (segments + 1) vertices and 2 segments triangles; blades in threshold order.
+std::vector<uint32_t> stripIndices(size_t blades, int segments) {
+    std::vector<uint32_t> out;
+    out.reserve(blades * static_cast<size_t>(segments) * 6);
+    for (size_t b = 0; b < blades; ++b)
+        for (int s = 0; s < segments; ++s) {
+            const uint32_t a = static_cast<uint32_t>(b * 2 * static_cast<size_t>(segments + 1)) + static_cast<uint32_t>(2 * s);
+            out.insert(out.end(), {a, a + 1, a + 2, a + 2, a + 1, a + 3});
+        }
+    return out;
+}
+
+void describeCells(SpeciesState& s) {
+    const GLuint mesh = s.mesh.id();
+    glVertexArrayVertexBuffer(mesh, 0, s.cells.id(), 0, sizeof(CellDraw));
+    glVertexArrayBindingDivisor(mesh, 0, 1);
+    glEnableVertexArrayAttrib(mesh, 0);
+    glEnableVertexArrayAttrib(mesh, 1);
+    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellDraw, cellX));
+    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, x));
+    glVertexArrayAttribBinding(mesh, 0, 0);
+    glVertexArrayAttribBinding(mesh, 1, 0);
+    glVertexArrayElementBuffer(mesh, s.indices.id());
+}
+
+void updatePatch(DrawContext& ctx, SpeciesState& s, const Species& species, const GrassField& field) {
+    const uint64_t key = patchKey(species, field.cellSize, static_cast<uint32_t>(field.seed));
+    if (s.key == key && s.mesh.id()) return;
+    s.key = key;
+    s.patch = makePatch(species, field.cellSize, static_cast<uint32_t>(field.seed));
+    const auto indices = stripIndices(s.patch.blades.size(), species.segments);
+    s.blades = makeBuffer(ctx.gpu, kOwner, s.patch.blades.size() * sizeof(Blade), s.patch.blades.data());
+    s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
+    s.mesh = makeVertexArray(kOwner);
+}
+
+void updateTexture(DrawContext& ctx, SpeciesState& s, const Species& species) {
+    if (s.textureOf == species.texture) return;
+    s.textureOf = species.texture;
+    Rgba8 image = species.texture.empty() ? Rgba8{} : loadTile(ctx.project.dir / species.texture);
+    s.texture = makeTileTexture(ctx.gpu, kOwner, image.pixels.empty() ? makeBladeImage(32, 128) : image, false);
+}
+
+void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const GrassField& f, int index) {
+    SpeciesGlobals g;
+    g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
+    g.midColor = glm::vec4(sp.midColor, std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))));
+    g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
+    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
+    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
+    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
+    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
+}
+
+void uploadCells(DrawContext& ctx, SpeciesState& s, int segments) {
+    const uint32_t each = static_cast<uint32_t>(segments) * 6;
+    std::vector<Command> commands;
+    commands.reserve(s.selected.size());
+    for (const CellDraw& c : s.selected) {
+        commands.push_back({(c.last - c.first) * each, 1, c.first * each, 0, static_cast<uint32_t>(commands.size())});
+        ctx.stats.bladesGeometry += c.last - c.first;
+    }
+    writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
+    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(Command), commands.data());
+    describeCells(s);
+    ctx.stats.cells += s.selected.size();
+}
+
+void publishMaps(DrawContext& ctx, const GrassField& f) {
+    for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
+        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map) : 0;
+    const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
+        to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
+    };
+    publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
+    publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
+    publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
+}
+
+void cull(DrawContext& ctx) {
+    GeometryState& state = ctx.own<GeometryState>();
+    const auto start = std::chrono::steady_clock::now();
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.shared.ground.terrain) return;
+    publishMaps(ctx, f);
+    const GeometryRange range = geometryRange(f);
+    const size_t n = std::min<size_t>(f.species.size(), MAX_SPECIES);
+    state.species.resize(n);
+    CoverGlobals cover{};
+    cover.tiers = {static_cast<float>(n), range.min, range.inv, 0};
+    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, 0};
+    for (size_t i = 0; i < n; ++i) {
+        if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
+        SpeciesState& s = *state.species[i];
+        updatePatch(ctx, s, f.species[i], f);
+        updateTexture(ctx, s, f.species[i]);
+        writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
+        const Species& sp = f.species[i];
+        s.selected = selectCells({*ctx.shared.ground.terrain, ctx.shared.bounds, sp.density.present() ? &sp.density.map : nullptr, s.patch, f.cellSize,
+                                  bladeReach(sp, s.patch), range, f.fade, static_cast<uint32_t>(f.seed), ctx.eye, ctx.frustum});
+        cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals);
+    }
+    ctx.stats.cpuCullMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i], f.species[i].segments);
+    writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
+    ctx.shared.cover = state.cover.id();
+}
+
+void bindShared(DrawContext& ctx) {
+    const SharedResources& r = ctx.shared;
+    if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
+    if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
+    if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
+    if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
+}
+
+void draw(DrawContext& ctx) {
+    GeometryState& state = ctx.own<GeometryState>();
+    if (!ctx.use()) return;
+    bindShared(ctx);
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
+    if (overdraw) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else {
+        glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    }
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        SpeciesState& s = *state.species[i];
+        if (s.selected.empty()) continue;
+        glBindTextureUnit(TEX_BLADE, s.texture.id());
+        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, s.globals.id());
+        glBindVertexArray(s.mesh.id());
+        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(s.selected.size()), 0);
+        ctx.pass->draws += 1;
+        ctx.pass->instances += s.selected.size();
+    }
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    glDisable(GL_BLEND);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+}
+
+const System kSystems[] = {{"grass/cull", cull}};
+const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
+                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
+                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog)}};
+const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& geometryEffect() {
+    static const EffectRow row{"grass/geometry", featureSet(Feature::Grass, Feature::Terrain), kSystems, kPasses,
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
+                               "blades near the eye are drawn one by one"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,121 @@
+#include "terrain/ground.h"
+
+#include <random>
+
+#include "core/log.h"
+#include "core/numerics.h"
+#include "frame/draw_context.h"
+#include "frame/tiles.h"
+#include "terrain/lod.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "terrain/ground";
+
+struct GroundState : EffectState {
+    Buffer nodes, vertices, indices;
+    VertexArray mesh;
+    Texture tile;
+    std::string tileOf = "?";  // file of the tile texture; "" is the made one
+    std::vector<TerrainNode> selected;
+    int failed = 0;
+};
+
+// 17 x 17 vertices as two bytes each and two triangles a quad.
+void makeMesh(Gpu& gpu, GroundState& s) {
+    std::vector<uint8_t> vertices;
+    std::vector<uint16_t> indices;
+    constexpr int n = kNodeQuads + 1;
+    for (int z = 0; z < n; ++z)
+        for (int x = 0; x < n; ++x) vertices.insert(vertices.end(), {static_cast<uint8_t>(x), static_cast<uint8_t>(z)});
+    for (int z = 0; z < kNodeQuads; ++z)
+        for (int x = 0; x < kNodeQuads; ++x) {
+            const uint16_t a = static_cast<uint16_t>(z * n + x), b = a + 1, c = static_cast<uint16_t>(a + n), d = c + 1;
+            indices.insert(indices.end(), {a, c, b, b, c, d});
+        }
+    s.vertices = makeBuffer(gpu, kOwner, vertices.size(), vertices.data());
+    s.indices = makeBuffer(gpu, kOwner, indices.size() * 2, indices.data());
+    s.mesh = makeVertexArray(kOwner);
+    glVertexArrayVertexBuffer(s.mesh.id(), 0, s.vertices.id(), 0, 2);
+    glVertexArrayElementBuffer(s.mesh.id(), s.indices.id());
+    glEnableVertexArrayAttrib(s.mesh.id(), 0);
+    glVertexArrayAttribFormat(s.mesh.id(), 0, 2, GL_UNSIGNED_BYTE, GL_FALSE, 0);
+}
+
+std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
+    auto s = std::make_unique<GroundState>();
+    makeMesh(ctx.gpu, *s);
+    s->nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    return s;
+}
+
+void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
+    if (s.tileOf == t.groundTexture) return;
+    s.tileOf = t.groundTexture;
+    const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadTile(ctx.project.dir / t.groundTexture);
+    s.tile = makeTileTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
+}
+
+void select(DrawContext& ctx) {
+    GroundState& s = ctx.own<GroundState>();
+    const Terrain& t = *ctx.shared.ground.terrain;
+    updateHeightBounds(ctx.shared.bounds, t);
+    updateTile(ctx, s, t);
+    s.selected = selectNodes(t, terrainLod(t), ctx.shared.bounds, ctx.eye, ctx.frustum);
+    FrameGlobals& g = ctx.globals;
+    g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
+    g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
+    g.groundColor = glm::vec4(t.groundColor, 1 / t.tileSize);
+    g.heights = glm::vec4(0);
+    if (t.height.present()) {
+        const auto [offset, scale] = heightScale(t);
+        const float base = t.height.map.at(0, 0);  // subtracted from texels first, so that slopes keep their digits (T-4)
+        g.heights = {static_cast<float>(offset + scale * base - ctx.eye.y), static_cast<float>(scale), base, 0};
+        ctx.shared.heights = ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
+    } else {
+        g.heights.x = static_cast<float>(-ctx.eye.y);
+    }
+}
+
+void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
+    glBindTextureUnit(TEX_GROUND, s.tile.id());
+    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
+    if (t.terrainMap.present()) glBindTextureUnit(TEX_TERRAIN_MAP, ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true));
+    for (int i = 0; i < MAX_SPECIES; ++i)
+        if (ctx.shared.densities[static_cast<size_t>(i)]) glBindTextureUnit(TEX_DENSITY + static_cast<GLuint>(i), ctx.shared.densities[static_cast<size_t>(i)]);
+    if (ctx.shared.orientation) glBindTextureUnit(TEX_ORIENTATION, ctx.shared.orientation);
+    if (ctx.shared.vegetation) glBindTextureUnit(TEX_VEGETATION, ctx.shared.vegetation);
+    if (ctx.shared.occlusion) glBindTextureUnit(TEX_OCCLUSION, ctx.shared.occlusion);
+    if (ctx.shared.cover) glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
+}
+
+void draw(DrawContext& ctx) {
+    GroundState& s = ctx.own<GroundState>();
+    if (s.selected.empty() || !ctx.use()) return;
+    bindMaps(ctx, s, *ctx.shared.ground.terrain);
+    glBindVertexArray(s.mesh.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_NODES, s.nodes.id());
+    for (size_t first = 0; first < s.selected.size(); first += NODES_PER_DRAW) {
+        const size_t n = std::min<size_t>(NODES_PER_DRAW, s.selected.size() - first);
+        glNamedBufferSubData(s.nodes.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &s.selected[first]);
+        glDrawElementsInstanced(GL_TRIANGLES, 6 * kNodeQuads * kNodeQuads, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(n));
+        ctx.pass->draws += 1;
+        ctx.pass->instances += n;
+    }
+}
+
+const System kSystems[] = {{"terrain/select", select}};
+const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
+                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation,
+                                            Feature::GrassVegetation, Feature::GrassOcclusion, Feature::Sun, Feature::Sky, Feature::Fog)}};
+const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& groundEffect() {
+    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain), kSystems, kPasses, makeState, "there is ground to stand on"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,21 @@
+// Selects the pieces of ground to draw for an eye: CDLOD's quadtree (see ground.h). Pure.
+#pragma once
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "frame/draw_context.h"
+
+namespace sward {
+
+inline constexpr int kNodeQuads = 16;  // a node is a square of kNodeQuads^2 quads
+struct TerrainLod {
+    double spacing = 0.25;   // metres, level 0
+    double range = 30;       // metres to which level 0 reaches; level l to range * 2^l
+    int levels = 1;          // the last covers the whole terrain
+};
+// Levels for a terrain, with the range widened where it is too short for morphing (3.5 nodes of level 0).
+TerrainLod terrainLod(const Terrain& t);
+// Nodes within the frustum, each point of the ground in exactly one. eye: relative to the terrain's corner.
+std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds, const glm::dvec3& eye, const Frustum& frustum);
+
+}  // namespace sward

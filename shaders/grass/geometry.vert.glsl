@@ -1,0 +1,101 @@
+// One vertex of one blade of one cell: which blade (gl_VertexID), whether it exists (density, distance), how it is posed
+// (mirror, paint, clumps), how it is lit (per vertex). Boulanger, Pattanaik and Bouatouch 2006, sections 3.1-3.4.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/blade.h"
+#include "numerics/clump.h"
+#include "numerics/population.h"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/cover.glsl"
+
+struct Blade {
+    vec4 place;      // root x, z; width; threshold
+    vec4 control;    // w: hue
+    vec4 tip;        // w: lightness
+    vec4 facing;     // z: dither
+};
+layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
+layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
+layout(location = 0) in ivec2 cell;
+layout(location = 1) in vec2 cellCorner;  // relative to the eye
+
+out vec3 albedo;
+out vec3 light;
+out vec3 haze;          // added
+out vec2 strip;         // across, along
+flat out vec2 fade;     // opacity; dither
+out vec3 facingNormal;
+
+float density(vec2 uv) {
+    if (!GRASS_DENSITY) return 1.0;
+    ivec2 size = textureSize(densityMap[0], 0);
+    BilinearTap t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+}
+
+// Lean and scale that the place adds to the patch's blade.
+BladePose poseHere(Blade b, vec2 mirror, vec2 rootInCell, vec2 uv, out float lighter) {
+    vec2 lean = paintedLean(uv) * species.midColor.w;
+    float scale = 1.0;
+    lighter = 1.0;
+    if (GRASS_CLUMPS && species.tipColor.w > 0.0) {
+        vec3 c = clumpValues(cell.x, cell.y, rootInCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
+        lean += c.xy * species.clumps.x;
+        scale += c.z * species.clumps.y;
+        lighter += c.z * species.clumps.z;
+    }
+    return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, lean, scale);
+}
+
+vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
+    vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), b.control.w, b.tip.w * lighter);
+    if (!GRASS_VEGETATION) return c;
+    vec4 paint = textureLod(vegetationMap, uv * cover.tiling.y, 0.0);
+    return mix(c, paint.rgb, paint.a);
+}
+
+void drop() {
+    albedo = light = haze = facingNormal = vec3(0.0);
+    strip = vec2(0.0);
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // behind the near plane: clipped
+}
+
+void main() {
+    int perBlade = 2 * (int(species.counts.x) + 1);
+    Blade b = blades[gl_VertexID / perBlade];
+    int corner = gl_VertexID % perBlade;
+    float v = float(corner / 2) / species.counts.x;
+    float cellSize = species.clumps.w;
+    vec2 mirror = cellMirror(cellHash(cell.x, cell.y, uint(species.counts.y)));
+    vec2 root = mix(vec2(cellSize) - b.place.xy, b.place.xy, step(vec2(0.0), mirror));
+    vec2 ground = vec2(cell) * cellSize + root;
+    vec2 uv = ground * frame.terrain.zw;
+    vec3 at = vec3(cellCorner.x + root.x, groundHeight(ground), cellCorner.y + root.y);
+    float weight = lodRamp(length(at), cover.tiers.y, cover.tiers.z);
+    fade = vec2(geometryOpacity(density(uv), weight, b.place.w, species.counts.z), b.facing.z);
+    if (!(fade.x > 0.0) || uv.x > 1.0 || uv.y > 1.0) {
+        drop();
+        return;
+    }
+    float lighter;
+    BladePose pose = poseHere(b, mirror, root, uv, lighter);
+    BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, v);
+    float across = float(corner & 1) - 0.5;
+    vec3 position = at + f.position + f.side * (across * b.place.z);
+    vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
+    float open = mix(species.rootColor.w, 1.0, v);
+    float share = hazeShare(length(position));
+    albedo = colorHere(b, v, lighter, uv);
+    light = (sunLight(n) + ambientLight(n) * skyShare(uv)) * open * (1.0 - share);
+    haze = horizonColor(position.xz) * share;
+    strip = vec2(across + 0.5, v);
+    facingNormal = n;
+    gl_Position = frame.viewProj * vec4(position, 1.0);
+}

@@ -1,0 +1,19 @@
+// Painted maps that say what grows, and how grass looks from afar.
+// Needs: const bool GRASS_DENSITY, GRASS_ORIENTATION, GRASS_VEGETATION, GRASS_OCCLUSION; frame.glsl; numerics bilinear, lod.
+layout(std140, binding = UBO_COVER) uniform CoverBlock { CoverGlobals cover; };
+layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
+layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
+layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
+layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionMap;
+
+// Painted direction (x, z), its length the strength in [0, 1]; 0 where nothing is painted.
+vec2 paintedLean(vec2 uv) {
+    if (!GRASS_ORIENTATION) return vec2(0.0);
+    vec2 d = (textureLod(orientationMap, uv * cover.tiling.x, 0.0).rg - 0.5) * 2.0;
+    float l = length(d);
+    return l < 1.0 / 255.0 ? vec2(0.0) : d / max(l, 1.0);
+}
+float skyShare(vec2 uv) {
+    if (!GRASS_OCCLUSION) return 1.0;
+    return textureLod(occlusionMap, uv * cover.tiling.z, 0.0).r;
+}

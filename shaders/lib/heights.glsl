@@ -1,0 +1,23 @@
+// Ground under a point. Needs: const bool TERRAIN_HEIGHTS; frame.glsl; numerics/glsl.h, numerics/bilinear.h.
+layout(binding = TEX_HEIGHT) uniform sampler2D heightMap;
+
+// Height relative to the eye at terrain-relative metres.
+float groundHeight(vec2 place) {
+    if (!TERRAIN_HEIGHTS) return frame.heights.x;
+    ivec2 size = textureSize(heightMap, 0);
+    BilinearTap t = bilinearTap(place.x * frame.terrain.z, place.y * frame.terrain.w, size.x, size.y);
+    float base = frame.heights.z;
+    float h = bilinearMix(texelFetch(heightMap, ivec2(t.x0, t.y0), 0).r - base, texelFetch(heightMap, ivec2(t.x1, t.y0), 0).r - base,
+                          texelFetch(heightMap, ivec2(t.x0, t.y1), 0).r - base, texelFetch(heightMap, ivec2(t.x1, t.y1), 0).r - base, t.fx, t.fy);
+    return frame.heights.x + frame.heights.y * h;
+}
+
+// Upward unit normal by central differences over `step` metres; exactly up on flat ground (T-5).
+vec3 groundNormal(vec2 place, float step) {
+    if (!TERRAIN_HEIGHTS) return vec3(0.0, 1.0, 0.0);
+    vec2 texel = frame.terrain.xy / vec2(textureSize(heightMap, 0));
+    vec2 d = max(vec2(step), texel);
+    float dx = groundHeight(place + vec2(d.x, 0.0)) - groundHeight(place - vec2(d.x, 0.0));
+    float dz = groundHeight(place + vec2(0.0, d.y)) - groundHeight(place - vec2(0.0, d.y));
+    return normalize(vec3(-dx / (2.0 * d.x), 1.0, -dz / (2.0 * d.y)));
+}

@@ -1,0 +1,42 @@
+// What makes one blade of a repeated patch differ from its copies, and what colour it has: the part of the population
+// that is not in the patch. Every technique and the reference pose and colour blades by these lines.
+
+struct BladePose {
+    vec3 control;  // relative to the root, metres
+    vec3 tip;
+    vec2 facing;   // unit: the horizontal direction it bends towards
+};
+
+// A patch's blade in a cell: mirrored, scaled, and leant by `lean` (horizontal metres per metre of blade, on top of its
+// own). The distance from root to tip is kept, so that a leaning blade comes down instead of growing; the tip stays at
+// least a twentieth of it above the root. facing is the blade's own, for when it stands upright.
+FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 lean, real scale) {
+    vec3 c = vec3(control.x * mirror.x, control.y, control.z * mirror.y) * scale;
+    vec3 t = vec3(tip.x * mirror.x, tip.y, tip.z * mirror.y) * scale;
+    real size2 = dot(t, t);
+    real size = sqrt(size2);
+    BladePose p;
+    vec2 reach = vec2(t.x, t.z) + lean * size;
+    real reach2 = min(dot(reach, reach), size2 * real(0.9975));
+    reach = reach * sqrt(reach2 / max(dot(reach, reach), kTiny));
+    real height = sqrt(max(size2 - reach2, real(0.0)));
+    p.tip = vec3(reach.x, height, reach.y);
+    vec2 shift = (reach - vec2(t.x, t.z)) * real(0.5);
+    p.control = vec3(c.x + shift.x, c.y * height / max(t.y, size * real(0.05) + kTiny), c.z + shift.y);
+    real across = sqrt(reach2);
+    vec2 own = vec2(facing.x * mirror.x, facing.y * mirror.y);
+    p.facing = across > size * real(0.02) ? reach / across : own;
+    return p;
+}
+
+// Root to tip: dark and yellowish below, saturated in the middle, lighter at the tip.
+FN vec3 bladeGradient(vec3 root, vec3 middle, vec3 tip, real v) {
+    return v < 0.5f ? mix(root, middle, v * 2.0f) : mix(middle, tip, v * 2.0f - 1.0f);
+}
+
+// The colour turned by hue (radians, small) around the grey axis and scaled; never negative.
+FN vec3 bladeTint(vec3 color, real hue, real lightness) {
+    real k = real(0.57735026918962576);
+    vec3 turned = vec3(color.z - color.y, color.x - color.z, color.y - color.x) * (k * hue);
+    return max((color + turned) * lightness, vec3(real(0.0), real(0.0), real(0.0)));
+}

@@ -1,0 +1,53 @@
+// Shadows of blades on the ground and on one another (Boulanger, Pattanaik, Bouatouch 2006, section 3.5). y is up.
+
+// Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. o outside counts
+// as on the cylinder. Rays along the axis get a large finite t, which lies above every mask: unshadowed.
+FN real cylinderExit(vec3 o, vec3 d, real radius) {
+    real a = d.x * d.x + d.z * d.z;
+    real b = o.x * d.x + o.z * d.z;
+    real e = max(radius * radius - o.x * o.x - o.z * o.z, real(0.0));
+    real s = sqrt(b * b + a * e);
+    return b > 0.0f || a < real(1e-20) ? e / max(b + s, real(1e-15)) : (s - b) / a;
+}
+FN real cylinderExitPublished(vec3 o, vec3 d, real radius) {
+    real a = d.x * d.x + d.z * d.z;
+    real b = o.x * d.x + o.z * d.z;
+    return (-b + sqrt(b * b + a * (radius * radius - o.x * o.x - o.z * o.z))) / a;
+}
+
+// The mask's horizontal coordinate in turns of (x, z) around the axis, 0 on the axis itself.
+FN real maskTurns(real x, real z) {
+    if (!(max(abs(x), abs(z)) > kTiny)) return real(0.0);
+    return atan(z, x) / kTau;
+}
+// `turn` moved by whole turns to within half a turn of `reference`: a blade's coordinates interpolate without running
+// through the mask's seam.
+FN real unwrapTurns(real turn, real reference) { return turn - round(turn - reference); }
+
+struct GroundShadow {
+    vec2 offset;  // (x, z) from the foot of the point to its shadow
+    real alpha;   // 1, falling to 0 where the shadow would be longer than the limit
+};
+
+// Shadow of a point `height` above the ground by a light in direction l (unit, towards the light): no longer than
+// maxLength, on the side away from the light, and gone with the light on the horizon or below.
+FN GroundShadow shadowOfSun(real height, vec3 l, real maxLength) {
+    GroundShadow g;
+    real across = sqrt(l.x * l.x + l.z * l.z);
+    real full = max(height, real(0.0)) * across;
+    real capped = maxLength * max(l.y, real(0.0));
+    bool cut = full > capped;
+    real scale = cut ? maxLength / max(across, kTiny) : max(height, real(0.0)) / max(l.y, kTiny);
+    g.offset = vec2(-l.x, -l.z) * scale;
+    g.alpha = cut ? capped / max(full, kTiny) : real(1.0);
+    if (!(l.y > 0.0f)) g.alpha = real(0.0);
+    return g;
+}
+
+// Shadow of point p (p.y above the ground) by a point light at `light`; same limits. Nothing from a light at or below p.
+FN GroundShadow shadowOfLamp(vec3 p, vec3 light, real maxLength) {
+    return shadowOfSun(p.y, vec3(light.x - p.x, light.y - p.y, light.z - p.z), maxLength);
+}
+
+// The projection as printed: infinite on the horizon, towards the light below it.
+FN vec2 shadowPublished(real height, vec3 l) { return vec2(-l.x, -l.z) * (height / l.y); }

@@ -1,0 +1,50 @@
+// Levels: of a blade's tessellation (Jahrmann, Wimmer 2013, eqs 4 and 5) and of the terrain's macro-cells (Boulanger,
+// Pattanaik, Bouatouch 2006, section 4.1).
+
+// Eq 4: s at distance 0, 0 at dmax and beyond, never increasing. s: the smoothness, at least 0; 64 is OpenGL's limit. An
+// exact integer does not land a level high, for which a level may be lost within 1e-4 above an integer.
+FN int tessLevel(real s, real d, real dmax) {
+    if (!(d < dmax)) return 0;
+    real level = ceil(s * (dmax - d) / max(dmax, kTiny) - real(1e-4));
+    return int(clamp(level, real(0.0), min(s, real(64.0))));
+}
+FN real tessLevelPublished(real s, real d, real dmax) { return ceil(s * (1.0f - d / dmax)); }
+
+// By the blade's length on screen: at least 1 for every blade with a visible end, s if one end is nearer than the near
+// plane, 0 only if both are. root, tip: clip positions (w = distance along the view); size: the image in pixels.
+FN int tessLevelOnScreen(vec4 root, vec4 tip, vec2 size, real near, real pixelsPerQuad, real s) {
+    real most = clamp(s, real(1.0), real(64.0));
+    bool rootIn = root.w >= near;
+    bool tipIn = tip.w >= near;
+    if (!rootIn && !tipIn) return 0;
+    if (!rootIn || !tipIn) return int(most);
+    real dx = (tip.x / tip.w - root.x / root.w) * 0.5f * size.x;
+    real dy = (tip.y / tip.w - root.y / root.w) * 0.5f * size.y;
+    real pixels = sqrt(min(dx * dx + dy * dy, real(1e12)));
+    return int(clamp(ceil(pixels / max(pixelsPerQuad, kTiny) - real(1e-4)), real(1.0), most));
+}
+// Eq 5 as printed: a signed difference of one coordinate.
+FN real tessLevelOnScreenPublished(vec4 root, vec4 tip, vec2 size, real pixelsPerQuad, real s) {
+    real upper = tip.y / tip.w * 0.5f + 0.5f;
+    real lower = root.y / root.w * 0.5f + 0.5f;
+    return min((upper - lower) * size.y / pixelsPerQuad, s);
+}
+
+// Level of a macro-cell: 0 while the distance to its bounding sphere is below 2 base, one more with each doubling, at most
+// `most` (<= 24). 0 for an eye inside the sphere. Exact comparisons: CPU and GPU agree on every cell.
+FN int macroLevel(real distance, real radius, real base, int most) {
+    real q = distance - radius;
+    real reach = 2.0f * base;
+    int level = 0;
+    for (int i = 0; i < 24; i++) {
+        if (i >= most || !(q >= reach)) break;
+        reach *= 2.0f;
+        level = i + 1;
+    }
+    return level;
+}
+FN real macroLevelPublished(real distance, real radius, real base) { return floor(log2((distance - radius) / base)); }
+
+// How many blades a texel of `expected` blades grows: the mean over uniform h in [0, 1) is `expected`, where floor alone
+// gives none below 1.
+FN int bladeCount(real expected, real h) { return int(floor(max(expected, real(0.0)) + h)); }

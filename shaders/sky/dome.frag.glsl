@@ -1,0 +1,39 @@
+// The sky (Preetham, Shirley and Smits 1999) with the sun's disc; below the horizon the ground beyond the terrain, level with
+// its corner, in the haze.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/sky.h"
+#include "lib/light.glsl"
+in vec3 direction;
+flat in vec3 skyA, skyB, skyC, skyD, skyE, skyScale;
+flat in vec4 skySun;
+out vec4 color;
+
+SkyModel model() {
+    SkyModel m;
+    m.a = skyA;
+    m.b = skyB;
+    m.c = skyC;
+    m.d = skyD;
+    m.e = skyE;
+    m.scale = skyScale;
+    m.sun = skySun.xyz;
+    m.night = skySun.w;
+    return m;
+}
+
+void main() {
+    vec3 d = normalize(direction);
+    vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyLight.w;
+    if (SUN && d.y > 0.0) light += frame.sunLight.rgb * 40.0 * smoothstep(0.99996, 0.99999, dot(d, frame.sunDirection.xyz));
+    if (d.y < 0.0) {
+        // Meadows to the horizon: what the ground throws back, with distance lost in the haze (or in 4 km of clear air).
+        float height = max(frame.eye.y, 0.5);
+        float distance = height / max(-d.y, 1e-5);
+        float share = 1.0 - exp(-max(frame.haze.x, 0.001) * distance);
+        light = mix(frame.groundLight.rgb, horizonColor(d.xz), share);
+    }
+    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_OVERDRAW || viewMode() == VIEW_DENSITY || viewMode() == VIEW_NORMALS) light = vec3(0.0);
+    color = vec4(light, 1.0);
+}

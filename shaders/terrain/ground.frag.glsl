@@ -1,0 +1,93 @@
+// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; and, where blades are not
+// drawn, the grass's mean colour by how much of the ground it hides at this angle.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "lib/light.glsl"
+#include "lib/cover.glsl"
+
+layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
+layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
+
+in vec3 position;
+in vec2 place;
+in vec3 normal;
+out vec4 color;
+
+// Densities of all species here, filtered for the pixel.
+vec4 densities(vec2 uv) {
+    vec4 d = vec4(0.0);
+    int n = int(cover.tiers.x);
+    if (!GRASS_DENSITY) return vec4(lessThan(vec4(0.0, 1.0, 2.0, 3.0), vec4(cover.tiers.x)));
+    if (n > 0) d.x = texture(densityMap[0], uv).r;
+    if (n > 1) d.y = texture(densityMap[1], uv).r;
+    if (n > 2) d.z = texture(densityMap[2], uv).r;
+    if (n > 3) d.w = texture(densityMap[3], uv).r;
+    return d;
+}
+
+struct Grass {
+    vec3 light;    // radiance of the grass that is seen
+    float hides;   // share of the ground it hides at this angle
+    float shades;  // share of light that reaches the soil
+    float total;   // sum of densities, for the views
+};
+
+// Beer's law over the blades' area; a mown stripe shows its blades' length where they lean away, their tips where they
+// lean towards the eye.
+Grass grassHere(vec2 uv, vec3 toEye) {
+    Grass g;
+    g.light = vec3(0.0);
+    g.shades = 1.0;
+    g.total = 0.0;
+    vec4 density = densities(uv);
+    vec2 lean = paintedLean(uv);
+    vec2 away = -toEye.xz / max(length(toEye.xz), 1e-4);
+    float area = 0.0;
+    for (int i = 0; i < int(cover.tiers.x); ++i) {
+        CoverSpecies s = cover.species[i];
+        float a = density[i] * s.albedo.w;
+        vec3 albedo = s.albedo.rgb;
+        if (GRASS_VEGETATION) {
+            vec4 v = texture(vegetationMap, uv * cover.tiling.y);
+            albedo = mix(albedo, v.rgb, v.a);
+        }
+        float stripe = 1.0 + 0.55 * s.shape.x * dot(lean, away) * (1.0 - toEye.y * toEye.y);
+        g.light += a * albedo * s.light.rgb * stripe;
+        g.shades *= mix(1.0, s.shape.y, density[i]);
+        area += a;
+        g.total += density[i];
+    }
+    g.light = g.light / max(area, 1e-6) * skyShare(uv);
+    g.hides = 1.0 - exp(-0.5 * area / max(toEye.y, 0.08));
+    return g;
+}
+
+vec3 soil(vec2 uv) {
+    vec3 tile = texture(tileTexture, place * frame.groundColor.w).rgb * 2.0 * frame.groundColor.rgb;
+    if (!TERRAIN_MAP) return tile;
+    vec4 map = texture(terrainMap, uv);
+    return mix(tile, map.rgb * (0.75 + 0.25 * tile / max(frame.groundColor.rgb, vec3(1e-3))), map.a);
+}
+
+void main() {
+    vec2 uv = place * frame.terrain.zw;
+    float distance = length(position);
+    vec3 toEye = -position / max(distance, 1e-4);
+    vec3 n = normalize(normal);
+    vec3 light = (sunLight(n) + ambientLight(n)) * soil(uv);
+    float far = 0.0;
+    Grass g;
+    if (GRASS) {
+        g = grassHere(uv, toEye);
+        far = lodRamp(distance, cover.tiers.y, cover.tiers.z) * g.hides;
+        light = mix(light * g.shades, g.light, far);
+    }
+    light = mix(light, horizonColor(position.xz), hazeShare(distance));
+    color = vec4(light, 1.0);
+    if (viewMode() == VIEW_TIERS) color.rgb = mix(vec3(0.25), vec3(0.05, 0.75, 0.1), far);
+    if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
+    if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
+    if (viewMode() == VIEW_DENSITY) color.rgb = GRASS ? mix(vec3(0.35, 0.18, 0.05), vec3(0.1, 0.9, 0.2), clamp(g.total, 0.0, 1.0)) : vec3(0.35, 0.18, 0.05);
+}
