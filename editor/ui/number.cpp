@@ -18,7 +18,7 @@ WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); 
 std::string format(double value, const NumberSpec& spec) {
     const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
     if (std::isinf(value)) return "inf" + unit;
-    return numberText(value, spec.integer) + unit;
+    return numberText(value, spec.integer, spec.precise) + unit;
 }
 
 // printf's percent signs in a text that ImGui takes for a format.
@@ -77,7 +77,7 @@ NumberEdit type(const std::string& id, double value, const NumberSpec& spec) {
     if (active) b.editAge = 1;
     b.editActive = active;
     if (left) {
-        if (b.editText != numberText(value, spec.integer)) edit.typed = b.editText;
+        if (b.editText != numberText(value, spec.integer, spec.precise)) edit.typed = b.editText;
         b.editing.clear();
     }
     return edit;
@@ -96,14 +96,14 @@ NumberEdit number(const std::string& label, double& value, const NumberSpec& spe
         const bool ask = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0)));
         if (ask) {
             b.editing = path;
-            b.editText = numberText(value, spec.integer);
+            b.editText = numberText(value, spec.integer, spec.precise);
             b.editAge = 0;
             b.editActive = false;
             edit.changed = false;
             edit.ended = edit.started || ImGui::IsItemActive();
         }
     }
-    record(label, Kind::Slider, numberText(value, spec.integer));
+    record(label, Kind::Slider, numberText(value, spec.integer, spec.precise));
     return edit;
 }
 
@@ -123,10 +123,10 @@ bool slider(const std::string& label, float& value, const NumberSpec& spec) {
     return true;
 }
 
-std::string numberText(double value, bool integer) {
+std::string numberText(double value, bool integer, bool precise) {
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
     if (integer) return fmt::format("{}", static_cast<long long>(value));
-    return fmt::format("{}", static_cast<float>(value));
+    return precise ? fmt::format("{}", value) : fmt::format("{}", static_cast<float>(value));
 }
 
 std::optional<double> parseNumber(const std::string& text, const NumberSpec& spec, std::string& error) {

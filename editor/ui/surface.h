@@ -10,6 +10,8 @@
 
 namespace sward::ui {
 
+enum class Cursor { Arrow, Text, ResizeEW, ResizeNS };
+
 class Surface {
   public:
     virtual ~Surface() = default;
@@ -21,12 +23,15 @@ class Surface {
     virtual float contentScale() const { return 1; }
     // Moves what came from the person since the last call into the queue; waits up to `seconds` for something.
     virtual void poll(InputQueue& queue, double seconds) = 0;
+    // The person asked to close the window, and takeCloseRequest has not been called since.
+    virtual bool closeRequested() const { return false; }
     // True once after the person asked to close the window.
     virtual bool takeCloseRequest() { return false; }
     // Binds the framebuffer to draw into.
     virtual void bind() = 0;
     virtual void present() = 0;
     virtual void setTitle(const std::string&) {}
+    virtual void setCursor(Cursor) {}
     // Fixed seconds a frame, or 0: as the clock says.
     virtual double fixedStep() const { return 0; }
 };

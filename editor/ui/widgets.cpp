@@ -93,28 +93,28 @@ void tooltip(const std::string& text) {
 
 bool button(const std::string& label, float width, bool accent) {
     if (accent) pushAccent();
-    const bool pressed = ImGui::Button((shown(label) + idOf(label)).c_str(), {width, 0});
+    const bool pressed = ImGui::Button((shown(label) + "#" + idOf(label)).c_str(), {width, 0});
     if (accent) popAccent();
     record(label, Kind::Button);
     return pressed;
 }
 
 bool checkbox(const std::string& label, bool& value) {
-    const bool changed = ImGui::Checkbox((shown(label) + idOf(label)).c_str(), &value);
+    const bool changed = ImGui::Checkbox((shown(label) + "#" + idOf(label)).c_str(), &value);
     record(label, Kind::Checkbox, value ? "true" : "false");
     return changed;
 }
 
 bool selectable(const std::string& label, bool selected, bool* doubleClicked) {
-    const bool pressed = ImGui::Selectable((shown(label) + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
+    const bool pressed = ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
     if (doubleClicked) *doubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     record(label, Kind::Button, selected ? "true" : "false");
     return pressed;
 }
 
-bool section(const std::string& label, bool openAtFirst) {
+bool section(const std::string& label, const std::string& title, bool openAtFirst) {
     const int flags = openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0;
-    const bool open = ImGui::CollapsingHeader((shown(label) + idOf(label)).c_str(), flags);
+    const bool open = ImGui::CollapsingHeader((title + "##" + idOf(label)).c_str(), flags);
     record(label, Kind::Section, open ? "true" : "false").open = open;
     return open;
 }
@@ -125,6 +125,20 @@ bool input(const std::string& label, std::string& text, const char* hint, bool* 
     record(label, Kind::Text, text);
     if (entered) *entered = enter;
     return enter || left;
+}
+
+std::optional<std::string> textField(const std::string& label, const std::string& value) {
+    WidgetBook& b = book();
+    const std::string path = pathOf(label);
+    std::string shownText = value;
+    std::string& text = b.typing == path ? b.typedText : shownText;
+    inputText(idOf(label).c_str(), "", text);
+    const bool active = ImGui::IsItemActive();
+    record(label, Kind::Text, text);
+    if (active && b.typing != path) b.typing = path, b.typedText = shownText;
+    if (active || b.typing != path) return std::nullopt;
+    b.typing.clear();
+    return b.typedText != value ? std::optional(b.typedText) : std::nullopt;
 }
 
 bool combo(const std::string& label, std::span<const std::string> items, int& chosen) {

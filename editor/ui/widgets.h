@@ -33,6 +33,8 @@ struct WidgetBook {
     std::string editText;
     int editAge = 0;                             // frames since typing was asked for
     bool editActive = false;
+    std::string typing;                          // path of the textField being typed, and its text
+    std::string typedText;
 };
 
 // After NewFrame and after Render.
@@ -72,10 +74,13 @@ void tooltip(const std::string& text);
 bool button(const std::string& label, float width = 0, bool accent = false);
 bool checkbox(const std::string& label, bool& value);
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
-// A section that opens and closes; true while open.
-bool section(const std::string& label, bool openAtFirst = true);
+// A section that opens and closes; true while open. `title` is what is shown of it.
+bool section(const std::string& label, const std::string& title, bool openAtFirst = true);
 // One line of text; true when it was changed and left, or Enter was pressed.
 bool input(const std::string& label, std::string& text, const char* hint = "", bool* entered = nullptr);
+// A line over a value kept elsewhere: what was typed, once it was left or Enter was pressed; nothing while unchanged.
+// Escape gives up.
+std::optional<std::string> textField(const std::string& label, const std::string& value);
 // True if another choice was made. Items are recorded as label/item while open.
 bool combo(const std::string& label, std::span<const std::string> items, int& chosen);
 bool beginMenu(const std::string& label);
@@ -90,6 +95,7 @@ struct NumberSpec {
     double hardMin = -1e30, hardMax = 1e30;
     std::string unit;                 // shown after the number
     bool integer = false;
+    bool precise = false;             // stored as double: positions
     bool allowInf = false;            // "inf" may be typed
     double step = 0;                  // of dragging without ends; 0: by the value
 };
@@ -105,8 +111,8 @@ NumberEdit number(const std::string& label, double& value, const NumberSpec& spe
 // The same with typed text applied: parsed, refused beyond the hard range with an error at label. True if changed.
 bool slider(const std::string& label, float& value, const NumberSpec& spec);
 
-// "0.5", "12", "inf": the shortest text that gives the same float.
-std::string numberText(double value, bool integer = false);
+// "0.5", "12", "inf": the shortest text that gives the same float, or double if precise.
+std::string numberText(double value, bool integer = false, bool precise = false);
 // A number within [hardMin, hardMax]; else what is wrong with it, in error.
 std::optional<double> parseNumber(const std::string& text, const NumberSpec& spec, std::string& error);
 

@@ -93,10 +93,16 @@ class Window final : public Surface {
             queue.push({InputKind::Move, x, y, 0, false});
         }
     }
+    bool closeRequested() const override { return events_.close; }
     bool takeCloseRequest() override { return std::exchange(events_.close, false); }
     void bind() override { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
     void present() override { glfwSwapBuffers(window_); }
     void setTitle(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
+    void setCursor(Cursor cursor) override {
+        if (cursor == shown_) return;
+        shown_ = cursor;
+        glfwSetCursor(window_, cursors_[static_cast<size_t>(cursor)]);
+    }
     GLFWwindow* handle() const { return window_; }
 
   private:
@@ -107,6 +113,9 @@ class Window final : public Surface {
     }
     GLFWwindow* window_;
     Events events_;
+    Cursor shown_ = Cursor::Arrow;
+    GLFWcursor* cursors_[4] = {nullptr, glfwCreateStandardCursor(GLFW_IBEAM_CURSOR), glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR),
+                               glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR)};
 };
 
 Error noWindow(const std::string& what) {
