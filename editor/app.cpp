@@ -1,0 +1,261 @@
+#include "app.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include "commands.h"
+#include "panels/panels.h"
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+constexpr double kStrokeMs = 4;        // of a frame, for stamps that wait
+constexpr double kIdleSeconds = 0.25;  // how late a line logged by another thread may appear
+
+double clockSeconds() {
+    static const auto start = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void advanceTime(EditorApp& app) {
+    const double step = app.surface->fixedStep();
+    const double now = step > 0 ? app.now + step : clockSeconds();
+    app.deltaSeconds = std::clamp(now - app.now, 0.001, 0.25);
+    app.now = now;
+}
+
+void takeLog(EditorApp& app) {
+    std::deque<LogLine> fresh;
+    {
+        const std::lock_guard lock(app.log.mutex);
+        fresh.swap(app.log.fresh);
+    }
+    for (LogLine& line : fresh) {
+        app.status = line.text;
+        app.log.lines.push_back(std::move(line));
+        if (app.log.lines.size() > 1000) app.log.lines.pop_front();
+    }
+}
+
+bool hasFreshLog(const EditorApp& app) {
+    LogBook& log = const_cast<EditorApp&>(app).log;
+    const std::lock_guard lock(log.mutex);
+    return !log.fresh.empty();
+}
+
+// The map that brushes paint must be one that the project has now.
+void keepMapValid(EditorApp& app) {
+    const std::vector<FieldRef> maps = paintableMaps(app);
+    const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
+    if (std::any_of(maps.begin(), maps.end(), named)) return;
+    const auto density = std::find_if(maps.begin(), maps.end(), [](const FieldRef& f) { return f.path.ends_with(".density"); });
+    app.brushes.map = density != maps.end() ? density->path : maps.empty() ? "" : maps.front().path;
+}
+
+void followProject(EditorApp& app) {
+    if (app.doc.isOpen() && app.doc.project().dir != app.shownProject) adoptProject(app);
+    keepMapValid(app);
+}
+
+void runDeferred(EditorApp& app) {
+    std::vector<std::function<void()>> edits;
+    edits.swap(app.deferred);
+    for (const auto& edit : edits) edit();
+}
+
+// A slider's undo group ends when nothing is held any more, whatever became of the slider.
+void releaseGroup(EditorApp& app) {
+    if (app.holding.empty() || ImGui::IsAnyItemActive()) return;
+    app.holding.clear();
+    app.doc.endGroup();
+}
+
+void updateTitle(EditorApp& app) {
+    std::string title = "Sward";
+    if (app.doc.isOpen()) title = (app.doc.dirty() ? "\xE2\x97\x8F " : "") + app.doc.project().name + " - Sward";
+    if (title == app.shownTitle) return;
+    app.shownTitle = title;
+    app.surface->setTitle(title);
+}
+
+void showCursor(EditorApp& app) {
+    switch (ImGui::GetMouseCursor()) {
+        case ImGuiMouseCursor_TextInput: return app.surface->setCursor(ui::Cursor::Text);
+        case ImGuiMouseCursor_ResizeEW: return app.surface->setCursor(ui::Cursor::ResizeEW);
+        case ImGuiMouseCursor_ResizeNS: return app.surface->setCursor(ui::Cursor::ResizeNS);
+        default: return app.surface->setCursor(ui::Cursor::Arrow);
+    }
+}
+
+void present(EditorApp& app) {
+    ImGui::Render();
+    app.surface->bind();
+    glViewport(0, 0, app.surface->pixelWidth(), app.surface->pixelHeight());
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.08f, 0.08f, 0.08f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (const auto before = std::exchange(app.beforePresent, nullptr)) before(*app.surface);
+    app.surface->present();
+}
+
+bool wantsFrame(const EditorApp& app) {
+    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() ||
+           app.viewport.drawnRevision != app.doc.revision() || hasFreshLog(app);
+}
+
+}  // namespace
+
+EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s, bool keep)
+    : doc(document), gpu(g), surface(std::move(s)), keepLayout(keep) {
+    imgui = ImGui::CreateContext();
+    ImGui::SetCurrentContext(imgui);
+    ui::setUpContext();
+    ui::applyTheme(surface->contentScale());
+    ImGui_ImplOpenGL3_Init("#version 450");
+    renderer = std::make_unique<Renderer>(gpu, doc.tables());
+    if (keepLayout)
+        if (const auto file = layoutFile()) layout = loadLayout(*file);
+    log.sink = addLogSink([this](LogLevel level, const std::string& text) {
+        const std::lock_guard lock(log.mutex);
+        log.fresh.push_back({level, text});
+    });
+}
+
+EditorApp::~EditorApp() {
+    removeLogSink(log.sink);
+    if (!holding.empty()) doc.endGroup();
+    if (keepLayout)
+        if (const auto file = layoutFile()) saveLayout(*file, layout);
+    ImGui::SetCurrentContext(imgui);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext(imgui);
+    renderer.reset();
+}
+
+void runFrame(EditorApp& app, double waitSeconds) {
+    ImGui::SetCurrentContext(app.imgui);
+    app.surface->poll(app.queue, waitSeconds);
+    if (app.surface->takeCloseRequest()) requestQuit(app);
+    if (app.queue.pending()) app.framesWanted = 4;
+    --app.framesWanted;
+    app.in = app.queue.next();
+    advanceTime(app);
+    takeLog(app);
+    followProject(app);
+    ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(), app.surface->pixelWidth(),
+                  app.surface->pixelHeight());
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    ui::beginBook(app.book);
+    runShortcuts(app);
+    drawPanels(app);
+    ui::endBook(app.book);
+    runDeferred(app);
+    releaseGroup(app);
+    if (app.doc.stroking()) app.doc.pumpStroke(kStrokeMs);
+    updateTitle(app);
+    showCursor(app);
+    present(app);
+}
+
+double idleSeconds(const EditorApp& app) {
+    if (wantsFrame(app)) return 0;
+    const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen() ? -1 : secondsToRefine(app.viewport.resolution, clockSeconds());
+    return refine >= 0 ? std::min(refine, kIdleSeconds) : kIdleSeconds;
+}
+
+void runUntilQuit(EditorApp& app) {
+    while (!app.quit) {
+        app.surface->poll(app.queue, idleSeconds(app));
+        const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
+        if (wantsFrame(app) || refine || app.surface->closeRequested()) runFrame(app);
+    }
+}
+
+void showError(EditorApp& app, const Error& error) {
+    app.notice = error.text();
+    logError(app.notice);
+}
+
+bool accept(EditorApp& app, const Status& status) {
+    if (!status) showError(app, status.error());
+    return static_cast<bool>(status);
+}
+
+void say(EditorApp& app, const std::string& message) {
+    app.status = message;
+    logInfo(message);
+}
+
+namespace {
+
+// Runs `then` at once, or after the person has answered what to do with unsaved work.
+void askFirst(EditorApp& app, std::function<void()> then) {
+    if (!app.doc.isOpen() || !app.doc.dirty()) return then();
+    app.unsaved.then = std::move(then);
+    app.unsaved.opening = true;
+}
+
+void openDialog(EditorApp& app, FileTask task) {
+    FileDialog& d = app.files;
+    d.task = task;
+    d.opening = true;
+    d.error.clear();
+    if (app.doc.isOpen() && !app.doc.project().dir.empty()) d.folder = app.doc.project().dir.parent_path();
+    d.path = task == FileTask::SaveAs ? app.doc.project().dir.string() : "";
+}
+
+}  // namespace
+
+void requestQuit(EditorApp& app) {
+    askFirst(app, [&app] { app.quit = true; });
+}
+
+void requestTask(EditorApp& app, FileTask task) {
+    if (task == FileTask::SaveAs) return openDialog(app, task);
+    askFirst(app, [&app, task] { openDialog(app, task); });
+}
+
+bool saveNow(EditorApp& app) {
+    if (app.doc.project().dir.empty()) {
+        requestTask(app, FileTask::SaveAs);
+        return false;
+    }
+    const auto written = app.doc.save();
+    if (!written) {
+        showError(app, written.error());
+        return false;
+    }
+    app.notice.clear();
+    say(app, written->empty() ? "saved: nothing had changed" : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
+    return true;
+}
+
+void selectTool(EditorApp& app, const std::string& tool) {
+    if (tool == kLookTool || findBrush(tool)) app.brushes.tool = tool;
+}
+
+void adoptProject(EditorApp& app) {
+    app.shownProject = app.doc.project().dir;
+    app.viewport.drawnRevision = ~uint64_t(0);
+    app.viewport.resolution = {};
+    app.selected.clear();
+    app.book.errors.clear();
+    if (const Camera* camera = findCamera(app.doc.project(), "")) app.viewport.camera = flyFrom(viewOf(*camera));
+    for (const auto& [name, entity] : app.doc.project().entities)
+        if (app.doc.project().registry.get<GrassField>(entity)) app.selected = name;
+    keepMapValid(app);
+}
+
+std::vector<FieldRef> paintableMaps(EditorApp& app) {
+    if (!app.doc.isOpen()) return {};
+    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+    std::erase_if(maps, [](const FieldRef& f) { return f.row->mapChannels != 1 || f.row->isHeight; });
+    return maps;
+}
+
+}  // namespace sward

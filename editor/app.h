@@ -1,0 +1,145 @@
+// The editor: one document, one renderer, and the panels between them and the person.
+// The same code runs in a window and headless (ui/surface.h); scripts drive it through ui/driver.h.
+// Does not: change the project but through Document. One ImGui context each; several may live one after the other.
+#pragma once
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "brush_book.h"
+#include "camera_control.h"
+#include "core/log.h"
+#include "document.h"
+#include "frame/renderer.h"
+#include "layout.h"
+#include "resolution.h"
+#include "ui/surface.h"
+#include "ui/widgets.h"
+
+struct ImGuiContext;
+
+namespace sward {
+
+// What the left, right or middle button is doing in the viewport since it went down there.
+enum class Gesture { None, Look, Orbit, Pan, Paint };
+
+struct Viewport {
+    FlyCamera camera;
+    ViewMode mode = ViewMode::Final;
+    Rect rect;                             // window coordinates
+    bool hovered = false;
+    std::optional<glm::dvec3> ground;      // under the pointer
+    Gesture gesture = Gesture::None;
+    bool flying = false;                   // keys move the camera in this frame
+    double lastX = -1, lastY = -1;         // pointer at the last step of the gesture
+    Resolution resolution;
+    double lastMs = 0;                     // of the last drawing
+    int skipped = 0;                       // frames that showed an old image because input was waiting
+    // What the image on the screen shows.
+    uint64_t drawnRevision = ~uint64_t(0);
+    ViewCamera drawnCamera;
+    ViewSettings drawnSettings;
+    bool hasImage = false;
+};
+
+struct LogLine {
+    LogLevel level;
+    std::string text;
+};
+// Lines come from any thread.
+struct LogBook {
+    std::mutex mutex;
+    std::deque<LogLine> fresh;   // not yet seen by a frame
+    std::deque<LogLine> lines;   // the last thousand; frames only
+    int sink = 0;
+};
+
+enum class FileTask { None, Open, SaveAs, New };
+struct FileDialog {
+    FileTask task = FileTask::None;
+    bool opening = false;              // ImGui's popup is to be opened in this frame
+    std::filesystem::path folder;      // whose folders are listed
+    std::string path;                  // what is typed
+    std::string error;
+    std::vector<std::pair<std::string, bool>> entries;  // name, is a project
+};
+// What waits for the answer to "save, discard or cancel".
+struct UnsavedDialog {
+    std::function<void()> then;        // empty: not asked
+    bool opening = false;
+    std::string error;
+};
+
+struct EditorApp {
+    // `keepLayout`: read and write the person's layout file. The document and the GPU must outlive the editor.
+    EditorApp(Document& document, Gpu& gpu, std::unique_ptr<ui::Surface> surface, bool keepLayout);
+    ~EditorApp();
+    EditorApp(const EditorApp&) = delete;
+    EditorApp& operator=(const EditorApp&) = delete;
+
+    Document& doc;
+    Gpu& gpu;
+    std::unique_ptr<ui::Surface> surface;
+    std::unique_ptr<Renderer> renderer;
+    ImGuiContext* imgui = nullptr;
+
+    InputQueue queue;
+    FrameInput in;                          // of the frame being built
+    ui::WidgetBook book;
+    Layout layout;
+    Areas areas;
+    bool keepLayout = false;
+
+    Viewport viewport;
+    BrushBook brushes;
+    std::string selected;                   // entity, by name
+    std::string newEntity;                  // being typed in the outliner
+    bool measure = false;                   // the profiler's
+    LogBook log;
+    std::string consoleLine;
+    std::vector<std::string> consoleHistory;
+    std::string notice;                     // the red bar over the viewport; empty: none
+    std::string status;                     // last message
+    FileDialog files;
+    UnsavedDialog unsaved;
+    std::string holding;                    // path whose slider holds an undo group
+
+    std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
+    std::vector<std::function<void()>> deferred;       // edits, run once the widgets of this frame are built
+    bool quit = false;
+    bool refineNow = false;                 // screenshots: draw in full though something moves
+    std::string shownTitle;
+    std::filesystem::path shownProject;     // whose first camera the viewport took
+    double now = 0;                         // seconds since the start, as frames count them
+    double deltaSeconds = 1.0 / 60;
+    int framesWanted = 3;                   // ImGui needs a few after any event to settle
+    std::function<void(ui::Surface&)> beforePresent;   // once, on the next frame (screenshots)
+};
+
+// One frame: takes input, builds the widgets, draws, presents. Waits up to `waitSeconds` for input first.
+void runFrame(EditorApp& app, double waitSeconds = 0);
+// Seconds until the next frame is needed though nothing comes from the person; 0: at once.
+double idleSeconds(const EditorApp& app);
+// Frames until the person asks to quit.
+void runUntilQuit(EditorApp& app);
+
+// Logs the error and raises the red bar over the viewport.
+void showError(EditorApp& app, const Error& error);
+// For results of edits: shows the error if there is one. True if there was none.
+bool accept(EditorApp& app, const Status& status);
+void say(EditorApp& app, const std::string& message);  // status bar and console
+
+// --- what menus and keys do
+void requestQuit(EditorApp& app);                 // asks first if there is unsaved work
+void requestTask(EditorApp& app, FileTask task);  // opens the file dialog; Open and New ask first
+bool saveNow(EditorApp& app);                     // asks where if the project was never saved; false then, or on an error
+void selectTool(EditorApp& app, const std::string& tool);
+// After the document holds another project: its first camera, its first paintable map, nothing selected.
+void adoptProject(EditorApp& app);
+// Maps that brushes paint on: one channel, no heights; absent ones included.
+std::vector<FieldRef> paintableMaps(EditorApp& app);
+
+}  // namespace sward

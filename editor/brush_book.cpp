@@ -1,0 +1,48 @@
+#include "brush_book.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward {
+
+BrushSettings& currentBrush(BrushBook& book) {
+    const auto key = std::make_pair(book.tool, book.map);
+    const auto it = book.settings.find(key);
+    if (it != book.settings.end()) return it->second;
+    BrushSettings fresh;
+    fresh.radius = 2;
+    fresh.strength = 0.5f;
+    if (book.tool != kLookTool) fresh.mode = book.tool;
+    fresh.map = book.map;
+    return book.settings.emplace(key, fresh).first->second;
+}
+
+BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
+    BrushSettings brush = currentBrush(book);
+    if (ctrl && shift) {
+        brush.mode = "subtract";
+    } else if (shift) {
+        brush.mode = "smooth";
+    } else if (ctrl) {
+        if (brush.mode == "add")
+            brush.mode = "subtract";
+        else if (brush.mode == "subtract")
+            brush.mode = "add";
+        else if (brush.mode == "set")
+            brush.value = 0;
+    }
+    return brush;
+}
+
+void growBrush(BrushSettings& brush, int steps) {
+    const float radius = brush.radius * std::pow(1.2f, static_cast<float>(steps));
+    const float unit = std::pow(10.f, std::floor(std::log10(radius)) - 1);  // two significant digits
+    brush.radius = std::clamp(std::round(radius / unit) * unit, 0.05f, 500.f);
+}
+
+void strengthenBrush(BrushSettings& brush, int steps) {
+    const float strength = brush.strength + 0.1f * static_cast<float>(steps);
+    brush.strength = std::clamp(std::round(strength * 20) / 20, 0.05f, 1.f);
+}
+
+}  // namespace sward

@@ -1,0 +1,29 @@
+// The brush's settings, one set for each tool and map, so that what is set for one never leaks into another.
+// Does not: paint.
+#pragma once
+#include <map>
+#include <string>
+#include <utility>
+
+#include "brushes/brush.h"
+
+namespace sward {
+
+inline constexpr const char* kLookTool = "look";  // no painting: the left button does nothing to the scene
+
+struct BrushBook {
+    std::string tool = "add";  // kLookTool or the name of a brush row
+    std::string map;           // canonical PATH of the map painted on; empty: the project has none
+    std::map<std::pair<std::string, std::string>, BrushSettings> settings;  // by tool and map
+};
+
+// The present tool's settings for the present map; made from the defaults when first asked for.
+BrushSettings& currentBrush(BrushBook& book);
+// What a stroke begun with these modifiers paints: Ctrl inverts (add and subtract change places, set paints 0),
+// Shift smooths, Ctrl+Shift subtracts.
+BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
+// One press of a size or strength key.
+void growBrush(BrushSettings& brush, int steps);       // a fifth each, within 0.05 to 500 m
+void strengthenBrush(BrushSettings& brush, int steps);  // 0.1 each, within 0.05 to 1
+
+}  // namespace sward

@@ -1,0 +1,87 @@
+#include "commands.h"
+
+#include <imgui.h>
+
+#include "ui/keys.h"
+
+namespace sward {
+namespace {
+
+bool always(EditorApp&) { return true; }
+bool opened(EditorApp& app) { return app.doc.isOpen(); }
+bool canUndo(EditorApp& app) { return app.doc.canUndo() && !app.doc.stroking() && app.holding.empty(); }
+bool canRedo(EditorApp& app) { return app.doc.canRedo() && !app.doc.stroking() && app.holding.empty(); }
+
+void undo(EditorApp& app) {
+    const std::string label = app.doc.undoLabel();
+    if (app.doc.undo()) say(app, "undone: " + label);
+}
+void redo(EditorApp& app) {
+    const std::string label = app.doc.redoLabel();
+    if (app.doc.redo()) say(app, "done again: " + label);
+}
+void save(EditorApp& app) { saveNow(app); }
+template <FileTask Task>
+void task(EditorApp& app) {
+    requestTask(app, Task);
+}
+template <int Steps>
+void size(EditorApp& app) {
+    growBrush(currentBrush(app.brushes), Steps);
+}
+template <int Steps>
+void strength(EditorApp& app) {
+    strengthenBrush(currentBrush(app.brushes), Steps);
+}
+void focusGround(EditorApp& app) {
+    Viewport& v = app.viewport;
+    if (!v.ground) return;
+    const double distance = glm::length(*v.ground - v.camera.eye);
+    focus(v.camera, *v.ground, std::min(distance, std::max(3.0, 4.0 * static_cast<double>(currentBrush(app.brushes).radius))));
+}
+void lookTool(EditorApp& app) { selectTool(app, app.brushes.tool == kLookTool ? "add" : kLookTool); }
+
+constexpr Command kCommands[] = {
+    {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
+    {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
+    {"File", "Save", "ctrl+s", "", save, opened},
+    {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
+    {"File", "Quit", "ctrl+q", "", requestQuit, always},
+    {"Edit", "Undo", "ctrl+z", "", undo, canUndo},
+    {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", redo, canRedo},
+    {"Brush", "Larger", "]", "", size<1>, opened},
+    {"Brush", "Smaller", "[", "", size<-1>, opened},
+    {"Brush", "Stronger", "=", "", strength<1>, opened},
+    {"Brush", "Weaker", "-", "", strength<-1>, opened},
+    {"Brush", "Look Without Painting", "v", "", lookTool, opened},
+    {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
+};
+
+bool matches(const char* chord, const Chord& pressed) {
+    const std::optional<Chord> wanted = chord[0] ? parseChord(chord) : std::nullopt;
+    return wanted && *wanted == pressed;
+}
+
+bool keyboardTaken(const EditorApp& app) {
+    return ImGui::GetIO().WantTextInput || app.files.task != FileTask::None || app.unsaved.then || !app.book.editing.empty();
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+void runShortcuts(EditorApp& app) {
+    if (keyboardTaken(app)) return;
+    for (const int key : app.in.pressedKeys) {
+        const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
+        const bool flying = app.viewport.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
+        for (const Command& c : commands()) {
+            if (!matches(c.chord, pressed) && !matches(c.chord2, pressed)) continue;
+            if (flying || (!c.anywhere && !app.viewport.hovered) || !c.enabled(app)) continue;
+            c.run(app);
+            break;
+        }
+    }
+}
+
+}  // namespace sward

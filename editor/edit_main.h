@@ -1,0 +1,12 @@
+// The verb `edit`: the editor in a window.
+// Does not: parse the command line.
+#pragma once
+#include <filesystem>
+
+namespace sward {
+
+// Opens the project (empty: none yet) and runs until the person quits. Returns an exit code: NoContext without a display or
+// OpenGL 4.5, Unsound or Failed if the project cannot be opened; what was wrong is logged.
+int editMain(const std::filesystem::path& project);
+
+}  // namespace sward

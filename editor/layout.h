@@ -1,0 +1,37 @@
+// Where panels lie and which are shown: one per user, kept in $XDG_CONFIG_HOME/sward/layout.txt (~/.config without it).
+// Without HOME nothing is kept, and a file that cannot be read or written changes nothing.
+// Does not: draw.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace sward {
+
+struct Rect {
+    float x = 0, y = 0, w = 0, h = 0;
+};
+
+struct Layout {
+    float right = 330;             // width of the right column
+    float outliner = 0.28f;        // its upper part, as a share of its height
+    float bottom = 170;            // height of the bottom panels
+    std::set<std::string> hidden;  // panels that the person closed
+    std::string tab = "Console";   // of the bottom panels
+};
+
+// Where everything goes in a window of this size, once menu, brush bar and status bar took their heights.
+struct Areas {
+    Rect menu, brushBar, tools, viewport, outliner, inspector, bottom, status;
+};
+// A hidden panel gives its place to its neighbours. Areas never overlap and never have a negative size.
+Areas areasOf(const Layout& layout, float width, float height, float menuHeight, float barHeight, float statusHeight, float toolsWidth);
+// Brings sizes into what fits the window.
+void clampLayout(Layout& layout, float width, float height);
+
+std::optional<std::filesystem::path> layoutFile();
+Layout loadLayout(const std::filesystem::path& file);  // defaults for what is missing or senseless
+bool saveLayout(const std::filesystem::path& file, const Layout& layout);
+
+}  // namespace sward

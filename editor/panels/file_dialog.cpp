@@ -1,0 +1,145 @@
+// Open, Save As and New: a browser of folders. A folder that holds project.json is a project and is marked.
+#include <imgui.h>
+
+#include "panels/panels.h"
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* titleOf(FileTask task) {
+    return task == FileTask::Open ? "Open a project" : task == FileTask::SaveAs ? "Save the project as" : "New project";
+}
+const char* actionOf(FileTask task) { return task == FileTask::Open ? "Open" : task == FileTask::SaveAs ? "Save" : "Create"; }
+
+void list(FileDialog& d) {
+    d.entries.clear();
+    std::error_code error;
+    for (fs::directory_iterator it(d.folder, fs::directory_options::skip_permission_denied, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        const std::string name = it->path().filename().string();
+        if (!it->is_directory(ignored) || name.starts_with('.')) continue;
+        d.entries.emplace_back(name, fs::exists(it->path() / "project.json", ignored));
+    }
+    if (error) d.error = d.folder.string() + ": " + error.message();
+    std::sort(d.entries.begin(), d.entries.end());
+}
+
+void enter(FileDialog& d, const fs::path& folder) {
+    d.error.clear();
+    d.folder = folder;
+    d.path = folder.string();
+    list(d);
+}
+
+Status perform(EditorApp& app, const fs::path& target) {
+    switch (app.files.task) {
+        case FileTask::Open: return app.doc.open(target);
+        case FileTask::New: return app.doc.create(target);
+        case FileTask::SaveAs: {
+            const auto written = app.doc.saveAs(target);
+            return written ? Status{} : Status{written.error()};
+        }
+        case FileTask::None: break;
+    }
+    return {};
+}
+
+void act(EditorApp& app) {
+    FileDialog& d = app.files;
+    std::error_code error;
+    const fs::path target = fs::absolute(d.path, error).lexically_normal();
+    const Status status = d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named"}} : perform(app, target);
+    if (!status) {
+        d.error = status.error().text();
+        logWarning(d.error);
+        return;
+    }
+    say(app, std::string(d.task == FileTask::Open ? "opened " : d.task == FileTask::SaveAs ? "saved " : "created ") + target.string());
+    if (d.task != FileTask::SaveAs) adoptProject(app);
+    app.notice.clear();
+    d.task = FileTask::None;
+}
+
+void folders(EditorApp& app) {
+    FileDialog& d = app.files;
+    const float footer = ImGui::GetFrameHeightWithSpacing() * 2 + ImGui::GetTextLineHeightWithSpacing() * 2 + 8;
+    ImGui::BeginChild("folders", {0, -footer}, true);
+    for (const auto& [name, project] : d.entries) {
+        bool twice = false;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float size = ImGui::GetTextLineHeight();
+        ImGui::Indent(size + 6);
+        const bool pressed = ui::selectable(name, d.path == (d.folder / name).string(), &twice);
+        ImGui::Unindent(size + 6);
+        const ImU32 color = project ? ui::kAccent : ui::kDimText;
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        draw.AddRectFilled({at.x + 1, at.y + size * 0.3f}, {at.x + size, at.y + size * 0.9f}, color, 2);
+        draw.AddRectFilled({at.x + 1, at.y + size * 0.18f}, {at.x + size * 0.5f, at.y + size * 0.4f}, color, 1);
+        if (project) {
+            ImGui::SameLine();
+            ui::coloredText(ui::kDimText, "  project");
+        }
+        if (pressed) d.path = (d.folder / name).string();
+        if (!twice) continue;
+        const fs::path folder = d.folder / name;
+        if (project && d.task == FileTask::Open)
+            app.deferred.push_back([&app] { act(app); });
+        else
+            app.deferred.push_back([&d, folder] { enter(d, folder); });
+    }
+    if (d.entries.empty()) ImGui::TextDisabled("No folders here.");
+    ImGui::EndChild();
+}
+
+void body(EditorApp& app) {
+    FileDialog& d = app.files;
+    if (ui::button("Up")) app.deferred.push_back([&d] { enter(d, d.folder.parent_path()); });
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(d.folder.c_str());
+    ui::record("Folder", ui::Kind::Label, d.folder.string());
+    folders(app);
+    ImGui::SetNextItemWidth(-1);
+    bool entered = false;
+    ui::input("Path", d.path, "folder of the project", &entered);
+    ImGui::PushTextWrapPos(0);
+    ui::coloredText(ui::kErrorText, d.error.empty() ? " " : d.error.c_str());
+    ImGui::PopTextWrapPos();
+    if (!d.error.empty()) ui::record("Error", ui::Kind::Label, d.error);
+    const float width = ImGui::GetFontSize() * 6;
+    ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - 2 * width - 8, ImGui::GetWindowContentRegionMax().y - ImGui::GetFrameHeight()});
+    const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive());
+    ImGui::SameLine(0, 8);
+    const bool pressed = ui::button(actionOf(d.task), width, true);
+    if (pressed || entered) app.deferred.push_back([&app] { act(app); });
+    if (cancelled) d.task = FileTask::None;
+}
+
+}  // namespace
+
+void drawFileDialog(EditorApp& app) {
+    FileDialog& d = app.files;
+    if (d.task == FileTask::None) return;
+    if (d.opening) {
+        d.opening = false;
+        ImGui::OpenPopup("###files");
+        std::error_code error;
+        if (!fs::is_directory(d.folder, error)) d.folder = fs::current_path(error);
+        list(d);
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, ImGui::GetFontSize() * 44), std::min(screen.y * 0.85f, ImGui::GetFontSize() * 32)});
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    const std::string title = std::string(titleOf(d.task)) + "###files";
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+        return;
+    body(app);
+    if (d.task == FileTask::None) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace sward

@@ -1,0 +1,188 @@
+#include "panels/inspector_fields.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cctype>
+
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+void set(EditorApp& app, const std::string& path, const std::string& text) {
+    app.deferred.push_back([&app, path, text] {
+        const Status status = app.doc.setField(path, text);
+        const std::string label = "Inspector/" + path;
+        if (status)
+            app.book.errors.erase(label);
+        else
+            app.book.errors[label] = status.error().message;
+    });
+}
+
+// All that a slider does until it is let go is one undo step.
+void hold(EditorApp& app, const std::string& path) {
+    if (!app.holding.empty()) return;
+    app.holding = path;
+    app.deferred.push_back([&app, path] { app.doc.beginGroup("set " + path); });
+}
+
+ui::NumberSpec specOf(const FieldRow& row) {
+    ui::NumberSpec s;
+    s.softMin = row.softMin, s.softMax = row.softMax;
+    s.hardMin = row.hardMin, s.hardMax = row.hardMax;
+    s.unit = row.unit;
+    s.allowInf = row.allowInf;
+    s.integer = row.type == FieldType::Int;
+    return s;
+}
+
+void numberField(EditorApp& app, const FieldRef& f) {
+    const bool integer = f.row->type == FieldType::Int;
+    double value = integer ? static_cast<double>(*static_cast<const int*>(f.value)) : static_cast<double>(*static_cast<const float*>(f.value));
+    const ui::NumberEdit edit = ui::number(f.path, value, specOf(*f.row));
+    if (edit.started) hold(app, f.path);
+    if (edit.changed) set(app, f.path, ui::numberText(value, integer));
+    if (edit.typed) set(app, f.path, *edit.typed);
+}
+
+std::string vectorText(const double* v, int n) {
+    std::string text = "[";
+    for (int i = 0; i < n; ++i) text += (i ? ", " : "") + ui::numberText(v[i], false, true);
+    return text + "]";
+}
+
+void vectorField(EditorApp& app, const FieldRef& f) {
+    const int n = f.row->type == FieldType::Vec2 ? 2 : 3;
+    double v[3] = {};
+    for (int i = 0; i < n; ++i) v[i] = static_cast<const double*>(f.value)[i];
+    ui::NumberSpec spec = specOf(*f.row);
+    spec.softMin = spec.softMax = 0;
+    spec.precise = true;
+    spec.unit.clear();
+    const float width = (ImGui::GetContentRegionAvail().x - static_cast<float>(n - 1) * 3) / static_cast<float>(n);
+    ImGui::BeginGroup();
+    for (int i = 0; i < n; ++i) {
+        if (i > 0) ImGui::SameLine(0, 3);
+        ImGui::SetNextItemWidth(width);
+        const std::string label = f.path + "." + (n == 2 ? "xz" : "xyz")[i];
+        const ui::NumberEdit edit = ui::number(label, v[i], spec);
+        if (edit.started) hold(app, f.path);
+        if (edit.changed) set(app, f.path, vectorText(v, n));
+        if (!edit.typed) continue;
+        std::string error;
+        if (const auto typed = ui::parseNumber(*edit.typed, spec, error)) v[i] = *typed, set(app, f.path, vectorText(v, n));
+        ui::setError(f.path, error);
+    }
+    ImGui::EndGroup();
+    ui::record(f.path, ui::Kind::Vector, vectorText(v, n));
+}
+
+void textLine(EditorApp& app, const FieldRef& f, const std::string& shown) {
+    if (const auto typed = ui::textField(f.path, shown)) set(app, f.path, *typed);
+}
+
+void colorField(EditorApp& app, const FieldRef& f) {
+    const glm::vec3 color = *static_cast<const glm::vec3*>(f.value);
+    float v[3] = {color.x, color.y, color.z};
+    if (ui::colorEdit(f.path + "/Swatch", v)) {
+        hold(app, f.path);
+        set(app, f.path, fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
+    }
+    ui::tooltip("Click to choose. The numbers are reflectances in linear light.");
+    ImGui::SameLine(0, 4);
+    ImGui::SetNextItemWidth(-1);
+    textLine(app, f, fieldText(f));
+}
+
+void boolField(EditorApp& app, const FieldRef& f) {
+    bool value = *static_cast<const bool*>(f.value);
+    if (ui::checkbox(f.path, value)) set(app, f.path, value ? "true" : "false");
+}
+
+void enumField(EditorApp& app, const FieldRef& f) {
+    const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
+    int chosen = *static_cast<const int*>(f.value);
+    if (ui::combo(f.path, items, chosen)) set(app, f.path, items[static_cast<size_t>(chosen)]);
+}
+
+void mapField(const FieldRef& f) {
+    const MapField& m = *static_cast<const MapField*>(f.value);
+    std::string text = "none";
+    if (m.present()) {
+        const MapInfo& i = m.map.info();
+        const char* type = i.type == PixelType::U8 ? "8 bit" : i.type == PixelType::U16 ? "16 bit" : "float";
+        text = fmt::format("{} x {}, {}", i.width, i.height, type);
+    }
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.c_str());
+    ui::record(f.path, ui::Kind::Label, m.present() ? m.file : "");
+    if (m.present()) ui::tooltip(m.file);
+}
+
+void label(EditorApp& app, const FieldRef& f, const void* fallback, float width) {
+    const FieldRef usual{const_cast<void*>(fallback), f.row, f.component, f.entity, f.path};
+    const bool map = f.row->type == FieldType::Map;
+    const std::string usualText = map ? "" : fieldText(usual);
+    const bool changed = !map && fieldText(f) != usualText;
+    const std::string title = fieldTitle(f.row->name);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::InvisibleButton(("##label" + f.path).c_str(), {width, ImGui::GetFrameHeight()});
+    ui::record(f.path + "/Reset", ui::Kind::Button);
+    const bool hot = ImGui::IsItemHovered() && !map;
+    std::string help = std::string(f.row->help) + "\n" + f.path;
+    if (map) help += "\nfile: " + (static_cast<const MapField*>(f.value)->present() ? static_cast<const MapField*>(f.value)->file : "none");
+    if (!map) help += "\nClick: back to " + (usualText.empty() ? "nothing" : usualText);
+    ui::tooltip(help);
+    const ImU32 color = hot ? ui::kAccent : changed ? ImGui::GetColorU32(ImGuiCol_Text) : ui::kDimText;
+    ImGui::PushClipRect(at, {at.x + width, at.y + ImGui::GetFrameHeight()}, true);
+    ImGui::GetWindowDrawList()->AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y}, color, title.c_str());
+    ImGui::PopClipRect();
+    if (clicked && changed) set(app, f.path, usualText);
+}
+
+void value(EditorApp& app, const FieldRef& f) {
+    switch (f.row->type) {
+        case FieldType::Bool: return boolField(app, f);
+        case FieldType::Int:
+        case FieldType::Float: return numberField(app, f);
+        case FieldType::Vec2:
+        case FieldType::Vec3: return vectorField(app, f);
+        case FieldType::Color: return colorField(app, f);
+        case FieldType::String: return textLine(app, f, *static_cast<const std::string*>(f.value));
+        case FieldType::Enum: return enumField(app, f);
+        case FieldType::Map: return mapField(f);
+        case FieldType::List: return;  // lists have rows of their own
+    }
+}
+
+}  // namespace
+
+std::string fieldTitle(const std::string& name) {
+    std::string stem = name;
+    if (stem.size() > 3 && stem.ends_with("Deg")) stem.resize(stem.size() - 3);
+    std::string title;
+    for (const char c : stem) {
+        const unsigned char u = static_cast<unsigned char>(c);
+        if (std::isupper(u) && !title.empty()) title += ' ';
+        title += static_cast<char>(title.empty() ? std::toupper(u) : std::tolower(u));
+    }
+    return title;
+}
+
+void drawField(EditorApp& app, const FieldRef& field, const void* fallback) {
+    const float width = std::max(ImGui::GetContentRegionAvail().x * 0.42f, 60.f);
+    const float x = ImGui::GetCursorPosX();
+    label(app, field, fallback, width - 6);
+    ImGui::SameLine(x + width);
+    ImGui::SetNextItemWidth(-1);
+    value(app, field);
+    const std::string* error = ui::errorAt(field.path);
+    if (!error) return;
+    ImGui::PushTextWrapPos(0);
+    ui::coloredText(ui::kErrorText, error->c_str());
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace sward

@@ -1,0 +1,58 @@
+// One line: how many blades, what a frame costs, how fine the viewport is drawn, unsaved work, the last message.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "panels/panels.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+// 627 M, 12.3 k
+std::string counted(uint64_t n) {
+    const double v = static_cast<double>(n);
+    if (v >= 1e9) return fmt::format("{:.3g} G", v / 1e9);
+    if (v >= 1e6) return fmt::format("{:.3g} M", v / 1e6);
+    if (v >= 1e4) return fmt::format("{:.3g} k", v / 1e3);
+    return fmt::format("{}", n);
+}
+
+void item(const char* label, const std::string& text, const char* help) {
+    ui::coloredText(ui::kDimText, label);
+    ImGui::SameLine(0, 5);
+    ImGui::TextUnformatted(text.c_str());
+    ui::record(label, ui::Kind::Label, text);
+    ui::tooltip(help);
+    ImGui::SameLine(0, 18);
+}
+
+void savedDot(EditorApp& app) {
+    const bool dirty = app.doc.isOpen() && app.doc.dirty();
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (dirty) ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size / 2, at.y + size / 2}, size * 0.25f, ui::kWarningText);
+    ImGui::Dummy({dirty ? size : 0, size});
+    ImGui::SameLine(0, 4);
+    ImGui::TextUnformatted(!app.doc.isOpen() ? "no project" : dirty ? "unsaved" : "saved");
+    ui::record("Saved", ui::Kind::Label, dirty ? "false" : "true");
+    ImGui::SameLine(0, 18);
+}
+
+}  // namespace
+
+void drawStatusBar(EditorApp& app) {
+    const FrameStats& s = app.renderer->stats();
+    ImGui::SetCursorPosY(5);
+    item("Blades", counted(s.bladesVirtual), "All blades of the fields: density summed over the terrain.");
+    item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
+    if (s.bladesVisible > 0) item("Visible", counted(s.bladesVisible), "Blades of those that can be seen.");
+    item("Frame", fmt::format("{:.3g} ms", app.viewport.lastMs), "What the last drawing of the viewport took.");
+    item("Resolution", fmt::format("{:.0f} %", 100 * app.viewport.resolution.drawnScale),
+         "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
+    savedDot(app);
+    ui::coloredText(ui::kDimText, app.status.c_str());
+    ui::record("Message", ui::Kind::Label, app.status);
+    ui::tooltip(app.status);
+}
+
+}  // namespace sward

@@ -1,0 +1,73 @@
+// The tools: looking without painting, then one a brush. Icons are drawn, so that no font must have them.
+#include <imgui.h>
+
+#include "panels/panels.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+using Draw = ImDrawList&;
+
+void plus(Draw d, ImVec2 c, float r, ImU32 color, bool upright) {
+    d.AddLine({c.x - r, c.y}, {c.x + r, c.y}, color, 2);
+    if (upright) d.AddLine({c.x, c.y - r}, {c.x, c.y + r}, color, 2);
+}
+
+void eye(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddBezierQuadratic({c.x - r * 1.2f, c.y}, {c.x, c.y - r * 1.5f}, {c.x + r * 1.2f, c.y}, color, 1.6f);
+    d.AddBezierQuadratic({c.x - r * 1.2f, c.y}, {c.x, c.y + r * 1.5f}, {c.x + r * 1.2f, c.y}, color, 1.6f);
+    d.AddCircleFilled(c, r * 0.38f, color);
+}
+
+void level(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddLine({c.x - r, c.y - r * 0.45f}, {c.x + r, c.y - r * 0.45f}, color, 2);
+    d.AddLine({c.x - r, c.y + r * 0.45f}, {c.x + r, c.y + r * 0.45f}, color, 2);
+}
+
+void wave(Draw d, ImVec2 c, float r, ImU32 color) {
+    for (const float y : {-0.4f, 0.4f})
+        d.AddBezierCubic({c.x - r, c.y + y * r}, {c.x - r * 0.3f, c.y + (y - 0.9f) * r}, {c.x + r * 0.3f, c.y + (y + 0.9f) * r},
+                         {c.x + r, c.y + y * r}, color, 1.8f);
+}
+
+void specks(Draw d, ImVec2 c, float r, ImU32 color) {
+    constexpr float kSpecks[][2] = {{-0.8f, -0.6f}, {0.1f, -0.9f}, {0.8f, -0.3f}, {-0.3f, 0.0f}, {0.5f, 0.5f}, {-0.8f, 0.7f}, {0.0f, 0.9f}};
+    for (const auto& s : kSpecks) d.AddCircleFilled({c.x + s[0] * r, c.y + s[1] * r}, r * 0.18f, color);
+}
+
+void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, ImU32 color) {
+    Draw d = *ImGui::GetWindowDrawList();
+    const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
+    const float r = (high.x - low.x) * 0.26f;
+    if (tool == kLookTool) return eye(d, c, r, color);
+    if (tool == "add" || tool == "subtract") return plus(d, c, r, color, tool == "add");
+    if (tool == "set") return level(d, c, r, color);
+    if (tool == "smooth") return wave(d, c, r, color);
+    if (tool == "noise") return specks(d, c, r, color);
+    const char first[2] = {label[0], 0};
+    const ImVec2 size = ImGui::CalcTextSize(first);
+    d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);
+}
+
+void toolButton(EditorApp& app, const std::string& tool, const char* label, const std::string& help) {
+    const bool chosen = app.brushes.tool == tool;
+    const float side = ImGui::GetContentRegionAvail().x;
+    if (chosen) ui::pushAccent();
+    if (ImGui::Button(("##" + tool).c_str(), {side, side})) selectTool(app, tool);
+    if (chosen) ui::popAccent();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ui::record(label, ui::Kind::Button, chosen ? "true" : "false");
+    ui::tooltip(std::string(label) + "\n" + help);
+    icon(tool, label, low, high, chosen ? IM_COL32_WHITE : ImGui::GetColorU32(ImGuiCol_Text));
+}
+
+}  // namespace
+
+void drawToolStrip(EditorApp& app) {
+    toolButton(app, kLookTool, "Look", "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
+    ImGui::Spacing();
+    for (const BrushRow& row : brushRows()) toolButton(app, row.name, row.label, row.help);
+}
+
+}  // namespace sward

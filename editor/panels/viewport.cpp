@@ -1,0 +1,193 @@
+// The scene: the renderer's image, the brush's ring, the red bar of the last error.
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+#include "frame/ground.h"
+#include "panels/panels.h"
+#include "panels/viewport_input.h"
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+std::vector<std::string> cameraNames(EditorApp& app) {
+    std::vector<std::string> names;
+    const ComponentRow* row = findComponent(app.doc.tables().components, "Camera");
+    if (!row || !app.doc.isOpen()) return names;
+    for (const auto& [name, entity] : app.doc.project().entities)
+        if (row->get(app.doc.project().registry, entity)) names.push_back(name);
+    return names;
+}
+
+void header(EditorApp& app) {
+    Viewport& v = app.viewport;
+    ImGui::SetCursorPos({8, 3});
+    const std::vector<std::string> cameras = cameraNames(app);
+    int chosen = -1;
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "Go to camera");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
+    if (ui::combo("Camera", cameras, chosen))
+        if (const Camera* c = findCamera(app.doc.project(), cameras[static_cast<size_t>(chosen)])) v.camera = flyFrom(viewOf(*c));
+    ui::tooltip("Moves the view to one of the project's cameras.");
+    ImGui::SameLine(0, 18);
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "Show");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
+    const std::vector<std::string> modes(std::begin(kViewModes), std::end(kViewModes));
+    int mode = static_cast<int>(v.mode);
+    if (ui::combo("Mode", modes, mode)) v.mode = static_cast<ViewMode>(mode);
+    ImGui::SameLine(0, 18);
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, v.gesture == Gesture::Look ? "W A S D fly, E up, Q down, wheel: speed" : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
+}
+
+bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
+    return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
+}
+
+bool sameSettings(const ViewSettings& a, const ViewSettings& b) {
+    return a.width == b.width && a.height == b.height && a.mode == b.mode && a.time == b.time && a.measure == b.measure &&
+           a.decal.x == b.decal.x && a.decal.z == b.decal.z && a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff;
+}
+
+// The decal in the scene itself: always where it costs nothing to draw anew, else while painting; the ring shows the rest.
+BrushDecal decalOf(EditorApp& app) {
+    Viewport& v = app.viewport;
+    const bool cheap = v.resolution.movingScale >= 1 && app.surface->fixedStep() == 0;
+    if (!v.ground || app.brushes.tool == kLookTool || (v.gesture != Gesture::Paint && !(cheap && v.gesture == Gesture::None))) return {};
+    const glm::dvec3 origin = findGround(app.doc.project()).origin;
+    const BrushSettings& b = currentBrush(app.brushes);
+    return {v.ground->x - origin.x, v.ground->z - origin.z, b.radius, b.falloff};
+}
+
+// Headless frames draw coarsely, and in full for a screenshot: the same on every machine.
+ResolutionPlan plan(EditorApp& app, bool changed) {
+    Resolution& r = app.viewport.resolution;
+    if (app.refineNow) return {changed || r.stale || r.drawnScale < 1, 1, 4};
+    if (app.surface->fixedStep() == 0) return planDrawing(r, app.now, changed);
+    return {changed || r.stale, kMinScale, 1};
+}
+
+void drawScene(EditorApp& app) {
+    Viewport& v = app.viewport;
+    ViewSettings settings;
+    const float dense = static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
+    settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
+    settings.mode = v.mode;
+    settings.measure = app.measure;
+    settings.decal = decalOf(app);
+    const ViewCamera camera = viewOf(v.camera);
+    const uint64_t revision = app.doc.revision();
+    const bool changed = revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);
+    const ResolutionPlan p = plan(app, changed);
+    if (!p.draw || settings.width < 1 || settings.height < 1) return;
+    if (app.queue.pending() && v.hasImage && !app.refineNow && ++v.skipped < 6) return;  // input first
+    v.skipped = 0;
+    ViewSettings scaled = settings;
+    scaled.width = std::max(1, static_cast<int>(settings.width * p.scale));
+    scaled.height = std::max(1, static_cast<int>(settings.height * p.scale));
+    scaled.msaa = p.msaa;
+    const auto start = std::chrono::steady_clock::now();
+    const Status status = app.renderer->draw(app.doc.project(), camera, scaled);
+    app.renderer->finish();
+    v.lastMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    learnDrawing(v.resolution, p.scale, v.lastMs);
+    v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = settings;
+    if (!status && app.notice.empty()) showError(app, status.error());
+    v.hasImage = app.renderer->image() != 0;
+    glTextureParameteri(app.renderer->image(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(app.renderer->image(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, float thickness) {
+    constexpr int kParts = 64;
+    const Viewport& v = app.viewport;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    std::optional<glm::dvec2> before;
+    for (int i = 0; i <= kParts; ++i) {
+        const double a = 2 * 3.14159265358979 * i / kParts;
+        const double x = v.ground->x + radius * std::cos(a), z = v.ground->z + radius * std::sin(a);
+        const double y = ground.origin.y + terrainHeight(*ground.terrain, x - ground.origin.x, z - ground.origin.z);
+        const std::optional<glm::dvec2> at = projectPoint(v, {x, y + 0.02, z});
+        if (at && before)
+            list.AddLine({static_cast<float>(before->x), static_cast<float>(before->y)}, {static_cast<float>(at->x), static_cast<float>(at->y)},
+                         color, thickness);
+        before = at;
+    }
+}
+
+// The brush's edge on the ground, and where its full strength ends. Drawn over the image, so that it follows the pointer
+// at the speed of the interface however long the scene takes.
+void brushRing(EditorApp& app) {
+    const Viewport& v = app.viewport;
+    if (!v.ground || app.brushes.tool == kLookTool || (v.gesture != Gesture::None && v.gesture != Gesture::Paint)) return;
+    const Ground ground = findGround(app.doc.project());
+    if (!ground.terrain) return;
+    const BrushSettings& b = currentBrush(app.brushes);
+    const double radius = static_cast<double>(b.radius), inner = radius * (1 - static_cast<double>(b.falloff));
+    ringAt(app, ground, radius, IM_COL32(0, 0, 0, 120), 3.5f);
+    ringAt(app, ground, radius, IM_COL32(255, 255, 255, 230), 1.6f);
+    if (inner > 0 && inner < radius) ringAt(app, ground, inner, IM_COL32(255, 255, 255, 110), 1);
+}
+
+void errorBar(EditorApp& app) {
+    if (app.notice.empty()) return;
+    const Rect& r = app.viewport.rect;
+    const float room = r.w - 24, wrap = room - ImGui::GetFontSize() * 7;
+    const ImVec2 text = ImGui::CalcTextSize(app.notice.c_str(), nullptr, false, wrap);
+    ImGui::SetCursorScreenPos({r.x + 12, r.y + 10});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, ui::kErrorBack);
+    ImGui::BeginChild("error", {room, std::max(text.y, ImGui::GetFrameHeight()) + 14});
+    ImGui::SetCursorPos({10, 7});
+    ImGui::PushTextWrapPos(wrap);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(app.notice.c_str());
+    ImGui::PopTextWrapPos();
+    ui::record("Error", ui::Kind::Label, app.notice);
+    ImGui::SetCursorPos({room - ImGui::GetFontSize() * 5.2f, 7});
+    if (ui::button("Dismiss", ImGui::GetFontSize() * 4.6f)) app.notice.clear();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+void emptyHint(const Rect& r) {
+    const char* text = "No project is open. Ctrl+O opens one, Ctrl+N makes a new one.";
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    ImGui::GetWindowDrawList()->AddText({r.x + (r.w - size.x) / 2, r.y + (r.h - size.y) / 2}, ui::kDimText, text);
+}
+
+}  // namespace
+
+void drawViewport(EditorApp& app) {
+    Viewport& v = app.viewport;
+    {
+        const ui::Disabled noProject(!app.doc.isOpen());
+        header(app);
+    }
+    const float top = ImGui::GetFrameHeight() + 6;
+    const Rect& area = app.areas.viewport;
+    v.rect = {area.x, area.y + top, area.w, std::max(area.h - top, 1.f)};
+    ImGui::SetCursorScreenPos({v.rect.x, v.rect.y});
+    const int buttons = ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    ImGui::InvisibleButton("image", {v.rect.w, v.rect.h}, buttons);
+    app.book.next["Viewport"] = ui::record("Image", ui::Kind::Area);
+    viewportInput(app, ImGui::IsItemHovered());
+    if (app.doc.isOpen()) drawScene(app);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, true);
+    if (app.doc.isOpen() && v.hasImage) {
+        list.AddImage(ui::textureId(app.renderer->image()), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, {0, 1}, {1, 0});
+        brushRing(app);
+    } else {
+        list.AddRectFilled({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, IM_COL32(24, 25, 24, 255));
+        emptyHint(v.rect);
+    }
+    list.PopClipRect();
+    errorBar(app);
+}
+
+}  // namespace sward

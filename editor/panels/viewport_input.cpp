@@ -1,0 +1,142 @@
+#include "panels/viewport_input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "frame/ground.h"
+
+namespace sward {
+namespace {
+
+std::optional<glm::dvec3> pick(EditorApp& app, double x, double y) {
+    const Viewport& v = app.viewport;
+    if (!app.doc.isOpen() || v.rect.w < 1 || v.rect.h < 1) return std::nullopt;
+    return pickGround(app.doc.project(), viewOf(v.camera), static_cast<int>(v.rect.w), static_cast<int>(v.rect.h),
+                      x - static_cast<double>(v.rect.x), y - static_cast<double>(v.rect.y));
+}
+
+// Orbits and pans turn about what lies in the middle of the view.
+void takePivot(EditorApp& app, std::optional<glm::dvec3> point) {
+    Viewport& v = app.viewport;
+    if (point) v.camera.distance = std::max(0.05, glm::dot(*point - v.camera.eye, forwardOf(v.camera)));
+}
+
+// A map that is not there yet means 1 everywhere, and starts so: eight texels a metre, at most 4096 a side.
+bool ensureMap(EditorApp& app, const FieldRef& field) {
+    if (static_cast<const MapField*>(field.value)->present()) return true;
+    const Ground ground = findGround(app.doc.project());
+    const double metres = ground.terrain ? std::max(ground.terrain->size.x, ground.terrain->size.y) : 100;
+    const int side = std::clamp(static_cast<int>(std::exp2(std::ceil(std::log2(metres * 8)))), 256, 4096);
+    Map map({side, side, 1, field.row->mapType});
+    const std::vector<float> ones(field.row->mapType == PixelType::F32 ? static_cast<size_t>(side) : 0, 1.f);
+    const std::vector<uint8_t> full(static_cast<size_t>(side) * map.texelBytes(), 0xff);
+    for (int y = 0; y < side; ++y) map.writeRows(y, 1, ones.empty() ? static_cast<const void*>(full.data()) : ones.data());
+    return accept(app, app.doc.setMap(field.path, std::move(map), "new map " + field.path));
+}
+
+void beginPaint(EditorApp& app) {
+    Viewport& v = app.viewport;
+    const std::optional<glm::dvec3> at = pick(app, app.in.x, app.in.y);
+    if (!at) return;
+    const std::vector<FieldRef> maps = paintableMaps(app);
+    const auto map = std::find_if(maps.begin(), maps.end(), [&](const FieldRef& f) { return f.path == app.brushes.map; });
+    if (map == maps.end())
+        return showError(app, {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
+    if (!ensureMap(app, *map)) return;
+    const glm::dvec3 origin = findGround(app.doc.project()).origin;
+    const BrushSettings brush = strokeBrush(app.brushes, app.in.ctrl(), app.in.shift());
+    if (!accept(app, app.doc.beginStroke(brush, at->x - origin.x, at->z - origin.z))) return;
+    v.gesture = Gesture::Paint;
+}
+
+void beginGesture(EditorApp& app) {
+    Viewport& v = app.viewport;
+    v.lastX = app.in.x, v.lastY = app.in.y;
+    if (app.in.pressed[1]) {
+        v.gesture = Gesture::Look;
+    } else if (app.in.pressed[2]) {
+        takePivot(app, pick(app, app.in.x, app.in.y));
+        v.gesture = Gesture::Pan;
+    } else if (app.in.pressed[0] && app.in.alt()) {
+        takePivot(app, pick(app, static_cast<double>(v.rect.x + v.rect.w / 2), static_cast<double>(v.rect.y + v.rect.h / 2)));
+        v.gesture = Gesture::Orbit;
+    } else if (app.in.pressed[0] && app.doc.isOpen() && app.brushes.tool != kLookTool && !app.doc.stroking()) {
+        beginPaint(app);
+    }
+}
+
+void stepGesture(EditorApp& app) {
+    Viewport& v = app.viewport;
+    const glm::dvec3 origin = v.gesture == Gesture::Paint ? findGround(app.doc.project()).origin : glm::dvec3(0);
+    for (const auto& [x, y] : app.in.path) {
+        const double dx = x - v.lastX, dy = y - v.lastY;
+        v.lastX = x, v.lastY = y;
+        if (v.gesture == Gesture::Look) look(v.camera, dx, dy);
+        if (v.gesture == Gesture::Orbit) orbit(v.camera, dx, dy);
+        if (v.gesture == Gesture::Pan) pan(v.camera, dx, dy, static_cast<double>(v.rect.h));
+        if (v.gesture != Gesture::Paint) continue;
+        if (const auto at = pick(app, x, y)) app.doc.strokeTo(at->x - origin.x, at->z - origin.z);
+    }
+}
+
+bool buttonHeld(const EditorApp& app) {
+    switch (app.viewport.gesture) {
+        case Gesture::Look: return app.in.buttons[1];
+        case Gesture::Pan: return app.in.buttons[2];
+        default: return app.in.buttons[0];
+    }
+}
+
+void flyByKeys(EditorApp& app) {
+    Viewport& v = app.viewport;
+    v.flying = false;
+    if (v.gesture != Gesture::Look || app.in.ctrl()) return;
+    const auto axis = [&](int more, int less) {
+        return (app.in.keys[static_cast<size_t>(more)] ? 1.0 : 0.0) - (app.in.keys[static_cast<size_t>(less)] ? 1.0 : 0.0);
+    };
+    const glm::dvec3 direction{axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+    v.flying = glm::length(direction) > 0;
+    fly(v.camera, direction, app.deltaSeconds * (app.in.shift() ? 3 : 1));
+}
+
+void wheel(EditorApp& app) {
+    Viewport& v = app.viewport;
+    if (app.in.wheelY == 0) return;
+    if (v.gesture == Gesture::Look) {
+        changeSpeed(v.camera, app.in.wheelY);
+        app.status = fmt::format("fly speed {:.3g} m/s", v.camera.speed);
+    } else if (v.hovered) {
+        dolly(v.camera, v.ground ? *v.ground : pivotOf(v.camera), app.in.wheelY);
+    }
+}
+
+}  // namespace
+
+std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
+    const glm::dvec3 forward = forwardOf(v.camera);
+    const glm::dvec3 right{std::cos(v.camera.yaw), 0, std::sin(v.camera.yaw)};
+    const glm::dvec3 up = glm::cross(right, forward), d = p - v.camera.eye;
+    const double depth = glm::dot(d, forward);
+    if (depth < 0.05) return std::nullopt;
+    const double half = static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
+    return glm::dvec2{static_cast<double>(v.rect.x + v.rect.w / 2) + glm::dot(d, right) / depth * half,
+                      static_cast<double>(v.rect.y + v.rect.h / 2) - glm::dot(d, up) / depth * half};
+}
+
+void viewportInput(EditorApp& app, bool over) {
+    Viewport& v = app.viewport;
+    v.hovered = over;
+    if (v.gesture == Gesture::None && over && app.in.pressed.any())
+        beginGesture(app);
+    else if (v.gesture != Gesture::None)
+        stepGesture(app);
+    flyByKeys(app);
+    wheel(app);
+    if (v.gesture != Gesture::None && !buttonHeld(app)) {
+        if (v.gesture == Gesture::Paint) app.doc.endStroke();
+        v.gesture = Gesture::None;
+    }
+    v.ground = over || v.gesture == Gesture::Paint ? pick(app, app.in.x, app.in.y) : std::nullopt;
+}
+
+}  // namespace sward

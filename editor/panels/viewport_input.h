@@ -1,0 +1,13 @@
+// What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint.
+// Does not: draw.
+#pragma once
+#include "app.h"
+
+namespace sward {
+
+// `over`: the pointer is over the image and nothing lies on top. Once a frame.
+void viewportInput(EditorApp& app, bool over);
+// Where a world point is on the screen (window coordinates), or nothing if it lies behind the eye.
+std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p);
+
+}  // namespace sward

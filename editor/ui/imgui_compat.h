@@ -1,0 +1,24 @@
+// All that differs between the Dear ImGui versions that distributions package (1.86 to 1.91), in one place.
+// Does not: hold state beyond the current ImGui context.
+#pragma once
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/input_queue.h"
+
+namespace sward::ui {
+
+// Key table and options of a new context: no ini file, no blinking cursor, no second input queue.
+void setUpContext();
+// Gives ImGui what this frame holds. Sizes in window coordinates and in pixels. Before ImGui::NewFrame.
+void feedInput(const FrameInput& in, float deltaSeconds, int width, int height, int pixelWidth, int pixelHeight);
+ImTextureID textureId(unsigned glTexture);
+// An input line on a std::string; true when Enter was pressed. Fills the item width set before.
+bool inputText(const char* id, const char* hint, std::string& text);
+// The key is pressed in this frame (not repeated).
+bool enterPressed();
+bool escapePressed();
+void setClipboardFunctions(const char* (*get)(void*), void (*set)(void*, const char*), void* user);
+
+}  // namespace sward::ui

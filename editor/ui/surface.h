@@ -1,0 +1,45 @@
+// Where the editor's frames go: a window, or a framebuffer that nobody sees.
+// Does not: draw, nor own the GL context of a headless run.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ui/input_queue.h"
+
+namespace sward::ui {
+
+enum class Cursor { Arrow, Text, ResizeEW, ResizeNS };
+
+class Surface {
+  public:
+    virtual ~Surface() = default;
+    // Size in window coordinates (of the pointer) and in pixels (of images); equal unless the screen is dense.
+    virtual int width() const = 0;
+    virtual int height() const = 0;
+    virtual int pixelWidth() const { return width(); }
+    virtual int pixelHeight() const { return height(); }
+    virtual float contentScale() const { return 1; }
+    // Moves what came from the person since the last call into the queue; waits up to `seconds` for something.
+    virtual void poll(InputQueue& queue, double seconds) = 0;
+    // The person asked to close the window, and takeCloseRequest has not been called since.
+    virtual bool closeRequested() const { return false; }
+    // True once after the person asked to close the window.
+    virtual bool takeCloseRequest() { return false; }
+    // Binds the framebuffer to draw into.
+    virtual void bind() = 0;
+    virtual void present() = 0;
+    virtual void setTitle(const std::string&) {}
+    virtual void setCursor(Cursor) {}
+    // Fixed seconds a frame, or 0: as the clock says.
+    virtual double fixedStep() const { return 0; }
+};
+
+// RGBA8 pixels of what is bound by bind(), first row on top.
+std::vector<uint8_t> readSurface(Surface& surface);
+
+// A framebuffer of the current context; frames of 1/60 s.
+std::unique_ptr<Surface> makeHeadlessSurface(int width, int height);
+
+}  // namespace sward::ui

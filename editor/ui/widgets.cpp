@@ -1,0 +1,205 @@
+#include "ui/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+
+namespace sward::ui {
+namespace {
+
+WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
+
+std::string pathOf(const std::string& label) { return book().scope + label; }
+
+// What is shown of a label: the part after the last '/', before "##".
+std::string shown(const std::string& label) {
+    const size_t slash = label.rfind('/');
+    return slash == std::string::npos ? label : label.substr(slash + 1);
+}
+
+// IEC 61966-2-1; a picker shows what the screen shows.
+float toSrgb(float v) { return v <= 0.0031308f ? 12.92f * std::max(v, 0.f) : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
+float fromSrgb(float v) { return v <= 0.04045f ? std::max(v, 0.f) / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
+
+std::string idOf(const std::string& label) { return "##" + pathOf(label); }
+
+}  // namespace
+
+void beginBook(WidgetBook& b) {
+    ImGui::GetIO().UserData = &b;
+    b.next.clear();
+    b.scope.clear();
+}
+
+void endBook(WidgetBook& b) {
+    std::swap(b.widgets, b.next);
+    if (!b.editing.empty() && !b.widgets.count(b.editing)) b.editing.clear();
+}
+
+Scope::Scope(const std::string& name) : length_(book().scope.size()) { book().scope += name + "/"; }
+Scope::~Scope() { book().scope.resize(length_); }
+
+Disabled::Disabled(bool disabled) {
+    ImGui::BeginDisabled(disabled);
+    book().disabled.push_back(disabled);
+}
+Disabled::~Disabled() {
+    book().disabled.pop_back();
+    ImGui::EndDisabled();
+}
+
+Widget& record(const std::string& label, Kind kind, const std::string& value) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const ImVec2 clipLow = ImGui::GetWindowDrawList()->GetClipRectMin();
+    const ImVec2 clipHigh = ImGui::GetWindowDrawList()->GetClipRectMax();
+    const float x = (low.x + high.x) / 2, y = (low.y + high.y) / 2;
+    const std::string path = pathOf(label);
+    if (book().reveal == path) {
+        ImGui::SetScrollFromPosY(y - ImGui::GetWindowPos().y, 0.5f);
+        book().reveal.clear();
+    }
+    Widget& w = book().next[path];
+    w = {kind, low.x, low.y, high.x, high.y, value};
+    const std::vector<bool>& off = book().disabled;
+    w.enabled = std::find(off.begin(), off.end(), true) == off.end();
+    w.visible = x >= clipLow.x && x < clipHigh.x && y >= clipLow.y && y < clipHigh.y;
+    return w;
+}
+
+const std::string* errorAt(const std::string& label) {
+    const auto it = book().errors.find(pathOf(label));
+    return it == book().errors.end() ? nullptr : &it->second;
+}
+
+void setError(const std::string& label, const std::string& message) {
+    if (message.empty())
+        book().errors.erase(pathOf(label));
+    else
+        book().errors[pathOf(label)] = message;
+}
+
+void tooltip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool button(const std::string& label, float width, bool accent) {
+    if (accent) pushAccent();
+    const bool pressed = ImGui::Button((shown(label) + "#" + idOf(label)).c_str(), {width, 0});
+    if (accent) popAccent();
+    record(label, Kind::Button);
+    return pressed;
+}
+
+bool checkbox(const std::string& label, bool& value) {
+    const bool changed = ImGui::Checkbox((shown(label) + "#" + idOf(label)).c_str(), &value);
+    record(label, Kind::Checkbox, value ? "true" : "false");
+    return changed;
+}
+
+bool selectable(const std::string& label, bool selected, bool* doubleClicked) {
+    const bool pressed = ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
+    if (doubleClicked) *doubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+    record(label, Kind::Button, selected ? "true" : "false");
+    return pressed;
+}
+
+bool section(const std::string& label, const std::string& title, bool openAtFirst) {
+    const int flags = openAtFirst ? ImGuiTreeNodeFlags_DefaultOpen : 0;
+    const bool open = ImGui::CollapsingHeader((title + "##" + idOf(label)).c_str(), flags);
+    record(label, Kind::Section, open ? "true" : "false").open = open;
+    return open;
+}
+
+bool input(const std::string& label, std::string& text, const char* hint, bool* entered) {
+    const bool enter = inputText(idOf(label).c_str(), hint, text);
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    record(label, Kind::Text, text);
+    if (entered) *entered = enter;
+    return enter || left;
+}
+
+std::optional<std::string> textField(const std::string& label, const std::string& value) {
+    WidgetBook& b = book();
+    const std::string path = pathOf(label);
+    std::string shownText = value;
+    std::string& text = b.typing == path ? b.typedText : shownText;
+    inputText(idOf(label).c_str(), "", text);
+    const bool active = ImGui::IsItemActive();
+    record(label, Kind::Text, text);
+    if (active && b.typing != path) b.typing = path, b.typedText = shownText;
+    if (active || b.typing != path) return std::nullopt;
+    b.typing.clear();
+    return b.typedText != value ? std::optional(b.typedText) : std::nullopt;
+}
+
+bool combo(const std::string& label, std::span<const std::string> items, int& chosen) {
+    const bool known = chosen >= 0 && chosen < static_cast<int>(items.size());
+    const std::string preview = known ? items[static_cast<size_t>(chosen)] : "";
+    const bool open = ImGui::BeginCombo(idOf(label).c_str(), preview.c_str());
+    if (!open) {
+        record(label, Kind::Combo, preview);
+        return false;
+    }
+    bool changed = false;
+    const Scope scope(label);
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        const std::string& item = items[static_cast<size_t>(i)];
+        if (ImGui::Selectable((item + "##" + std::to_string(i)).c_str(), i == chosen)) {
+            changed = i != chosen;
+            chosen = i;
+        }
+        record(item, Kind::Button, i == chosen ? "true" : "false");
+    }
+    ImGui::EndCombo();
+    return changed;
+}
+
+bool beginMenu(const std::string& label) {
+    const bool open = ImGui::BeginMenu(shown(label).c_str());
+    if (!open) record(label, Kind::Menu);
+    if (open) {
+        // The last item is now the menu's window; its button is what the mouse must find, and that was met before.
+        Widget& w = book().next[pathOf(label)];
+        const auto before = book().widgets.find(pathOf(label));
+        if (before != book().widgets.end()) w = before->second;
+        w.open = true;
+        book().scope += label + "/";
+    }
+    return open;
+}
+
+void endMenu() {
+    ImGui::EndMenu();
+    std::string& scope = book().scope;
+    const size_t slash = scope.rfind('/', scope.size() - 2);
+    scope.resize(slash == std::string::npos ? 0 : slash + 1);
+}
+
+bool menuItem(const std::string& label, const std::string& chord, bool checked, bool enabled) {
+    const bool pressed = ImGui::MenuItem(shown(label).c_str(), chord.empty() ? nullptr : chord.c_str(), checked, enabled);
+    record(label, Kind::Button, checked ? "true" : "false").enabled = enabled;
+    return pressed;
+}
+
+bool colorEdit(const std::string& label, float linear[3]) {
+    float srgb[3];
+    for (int i = 0; i < 3; ++i) srgb[i] = toSrgb(linear[i]);
+    const int flags = ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float |
+                      ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoOptions;
+    const bool changed = ImGui::ColorEdit3(idOf(label).c_str(), srgb, flags);
+    record(label, Kind::Button);
+    if (changed)
+        for (int i = 0; i < 3; ++i) linear[i] = fromSrgb(srgb[i]);
+    return changed;
+}
+
+}  // namespace sward::ui
