@@ -4,7 +4,7 @@
 #include <clocale>
 #include <cstdlib>
 
-#include "support.h"
+#include "tests/support.h"
 
 int main(int argc, char** argv) {
     sward::test::TempDir home;

@@ -20,14 +20,20 @@ if [ ! -f "$dir/build.ninja" ] || [ CMakePresets.json -nt "$dir/build.ninja" ]; 
     fi
 fi
 
-# On a terminal ninja rewrites one line; elsewhere only warnings and errors are worth a log.
-quiet=(--quiet)
-[ ! -t 2 ] || quiet=()
+jobs=${SWARD_JOBS:-$(nproc)}
 targets=(--target "$@")
 [ $# -gt 0 ] || targets=()
-jobs=${SWARD_JOBS:-$(nproc)}
-if [ ! -e "$dir/.built" ]; then say "building $preset with $jobs jobs (minutes the first time)"; fi
-if ! cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}" -- "${quiet[@]}"; then
+build() { cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}" "$@"; }
+[ -e "$dir/.built" ] || say "building $preset with $jobs jobs (minutes the first time)"
+
+# On a terminal ninja rewrites one line; elsewhere only warnings and errors are worth a log.
+code=0
+if [ -t 2 ]; then
+    build || code=$?
+else
+    build -- --quiet | { grep -v '^ninja: no work to do\.$' || true; } || code=$?
+fi
+if [ $code != 0 ]; then
     say "the $preset build failed; the first error above says why"
     exit 1
 fi

@@ -3,65 +3,47 @@
 # Needs root or sudo, and the network, only when something is missing. Speaks on standard error.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
-list=$root/third_party/packages.txt
 say() { echo "Sward: $*" >&2; }
 
-command -v dpkg-query >/dev/null && command -v apt-get >/dev/null || {
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     say "this system has no apt-get; if the build lacks something, third_party/README.md says what it needs"
     exit 0
-}
+fi
 
-# Prints the wanted lines of which no alternative is installed.
+mapfile -t wanted < <(sed 's/#.*//' "$root/third_party/packages.txt" | xargs -n 1)
+# Prints those that are not installed.
 missing() {
-    local -A installed=()
-    local status name line
-    while read -r status name; do
-        [ "$status" != installed ] || installed[$name]=1
-    done < <(sed 's/#.*//; s/|/ /g' "$list" | xargs dpkg-query -W -f '${db:Status-Status} ${Package}\n' 2>/dev/null || true)
-    while IFS= read -r line; do
-        for name in ${line//|/ }; do
-            [ -z "${installed[$name]:-}" ] || continue 2
-        done
-        echo "$line"
-    done < <(sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$list")
+    local installed
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null | sed -n 's/^installed //p' || true)
+    printf '%s\n' "${wanted[@]}" | grep -vxF -f <(echo "$installed") || true
 }
 mapfile -t lacking < <(missing)
 [ ${#lacking[@]} -gt 0 ] || exit 0
 
 as_root=()
-if [ "$(id -u)" != 0 ]; then
-    as_root=(sudo)
-    command -v sudo >/dev/null || {
-        say "these packages are missing, and installing them needs root or sudo:"
-        say "  apt-get install ${lacking[*]}"
-        exit 1
-    }
-fi
-
+[ "$(id -u)" = 0 ] || as_root=(sudo)
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-fail() {
+fail() { # fail WHAT: shows how apt ended, names the packages, and stops
     tail -n 15 "$log" >&2
     say "$1"
     say "  ${as_root[*]:+${as_root[*]} }apt-get install ${lacking[*]}"
     exit 1
 }
-apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 -o Acquire::Retries=2 "$@" >>"$log" 2>&1; }
+apt() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -q -o DPkg::Lock::Timeout=300 -o Acquire::Retries=2 "$@" >>"$log" 2>&1
+}
 
-say "installing ${#lacking[@]} packages: ${lacking[*]}"
 if [ ${#as_root[@]} -gt 0 ]; then
-    sudo -v || fail "these packages are missing, and sudo did not let us install them; as a user who may:"
+    if ! command -v sudo >/dev/null; then
+        as_root=()
+        fail "${#lacking[@]} packages are missing, and installing them needs root or sudo; as root:"
+    fi
+    sudo -v || fail "${#lacking[@]} packages are missing, and sudo did not let us install them; as someone whom it does:"
 fi
-apt update || true  # off line this fails, but what the cache holds may do
-wanted=()
-for line in "${lacking[@]}"; do
-    for name in ${line//|/ }; do
-        wanted+=("$name")
-        [ -z "$(apt-cache show "$name" 2>/dev/null)" ] || break
-        unset 'wanted[-1]'
-    done
-done
-[ ${#wanted[@]} = ${#lacking[@]} ] || fail "the package sources of this system do not know some of these packages (is it on line? is it Debian 12 or later?):"
-apt install -y --no-install-recommends "${wanted[@]}" || fail "these packages could not be installed; once the cause above is mended, run this again, or:"
+say "installing ${#lacking[@]} packages: ${lacking[*]}"
+apt update || true  # off line this fails, but what apt has fetched before may do
+apt install -y --no-install-recommends "${lacking[@]}" || fail "they could not be installed (see above); once that is mended, run this again, or:"
 mapfile -t lacking < <(missing)
 [ ${#lacking[@]} = 0 ] || fail "still missing after installation:"

@@ -61,8 +61,9 @@ std::vector<EGLDeviceEXT> devicesHardwareFirst() {
     return devices;
 }
 
-void GLAPIENTRY onDebug(GLenum, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message, const void* user) {
-    if (type != GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+// Compilers' messages come through Programs, with file names.
+void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message, const void* user) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type != GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
     auto* gpu = static_cast<Gpu*>(const_cast<void*>(user));
     ++gpu->errors;
     gpu->lastError = message;

@@ -47,7 +47,8 @@ struct CellSelection {
         const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), first, last});
+        const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last});
     }
 
     void node(int x, int z, int size) {
@@ -110,11 +111,10 @@ namespace {
 uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
     const float sizeX = static_cast<float>(q.terrain.size.x), sizeZ = static_cast<float>(q.terrain.size.y);
     const float cell = static_cast<float>(q.cellSize);
-    const glm::vec2 mirror = f32::cellMirror(f32::cellHash(c.cellX, c.cellZ, q.seed));
     uint64_t n = 0;
     for (uint32_t i = c.first; i < c.last; ++i) {
         const Blade& b = q.patch.blades[i];
-        const glm::vec2 root{mirror.x > 0 ? b.root.x : cell - b.root.x, mirror.y > 0 ? b.root.y : cell - b.root.y};
+        const glm::vec2 root{c.mirrorX > 0 ? b.root.x : cell - b.root.x, c.mirrorZ > 0 ? b.root.y : cell - b.root.y};
         const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
         if (u > 1 || v > 1) continue;
         const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);

@@ -13,6 +13,7 @@ namespace sward {
 struct CellDraw {
     int32_t cellX, cellZ;
     float x, z;             // the cell's corner relative to the eye
+    float mirrorX, mirrorZ; // +1 or -1 (B-18)
     uint32_t first, last;
 };
 

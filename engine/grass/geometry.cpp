@@ -48,12 +48,13 @@ void describeCells(SpeciesState& s) {
     const GLuint mesh = s.mesh.id();
     glVertexArrayVertexBuffer(mesh, 0, s.cells.id(), 0, sizeof(CellDraw));
     glVertexArrayBindingDivisor(mesh, 0, 1);
-    glEnableVertexArrayAttrib(mesh, 0);
-    glEnableVertexArrayAttrib(mesh, 1);
+    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+        glEnableVertexArrayAttrib(mesh, attribute);
+        glVertexArrayAttribBinding(mesh, attribute, 0);
+    }
     glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellDraw, cellX));
     glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, x));
-    glVertexArrayAttribBinding(mesh, 0, 0);
-    glVertexArrayAttribBinding(mesh, 1, 0);
+    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, mirrorX));
     glVertexArrayElementBuffer(mesh, s.indices.id());
 }
 

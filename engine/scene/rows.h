@@ -148,6 +148,10 @@ struct Tables {
     std::span<const EffectRow> effects;
 };
 
+// How a path selects each element of a list: by its name (the first String field) where that is one and no other's,
+// else by its number from 0.
+std::vector<std::string> elementSelectors(const ListRow& row, const void* list);
+
 // The row named so, or null.
 const ComponentRow* findComponent(std::span<const ComponentRow> rows, std::string_view name);
 

@@ -7,8 +7,9 @@ namespace sward {
 namespace {
 
 constexpr float kPi = 3.14159265358979f;
-// The renderer's unit: level white ground under a clear 45-degree sun comes out near 2 at exposure 0.
-constexpr float kExposure = 0.07f;
+// From kcd/m2 to the renderer's unit at exposure 0: level white ground under a clear 45-degree sun comes out near 3.5,
+// which puts a sunlit lawn in the middle of the screen's range, as a camera's meter would.
+constexpr float kExposure = 0.14f;
 constexpr glm::vec3 kGroundAlbedo{0.10f, 0.12f, 0.06f};
 
 glm::vec3 sunVector(const Light& l) {

@@ -3,23 +3,19 @@
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
-in vec3 albedo;
-in vec3 light;
-in vec3 haze;
-in vec2 strip;
-flat in vec2 fade;
-in vec3 facingNormal;
+in vec4 lit;
+in vec4 strip;
 out vec4 color;
 
 void main() {
-    vec4 t = texture(bladeTexture, strip);
-    float alpha = t.a * fade.x;
+    vec4 t = texture(bladeTexture, strip.xy);
+    float alpha = t.a * strip.z;
     if (!(alpha >= 0.02)) discard;
     // Coverage is the ceiling of alpha times the samples: a blade's own offset makes the mean right.
-    alpha = clamp(alpha + (fade.y - 1.0) / frame.mode.z, 0.0, 1.0);
-    color = vec4(albedo * t.rgb * 2.0 * light + haze, alpha);
+    alpha = clamp(alpha + (strip.w - 1.0) / frame.mode.z, 0.0, 1.0);
+    color = vec4(lit.rgb * mix(t.rgb * 2.0, vec3(1.0), lit.w), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
-    if (viewMode() == VIEW_NORMALS) color.rgb = normalize(facingNormal) * 0.5 + 0.5;
+    if (viewMode() == VIEW_NORMALS) color.rgb = lit.rgb;
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
     if (viewMode() == VIEW_DENSITY) color.rgb = mix(vec3(0.1, 0.4, 0.1), vec3(0.1, 0.9, 0.2), strip.y);
 }

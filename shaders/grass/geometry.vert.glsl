@@ -24,13 +24,10 @@ layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
+layout(location = 2) in vec2 mirror;      // +1 or -1
 
-out vec3 albedo;
-out vec3 light;
-out vec3 haze;          // added
-out vec2 strip;         // across, along
-flat out vec2 fade;     // opacity; dither
-out vec3 facingNormal;
+out vec4 lit;           // radiance; w: share of it that is haze
+out vec4 strip;         // across, along; opacity; dither
 
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
@@ -61,29 +58,22 @@ vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
     return mix(c, paint.rgb, paint.a);
 }
 
-void drop() {
-    albedo = light = haze = facingNormal = vec3(0.0);
-    strip = vec2(0.0);
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // behind the near plane: clipped
-}
-
 void main() {
     int perBlade = 2 * (int(species.counts.x) + 1);
     Blade b = blades[gl_VertexID / perBlade];
     int corner = gl_VertexID % perBlade;
     float v = float(corner / 2) / species.counts.x;
-    float cellSize = species.clumps.w;
-    vec2 mirror = cellMirror(cellHash(cell.x, cell.y, uint(species.counts.y)));
-    vec2 root = mix(vec2(cellSize) - b.place.xy, b.place.xy, step(vec2(0.0), mirror));
-    vec2 ground = vec2(cell) * cellSize + root;
+    vec2 root = mix(vec2(species.clumps.w) - b.place.xy, b.place.xy, step(vec2(0.0), mirror));
+    vec2 ground = vec2(cell) * species.clumps.w + root;
     vec2 uv = ground * frame.terrain.zw;
     vec3 at = vec3(cellCorner.x + root.x, groundHeight(ground), cellCorner.y + root.y);
     float weight = lodRamp(length(at), cover.tiers.y, cover.tiers.z);
-    fade = vec2(geometryOpacity(density(uv), weight, b.place.w, species.counts.z), b.facing.z);
-    if (!(fade.x > 0.0) || uv.x > 1.0 || uv.y > 1.0) {
-        drop();
-        return;
-    }
+    float opacity = geometryOpacity(density(uv), weight, b.place.w, species.counts.z);
+    lit = vec4(0.0);
+    strip = vec4(0.0);
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
+    if (!(opacity > 0.0) || uv.x > 1.0 || uv.y > 1.0) return;
+
     float lighter;
     BladePose pose = poseHere(b, mirror, root, uv, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, v);
@@ -92,10 +82,10 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));
-    albedo = colorHere(b, v, lighter, uv);
-    light = (sunLight(n) + ambientLight(n) * skyShare(uv)) * open * (1.0 - share);
-    haze = horizonColor(position.xz) * share;
-    strip = vec2(across + 0.5, v);
-    facingNormal = n;
+    vec3 light = (sunLight(n) + ambientLight(n) * skyShare(uv)) * open;
+    lit = vec4(colorHere(b, v, lighter, uv) * light, share);
+    if (FOG) lit.rgb = mix(lit.rgb, horizonColor(position.xz), share);
+    if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
+    strip = vec4(across + 0.5, v, opacity, b.facing.z);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

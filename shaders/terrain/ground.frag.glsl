@@ -2,6 +2,7 @@
 // drawn, the grass's mean colour by how much of the ground it hides at this angle.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
+#include "numerics/basics.h"
 #include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "lib/light.glsl"

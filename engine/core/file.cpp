@@ -1,0 +1,157 @@
+#include "core/file.h"
+
+#include <fcntl.h>
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+
+namespace fs = std::filesystem;
+
+namespace sward {
+namespace {
+
+// A file descriptor that closes itself.
+struct Descriptor {
+    int fd;
+    explicit Descriptor(int f) : fd(f) {}
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+};
+
+// 0, or the errno of what failed.
+int writeAll(int fd, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(fd, bytes.data(), std::min(bytes.size(), size_t(1) << 30));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return n < 0 ? errno : EIO;
+        bytes.remove_prefix(static_cast<size_t>(n));
+    }
+    return 0;
+}
+
+fs::path homeDir() {
+    if (const char* home = std::getenv("HOME"); home && home[0] == '/') return home;
+    const passwd* user = getpwuid(getuid());
+    return user && user->pw_dir && user->pw_dir[0] == '/' && ::access(user->pw_dir, W_OK) == 0 ? user->pw_dir : "";
+}
+
+fs::path userDir(const char* variable, const char* underHome, const char* kind) {
+    if (const char* xdg = std::getenv(variable); xdg && xdg[0] == '/') return fs::path(xdg) / "sward";
+    if (const fs::path home = homeDir(); !home.empty()) return home / underHome / "sward";
+    std::error_code ignored;
+    fs::path temp = fs::temp_directory_path(ignored);
+    if (temp.empty()) temp = "/tmp";
+    return temp / fmt::format("sward-{}-{}", kind, getuid());
+}
+
+Error unsound(const std::string& message, const fs::path& file, std::string remedy = {}) {
+    return {ExitCode::Unsound, message, file.string(), 0, 0, std::move(remedy)};
+}
+
+}  // namespace
+
+Error fileError(const std::string& verb, const fs::path& file, int errorNumber) {
+    std::string remedy;
+    if (errorNumber == ENOSPC || errorNumber == EDQUOT) remedy = "free some space and try again";
+    if (errorNumber == EFBIG) remedy = "the system's limit on file sizes is too small";
+    if (errorNumber == EACCES || errorNumber == EPERM) remedy = "check who may read and write it";
+    if (errorNumber == EROFS) remedy = "the file system is read-only; save somewhere else";
+    if (errorNumber == ENOENT) remedy = "check the path";
+    return {ExitCode::Failed, fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)), file.string(), 0, 0, remedy};
+}
+
+Result<std::string> readFile(const fs::path& file, uint64_t limit) {
+    const auto refuse = [&](int number) {
+        Error e = fileError("cannot be read", file, number);
+        e.code = ExitCode::Unsound;
+        return e;
+    };
+    const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // a FIFO must not hang the program
+    if (in.fd < 0) return refuse(errno);
+    struct stat info {};
+    if (::fstat(in.fd, &info) != 0) return refuse(errno);
+    if (!S_ISREG(info.st_mode)) return unsound("is not a file", file);
+    const auto size = static_cast<uint64_t>(info.st_size);
+    if (size > limit) return unsound(fmt::format("has {} bytes; the limit is {}", size, limit), file);
+    std::string bytes(size, '\0');
+    size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t n = ::read(in.fd, bytes.data() + have, bytes.size() - have);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return refuse(errno);
+        if (n == 0) break;  // it shrank meanwhile
+        have += static_cast<size_t>(n);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+Status writeFileSynced(const fs::path& file, std::string_view bytes) {
+    int fault = 0;
+    {
+        const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        if (out.fd < 0) return fileError("cannot be written", file, errno);
+        fault = writeAll(out.fd, bytes);
+        if (fault == 0 && ::fsync(out.fd) != 0) fault = errno;
+    }
+    if (fault == 0) return {};
+    ::unlink(file.c_str());
+    return fileError("cannot be written", file, fault);
+}
+
+Status writeFileAtomic(const fs::path& file, std::string_view bytes) {
+    const fs::path part = partPath(file);
+    if (Status s = writeFileSynced(part, bytes); !s) {
+        Error e = s.error();
+        e.file = file.string();
+        return e;
+    }
+    if (::rename(part.c_str(), file.c_str()) != 0) {
+        const int fault = errno;
+        ::unlink(part.c_str());
+        return fileError("cannot be written", file, fault);
+    }
+    return syncPath(file.has_parent_path() ? file.parent_path() : fs::path("."));
+}
+
+Status syncPath(const fs::path& path) {
+    const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (fd.fd < 0) return fileError("cannot be flushed to the disk", path, errno);
+    if (::fsync(fd.fd) != 0 && errno != EINVAL && errno != EROFS)  // some file systems cannot flush folders
+        return fileError("cannot be flushed to the disk", path, errno);
+    return {};
+}
+
+fs::path partPath(const fs::path& file) {
+    static std::atomic<unsigned> next{0};
+    return file.parent_path() / fmt::format(".{}.{}-{}.part", file.filename().string(), getpid(), next++);
+}
+
+fs::path cacheDir() { return userDir("XDG_CACHE_HOME", ".cache", "cache"); }
+fs::path stateDir() { return userDir("XDG_STATE_HOME", ".local/state", "state"); }
+
+Result<fs::path> resolveInside(const fs::path& root, const std::string& relative) {
+    const fs::path given(relative);
+    const std::string remedy = "name a file inside the project's folder";
+    if (relative.empty() || relative.find('\0') != std::string::npos) return unsound("the path of a file is empty or not a path", root, remedy);
+    if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), root, remedy);
+    for (const fs::path& part : given)
+        if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), root, remedy);
+    std::error_code fault;
+    fs::path base = fs::weakly_canonical(root.empty() ? fs::path(".") : root, fault);
+    if (!base.has_filename()) base = base.parent_path();  // "folder/": its empty last part would match nothing
+    if (fault) return unsound(fmt::format("cannot be resolved: {}", fault.message()), root);
+    const fs::path full = fs::weakly_canonical(base / given, fault);
+    if (fault) return unsound(fmt::format("\"{}\" cannot be resolved: {}", relative, fault.message()), root);
+    const auto [end, ignored] = std::mismatch(base.begin(), base.end(), full.begin(), full.end());
+    if (end != base.end()) return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), root, remedy);
+    return root / given;
+}
+
+}  // namespace sward

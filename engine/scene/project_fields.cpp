@@ -1,0 +1,170 @@
+// Fields by PATH: finding, listing. Their values as text: project_values.cpp.
+#include <charconv>
+
+#include "scene/project.h"
+
+namespace sward {
+namespace {
+
+void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
+
+Error usage(std::string message, std::string remedy = {}) { return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)}; }
+
+template <class Range, class NameOf>
+std::string listNames(const Range& range, NameOf&& nameOf) {
+    std::string out;
+    for (const auto& item : range) out += (out.empty() ? "" : ", ") + std::string(nameOf(item));
+    return out.empty() ? "nothing" : out;
+}
+
+bool isNumber(const std::string& s) { return !s.empty() && s.find_first_not_of("0123456789") == std::string::npos; }
+
+// "a.b[c].d" -> "a", "b", "[c]", "d". Empty if the brackets do not match or a part is empty.
+std::vector<std::string> splitPath(const std::string& path) {
+    std::vector<std::string> parts;
+    size_t i = 0;
+    while (i < path.size()) {
+        const bool bracket = path[i] == '[';
+        const size_t end = bracket ? path.find(']', i) : path.find_first_of(".[", i);
+        if (bracket && end == std::string::npos) return {};
+        const size_t stop = end == std::string::npos ? path.size() : end + (bracket ? 1 : 0);
+        if (stop == i) return {};
+        parts.push_back(path.substr(i, stop - i));
+        i = stop;
+        if (i < path.size() && path[i] == '.' && ++i == path.size()) return {};
+    }
+    return parts;
+}
+
+const FieldRow* findRow(std::span<const FieldRow> rows, const std::string& name) {
+    for (const FieldRow& row : rows)
+        if (name == row.name) return &row;
+    return nullptr;
+}
+
+Result<FieldRef> noField(const std::string& path, const std::string& name, std::span<const FieldRow> rows) {
+    return usage(fmt::format("{}: no field \"{}\"", path, name), "there are: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
+}
+
+// Walks from a component down the parts that remain.
+Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> rows, std::span<const std::string> parts, const std::string& path) {
+    if (parts.empty()) return usage(fmt::format("{}: names no field", path), "add one of: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
+    const FieldRow* row = findRow(rows, parts[0]);
+    if (!row) return noField(path, parts[0], rows);
+    ref.row = row;
+    ref.value = at(base, *row);
+    ref.path += fmt::format(".{}", row->name);
+    if (parts.size() == 1) return ref;
+    if (row->type != FieldType::List) return usage(fmt::format("{}: {} has no parts", path, ref.path));
+    std::string selector = parts[1];
+    if (selector.size() < 2 || selector[0] != '[') return usage(fmt::format("{}: {} is a list", path, ref.path), "select an element by [name] or [number]");
+    selector = selector.substr(1, selector.size() - 2);
+    const Result<size_t> element = findElement(ref, selector);
+    if (!element) return element.error();
+    const ListRow& list = *row->list;
+    ref.path += "[" + elementSelectors(list, ref.value)[*element] + "]";
+    return descend(ref, list.at(ref.value, *element), list.fields, parts.subspan(2), path);
+}
+
+void collectMaps(const FieldRef& parent, void* base, std::span<const FieldRow> rows, bool absentToo, std::vector<FieldRef>& out) {
+    for (const FieldRow& row : rows) {
+        FieldRef ref = parent;
+        ref.value = at(base, row);
+        ref.row = &row;
+        ref.path += fmt::format(".{}", row.name);
+        if (row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(ref.value)->present())) out.push_back(ref);
+        if (row.type != FieldType::List) continue;
+        const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
+        for (size_t i = 0; i < selectors.size(); ++i) {
+            FieldRef element = ref;
+            element.path += "[" + selectors[i] + "]";
+            collectMaps(element, row.list->at(ref.value, i), row.list->fields, absentToo, out);
+        }
+    }
+}
+
+bool endsWithPart(const std::string& path, const std::string& tail) {
+    if (tail.empty() || !path.ends_with(tail)) return false;
+    return path.size() == tail.size() || path[path.size() - tail.size() - 1] == '.' || tail[0] == '[';
+}
+
+const auto pathOf = [](const FieldRef& f) { return f.path; };
+
+}  // namespace
+
+Result<size_t> findElement(const FieldRef& list, const std::string& selector) {
+    CHECK(list.row->type == FieldType::List);
+    const std::vector<std::string> names = elementSelectors(*list.row->list, list.value);
+    const auto named = std::find(names.begin(), names.end(), selector);
+    if (named != names.end()) return size_t(named - names.begin());
+    size_t number = 0;
+    const auto end = std::from_chars(selector.data(), selector.data() + selector.size(), number);
+    if (isNumber(selector) && end.ec == std::errc() && number < names.size()) return number;
+    return usage(fmt::format("{}: no element \"{}\"", list.path, selector),
+                 "there are: " + listNames(names, [](const std::string& s) { return s; }));
+}
+
+Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
+    const std::vector<std::string> parts = splitPath(path);
+    if (parts.size() < 2) return usage(fmt::format("\"{}\" is no path of a field", path), "write entity.Component.field");
+    const Entity e = findEntity(p, parts[0]);
+    if (!p.registry.valid(e))
+        return usage(fmt::format("{}: no entity \"{}\"", path, parts[0]),
+                     "there are: " + listNames(p.entities, [](const auto& item) { return item.first; }));
+    std::vector<std::string> present;
+    for (const ComponentRow& row : rows)
+        if (row.get(p.registry, e)) present.push_back(row.name);
+    const ComponentRow* component = findComponent(rows, parts[1]);
+    void* base = component ? component->get(p.registry, e) : nullptr;
+    if (!base)
+        return usage(fmt::format("{}: \"{}\" has no component \"{}\"", path, parts[0], parts[1]),
+                     "it has: " + listNames(present, [](const std::string& s) { return s; }));
+    FieldRef ref;
+    ref.component = component;
+    ref.entity = parts[0];
+    ref.path = parts[0] + "." + component->name;
+    return descend(ref, base, component->fields, std::span(parts).subspan(2), path);
+}
+
+std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bool absentToo) {
+    std::vector<FieldRef> out;
+    for (const auto& [name, entity] : p.entities)
+        for (const ComponentRow& row : rows)
+            if (void* component = row.get(p.registry, entity))
+                collectMaps({nullptr, nullptr, &row, name, name + "." + row.name}, component, row.fields, absentToo, out);
+    std::sort(out.begin(), out.end(), [](const FieldRef& a, const FieldRef& b) { return a.path < b.path; });
+    return out;
+}
+
+Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const std::string& name) {
+    if (Result<FieldRef> whole = findField(p, rows, name); whole && whole->row->type == FieldType::Map) return whole;
+    const std::vector<FieldRef> all = allMaps(p, rows, true);
+    for (const bool wantPresent : {true, false}) {
+        std::vector<FieldRef> found;
+        for (const FieldRef& f : all)
+            if (static_cast<const MapField*>(f.value)->present() == wantPresent && endsWithPart(f.path, name)) found.push_back(f);
+        if (found.size() == 1) return found[0];
+        if (!found.empty()) return usage(fmt::format("more than one map is called \"{}\"", name), "say which: " + listNames(found, pathOf));
+    }
+    return usage(fmt::format("no map is called \"{}\"", name), "there are: " + listNames(all, pathOf));
+}
+
+std::string mapFileFor(const FieldRef& map, PixelType type) {
+    CHECK(map.row->type == FieldType::Map);
+    const auto& field = *static_cast<const MapField*>(map.value);
+    const std::string ext = type == PixelType::F32 ? ".exr" : ".png";
+    if (!field.file.empty()) {
+        const std::string old = std::filesystem::path(field.file).extension().string();
+        const bool fits = old == ".tif" || old == ".tiff" || old == ext;
+        return fits ? field.file : std::filesystem::path(field.file).replace_extension(ext).generic_string();
+    }
+    // entity.Component.list[element].field -> entity.element.field
+    std::string stem = map.entity;
+    const size_t open = map.path.find('[');
+    if (open != std::string::npos) stem += "." + map.path.substr(open + 1, map.path.find(']') - open - 1);
+    for (char& c : stem)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("._-", c)) c = '_';
+    return fmt::format("maps/{}.{}{}", stem, map.row->name, ext);
+}
+
+}  // namespace sward
