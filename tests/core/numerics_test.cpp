@@ -11,7 +11,7 @@ namespace {
 
 const ExpectedValues& expected() {
     static const ExpectedValues values = [] {
-        auto loaded = loadExpectedValues(std::string(SWARD_SOURCE_DIR) + "/tests/data/hard-cases-expected.json");
+        auto loaded = loadExpectedValues(SWARD_SOURCE_DIR "/tests/data/hard-cases-expected.json");
         EXPECT_TRUE(bool(loaded));
         return loaded ? *loaded : ExpectedValues{};
     }();
