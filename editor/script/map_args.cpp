@@ -1,0 +1,91 @@
+#include "script/map_args.h"
+
+#include "stroke.h"
+
+namespace sward::script {
+
+NamedMap mapArg(lua_State* L, int arg) {
+    Project& p = openProject(L);
+    const FieldRef field = orRaise(L, findMap(p, stateOf(L).rows(), textArg(L, arg)));
+    const auto& value = *static_cast<const MapField*>(field.value);
+    if (!value.present())
+        raise(L, Error{ExitCode::Usage, field.path + ": there is no map", "", 0, 0, "create or import one first"});
+    const MapScale scale = orRaise(L, mapScale(p, field));
+    return {field, value.map, scale.width, scale.depth};
+}
+
+namespace {
+struct LastMap {
+    std::string name;
+    uint64_t revision = 0;
+    NamedMap map;
+};
+}  // namespace
+
+const NamedMap& readMapArg(lua_State* L, int arg) {
+    State& state = stateOf(L);
+    const char* name = luaL_checkstring(L, arg);
+    auto* last = static_cast<LastMap*>(state.lastMap.get());
+    if (!last || last->name != name || last->revision != state.document().revision()) {
+        auto found = std::make_shared<LastMap>(LastMap{name, state.document().revision(), mapArg(L, arg)});
+        last = found.get();
+        state.lastMap = std::move(found);
+    }
+    return last->map;
+}
+
+void giveBack(lua_State* L, const NamedMap& of, Map map, const std::string& label) {
+    orRaise(L, stateOf(L).document().setMap(of.field.path, std::move(map), label));
+}
+
+void checkMapBytes(lua_State* L, const MapInfo& info) {
+    State& state = stateOf(L);
+    const auto bytes = [](const MapInfo& i) {
+        return size_t(i.width) * size_t(i.height) * size_t(i.channels) * pixelBytes(i.type);
+    };
+    size_t total = bytes(info);
+    if (total > kMaxMapBytes) raise(L, fmt::format("a map of {} MiB; the most is {}", total >> 20, kMaxMapBytes >> 20));
+    for (const FieldRef& f : allMaps(openProject(L), state.rows()))
+        total += bytes(static_cast<const MapField*>(f.value)->map.info());
+    if (total > state.host.limits.mapBytes)
+        raise(L, fmt::format("the project's maps would need {} MiB; a script may make them {}", total >> 20,
+                             state.host.limits.mapBytes >> 20));
+}
+
+Channels channelsOption(lua_State* L, Options& options, const MapInfo& info) {
+    if (!options.push("channels")) return kAllChannels;
+    const int table = lua_gettop(L);
+    if (!lua_istable(L, table)) raise(L, "channels must be a list of numbers from 1");
+    Channels channels{};
+    const lua_Integer count = luaL_len(L, table);
+    for (lua_Integer i = 1; i <= count; ++i) {
+        lua_geti(L, table, i);
+        const lua_Integer c = lua_tointeger(L, -1);
+        if (c < 1 || c > info.channels) raise(L, fmt::format("channels must be numbers from 1 to {}", info.channels));
+        channels[size_t(c - 1)] = true;
+        lua_pop(L, 1);
+        charge(L, 1);
+    }
+    lua_pop(L, 1);
+    return channels;
+}
+
+std::array<float, 4> valueAt(lua_State* L, int index, int channels, const char* what) {
+    index = lua_absindex(L, index);
+    std::array<float, 4> value{};
+    if (lua_type(L, index) == LUA_TNUMBER)
+        value.fill(static_cast<float>(lua_tonumber(L, index)));
+    else if (!lua_istable(L, index) || luaL_len(L, index) != channels)
+        raise(L, fmt::format("{} must be a number or a table of {}", what, channels));
+    else
+        for (int c = 0; c < channels; ++c) {
+            const bool number = lua_geti(L, index, c + 1) == LUA_TNUMBER;
+            value[size_t(c)] = number ? static_cast<float>(lua_tonumber(L, -1)) : std::nanf("");
+            lua_pop(L, 1);
+        }
+    for (int c = 0; c < channels; ++c)
+        if (!std::isfinite(value[size_t(c)])) raise(L, fmt::format("{}: channel {} is no finite number", what, c + 1));
+    return value;
+}
+
+}  // namespace sward::script

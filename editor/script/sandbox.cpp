@@ -1,0 +1,191 @@
+// What a script may do and how much: libraries, memory, instructions.
+#include <cstdlib>
+#include <cstring>
+
+#include "script/state.h"
+
+namespace sward::script {
+namespace {
+
+constexpr uint64_t kHookEvery = 1000;  // instructions between two looks at the bound
+
+void* allocate(void* user, void* block, size_t oldSize, size_t newSize) {
+    State& state = *static_cast<State*>(user);
+    if (!block) oldSize = 0;  // then it tells the kind of object
+    if (newSize == 0) {
+        std::free(block);
+        state.memory -= oldSize;
+        return nullptr;
+    }
+    if (newSize > oldSize && state.memory + (newSize - oldSize) > state.host.limits.memoryBytes) return nullptr;
+    void* moved = std::realloc(block, newSize);
+    if (moved) state.memory += newSize - oldSize;
+    return moved;
+}
+
+// Level 0 is the running function (for the hook), 1 the one that called it (for calls of ours).
+void count(lua_State* L, uint64_t instructions, int level);
+
+// Once the bound is reached every further instruction raises, so that no pcall can carry on.
+void countHook(lua_State* L, lua_Debug*) { count(L, kHookEvery, 0); }
+
+void count(lua_State* L, uint64_t instructions, int level) {
+    State& state = stateOf(L);
+    const uint64_t most = state.host.limits.instructions;
+    state.instructions = std::min(state.instructions, most) + std::min(instructions, most);
+    if (state.instructions <= most) return;
+    state.limitHit = fmt::format("the script used up its {} instructions", most);
+    lua_sethook(L, countHook, LUA_MASKCOUNT, 1);
+    luaL_where(L, level);
+    lua_pushstring(L, state.limitHit.c_str());
+    lua_concat(L, 2);
+    lua_error(L);
+}
+
+int print(lua_State* L, State& state) {
+    std::string line;
+    for (int i = 1; i <= lua_gettop(L); ++i) {
+        size_t size = 0;
+        const char* text = luaL_tolstring(L, i, &size);
+        line.append(i > 1 ? "\t" : "").append(text, size);
+        lua_pop(L, 1);
+    }
+    if (state.host.print)
+        state.host.print(line);
+    else
+        std::fprintf(stdout, "%s\n", line.c_str());
+    return 0;
+}
+
+// Finalizers run where no bound is looked at: there are none.
+int setMetatable(lua_State* L, State&) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+    luaL_argexpected(L, lua_isnil(L, 2) || lua_istable(L, 2), 2, "nil or table");
+    if (lua_istable(L, 2)) {
+        lua_pushstring(L, "__gc");
+        if (lua_rawget(L, 2) != LUA_TNIL) raise(L, "scripts have no finalizers (__gc)");
+        lua_pop(L, 1);
+    }
+    if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) raise(L, "cannot change a protected metatable");
+    lua_settop(L, 2);
+    lua_setmetatable(L, 1);
+    return 1;
+}
+
+// A new coroutine's first instructions are not looked at: it pays for them in advance.
+int payForCoroutine(lua_State* L) {
+    charge(L, kHookEvery);
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    return lua_gettop(L);
+}
+
+// table.move works off any range in one call.
+int payForMove(lua_State* L) {
+    const double from = luaL_checknumber(L, 2), to = luaL_checknumber(L, 3);
+    if (to > from) charge(L, static_cast<uint64_t>(std::min(to - from, 1e18)));
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    return lua_gettop(L);
+}
+
+void wrap(lua_State* L, const char* table, const char* name, lua_CFunction with) {
+    lua_getglobal(L, table);
+    lua_getfield(L, -1, name);
+    lua_pushcclosure(L, with, 1);
+    lua_setfield(L, -2, name);
+    lua_pop(L, 1);
+}
+
+void openLibraries(lua_State* L) {
+    const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},       {LUA_STRLIBNAME, luaopen_string},
+                                  {LUA_TABLIBNAME, luaopen_table}, {LUA_MATHLIBNAME, luaopen_math},
+                                  {LUA_UTF8LIBNAME, luaopen_utf8}, {LUA_COLIBNAME, luaopen_coroutine}};
+    for (const luaL_Reg& library : libraries) {
+        luaL_requiref(L, library.name, library.func, 1);
+        lua_pop(L, 1);
+    }
+    for (const char* name : {"load", "loadfile", "dofile", "collectgarbage", "warn"}) {
+        lua_pushnil(L);
+        lua_setglobal(L, name);
+    }
+    lua_getglobal(L, LUA_STRLIBNAME);
+    lua_pushnil(L);
+    lua_setfield(L, -2, "dump");
+    lua_pop(L, 1);
+    lua_register(L, "print", luaCall<print>);
+    lua_register(L, "setmetatable", luaCall<setMetatable>);
+    wrap(L, LUA_COLIBNAME, "create", payForCoroutine);
+    wrap(L, LUA_COLIBNAME, "wrap", payForCoroutine);
+    wrap(L, LUA_TABLIBNAME, "move", payForMove);
+}
+
+int openAll(lua_State* L) {
+    openLibraries(L);
+    for (const auto open : {openProjectCalls, openEntityCalls, openCameraCalls, openMapCalls, openMapShapeCalls,
+                            openBrushCalls, openEditCalls, openUiCalls, openExpectCalls})
+        open(L);
+    return 0;
+}
+
+// "token:12: text" as the error of line 12 of the file.
+Error located(const std::string& message, const std::string& token, const std::filesystem::path& file) {
+    Error error{ExitCode::Failed, message, "", 0, 0, ""};
+    if (!message.starts_with(token + ":")) return error;
+    const char* digits = message.c_str() + token.size() + 1;
+    char* end = nullptr;
+    const long line = std::strtol(digits, &end, 10);
+    if (end == digits || *end != ':') return error;
+    error.file = file.string();
+    error.line = static_cast<int>(line);
+    error.message = end + (end[1] == ' ' ? 2 : 1);
+    return error;
+}
+
+Error failureOf(lua_State* L, int status, const std::string& token, const std::filesystem::path& file) {
+    State& state = stateOf(L);
+    const bool memory = status == LUA_ERRMEM;
+    std::string message = lua_isstring(L, -1) ? lua_tostring(L, -1) : "the script raised an error that is no string";
+    if (memory)
+        message = fmt::format("the script needs more than its {} MiB of memory", state.host.limits.memoryBytes >> 20);
+    Error error = located(message, token, file);
+    if (!state.limitHit.empty() && !message.ends_with(state.limitHit)) error.message = state.limitHit;
+    if (error.file.empty()) error.file = file.string();
+    // A call's error keeps its exit code if it is what ended the script.
+    if (state.lastError && state.limitHit.empty() && message.ends_with(state.lastError->text()))
+        error.code = state.lastError->code;
+    return error;
+}
+
+}  // namespace
+
+LuaPtr openLua(State& state) {
+    LuaPtr L(lua_newstate(allocate, &state));
+    if (!L) return nullptr;
+    State* self = &state;
+    std::memcpy(lua_getextraspace(L.get()), &self, sizeof self);
+    lua_pushcfunction(L.get(), openAll);
+    if (lua_pcall(L.get(), 0, 0, 0) != LUA_OK) return nullptr;
+    return L;
+}
+
+void charge(lua_State* L, uint64_t instructions) { count(L, instructions, 1); }
+
+Status runChunk(lua_State* L, int nargs, const std::string& token, const std::filesystem::path& file) {
+    State& state = stateOf(L);
+    state.instructions = 0;
+    state.limitHit.clear();
+    state.lastError.reset();
+    lua_sethook(L, countHook, LUA_MASKCOUNT, static_cast<int>(kHookEvery));
+    const int status = lua_pcall(L, nargs, LUA_MULTRET, 0);
+    lua_sethook(L, nullptr, 0, 0);
+    if (status == LUA_OK && state.limitHit.empty()) return {};
+    Error error = status == LUA_OK ? Error{ExitCode::Failed, state.limitHit, file.string(), 0, 0, ""}
+                                   : failureOf(L, status, token, file);
+    lua_settop(L, 0);
+    return error;
+}
+
+}  // namespace sward::script

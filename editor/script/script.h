@@ -1,0 +1,53 @@
+// Runs Lua scripts on the open document: the same calls serve tests, batch work, map making and the editor's console.
+// The calls are described in docs/scripting.md.
+// Does not: open windows; ui.* goes to the UiDriver that the host has, and fails without one.
+// Scripts are Lua 5.4 text without os, io, debug, load and require, bounded in instructions and memory, and reach only
+// files in the script's folder, the open project's and temporary copies that they make.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "document.h"
+#include "script/ui_driver.h"
+
+namespace sward {
+
+struct ScriptLimits {
+    uint64_t instructions = 4'000'000'000;   // about half a minute; map operations count by their texels
+    size_t memoryBytes = size_t(512) << 20;  // of Lua's values
+    size_t mapBytes = size_t(2) << 30;       // of all maps of the project together, for what scripts create
+};
+
+struct ScriptHost {
+    Document& document;
+    UiDriver* ui = nullptr;          // null: ui.* fails and says so
+    std::filesystem::path folder{};  // of the console: where relative paths begin; runScript takes the script's
+    std::function<void(const std::string&)> print{};      // a line from print(); none: standard output
+    std::function<void(const std::string&)> useCamera{};  // camera.use: shows the view of this entity
+    std::string camera{};                                 // the last that camera.use named
+    BrushSettings brush{};                                // the last that brush.select chose
+    ScriptLimits limits{};
+};
+
+// Runs a script file. An error carries the script's file and line, and the exit code of what failed (1 for the
+// script's own errors and expectations, else that of the call: 2 for an unknown path, 3 for an unsound project).
+// What the script changed before it failed stays in the document, as undo steps.
+Status runScript(const std::filesystem::path& file, ScriptHost& host);
+
+// A Lua state that lives on from line to line, with the same calls and bounds (instructions: per line).
+class ScriptConsole {
+  public:
+    explicit ScriptConsole(ScriptHost& host);  // host must outlive it
+    ~ScriptConsole();
+    // Runs one line; the values of an expression are printed.
+    Status run(const std::string& line);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sward
