@@ -32,13 +32,13 @@ class Document {
     // --- files: a failure leaves the document as it was
     Status open(const std::filesystem::path& dir);
     Status create(const std::filesystem::path& dir);
-    Result<std::vector<std::string>> save();                       // the files written
+    Result<std::vector<std::string>> save();  // the files written
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
     bool isOpen() const;
-    bool dirty() const;                                            // differs from what is on disk
+    bool dirty() const;  // differs from what is on disk
     Project& project();
     const Tables& tables() const;
-    uint64_t revision() const;                                     // grows with every change, undo and redo
+    uint64_t revision() const;  // grows with every change, undo and redo
 
     // --- edits: each is one undo step, unless within a group
     Status setField(const std::string& path, const std::string& text);
@@ -48,20 +48,28 @@ class Document {
     Status removeComponent(const std::string& entity, const std::string& component);
     Status addListElement(const std::string& listPath);
     Status removeListElement(const std::string& elementPath);
-    // Replaces a map's texels (imports, fills). A new map's file name follows the convention "maps/entity.species.map.ext".
+    // Replaces a map's texels (imports, fills). A new map's file name follows the convention
+    // "maps/entity.species.map.ext".
     Status setMap(const std::string& mapPath, Map map, const std::string& label);
-    void beginGroup(const std::string& label);                     // nests; sliders hold one while dragged
+    void beginGroup(const std::string& label);  // nests; sliders hold one while dragged
     void endGroup();
+    // Takes back what the outermost group has changed so far, and ends this level of it: for an edit of several parts
+    // of which one failed.
+    void cancelGroup();
 
     // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
-    // Status fails if the map does not exist. Large stamps are spread: strokeTo queues, pumpStroke works them off.
+    // Status fails if the map does not exist, has several channels, or a setting is not finite or names no brush.
+    // Large stamps are spread: strokeTo queues, pumpStroke works them off, tile by tile. Any other edit, undo, redo and
+    // save first work off the whole stroke. Points far outside the terrain are pulled to it.
     Status beginStroke(const BrushSettings& brush, double x, double z);
     void strokeTo(double x, double z);
     // Works off queued stamps for at most budgetMs (0: all). True while work is left.
     bool pumpStroke(double budgetMs);
-    void endStroke();                                              // works off the rest on later pumps; the step is complete then
-    bool stroking() const;
+    void endStroke();       // works off the rest on later pumps; the step is complete then
+    bool stroking() const;  // from beginStroke until the step is complete
 
+    // --- undo and redo: not while a group is open (false then). When the history outgrows its bytes the oldest steps
+    // go, but never the newest; counted are the tiles that a step alone keeps.
     bool canUndo() const;
     bool canRedo() const;
     std::string undoLabel() const;

@@ -14,8 +14,8 @@ struct Verbs {
     int result = 0;
     RenderOptions render;
     CompareOptions compare;
-    ImportOptions import;
-    ExportOptions exported;
+    ImportCommand import;
+    ExportCommand exported;
     ScriptOptions script;
     std::string project = "projects/football", dir;
     bool strict = false, json = false, verbose = false;

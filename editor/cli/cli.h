@@ -37,17 +37,17 @@ int compareVerb(const CompareOptions& options);
 
 int newVerb(const std::string& dir);
 int checkVerb(const std::string& project, bool strict);
-struct ImportOptions {
+struct ImportCommand {
     std::string project, map, file;
     bool flip = false;
     std::string range;                   // "LOW,HIGH"
 };
-int importVerb(const ImportOptions& options);
-struct ExportOptions {
+int importVerb(const ImportCommand& options);
+struct ExportCommand {
     std::string project, map, out;
     bool flip = false;
 };
-int exportVerb(const ExportOptions& options);
+int exportVerb(const ExportCommand& options);
 int explainVerb(const std::string& project, bool json);
 int hardcasesVerb(bool json);
 struct ScriptOptions {

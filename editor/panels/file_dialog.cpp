@@ -52,7 +52,7 @@ void act(EditorApp& app) {
     FileDialog& d = app.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status = d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named"}} : perform(app, target);
+    const Status status = d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named", "", 0, 0, "type one or choose one above"}} : perform(app, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);

@@ -16,7 +16,7 @@ constexpr PanelRow kPanels[] = {
     {"Inspector", Dock::Inspector, drawInspector, true},
     {"Console", Dock::Bottom, drawConsole, true},
     {"Profiler", Dock::Bottom, drawProfiler, true},
-    {"Status", Dock::Status, drawStatusBar, false},
+    {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},
 };
@@ -33,7 +33,7 @@ const Rect* areaOf(const EditorApp& app, Dock dock) {
         case Dock::Outliner: return &app.areas.outliner;
         case Dock::Inspector: return &app.areas.inspector;
         case Dock::Bottom: return &app.areas.bottom;
-        case Dock::Status: return &app.areas.status;
+        case Dock::StatusBar: return &app.areas.status;
         default: return nullptr;
     }
 }
@@ -48,7 +48,7 @@ bool beginArea(const char* name, const Rect& r, int flags) {
 
 void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
     const bool viewport = row.dock == Dock::Viewport;
-    const bool bar = row.dock == Dock::BrushBar || row.dock == Dock::Status || row.dock == Dock::Tools;
+    const bool bar = row.dock == Dock::BrushBar || row.dock == Dock::StatusBar || row.dock == Dock::Tools;
     if (viewport) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     const bool shown = beginArea(row.name, area, viewport || bar ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
     if (viewport) ImGui::PopStyleVar();

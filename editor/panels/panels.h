@@ -7,7 +7,7 @@
 
 namespace sward {
 
-enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, Status, Dialog };
+enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, StatusBar, Dialog };
 
 struct PanelRow {
     const char* name;  // the first part of its widgets' paths

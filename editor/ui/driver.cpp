@@ -169,7 +169,7 @@ void Driver::typeText(const std::string& text) {
 // What the interface says of a value that was typed.
 Status Driver::typed(const std::string& label) {
     const auto error = app_.book.errors.find(label);
-    if (error != app_.book.errors.end()) return Error{ExitCode::Failed, label + ": " + error->second};
+    if (error != app_.book.errors.end()) return Error{ExitCode::Failed, label + ": " + error->second, "", 0, 0, ""};
     return {};
 }
 

@@ -94,6 +94,10 @@ glm::mat4 viewProjection(const ViewCamera& camera, int width, int height) {
     return projection(camera.fovDeg, static_cast<float>(width) / static_cast<float>(height)) * rotation(camera);
 }
 
+float pixelsPerMetre(const ViewCamera& camera, int height) {
+    return static_cast<float>(height) / (2 * std::tan(glm::radians(camera.fovDeg) / 2));
+}
+
 struct Renderer::Impl {
     Gpu& gpu;
     const Tables& tables;

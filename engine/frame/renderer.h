@@ -83,6 +83,8 @@ class Renderer {
 
 // Eye-relative world to clip: reversed depth, far plane at infinity.
 glm::mat4 viewProjection(const ViewCamera& camera, int width, int height);
+// Pixels that a metre across the view takes at a distance of one metre.
+float pixelsPerMetre(const ViewCamera& camera, int height);
 // The camera entity named so, or the first; null if there is none.
 const Camera* findCamera(const Project& p, const std::string& name);
 ViewCamera viewOf(const Camera& c);

@@ -40,6 +40,12 @@ struct CellSelection {
                                  glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
     }
 
+    // A quadratic curve cut into n chords leaves them by its sagitta / n^2.
+    int segmentsAt(double distance) const {
+        const double pixels = q.sagitta * q.pixelsPerMetre / std::max(distance, 0.05);
+        return std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / kChordPixels))), 1, q.segments);
+    }
+
     void leaf(int x, int z, const Box& b) {
         const float nearWs = f32::lodRamp(static_cast<float>(nearest(b)), q.range.min, q.range.inv);
         const auto [least, most] = q.density ? densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
@@ -48,7 +54,7 @@ struct CellSelection {
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
         const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last});
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last, segmentsAt(nearest(b))});
     }
 
     void node(int x, int z, int size) {
@@ -73,11 +79,23 @@ GeometryRange geometryRange(const GrassField& f) {
     }
 }
 
+float bladeSagitta(const Patch& patch) {
+    float most = 0;
+    for (const Blade& b : patch.blades) most = std::max(most, glm::length(b.tip - 2.0f * b.control) / 4);
+    return most;
+}
+
 float bladeReach(const Species& species, const Patch& patch) {
     float reach = 0;
     for (const Blade& b : patch.blades) reach = std::max(reach, glm::length(b.tip) + b.width);
     const float clumps = species.clumpSize > 0 ? 0.8f * species.clumpStrength * species.heightVariation : 0;
     return reach * (1 + clumps);
+}
+
+CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
+                    const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
+    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, patch, field.cellSize, bladeReach(species, patch),
+            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
 }
 
 std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {

@@ -15,13 +15,17 @@ struct CellDraw {
     float x, z;             // the cell's corner relative to the eye
     float mirrorX, mirrorZ; // +1 or -1 (B-18)
     uint32_t first, last;
+    int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
 };
+inline constexpr float kChordPixels = 0.5f;
 
 // Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
 struct GeometryRange {
     float min, inv, max;
 };
 GeometryRange geometryRange(const GrassField& field);
+// The farthest that a blade's middle is from its chord, metres: |tip - 2 control| / 4.
+float bladeSagitta(const Patch& patch);
 // How far a species' blades rise above and reach beyond their cell, metres.
 float bladeReach(const Species& species, const Patch& patch);
 
@@ -32,12 +36,17 @@ struct CellQuery {
     const Patch& patch;
     double cellSize;
     float reach;            // bladeReach
+    float sagitta;          // bladeSagitta
     GeometryRange range;
     float fade;             // omega
     uint32_t seed;          // the field's
+    int segments;           // the species': the most that are drawn
+    float pixelsPerMetre;   // at a distance of 1 m
     glm::dvec3 eye;         // relative to the terrain's corner
     const Frustum& frustum;
 };
+CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
+                    const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);
 // Cells in the order of the quadtree. `nodes`, if given, counts the nodes that were looked at.
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes = nullptr);
 

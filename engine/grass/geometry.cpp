@@ -32,15 +32,21 @@ struct GeometryState : EffectState {
     Buffer cover;
 };
 
-// Per blade 2 (segments + 1) vertices and 2 segments triangles; blades in threshold order.
+// Where the indices of strips with n segments begin, per blade: those with fewer stand before.
+uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
+
+// For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1) vertices a
+// blade: coarse strips skip rows, and rows that no strip uses cost nothing.
 std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     std::vector<uint32_t> out;
-    out.reserve(blades * static_cast<size_t>(segments) * 6);
-    for (size_t b = 0; b < blades; ++b)
-        for (int s = 0; s < segments; ++s) {
-            const uint32_t a = static_cast<uint32_t>(b * 2 * static_cast<size_t>(segments + 1)) + static_cast<uint32_t>(2 * s);
-            out.insert(out.end(), {a, a + 1, a + 2, a + 2, a + 1, a + 3});
-        }
+    out.reserve(blades * firstStrip(segments + 1));
+    for (int n = 1; n <= segments; ++n)
+        for (size_t b = 0; b < blades; ++b)
+            for (int s = 0; s < n; ++s) {
+                const uint32_t base = static_cast<uint32_t>(b) * 2 * static_cast<uint32_t>(segments + 1);
+                const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / n), c = base + 2 * static_cast<uint32_t>((s + 1) * segments / n);
+                out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
+            }
     return out;
 }
 
@@ -87,12 +93,13 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
-void uploadCells(DrawContext& ctx, SpeciesState& s, int segments) {
-    const uint32_t each = static_cast<uint32_t>(segments) * 6;
+void uploadCells(DrawContext& ctx, SpeciesState& s) {
     std::vector<Command> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
-        commands.push_back({(c.last - c.first) * each, 1, c.first * each, 0, static_cast<uint32_t>(commands.size())});
+        const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
+        const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(s.patch.blades.size()) + c.first * each;
+        commands.push_back({(c.last - c.first) * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
         ctx.stats.bladesGeometry += c.last - c.first;
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
@@ -121,6 +128,7 @@ void cull(DrawContext& ctx) {
     const GeometryRange range = geometryRange(f);
     const size_t n = std::min<size_t>(f.species.size(), MAX_SPECIES);
     state.species.resize(n);
+    const float pixels = pixelsPerMetre(ctx.camera, ctx.settings.height);
     CoverGlobals cover{};
     cover.tiers = {static_cast<float>(n), range.min, range.inv, 0};
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, 0};
@@ -130,13 +138,11 @@ void cull(DrawContext& ctx) {
         updatePatch(ctx, s, f.species[i], f);
         updateTexture(ctx, s, f.species[i]);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        const Species& sp = f.species[i];
-        s.selected = selectCells({*ctx.shared.ground.terrain, ctx.shared.bounds, sp.density.present() ? &sp.density.map : nullptr, s.patch, f.cellSize,
-                                  bladeReach(sp, s.patch), range, f.fade, static_cast<uint32_t>(f.seed), ctx.eye, ctx.frustum});
+        s.selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.patch, ctx.eye, ctx.frustum, pixels));
         cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals);
     }
     ctx.stats.cpuCullMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i], f.species[i].segments);
+    for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i]);
     writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
     ctx.shared.cover = state.cover.id();
 }

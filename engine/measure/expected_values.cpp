@@ -36,7 +36,7 @@ Result<ExpectedValues> loadExpectedValues(const std::string& file) {
     std::ifstream stream(file);
     if (!stream) return Error{ExitCode::Failed, "cannot read the expected values", file, 0, 0, "run from the source tree"};
     const Json json = Json::parse(stream, nullptr, false);
-    if (!json.is_object()) return Error{ExitCode::Unsound, "is not a JSON object", file};
+    if (!json.is_object()) return Error{ExitCode::Unsound, "is not a JSON object", file, 0, 0, ""};
     ExpectedValues values;
     for (const auto& [group, records] : json.items()) {
         if (!records.is_array()) continue;

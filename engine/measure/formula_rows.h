@@ -34,12 +34,12 @@ struct FormulaSamples {
 using FormulaError = double (*)(double got, double want, double scale);
 
 struct FormulaRow {
-    std::string id;    // of the hard case, as "B-1"; empty: no hard case, but CPU and GPU must still agree
+    std::string id = "";  // of the hard case, as "B-1"; empty: no hard case, but CPU and GPU must still agree
     std::string name;  // what is computed
     int inputs = 0;
     int outputs = 0;
     FormulaBody ours;
-    FormulaBody published;  // may be missing
+    FormulaBody published = {};  // may be missing
     // Wanted values come from the file, or from the double form of `ours` where the sampler leaves `want` empty.
     std::function<FormulaSamples(const ExpectedValues&)> samples;
     double tolerance = 0;        // of the float form

@@ -106,8 +106,7 @@ uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int wid
         for (size_t i = 0; i < std::min<size_t>(f->species.size(), MAX_SPECIES); ++i) {
             const Species& s = f->species[i];
             const Patch patch = makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
-            sum += countVisible({*ground.terrain, bounds, s.density.present() ? &s.density.map : nullptr, patch, f->cellSize, bladeReach(s, patch),
-                                 geometryRange(*f), f->fade, static_cast<uint32_t>(f->seed), camera.eye - ground.origin, frustum});
+            sum += countVisible(cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height)));
         }
         break;  // one field is drawn: the first by name
     }

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/hash.h"
+#include "core/numerics.h"
 
 namespace sward {
 namespace {
@@ -106,12 +107,9 @@ void Map::set(int x, int y, int c, float value) {
 
 float Map::sample(double u, double v, int c) const {
     const auto inside = [](double t) { return t > 0 ? std::min(t, 1.0) : 0.0; };  // NaN becomes 0
-    const double x = inside(u) * info_.width - 0.5, y = inside(v) * info_.height - 0.5;
-    const double x0 = std::floor(x), y0 = std::floor(y);
-    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-    const int ix = static_cast<int>(x0), iy = static_cast<int>(y0);
-    const auto mix = [](float a, float b, float t) { return a * (1.0f - t) + b * t; };
-    return mix(mix(at(ix, iy, c), at(ix + 1, iy, c), fx), mix(at(ix, iy + 1, c), at(ix + 1, iy + 1, c), fx), fy);
+    const f64::BilinearTap t = f64::bilinearTap(inside(u), inside(v), info_.width, info_.height);
+    return f32::bilinearMix(at(t.x0, t.y0, c), at(t.x1, t.y0, c), at(t.x0, t.y1, c), at(t.x1, t.y1, c), static_cast<float>(t.fx),
+                            static_cast<float>(t.fy));
 }
 
 void Map::readRows(int y0, int rows, void* out) const {

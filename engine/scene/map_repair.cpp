@@ -1,6 +1,6 @@
 #include "scene/map_repair.h"
 
-#include "core/parallel.h"
+#include "core/jobs.h"
 
 namespace sward {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/file.h"
 #include "core/log.h"
-#include "core/parallel.h"
+#include "core/jobs.h"
 #include "scene/map_io.h"
 #include "scene/project_json.h"
 #include "scene/save_folder.h"

@@ -32,7 +32,7 @@ FN vec3 tiltSlopes(vec3 p1, vec3 p2, vec3 p3, vec3 v) {
 // below the elevation at which the slant limit starts. Equal to the paper's count above it.
 FN real tiltCount(vec3 n, vec3 v, real s, real thickness, real voxels) {
     if (!(abs(n.z) > kTiny)) return real(0.0);
-    real down = v.z > 0.0f ? real(-1.0) : real(1.0);
+    real down = v.z < 0.0f ? real(1.0) : real(-1.0);
     real keep = 1.0f - abs(v.z) * s;
     vec2 g = vec2(-n.x, -n.y) * (keep / n.z) + vec2(v.x, v.y) * (down * s);
     return 1.0f + voxels * thickness / sqrt(1.0f + dot(g, g));

@@ -103,6 +103,19 @@ FN vec3 weightsPublished(vec3 l) {
     return vec3(weightEq13(a, u.y, c), weightEq13(u.y, a, c), weightEq13(c, a, u.y));
 }
 
+// The same with sines as sqrt(1 - cos^2), which eq 11 invites: rounding then lifts cosines above 1.
+FN real weightEq11(real q, real r) {
+    real sq = sqrt(1.0f - r * r);
+    real sr = sqrt(1.0f - q * q);
+    return (acos(r / sr) + acos(q / sq) + acos(-q * r / (sr * sq)) - kPi) / (kPi / 2.0f);
+}
+FN vec3 weightsEq11(vec3 l) {
+    vec3 u = l / sqrt(dot(l, l));
+    real a = abs(u.x);
+    real c = abs(u.z);
+    return vec3(weightEq11(u.y, c), weightEq11(a, c), weightEq11(a, u.y));
+}
+
 // All five weights. Interpolate these over a triangle, never a signed triple: two vertices lit from opposite sides would
 // meet at weights that sum to 0. At a quadrant's boundary either image has weight 0.
 struct LightWeights {

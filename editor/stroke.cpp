@@ -1,0 +1,146 @@
+#include "stroke.h"
+
+#include "core/jobs.h"
+
+namespace sward {
+namespace {
+
+constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change nothing that one sees
+constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
+
+Error usage(std::string message, std::string remedy) {
+    return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
+}
+
+// "orientation" repeats "orientationTiling" times, where the component has such a field.
+double tilingOf(const Project& p, const FieldRef& map) {
+    const std::string wanted = std::string(map.row->name) + "Tiling";
+    for (const FieldRow& field : map.component->fields)
+        if (field.name == wanted && field.type == FieldType::Float) {
+            const void* base = map.component->get(const_cast<Registry&>(p.registry), findEntity(p, map.entity));
+            return *reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
+        }
+    return 1;
+}
+
+const Terrain* terrainOf(const Project& p, const std::string& entity) {
+    if (const auto* own = p.registry.get<Terrain>(findEntity(p, entity))) return own;
+    for (const auto& [name, e] : p.entities)
+        if (const auto* t = p.registry.get<Terrain>(e)) return t;
+    return nullptr;
+}
+
+double milliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Result<MapScale> mapScale(const Project& p, const FieldRef& map) {
+    const Terrain* terrain = terrainOf(p, map.entity);
+    if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
+    const double tiling = tilingOf(p, map);
+    return MapScale{terrain->size.x / tiling, terrain->size.y / tiling, tiling != 1};
+}
+
+Status checkBrush(const BrushSettings& b) {
+    const auto inside = [](double v, double low, double high) { return v >= low && v <= high; };  // false for NaN
+    if (!findBrush(b.mode)) {
+        std::string names;
+        for (const BrushRow& row : brushRows()) names += (names.empty() ? "" : ", ") + std::string(row.name);
+        return usage(fmt::format("there is no brush \"{}\"", b.mode), "use one of " + names);
+    }
+    if (!inside(b.radius, 0, 1e6))
+        return usage("the brush's radius is not between 0 and 1e6 m", "give a length in metres");
+    if (!inside(b.strength, 0, 1)) return usage("the brush's strength is not between 0 and 1", "1 is the full effect");
+    if (!inside(b.falloff, 0, 1)) return usage("the brush's falloff is not between 0 and 1", "0 is a hard edge");
+    if (!inside(b.spacing, 0, 100))
+        return usage("the brush's spacing is not between 0 and 100", "it is a share of the diameter");
+    if (!inside(b.value, -1e6, 1e6))
+        return usage("the brush's value is not between -1e6 and 1e6", "give a finite number");
+    return {};
+}
+
+Stroke::Stroke(const BrushRow& row, const BrushSettings& settings, const MapScale& scale, const MapInfo& info,
+               uint32_t firstTurn)
+    : row_(&row), settings_(settings), scale_(scale), info_(info), turn_(firstTurn) {
+    const double texel = std::min(scale.width / info.width, scale.depth / info.height);
+    step_ = std::max(2.0 * settings.spacing * settings.radius, kLeastStepTexels * texel);
+}
+
+void Stroke::moveTo(double x, double z) {
+    if (!std::isfinite(x) || !std::isfinite(z)) return;
+    const double reachX = kMarginFactor * scale_.width, reachZ = kMarginFactor * scale_.depth;
+    if (!scale_.repeats) {
+        x = std::clamp(x, -reachX, scale_.width + reachX);
+        z = std::clamp(z, -reachZ, scale_.depth + reachZ);
+    }
+    points_.emplace_back(x, z);
+    for (const auto& [sx, sz] : stampsAlong(points_, step_, carry_)) queueStamp(sx, sz);
+    points_.erase(points_.begin(), points_.end() - 1);
+}
+
+void Stroke::queueStamp(double x, double z) {
+    const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
+    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++};
+    if (!scale_.repeats) {
+        queue_.push_back(s);
+        return;
+    }
+    s.x -= std::floor(s.x / info_.width) * info_.width;
+    s.y -= std::floor(s.y / info_.height) * info_.height;
+    for (const int ny : {0, -1, 1})  // the repeats whose edge the stamp crosses
+        for (const int nx : {0, -1, 1}) {
+            Stamp shifted = s;
+            shifted.x += nx * info_.width;
+            shifted.y += ny * info_.height;
+            if (stampTiles(info_, shifted).count() > 0) queue_.push_back(shifted);
+        }
+}
+
+void Stroke::beginStamp(const Map& map) {
+    stamp_ = queue_.front();
+    queue_.pop_front();
+    tiles_ = stampTiles(info_, stamp_);
+    if (before_.empty()) before_ = map;
+}
+
+void Stroke::endStamp(const Map& map) {
+    for (int ty = tiles_.y0; ty < tiles_.y1; ++ty)
+        for (int tx = tiles_.x0; tx < tiles_.x1; ++tx) before_.setTile(tx, ty, map.tile(tx, ty));
+    tiles_ = {};
+    nextTile_ = 0;
+}
+
+void Stroke::paintTiles(Map& map, size_t count) {
+    std::vector<std::shared_ptr<const Tile>> painted(count);
+    const size_t columns = std::max<size_t>(1, static_cast<size_t>(tiles_.x1 - tiles_.x0));
+    const auto place = [&](size_t i) {
+        const size_t t = nextTile_ + i;
+        return std::pair{tiles_.x0 + static_cast<int>(t % columns), tiles_.y0 + static_cast<int>(t / columns)};
+    };
+    parallelFor(count, [&](size_t i) {
+        const auto [tx, ty] = place(i);
+        painted[i] = row_->apply(before_, tx, ty, stamp_, settings_);
+    });
+    for (size_t i = 0; i < count; ++i) {
+        const auto [tx, ty] = place(i);
+        map.setTile(tx, ty, std::move(painted[i]));
+    }
+    nextTile_ += count;
+}
+
+void Stroke::pump(Map& map, double budgetMs) {
+    const double end = milliseconds() + budgetMs;
+    const size_t batch = static_cast<size_t>(workerCount()) * 4;  // about half a millisecond
+    while (!idle()) {
+        if (tiles_.count() == 0) beginStamp(map);
+        const size_t left = tiles_.count() - nextTile_;
+        paintTiles(map, budgetMs > 0 ? std::min(left, batch) : left);
+        if (nextTile_ == tiles_.count()) endStamp(map);
+        if (budgetMs > 0 && milliseconds() >= end) break;
+    }
+    if (idle()) before_ = Map();
+}
+
+}  // namespace sward

@@ -1,0 +1,54 @@
+// A brush stroke in progress: points become stamps, stamps wait in a queue and are worked off tile by tile.
+// Does not: know undo; Document keeps the map as it was before.
+#pragma once
+#include <deque>
+
+#include "brushes/brush.h"
+#include "scene/project.h"
+
+namespace sward {
+
+// How metres on the terrain become texels of a map. A map with a tiling factor repeats over the terrain: every point
+// falls into its one repeat.
+struct MapScale {
+    double width = 1, depth = 1;  // metres that the map covers once
+    bool repeats = false;
+};
+// Of the terrain that the map's entity has, or the first terrain by name. Fails if there is none.
+Result<MapScale> mapScale(const Project& p, const FieldRef& map);
+
+class Stroke {
+  public:
+    // Settings must have passed checkBrush; `firstTurn` is where the numbers of the stamps begin.
+    Stroke(const BrushRow& row, const BrushSettings& settings, const MapScale& scale, const MapInfo& info,
+           uint32_t firstTurn);
+
+    void moveTo(double x, double z);  // metres; queues stamps
+    bool idle() const { return queue_.empty() && tiles_.count() == 0; }
+    // Paints queued stamps into the map for at most budgetMs, at least one batch of tiles; 0: all of them.
+    void pump(Map& map, double budgetMs);
+
+  private:
+    void queueStamp(double x, double z);
+    void beginStamp(const Map& map);
+    void paintTiles(Map& map, size_t count);
+    void endStamp(const Map& map);
+
+    const BrushRow* row_;
+    BrushSettings settings_;
+    MapScale scale_;
+    MapInfo info_;
+    uint32_t turn_;
+    double step_, carry_ = 0;
+    std::vector<std::pair<double, double>> points_;  // the last one, from which the line goes on
+    std::deque<Stamp> queue_;
+    Map before_;  // as it was before the stamp that is being painted; empty between pumps that left nothing
+    Stamp stamp_{};
+    TileRange tiles_;  // of the stamp that is being painted; none: between stamps
+    size_t nextTile_ = 0;
+};
+
+// Usage error if a setting is not finite or out of its range, or the mode is no brush.
+Status checkBrush(const BrushSettings& brush);
+
+}  // namespace sward
