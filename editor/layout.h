@@ -14,7 +14,7 @@ struct Rect {
 };
 
 struct Layout {
-    float right = 330;             // width of the right column
+    float right = 350;             // width of the right column
     float outliner = 0.28f;        // its upper part, as a share of its height
     float bottom = 170;            // height of the bottom panels
     std::set<std::string> hidden;  // panels that the person closed

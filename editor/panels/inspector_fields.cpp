@@ -10,6 +10,13 @@
 namespace sward {
 namespace {
 
+// Under the field its path need not be said again.
+std::string refusal(const Error& error, const std::string& path) {
+    std::string text = error.message;
+    if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
+    return error.remedy.empty() ? text : text + " (" + error.remedy + ")";
+}
+
 void set(EditorApp& app, const std::string& path, const std::string& text) {
     app.deferred.push_back([&app, path, text] {
         const Status status = app.doc.setField(path, text);
@@ -17,7 +24,7 @@ void set(EditorApp& app, const std::string& path, const std::string& text) {
         if (status)
             app.book.errors.erase(label);
         else
-            app.book.errors[label] = status.error().message;
+            app.book.errors[label] = refusal(status.error(), path);
     });
 }
 

@@ -39,16 +39,18 @@ void add(EditorApp& app) {
 
 void footer(EditorApp& app) {
     bool entered = false;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 9.2f);
+    const float padding = 2 * ImGui::GetStyle().FramePadding.x;
+    const float addWidth = ImGui::CalcTextSize("Add entity").x + padding, removeWidth = ImGui::CalcTextSize("Remove").x + padding;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - addWidth - removeWidth - 8);
     ui::input("New entity", app.newEntity, "new entity", &entered);
     ImGui::SameLine(0, 4);
     {
         const ui::Disabled nameless(app.newEntity.empty());
-        if (ui::button("Add entity", ImGui::GetFontSize() * 5.2f) || (entered && !app.newEntity.empty())) add(app);
+        if (ui::button("Add entity", addWidth) || (entered && !app.newEntity.empty())) add(app);
     }
     ImGui::SameLine(0, 4);
     const ui::Disabled nothing(app.selected.empty());
-    if (ui::button("Remove", ImGui::GetFontSize() * 3.7f))
+    if (ui::button("Remove", removeWidth))
         app.deferred.push_back([&app] {
             if (accept(app, app.doc.removeEntity(app.selected))) app.selected.clear();
         });

@@ -48,9 +48,8 @@ bool beginArea(const char* name, const Rect& r, int flags) {
 
 void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
     const bool viewport = row.dock == Dock::Viewport;
-    const bool bar = row.dock == Dock::BrushBar || row.dock == Dock::StatusBar || row.dock == Dock::Tools;
     if (viewport) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    const bool shown = beginArea(row.name, area, viewport || bar ? ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse : 0);
+    const bool shown = beginArea(row.name, area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (viewport) ImGui::PopStyleVar();
     if (!shown) return;
     row.draw(app);
@@ -73,7 +72,10 @@ void drawBottom(EditorApp& app) {
         if (app.layout.tab == row.name) open = &row;
     }
     ImGui::Separator();
-    if (open) open->draw(app);
+    if (open) {
+        const ui::Scope scope(open->name);
+        open->draw(app);
+    }
     ImGui::End();
 }
 

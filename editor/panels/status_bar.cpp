@@ -46,7 +46,7 @@ void drawStatusBar(EditorApp& app) {
     item("Blades", counted(s.bladesVirtual), "All blades of the fields: density summed over the terrain.");
     item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
     if (s.bladesVisible > 0) item("Visible", counted(s.bladesVisible), "Blades of those that can be seen.");
-    item("Frame", fmt::format("{:.3g} ms", app.viewport.lastMs), "What the last drawing of the viewport took.");
+    item("Frame", app.viewport.lastMs < 1000 ? fmt::format("{:.3g} ms", app.viewport.lastMs) : fmt::format("{:.1f} s", app.viewport.lastMs / 1000), "What the last drawing of the viewport took.");
     item("Resolution", fmt::format("{:.0f} %", 100 * app.viewport.resolution.drawnScale),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
     savedDot(app);

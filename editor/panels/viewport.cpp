@@ -20,17 +20,35 @@ std::vector<std::string> cameraNames(EditorApp& app) {
     return names;
 }
 
+const Camera* cameraNamed(EditorApp& app, const std::string& name) {
+    const Entity e = findEntity(app.doc.project(), name);
+    return e == kNoEntity ? nullptr : app.doc.project().registry.get<Camera>(e);
+}
+
+// The camera whose view is on the screen, or -1.
+int cameraShown(EditorApp& app, const std::vector<std::string>& names) {
+    const ViewCamera now = viewOf(app.viewport.camera);
+    for (size_t i = 0; i < names.size(); ++i) {
+        const Camera* c = cameraNamed(app, names[i]);
+        const bool same = c && glm::length(c->eye - now.eye) < 1e-4 && glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5;
+        if (same) return static_cast<int>(i);
+    }
+    return -1;
+}
+
 void header(EditorApp& app) {
     Viewport& v = app.viewport;
     ImGui::SetCursorPos({8, 3});
-    const std::vector<std::string> cameras = cameraNames(app);
-    int chosen = -1;
+    std::vector<std::string> cameras = cameraNames(app);
+    int chosen = cameraShown(app, cameras);
+    const bool free = chosen < 0;  // the view is no camera's
+    if (free) cameras.push_back("free view"), chosen = static_cast<int>(cameras.size()) - 1;
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, "Go to camera");
+    ui::coloredText(ui::kDimText, "Camera");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
     if (ui::combo("Camera", cameras, chosen))
-        if (const Camera* c = findCamera(app.doc.project(), cameras[static_cast<size_t>(chosen)])) v.camera = flyFrom(viewOf(*c));
+        if (const Camera* c = cameraNamed(app, cameras[static_cast<size_t>(chosen)])) v.camera = flyFrom(viewOf(*c));
     ui::tooltip("Moves the view to one of the project's cameras.");
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();

@@ -13,19 +13,15 @@
 namespace sward::ui {
 namespace {
 
+constexpr const char* kNoText = " ";  // the widget's own text; ours is drawn over it
+constexpr ImU32 kFill = IM_COL32(66, 102, 46, 255);
+
 WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
 
 std::string format(double value, const NumberSpec& spec) {
     const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
     if (std::isinf(value)) return "inf" + unit;
     return numberText(value, spec.integer, spec.precise) + unit;
-}
-
-// printf's percent signs in a text that ImGui takes for a format.
-std::string literal(const std::string& text) {
-    std::string out;
-    for (const char c : text) out += c == '%' ? "%%" : std::string(1, c);
-    return out;
 }
 
 // Rounds what a drag gives to about three significant digits of the range.
@@ -40,22 +36,46 @@ bool wideRange(const NumberSpec& spec) {
     return spec.softMin >= 0 && spec.softMax - spec.softMin >= 1000 * std::max(spec.softMin, 1e-3) && spec.softMax > 100;
 }
 
+// The filled part says where in its range the number is, under the number itself.
+void drawFill(double value, const NumberSpec& spec, bool logarithmic) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    double share = (value - spec.softMin) / (spec.softMax - spec.softMin);
+    if (logarithmic) {
+        const double least = std::max(spec.softMin, 1e-3);  // where ImGui takes a logarithmic slider to begin
+        share = value <= least ? 0 : std::log(value / least) / std::log(spec.softMax / least);
+    }
+    const float x = low.x + (high.x - low.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
+    const ImU32 color = ImGui::IsItemActive() ? IM_COL32(86, 134, 58, 255) : ImGui::IsItemHovered() ? IM_COL32(78, 120, 54, 255) : kFill;
+    if (x > low.x + 1) ImGui::GetWindowDrawList()->AddRectFilled(low, {x, high.y}, color, ImGui::GetStyle().FrameRounding);
+}
+
+void drawText(const std::string& text) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(low, high, true);
+    list.AddText({std::max(low.x + 3, (low.x + high.x - size.x) / 2), (low.y + high.y - size.y) / 2}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    list.PopClipRect();
+}
+
 NumberEdit drag(const std::string& id, double& value, const NumberSpec& spec) {
     NumberEdit edit;
     double moved = value;
-    const std::string text = literal(format(value, spec));
-    const int flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat |
-                      (wideRange(spec) ? ImGuiSliderFlags_Logarithmic : 0);
+    const bool logarithmic = wideRange(spec);
+    const int flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     bool changed;
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, 0);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, 0);
     if (spec.softMax > spec.softMin) {
         if (std::isinf(moved)) moved = spec.softMax;
-        changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &moved, &spec.softMin, &spec.softMax, text.c_str(), flags);
+        changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &moved, &spec.softMin, &spec.softMax, kNoText, flags);
+        drawFill(value, spec, logarithmic);
     } else {
         const double speed = spec.step > 0 ? spec.step : std::max(std::abs(value), 1.0) * 0.005;
         const int dragFlags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
         changed = ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &moved, static_cast<float>(speed), nullptr, nullptr,
-                                    text.c_str(), dragFlags);
+                                    kNoText, dragFlags);
     }
+    ImGui::PopStyleColor(2);
     edit.started = ImGui::IsItemActivated();
     edit.ended = ImGui::IsItemDeactivated();
     if (changed) {
@@ -63,6 +83,7 @@ NumberEdit drag(const std::string& id, double& value, const NumberSpec& spec) {
         edit.changed = moved != value;
         value = moved;
     }
+    drawText(format(value, spec));
     return edit;
 }
 

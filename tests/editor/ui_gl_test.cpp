@@ -1,0 +1,263 @@
+// The editor without a window: real widgets, real input queue, real renderer.
+#include <gtest/gtest.h>
+
+#include "../support.h"
+#include "editor/app.h"
+#include "editor/ui/driver.h"
+#include "scene/map_io.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+// One context and one new project for all tests; each test gets a fresh editor on it.
+class EditorUi : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        auto made = makeHeadlessGpu();
+        ASSERT_TRUE(made) << made.error().text();
+        gpu = made->release();
+    }
+    static void TearDownTestSuite() {
+        delete gpu;
+        gpu = nullptr;
+    }
+    void SetUp() override {
+        ASSERT_NE(gpu, nullptr);
+        ASSERT_TRUE(doc.create(dir / "meadow"));
+        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600), false);
+        ui = makeUiDriver(*app);
+        ok(ui->wait(3));
+    }
+    void TearDown() override {
+        EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
+        EXPECT_EQ(app->notice, "");
+    }
+
+    void ok(const Status& status) { EXPECT_TRUE(status) << status.error().text(); }
+    std::string get(const std::string& label) {
+        const Result<std::string> value = ui->get(label);
+        return value ? *value : "error: " + value.error().text();
+    }
+    uint64_t density() {
+        const Result<FieldRef> map = findMap(doc.project(), doc.tables().components, "density");
+        return map ? static_cast<const MapField*>(map->value)->map.hash() : 0;
+    }
+    std::string field(const std::string& path) {
+        const Result<FieldRef> f = findField(doc.project(), doc.tables().components, path);
+        return f ? fieldText(*f) : "error: " + f.error().text();
+    }
+    // Across the lower middle of the viewport, where there is ground.
+    void paint() {
+        const Rect& r = app->viewport.rect;
+        const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
+        ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y));
+    }
+
+    static Gpu* gpu;
+    test::TempDir dir;
+    Document doc{tables()};
+    std::unique_ptr<EditorApp> app;
+    std::unique_ptr<UiDriver> ui;
+};
+Gpu* EditorUi::gpu = nullptr;
+
+TEST_F(EditorUi, EveryWidgetThatScriptsNameIsThere) {
+    for (const char* label :
+         {"Menu/File/New...", "Menu/File/Open...", "Menu/File/Save", "Menu/File/Save As...", "Menu/File/Quit", "Menu/Edit/Undo",
+          "Menu/Edit/Redo", "Menu/View/Tiers", "Menu/View/Profiler", "Tools/Look", "Tools/Add", "Tools/Smooth", "Brush/Mode", "Brush/Map",
+          "Brush/Radius", "Brush/Strength", "Brush/Falloff", "Viewport", "Viewport/Camera", "Outliner/lawn", "Outliner/New entity",
+          "Inspector/lawn.GrassField.maxGeom", "Inspector/ground.Terrain.size", "Inspector/sun.Light.elevationDeg", "Tabs/Console",
+          "Profiler/Measure", "Status/Blades", "Status/Saved"})
+        EXPECT_TRUE(ui->exists(label)) << label;
+    EXPECT_FALSE(ui->exists("Brush/Nothing"));
+    EXPECT_FALSE(ui->exists("Inspector/nobody.GrassField.maxGeom"));
+    const Status missing = ui->click("Nowhere/Nothing");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, ExitCode::Usage);
+}
+
+TEST_F(EditorUi, AStrokeInTheViewportPaintsAndIsOneUndoStep) {
+    const uint64_t before = density();
+    ok(ui->set("Brush/Mode", "Subtract"));
+    paint();
+    const uint64_t painted = density();
+    EXPECT_NE(painted, before);
+    EXPECT_EQ(get("Status/Saved"), "false");
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(density(), before);
+    EXPECT_EQ(get("Status/Saved"), "true");
+    ok(ui->key("ctrl+y"));
+    EXPECT_EQ(density(), painted);
+    ok(ui->key("ctrl+z"));
+    ok(ui->key("ctrl+shift+z"));
+    EXPECT_EQ(density(), painted);
+    EXPECT_FALSE(doc.canRedo());
+}
+
+TEST_F(EditorUi, NothingIsPaintedWithTheLookTool) {
+    const uint64_t before = density();
+    ok(ui->click("Tools/Subtract"));
+    ok(ui->click("Tools/Look"));
+    paint();
+    EXPECT_EQ(density(), before);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorUi, SavingAndReopeningFindsTheSamePaint) {
+    ok(ui->click("Tools/Subtract"));
+    paint();
+    const uint64_t painted = density();
+    ok(ui->key("ctrl+s"));
+    EXPECT_EQ(get("Status/Saved"), "true");
+    Document again(tables());
+    ASSERT_TRUE(again.open(dir / "meadow"));
+    const Result<FieldRef> map = findMap(again.project(), tables().components, "density");
+    ASSERT_TRUE(map);
+    EXPECT_EQ(static_cast<const MapField*>(map->value)->map.hash(), painted);
+}
+
+TEST_F(EditorUi, TypedBrushSettingsStayWithTheirTool) {
+    ok(ui->set("Brush/Mode", "Add"));
+    ok(ui->set("Brush/Radius", "7.5"));
+    EXPECT_EQ(get("Brush/Radius"), "7.5");
+    ok(ui->set("Brush/Mode", "Smooth"));
+    EXPECT_NE(get("Brush/Radius"), "7.5");
+    ok(ui->set("Brush/Mode", "Add"));
+    EXPECT_EQ(get("Brush/Radius"), "7.5");
+    ok(ui->key("["));
+    EXPECT_LT(currentBrush(app->brushes).radius, 7.5f);
+    const Status refused = ui->set("Brush/Radius", "-3");
+    EXPECT_FALSE(refused);
+    EXPECT_LT(0, currentBrush(app->brushes).radius);
+    ok(ui->set("Brush/Radius", "2"));
+}
+
+TEST_F(EditorUi, TheInspectorTypesPastTheSliderAndStopsAtTheHardRange) {
+    const std::string path = "lawn.GrassField.maxGeom", label = "Inspector/" + path;
+    ok(ui->set(label, "750"));
+    EXPECT_EQ(field(path), "750");
+    ok(ui->set(label, "inf"));
+    EXPECT_EQ(field(path), "inf");
+    EXPECT_FALSE(ui->set(label, "-4"));
+    EXPECT_EQ(field(path), "inf");
+    EXPECT_TRUE(app->book.errors.count(label));
+    ok(ui->click(label + "/Reset"));
+    EXPECT_EQ(field(path), "12");
+    EXPECT_FALSE(app->book.errors.count(label));
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(field(path), "inf");
+}
+
+TEST_F(EditorUi, DraggingASliderIsOneUndoStep) {
+    const std::string path = "lawn.GrassField.species[lawn].bend", label = "Inspector/" + path;
+    ASSERT_TRUE(ui->exists(label));
+    ASSERT_TRUE(ui->get(label));
+    const std::string before = field(path);
+    const ui::Widget w = app->book.widgets.at(label);
+    const double y = static_cast<double>(w.y0 + w.y1) / 2;
+    ok(ui->drag(static_cast<double>(w.x0) + 10, y, static_cast<double>(w.x1) - 10, y));
+    EXPECT_NE(field(path), before);
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(field(path), before);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorUi, VectorsColoursTextsAndChoicesAreEditedInTheInspector) {
+    ok(ui->set("Inspector/camera.Camera.eye", "[1, 2.5, 3]"));
+    EXPECT_EQ(field("camera.Camera.eye"), "[1, 2.5, 3]");
+    ok(ui->set("Inspector/lawn.GrassField.species[lawn].tipColor", "[0.1, 0.2, 0.05]"));
+    EXPECT_EQ(field("lawn.GrassField.species[lawn].tipColor"), "[0.1, 0.2, 0.05]");
+    ok(ui->set("Inspector/lawn.GrassField.technique", "flat"));
+    EXPECT_EQ(field("lawn.GrassField.technique"), "flat");
+    ok(ui->set("Inspector/lawn.GrassField.species[lawn].name", "clover"));
+    EXPECT_EQ(field("lawn.GrassField.species[clover].name"), "clover");
+}
+
+TEST_F(EditorUi, EntitiesAndComponentsComeAndGo) {
+    ok(ui->set("Outliner/New entity", "second"));
+    EXPECT_TRUE(ui->exists("Outliner/second"));
+    ok(ui->set("Inspector/Add component", "Camera"));
+    EXPECT_EQ(field("second.Camera.fovDeg"), "55");
+    ok(ui->click("Inspector/second.Camera/Remove"));
+    EXPECT_FALSE(ui->exists("Inspector/second.Camera.fovDeg"));
+    ok(ui->click("Outliner/second"));
+    ok(ui->click("Outliner/Remove"));
+    EXPECT_FALSE(ui->exists("Outliner/second"));
+    ok(ui->click("Inspector/lawn.GrassField.species/Add species"));
+    EXPECT_EQ(doc.project().registry.get<GrassField>(findEntity(doc.project(), "lawn"))->species.size(), 2u);
+}
+
+TEST_F(EditorUi, ABadEntityNameIsRefusedUnderItsField) {
+    EXPECT_FALSE(ui->set("Outliner/New entity", "no good"));
+    EXPECT_TRUE(app->book.errors.count("Outliner/New entity"));
+    EXPECT_EQ(doc.project().entities.count("no good"), 0u);
+}
+
+TEST_F(EditorUi, UnsavedWorkIsAskedAboutBeforeQuitting) {
+    ok(ui->set("Inspector/sun.Light.elevationDeg", "20"));
+    ok(ui->click("Menu/File/Quit"));
+    EXPECT_FALSE(app->quit);
+    ok(ui->click("Unsaved/Cancel"));
+    EXPECT_FALSE(app->quit);
+    EXPECT_FALSE(ui->exists("Unsaved/Cancel"));
+    ok(ui->key("ctrl+q"));
+    ok(ui->click("Unsaved/Save"));
+    EXPECT_TRUE(app->quit);
+    EXPECT_FALSE(doc.dirty());
+}
+
+TEST_F(EditorUi, TheFileDialogSavesAsAndOpensAndSaysWhatWentWrong) {
+    const std::string copy = (dir / "copy").string();
+    ok(ui->click("Menu/File/Save As..."));
+    ok(ui->set("Files/Path", copy));
+    EXPECT_FALSE(ui->exists("Files/Path"));
+    EXPECT_EQ(doc.project().dir, copy);
+    ok(ui->click("Menu/File/Open..."));
+    EXPECT_TRUE(ui->exists("Files/meadow"));
+    ok(ui->set("Files/Path", (dir / "nowhere").string()));
+    EXPECT_TRUE(ui->exists("Files/Error"));
+    ok(ui->click("Files/meadow"));
+    ok(ui->click("Files/Open"));
+    EXPECT_FALSE(ui->exists("Files/Open"));
+    EXPECT_EQ(doc.project().dir, dir / "meadow");
+}
+
+TEST_F(EditorUi, AnErrorStandsOverTheViewportUntilDismissed) {
+    showError(*app, {ExitCode::Failed, "the disk is full", "maps/a.png", 0, 0, "free some space"});
+    EXPECT_NE(get("Viewport/Error").find("disk is full"), std::string::npos);
+    ok(ui->click("Viewport/Dismiss"));
+    EXPECT_FALSE(ui->exists("Viewport/Error"));
+}
+
+TEST_F(EditorUi, TheViewportIsNotDrawnAgainWhenNothingChanged) {
+    ok(ui->wait(3));
+    app->viewport.lastMs = -1;
+    ok(ui->wait(5));
+    EXPECT_EQ(app->viewport.lastMs, -1);
+    ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "30"));
+    ok(ui->wait(2));
+    EXPECT_GT(app->viewport.lastMs, 0);
+}
+
+TEST_F(EditorUi, AScreenshotShowsTheWholeWindow) {
+    ok(ui->screenshot(dir / "editor.png"));
+    const Result<Image> image = readImage(dir / "editor.png");
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->width, 800);
+    EXPECT_EQ(image->height, 600);
+    const auto at = [&](int x, int y) { return image->pixels[(static_cast<size_t>(y) * 800 + static_cast<size_t>(x)) * static_cast<size_t>(image->channels)]; };
+    const Rect& r = app->viewport.rect;
+    EXPECT_GT(at(static_cast<int>(r.x + r.w / 2), static_cast<int>(r.y + 10)), 0.4f);  // sky
+    EXPECT_LT(at(790, 300), 0.35f);                                                    // a dark panel
+}
+
+TEST_F(EditorUi, PanelsAreHiddenAndShownFromTheViewMenu) {
+    ok(ui->click("Menu/View/Inspector"));
+    EXPECT_FALSE(ui->exists("Inspector/lawn.GrassField.maxGeom"));
+    ok(ui->click("Menu/View/Inspector"));
+    EXPECT_TRUE(ui->exists("Inspector/lawn.GrassField.maxGeom"));
+}
+
+}  // namespace
+}  // namespace sward
