@@ -60,6 +60,15 @@ void followProject(EditorApp& app) {
     keepMapValid(app);
 }
 
+void runConsole(EditorApp& app) {
+    while (!app.luaLines.empty() && app.runLua) {
+        const std::string line = app.luaLines.front();
+        app.luaLines.pop_front();
+        if (const Status status = app.runLua(line); !status) logError(status.error().text());
+        app.framesWanted = 4;
+    }
+}
+
 void runDeferred(EditorApp& app) {
     std::vector<std::function<void()>> edits;
     edits.swap(app.deferred);
@@ -103,7 +112,7 @@ void present(EditorApp& app) {
 }
 
 bool wantsFrame(const EditorApp& app) {
-    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() ||
+    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() || !app.luaLines.empty() ||
            app.viewport.drawnRevision != app.doc.revision() || hasFreshLog(app);
 }
 
@@ -138,6 +147,7 @@ EditorApp::~EditorApp() {
 
 void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
+    runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
     if (app.surface->takeCloseRequest()) requestQuit(app);
     if (app.queue.pending()) app.framesWanted = 4;
@@ -249,6 +259,13 @@ void adoptProject(EditorApp& app) {
     for (const auto& [name, entity] : app.doc.project().entities)
         if (app.doc.project().registry.get<GrassField>(entity)) app.selected = name;
     keepMapValid(app);
+}
+
+bool goToCamera(EditorApp& app, const std::string& name) {
+    const Entity e = findEntity(app.doc.project(), name);
+    const Camera* camera = e == kNoEntity ? nullptr : app.doc.project().registry.get<Camera>(e);
+    if (camera) app.viewport.camera = flyFrom(viewOf(*camera));
+    return camera != nullptr;
 }
 
 std::vector<FieldRef> paintableMaps(EditorApp& app) {

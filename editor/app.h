@@ -108,6 +108,7 @@ struct EditorApp {
     std::string holding;                    // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
+    std::deque<std::string> luaLines;       // entered, run before the next frame: they may run frames themselves
     std::vector<std::function<void()>> deferred;       // edits, run once the widgets of this frame are built
     bool quit = false;
     bool refineNow = false;                 // screenshots: draw in full though something moves
@@ -139,6 +140,8 @@ bool saveNow(EditorApp& app);                     // asks where if the project w
 void selectTool(EditorApp& app, const std::string& tool);
 // After the document holds another project: its first camera, its first paintable map, nothing selected.
 void adoptProject(EditorApp& app);
+// Moves the view to a camera of the project. False if there is none of this name.
+bool goToCamera(EditorApp& app, const std::string& name);
 // Maps that brushes paint on: one channel, no heights; absent ones included.
 std::vector<FieldRef> paintableMaps(EditorApp& app);
 

@@ -48,7 +48,7 @@ void header(EditorApp& app) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
     if (ui::combo("Camera", cameras, chosen))
-        if (const Camera* c = cameraNamed(app, cameras[static_cast<size_t>(chosen)])) v.camera = flyFrom(viewOf(*c));
+        goToCamera(app, cameras[static_cast<size_t>(chosen)]);
     ui::tooltip("Moves the view to one of the project's cameras.");
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
