@@ -116,8 +116,9 @@ uint32_t typeId() {
 
 class Registry {
   public:
-    // firstGeneration: other than 1 only to try what happens when generations run out.
-    explicit Registry(uint32_t firstGeneration = 1) : firstGeneration_(firstGeneration) {}
+    Registry() = default;
+    // Only to try what happens when generations run out. firstGeneration: at least 1.
+    explicit Registry(uint32_t firstGeneration) : firstGeneration_(firstGeneration) {}
 
     // A new entity with no components.
     Entity create() {
@@ -224,7 +225,7 @@ class Registry {
     std::vector<std::unique_ptr<detail::PoolBase>> pools_;  // by type id
     std::vector<uint32_t> generations_;                     // by entity index: of the one that is, or of the next
     std::vector<uint32_t> free_;
-    uint32_t firstGeneration_;
+    uint32_t firstGeneration_ = 1;
     size_t alive_ = 0;
 };
 

@@ -8,26 +8,25 @@ namespace {
 constexpr int kBlades = 64, kPoints = 4;
 
 // Share of a blade's point at v that other blades leave visible, seen from above eye height: tips hide roots.
-float seen(float v) { return std::exp(-1.6f * (1 - v)); }
+float seen(float v) { return std::exp(-1.2f * (1 - v)); }
 
 }  // namespace
 
 CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGlobals& frame) {
     CoverSpecies out{};
-    glm::vec3 albedo(0), lit(0);
-    float weight = 0, area = 0, height = 0;
+    glm::vec3 albedo(0), ambient(0);
+    float weight = 0, upright = 0, level = 0, area = 0, height = 0;
     const size_t n = std::min<size_t>(patch.blades.size(), kBlades);
     for (size_t i = 0; i < n; ++i) {
         const Blade& b = patch.blades[i * patch.blades.size() / n];
         for (int p = 0; p < kPoints; ++p) {
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, w = seen(v);
             const f32::BladeFrame f = f32::bladeFrameFacing(b.control, b.tip, b.facing, v);
-            const glm::vec3 color = f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), b.hue, b.lightness);
-            const float left = glm::mix(species.rootOcclusion, 1.0f, v);
-            const float facing = std::abs(glm::dot(f.normal, glm::vec3(frame.sunDirection)));
-            const glm::vec3 ambient = glm::mix(glm::vec3(frame.groundLight), glm::vec3(frame.skyLight), 0.5f + 0.25f * std::abs(f.normal.y));
-            albedo += color * w;
-            lit += (glm::vec3(frame.sunLight) * facing * 0.5f + ambient) * left * w;
+            const float left = glm::mix(species.rootOcclusion, 1.0f, v) * w;
+            albedo += f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), b.hue, b.lightness) * w;
+            ambient += glm::mix(glm::vec3(frame.groundLight), glm::vec3(frame.skyLight), 0.5f + 0.5f * std::abs(f.normal.y)) * left;
+            upright += std::sqrt(std::max(1 - f.normal.y * f.normal.y, 0.0f)) * left;
+            level += std::abs(f.normal.y) * left;
             weight += w;
         }
         area += b.width * glm::length(b.tip) * 0.7f;  // 0.7: the share of the strip that the blade's alpha fills
@@ -35,8 +34,8 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
     }
     if (n == 0) return out;
     out.albedo = glm::vec4(albedo / weight, area / static_cast<float>(n) * species.bladesPerM2);
-    out.light = glm::vec4(lit / weight, height / static_cast<float>(n));
-    out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), 0.35f, 0, 0};
+    out.ambient = glm::vec4(ambient / weight, height / static_cast<float>(n));
+    out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), 0.35f, upright / weight, level / weight};
     return out;
 }
 

@@ -1,6 +1,6 @@
-// How a species looks where its blades are too far to be drawn: mean reflectance and mean light of what is seen of them.
-// Averages the same poses, gradient and two-sided Lambert light that blades are drawn with, over some of the patch's blades.
-// Does not: depend on the view (the ground's shader adds the lean's part). Cost: 0.05 ms.
+// How a species looks where its blades are too far to be drawn: mean reflectance, ambient light, and how much of its blades
+// stands upright or lies level, of what is seen of them. Averages the poses and the gradient that blades are drawn with.
+// Does not: depend on the view; the ground's shader integrates the sun over the azimuths that face the eye. Cost: 0.05 ms.
 #pragma once
 #include "frame/draw_context.h"
 #include "scene/population.h"

@@ -8,7 +8,7 @@ namespace sward {
 
 void FormulaSamples::add(const std::vector<double>& in, const std::vector<double>& out,
                          const std::vector<double>& units) {
-    x.insert(x.end(), in.begin(), in.end());
+    for (double v : in) x.push_back(double(float(v)));
     want.insert(want.end(), out.begin(), out.end());
     if (units.empty())
         scale.insert(scale.end(), out.size(), 1.0);

@@ -27,6 +27,7 @@ struct FormulaSamples {
     std::vector<double> x;
     std::vector<double> want;
     std::vector<double> scale;
+    // Rounds the inputs to float.
     void add(const std::vector<double>& in, const std::vector<double>& out, const std::vector<double>& units = {});
 };
 

@@ -1,4 +1,5 @@
 // How rows of formulas are written; for the formulas_*.cpp files only.
+// clang-format off: bodies are laid out as the shader lines that they become
 #pragma once
 #include <cmath>
 #include <limits>

@@ -1,4 +1,5 @@
 // Rows without a hard case of the papers: what places, shades and shows grass must be the same in float and on the GPU.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

@@ -1,4 +1,5 @@
 // Rows of Jahrmann, Wimmer 2013: wind, random values, tessellation levels, spline frames, blade counts.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

@@ -1,4 +1,5 @@
 // Rows of Decaudin, Neyret 2004: opacity correction, tilted slices, pyramids of slices.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

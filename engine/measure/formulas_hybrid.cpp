@@ -1,4 +1,5 @@
 // Rows of Boulanger, Pattanaik, Bouatouch 2006: light weights, level of detail, opacity.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

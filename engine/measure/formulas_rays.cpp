@@ -1,4 +1,5 @@
 // Rows of Habel, Wimmer, Jeschke 2007: rays through slices, tangent frames, compositing, depth.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

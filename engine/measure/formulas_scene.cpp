@@ -1,4 +1,5 @@
 // Rows of what terrain, time and input need: long running times, strokes without length, lights without limit.
+// clang-format off: bodies are laid out as the shader lines that they become
 #include "measure/formula_table.h"
 
 namespace sward {

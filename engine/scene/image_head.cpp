@@ -83,7 +83,7 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     if (start.starts_with("\x76\x2f\x31\x01")) return exrHead(file, head);
     if (start.starts_with(std::string_view("II*\0", 4)) || start.starts_with(std::string_view("MM\0*", 4)) ||
         start.starts_with(std::string_view("II+\0", 4)) || start.starts_with(std::string_view("MM\0+", 4)))
-        return ImageHead{"tif", 0, 0};
+        return readTiffHead(file, in, size);
     return Error{ExitCode::Unsound, "is no PNG, EXR or TIFF image, or is damaged", file.string(), 0, 0, "convert it to one of these"};
 }
 

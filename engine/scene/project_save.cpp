@@ -68,12 +68,12 @@ bool fileHolds(const fs::path& file, const PlannedMap& planned) {
 struct Saving {
     const Project& p;
     Rows rows;
-    const Project* saved;                // null: compare with the files
-    std::vector<PlannedMap> plan, savedPlan;
-    Project onDisk;                      // without texels
-    bool readable = false;               // whether there is a sound project on disk
-    std::vector<SaveFile> files;
-    std::vector<std::string> removed;
+    std::vector<PlannedMap> plan;
+    std::vector<PlannedMap> savedPlan = {};   // of what is known to lie on disk; what it lacks is compared with the files
+    Project onDisk = Project();                   // without texels
+    bool readable = false;                    // whether there is a sound project on disk
+    std::vector<SaveFile> files = {};
+    std::vector<std::string> removed = {};
 };
 
 bool mapChanged(const Saving& s, const PlannedMap& planned) {
@@ -188,7 +188,7 @@ Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const 
     fs::create_directories(p.dir, fault);
     if (fault) return fileError("cannot be made", p.dir, fault.value());
     const bool sameFolder = saved && saved->dir == p.dir;
-    Saving s{p, rows, sameFolder ? saved : nullptr, planMaps(p, rows), {}, {}, false, {}, {}};
+    Saving s{.p = p, .rows = rows, .plan = planMaps(p, rows)};
     if (sameFolder) s.savedPlan = planMaps(*saved, rows);
     const FolderLock lock(p.dir, FolderLock::Kind::Exclusive);
     auto result = saveLocked(s, saved && !sameFolder ? saved->dir : fs::path());

@@ -12,7 +12,7 @@ FN real opacityPublished(real density, real threshold, real omega) {
 // Eq 5: a ramp of half-width omega around density = threshold; at omega 0 the step, drawn at equality (figure 14a).
 FN real opacityEq5(real density, real threshold, real omega) {
     if (!(omega > real(1e-20))) return density >= threshold ? real(1.0) : real(0.0);
-    return clamp((density - threshold + omega) / (2.0f * omega), real(0.0), real(1.0));
+    return clamp(0.5f + 0.5f * ((density - threshold) / omega), real(0.0), real(1.0));
 }
 
 // The half-width at which fading neither adds nor removes grass at this density.

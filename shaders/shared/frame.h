@@ -18,7 +18,8 @@ struct FrameGlobals {
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
     SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi
-    SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi; w: factor of numerics/sky.h radiances
+    SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
+    SHARED_VEC4 skyGain;       // factor of numerics/sky.h radiances: exposure and white balance
     SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity
     SHARED_VEC4 groundLight;   // what the ground throws back, divided by pi
     SHARED_VEC4 horizon[3];    // sky at the horizon towards the sun, across and away from it; w: 0
@@ -32,8 +33,9 @@ struct FrameGlobals {
 // How grass looks from where it is not drawn as blades; one a species, written by the grass domain for the ground.
 struct CoverSpecies {
     SHARED_VEC4 albedo;        // mean reflectance of what is seen of its blades; w: blade area per m2 of ground at density 1
-    SHARED_VEC4 light;         // mean light on them under the frame's light; w: mean height (m)
-    SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density; z, w: 0
+    SHARED_VEC4 ambient;       // mean ambient light on what is seen, darkened towards the root; w: mean height (m)
+    SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density;
+                               // z, w: horizontal and vertical part of the normals of what is seen, darkened likewise
 };
 struct CoverGlobals {
     CoverSpecies species[4];   // MAX_SPECIES

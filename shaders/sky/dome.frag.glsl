@@ -25,7 +25,7 @@ SkyModel model() {
 
 void main() {
     vec3 d = normalize(direction);
-    vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyLight.w;
+    vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyGain.rgb;
     if (SUN && d.y > 0.0) light += frame.sunLight.rgb * 40.0 * smoothstep(0.99996, 0.99999, dot(d, frame.sunDirection.xyz));
     if (d.y < 0.0) {
         // Meadows to the horizon: what the ground throws back, with distance lost in the haze (or in 4 km of clear air).

@@ -7,7 +7,7 @@
 
 #include "scene/map_io.h"
 #include "tests/support.h"
-#include "techniques.h"
+
 
 namespace fs = std::filesystem;
 using namespace sward;
@@ -16,7 +16,7 @@ using sward::test::TempDir;
 using sward::test::writeText;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
+std::span<const ComponentRow> rows() { return sharedComponentRows(); }
 
 Project made(const fs::path& dir) {
     Result<Project> p = newProject(dir);
