@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "panels/panels.h"
+#include "panels/viewport_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
@@ -126,6 +127,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
     ui::applyTheme(surface->contentScale());
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
+    if (gpu.software) viewport.resolution.movingScale = kMinScale;  // a first guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
@@ -142,6 +144,7 @@ EditorApp::~EditorApp() {
     ImGui::SetCurrentContext(imgui);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
+    freePicture(viewport);
     renderer.reset();
 }
 
@@ -252,7 +255,8 @@ void selectTool(EditorApp& app, const std::string& tool) {
 void adoptProject(EditorApp& app) {
     app.shownProject = app.doc.project().dir;
     app.viewport.drawnRevision = ~uint64_t(0);
-    app.viewport.resolution = {};
+    app.viewport.resolution.stale = true;
+    app.viewport.resolution.fullMs = 0;
     app.selected.clear();
     app.book.errors.clear();
     if (const Camera* camera = findCamera(app.doc.project(), "")) app.viewport.camera = flyFrom(viewOf(*camera));

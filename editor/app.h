@@ -36,7 +36,13 @@ struct Viewport {
     bool flying = false;                   // keys move the camera in this frame
     double lastX = -1, lastY = -1;         // pointer at the last step of the gesture
     Resolution resolution;
-    double lastMs = 0;                     // of the last drawing
+    double lastMs = 0;                     // of the last drawing, all its parts together
+    FrameStats stats;                      // of the same
+    double bladesVirtual = 0;              // the population, counted at rest
+    uint64_t bladesVisible = 0;            // counted at rest while measuring
+    uint64_t countedRevision = ~uint64_t(0);
+    unsigned picture = 0, pictureTarget = 0, pictureSource = 0;  // GL texture on the screen, and how it is written
+    int pictureWidth = 0, pictureHeight = 0;
     int skipped = 0;                       // frames that showed an old image because input was waiting
     // What the image on the screen shows.
     uint64_t drawnRevision = ~uint64_t(0);
