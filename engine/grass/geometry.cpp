@@ -128,7 +128,7 @@ void cull(DrawContext& ctx) {
     const GeometryRange range = geometryRange(f);
     const size_t n = std::min<size_t>(f.species.size(), MAX_SPECIES);
     state.species.resize(n);
-    const float pixels = pixelsPerMetre(ctx.camera, ctx.settings.height);
+    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     CoverGlobals cover{};
     cover.tiers = {static_cast<float>(n), range.min, range.inv, f.cellSize};
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
