@@ -1,0 +1,64 @@
+#include "cli/cli.h"
+#include "document.h"
+#include "script/script.h"
+#include "techniques.h"
+#include "ui/driver.h"
+
+namespace sward {
+namespace {
+
+// The editor without a window, made at the first ui.* call: scripts that only make maps need no OpenGL context.
+class LazyUi final : public UiDriver {
+  public:
+    explicit LazyUi(Document& document) : document_(document) {}
+    Status click(const std::string& label) override { return with([&](UiDriver& d) { return d.click(label); }); }
+    Status set(const std::string& label, const std::string& text) override { return with([&](UiDriver& d) { return d.set(label, text); }); }
+    Result<std::string> get(const std::string& label) override {
+        if (Status s = make(); !s) return s.error();
+        return driver_->get(label);
+    }
+    bool exists(const std::string& label) override { return make() && driver_->exists(label); }
+    Status key(const std::string& chord) override { return with([&](UiDriver& d) { return d.key(chord); }); }
+    Status drag(double x1, double y1, double x2, double y2) override { return with([&](UiDriver& d) { return d.drag(x1, y1, x2, y2); }); }
+    Status wait(int frames) override { return with([&](UiDriver& d) { return d.wait(frames); }); }
+    Status screenshot(const std::filesystem::path& file) override { return with([&](UiDriver& d) { return d.screenshot(file); }); }
+
+  private:
+    Status make() {
+        if (driver_) return {};
+        auto gpu = makeHeadlessGpu();
+        if (!gpu) return gpu.error();
+        gpu_ = std::move(*gpu);
+        driver_ = makeHeadlessUi(document_, *gpu_, 1280, 800);
+        return {};
+    }
+    template <class F>
+    Status with(F&& f) {
+        if (Status s = make(); !s) return s;
+        return f(*driver_);
+    }
+    Document& document_;
+    std::unique_ptr<Gpu> gpu_;
+    std::unique_ptr<UiDriver> driver_;
+};
+
+Result<std::unique_ptr<UiDriver>> makeUi(Document& document, bool window) {
+    if (window) return makeWindowUi(document, 1440, 900);
+    return std::unique_ptr<UiDriver>(std::make_unique<LazyUi>(document));
+}
+
+}  // namespace
+
+int scriptVerb(const ScriptOptions& o) {
+    Document document(tables());
+    if (!o.project.empty())
+        if (Status s = document.open(o.project); !s) return report(s.error());
+    auto ui = makeUi(document, o.window);
+    if (!ui) return report(ui.error());
+    ScriptHost host{document};
+    host.ui = ui->get();
+    if (Status s = runScript(o.file, host); !s) return report(s.error());
+    return 0;
+}
+
+}  // namespace sward
