@@ -178,14 +178,15 @@ void runFrame(EditorApp& app, double waitSeconds) {
 double idleSeconds(const EditorApp& app) {
     if (wantsFrame(app)) return 0;
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen() ? -1 : secondsToRefine(app.viewport.resolution, clockSeconds());
-    return refine >= 0 ? std::min(refine, kIdleSeconds) : kIdleSeconds;
+    const double idle = app.book.tooltipDue ? 0.1 : kIdleSeconds;
+    return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
 void runUntilQuit(EditorApp& app) {
     while (!app.quit) {
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
     }
 }
 
