@@ -112,6 +112,32 @@ double pieceDistance(const Shape& s, const Piece& piece, double x, double z) {
     return isWithin(s.points, x, z) ? -nearest : nearest;
 }
 
+struct Texel {
+    double x, z;  // its sides
+    double fade;  // over which the edge goes from 1 to 0
+    bool soft;    // as asked for, in an S; else only antialiased
+};
+
+// The share of [a, b] that lies within [low, high].
+double overlap(double a, double b, double low, double high) {
+    return std::max(0.0, std::min(b, high) - std::max(a, low)) / (b - a);
+}
+
+// Share of the texel around (x, z) that the shape covers: exact for hard rectangles, else by the distance of its
+// centre.
+double coverage(const Shape& s, const Piece& piece, const Texel& texel, double x, double z) {
+    if (s.kind == ShapeKind::Rect && !texel.soft) {
+        const auto [x0, x1] = std::minmax(s.points[0].first, s.points[1].first);
+        const auto [z0, z1] = std::minmax(s.points[0].second, s.points[1].second);
+        return overlap(x - texel.x / 2, x + texel.x / 2, x0, x1) * overlap(z - texel.z / 2, z + texel.z / 2, z0, z1);
+    }
+    const double t = std::clamp(0.5 - pieceDistance(s, piece, x, z) / texel.fade, 0.0, 1.0);
+    if (texel.soft) return t * t * (3 - 2 * t);
+    if (s.kind != ShapeKind::Polyline || s.width >= texel.fade) return t;
+    return t * 4 * s.width * texel.fade /
+           ((s.width + texel.fade) * (s.width + texel.fade));  // a line thinner than a texel
+}
+
 }  // namespace
 
 double shapeDistance(const Shape& s, double x, double z) {
@@ -143,12 +169,11 @@ size_t drawShape(Map& map, double width, double depth, const Shape& shape, const
         rects.push_back(r);
         pieces.push_back(std::move(piece));
     }
+    const Texel size{dx, dz, fade, paint.soft > texel};
     editPieces(map, rects, [&](size_t i, int x, int y, float* values) {
-        const double d = pieceDistance(shape, pieces[i], (x + 0.5) * dx, (y + 0.5) * dz);
-        const double t = std::clamp(0.5 - d / fade, 0.0, 1.0);
-        const double coverage = paint.soft > texel ? t * t * (3 - 2 * t) : t;
-        if (coverage <= 0) return;
-        const auto c = static_cast<float>(paint.opacity * coverage);
+        const auto c =
+            static_cast<float>(paint.opacity * coverage(shape, pieces[i], size, (x + 0.5) * dx, (y + 0.5) * dz));
+        if (c <= 0) return;
         for (int k = 0; k < info.channels; ++k) values[k] = blend(paint.mode, values[k], paint.value[size_t(k)], c);
     });
     return texels;

@@ -32,7 +32,7 @@ void countHook(lua_State* L, lua_Debug*) { count(L, kHookEvery, 0); }
 void count(lua_State* L, uint64_t instructions, int level) {
     State& state = stateOf(L);
     const uint64_t most = state.host.limits.instructions;
-    state.instructions = std::min(state.instructions, most) + std::min(instructions, most);
+    state.instructions = std::min(state.instructions, most) + std::min(instructions, most + 1);
     if (state.instructions <= most) return;
     state.limitHit = fmt::format("the script used up its {} instructions", most);
     lua_sethook(L, countHook, LUA_MASKCOUNT, 1);
@@ -70,6 +70,43 @@ int setMetatable(lua_State* L, State&) {
     lua_settop(L, 2);
     lua_setmetatable(L, 1);
     return 1;
+}
+
+// Unwinding takes as long as thousands of instructions, and is paid as such.
+constexpr uint64_t kErrorCost = 5000;
+
+int endProtected(lua_State* L, int status, lua_KContext) {
+    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(L);
+    charge(L, kErrorCost);
+    lua_pushboolean(L, false);
+    lua_insert(L, -2);
+    return 2;
+}
+int protectedCall(lua_State* L, State&) {
+    luaL_checkany(L, 1);
+    lua_pushboolean(L, true);
+    lua_insert(L, 1);
+    return endProtected(L, lua_pcallk(L, lua_gettop(L) - 2, LUA_MULTRET, 0, 0, endProtected), 0);
+}
+
+// Lua would call the handler from within the hook that looks at the bound, where no bound is looked at: here it is
+// called once the function has been left. The function cannot yield.
+int handledCall(lua_State* L, State&) {
+    luaL_checkany(L, 2);
+    lua_pushvalue(L, 1);
+    lua_insert(L, 3);  // function, handler, function, arguments
+    if (lua_pcall(L, lua_gettop(L) - 3, LUA_MULTRET, 0) == LUA_OK) {
+        lua_pushboolean(L, true);
+        lua_replace(L, 2);
+        return lua_gettop(L) - 1;
+    }
+    charge(L, kErrorCost);
+    lua_pushvalue(L, 2);
+    lua_insert(L, -2);
+    lua_call(L, 1, 1);
+    lua_pushboolean(L, false);
+    lua_insert(L, -2);
+    return 2;
 }
 
 // A new coroutine's first instructions are not looked at: it pays for them in advance.
@@ -117,6 +154,8 @@ void openLibraries(lua_State* L) {
     lua_pop(L, 1);
     lua_register(L, "print", luaCall<print>);
     lua_register(L, "setmetatable", luaCall<setMetatable>);
+    lua_register(L, "pcall", luaCall<protectedCall>);
+    lua_register(L, "xpcall", luaCall<handledCall>);
     wrap(L, LUA_COLIBNAME, "create", payForCoroutine);
     wrap(L, LUA_COLIBNAME, "wrap", payForCoroutine);
     wrap(L, LUA_TABLIBNAME, "move", payForMove);

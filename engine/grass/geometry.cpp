@@ -130,8 +130,8 @@ void cull(DrawContext& ctx) {
     state.species.resize(n);
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(n), range.min, range.inv, 0};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, 0};
+    cover.tiers = {static_cast<float>(n), range.min, range.inv, f.cellSize};
+    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
     for (size_t i = 0; i < n; ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         SpeciesState& s = *state.species[i];

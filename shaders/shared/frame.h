@@ -36,11 +36,12 @@ struct CoverSpecies {
     SHARED_VEC4 ambient;       // mean ambient light on what is seen, darkened towards the root; w: mean height (m)
     SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density;
                                // z, w: horizontal and vertical part of the normals of what is seen, darkened likewise
+    SHARED_VEC4 clumps;        // x: clump size (m); y: share of lightness; z, w: 0
 };
 struct CoverGlobals {
     CoverSpecies species[4];   // MAX_SPECIES
-    SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: 0
-    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion
+    SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
+    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion; w: seed
 };
 
 // What the vertex shader of blades reads of a species.

@@ -1,0 +1,172 @@
+#include "script/map_ops.h"
+
+#include <gtest/gtest.h>
+
+#include "script/map_shapes.h"
+
+namespace sward {
+namespace {
+
+Map filled(int width, int height, int channels, PixelType type, float value) {
+    Map map({width, height, channels, type});
+    fillMap(map, {value, value, value, value});
+    return map;
+}
+
+TEST(MapOps, FillRoundsToNearestInEveryTypeAndLeavesThePaddingZero) {
+    for (const PixelType type : {PixelType::U8, PixelType::U16, PixelType::F32}) {
+        const Map map = filled(200, 130, 1, type, 0.3f);
+        EXPECT_NEAR(map.mean(), 0.3, type == PixelType::U8 ? 0.002 : 1e-5);
+        for (const std::byte b : std::span(map.tile(1, 1)->bytes).subspan(size_t(100) * pixelBytes(type), 20))
+            EXPECT_EQ(b, std::byte(0));
+    }
+}
+
+TEST(MapOps, NoiseLiesInItsRangeAndIsCentredAndFollowsItsSeed) {
+    NoiseSettings s;
+    s.scale = 3;
+    s.mode = NoiseMode::Set;
+    s.amount = 2;
+    Map a({512, 512, 1, PixelType::F32}), b = a, c = a;
+    noiseMap(a, 100, 100, s, kAllChannels);
+    noiseMap(b, 100, 100, s, kAllChannels);
+    s.seed = 1;
+    noiseMap(c, 100, 100, s, kAllChannels);
+    EXPECT_EQ(a.hash(), b.hash());
+    EXPECT_NE(a.hash(), c.hash());
+    EXPECT_NEAR(a.mean(), 1, 0.08);
+    float low = 9, high = -9, steepest = 0;
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 511; ++x) {
+            low = std::min(low, a.at(x, y));
+            high = std::max(high, a.at(x, y));
+            steepest = std::max(steepest, std::abs(a.at(x, y) - a.at(x + 1, y)));
+        }
+    EXPECT_GE(low, 0);
+    EXPECT_LE(high, 2);
+    EXPECT_LT(low, 0.5f);
+    EXPECT_GT(high, 1.5f);
+    EXPECT_LT(steepest, 0.5f);  // it is smooth, over tiles too
+}
+
+TEST(MapOps, NoiseAddsAndMultipliesOnChosenChannelsOnly) {
+    Map map = filled(64, 64, 4, PixelType::F32, 0.5f);
+    NoiseSettings s;
+    s.amount = 0.25;
+    noiseMap(map, 64, 64, s, {true, false, false, false});
+    s.mode = NoiseMode::Multiply;
+    noiseMap(map, 64, 64, s, {false, true, false, false});
+    EXPECT_NEAR(map.mean(0), 0.5, 0.05);
+    EXPECT_NE(map.at(3, 5, 0), map.at(40, 40, 0));
+    EXPECT_LE(std::abs(map.at(3, 5, 1) - 0.5f), 0.125f);
+    EXPECT_NE(map.at(3, 5, 1), 0.5f);
+    EXPECT_EQ(map.mean(2), 0.5);
+    EXPECT_EQ(map.mean(3), 0.5);
+}
+
+TEST(MapOps, BlurSpreadsAPointByItsRadiusAndKeepsTheSum) {
+    for (const double radius : {2.0, 6.0, 25.0}) {
+        Map map({301, 301, 1, PixelType::F32});
+        map.set(150, 150, 0, 1);
+        blurMap(map, radius, radius, kAllChannels);
+        double sum = 0, variance = 0;
+        for (int y = 0; y < 301; ++y)
+            for (int x = 0; x < 301; ++x) {
+                sum += map.at(x, y);
+                variance += map.at(x, y) * (x - 150) * (x - 150);
+            }
+        EXPECT_NEAR(sum, 1, 1e-4);
+        EXPECT_NEAR(std::sqrt(variance), radius / 2, 0.15 * radius + 0.3);
+        EXPECT_FLOAT_EQ(map.at(150 - 5, 150), map.at(150 + 5, 150));
+        EXPECT_NEAR(map.at(150, 150 + 5), map.at(150 + 5, 150), 1e-6);
+    }
+}
+
+TEST(MapOps, BlurOfAFlatMapAndOfNoRadiusChangesNothing) {
+    Map map = filled(100, 60, 2, PixelType::U16, 0.37f);
+    const uint64_t hash = map.hash();
+    blurMap(map, 9, 30, kAllChannels);
+    EXPECT_EQ(map.hash(), hash);
+    map.set(5, 5, 0, 1);
+    const uint64_t dotted = map.hash();
+    blurMap(map, 0, 0, kAllChannels);
+    EXPECT_EQ(map.hash(), dotted);
+    blurMap(map, 1e4, 1e4, kAllChannels);  // wider than the map
+    EXPECT_NEAR(map.at(99, 59, 0), 0.37f, 0.01f);
+}
+
+TEST(MapOps, CurveGoesThroughItsPointsAndIsLevelBeyond) {
+    Map map({5, 1, 1, PixelType::F32});
+    const float in[] = {-1, 0.25f, 0.5f, 0.75f, 2};
+    for (int x = 0; x < 5; ++x) map.set(x, 0, 0, in[x]);
+    curveMap(map, {{0.25, 0.1}, {0.5, 0.9}, {1, 0.4}}, kAllChannels);
+    EXPECT_FLOAT_EQ(map.at(0, 0), 0.1f);
+    EXPECT_FLOAT_EQ(map.at(1, 0), 0.1f);
+    EXPECT_FLOAT_EQ(map.at(2, 0), 0.9f);
+    EXPECT_FLOAT_EQ(map.at(3, 0), 0.65f);
+    EXPECT_FLOAT_EQ(map.at(4, 0), 0.4f);
+}
+
+// --- shapes: the sum over a float map is the area
+// ---------------------------------------------------------------------
+
+double areaOf(const Shape& shape, ShapePaint paint = {}, int texels = 600) {
+    Map map({texels, texels, 1, PixelType::F32});
+    drawShape(map, 30, 30, shape, paint);
+    return map.mean() * 900;
+}
+constexpr double kPi = 3.14159265358979323846;
+
+TEST(MapShapes, AreasAreThoseOfGeometry) {
+    EXPECT_NEAR(areaOf({ShapeKind::Disc, {{15, 15}}, 6}), kPi * 36, 0.2);
+    EXPECT_NEAR(areaOf({ShapeKind::Disc, {{15, 15}}, 6, 5}), kPi * 11, 0.2);
+    EXPECT_NEAR(areaOf({ShapeKind::Rect, {{2.1, 3.3}, {12.6, 20.9}}}), 10.5 * 17.6, 0.2);
+    EXPECT_NEAR(areaOf({ShapeKind::Rect, {{12.6, 20.9}, {2.1, 3.3}}}), 10.5 * 17.6, 0.2);
+    EXPECT_NEAR(areaOf({ShapeKind::Polygon, {{5, 5}, {25, 5}, {5, 25}}}), 200, 0.3);
+    EXPECT_NEAR(areaOf({ShapeKind::Polyline, {{5, 5}, {25, 20}}, 1, 0, 2}), 25 * 2 + kPi, 0.3);
+    EXPECT_NEAR(areaOf({ShapeKind::Polyline, {{10, 10}}, 1, 0, 4}), kPi * 4, 0.1);
+    EXPECT_NEAR(areaOf({ShapeKind::Polyline, {{5, 5}, {25, 5}, {25, 25}, {5, 25}}, 1, 0, 1, true}), 79 + kPi / 4, 0.3);
+    EXPECT_NEAR(areaOf({ShapeKind::Disc, {{0, 0}}, 6}), kPi * 36 / 4, 0.2);  // cut off by the edge
+    EXPECT_EQ(areaOf({ShapeKind::Disc, {{-20, 15}}, 6}), 0);
+}
+
+TEST(MapShapes, WhatIsThinnerThanATexelStillCoversItsArea) {
+    // 12 cm on texels of 25 cm.
+    EXPECT_NEAR(areaOf({ShapeKind::Rect, {{5, 5.06}, {25, 5.18}}}, {}, 120), 20 * 0.12, 1e-4);
+    EXPECT_NEAR(areaOf({ShapeKind::Polyline, {{5, 5.03}, {25, 14.7}}, 1, 0, 0.12}, {}, 120),
+                std::hypot(20, 9.67) * 0.12, 0.1);
+}
+
+TEST(MapShapes, LongLinesMeanTheSameWhateverTilesTheyCross) {
+    std::vector<ShapePoint> line;
+    for (int i = 0; i <= 100; ++i) line.emplace_back(2 + 0.26 * i, 15 + 8 * std::sin(0.2 * i));
+    const Shape shape{ShapeKind::Polyline, line, 1, 0, 0.8};
+    Map map({600, 600, 1, PixelType::F32});
+    ShapePaint paint;
+    paint.soft = 0.6;
+    drawShape(map, 30, 30, shape, paint);
+    for (int y = 3; y < 600; y += 7)
+        for (int x = 3; x < 600; x += 5) {
+            const double t = std::clamp(0.5 - shapeDistance(shape, (x + 0.5) * 0.05, (y + 0.5) * 0.05) / 0.6, 0.0, 1.0);
+            ASSERT_NEAR(map.at(x, y), t * t * (3 - 2 * t), 1e-5) << x << "," << y;
+        }
+}
+
+TEST(MapShapes, BlendModes) {
+    const Shape all{ShapeKind::Rect, {{-9, -9}, {99, 99}}};
+    const auto blended = [&](BlendMode mode, float value, double opacity) {
+        Map map = filled(4, 4, 1, PixelType::F32, 0.5f);
+        drawShape(map, 30, 30, all, {{value, 0, 0, 0}, mode, opacity, 0});
+        return map.at(2, 2);
+    };
+    EXPECT_FLOAT_EQ(blended(BlendMode::Set, 0.9f, 1), 0.9f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Set, 0.9f, 0.5), 0.7f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Add, 2, 0.5), 1.5f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Multiply, 0.5f, 1), 0.25f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Max, 0.2f, 1), 0.5f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Max, 0.8f, 1), 0.8f);
+    EXPECT_FLOAT_EQ(blended(BlendMode::Min, 0.2f, 1), 0.2f);
+}
+
+}  // namespace
+}  // namespace sward

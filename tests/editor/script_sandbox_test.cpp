@@ -1,0 +1,191 @@
+// What scripts cannot do: reach other files, run for ever, take all memory, get out of Lua.
+#include <gtest/gtest.h>
+
+#include "script/script.h"
+#include "support.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TempDir;
+
+struct Cage {
+    TempDir dir;
+    Document doc{tables()};
+    ScriptHost host{doc};
+    std::string fault(const std::string& text) {
+        test::writeText(dir / "inside/test.lua", text);
+        const Status s = runScript(dir / "inside/test.lua", host);
+        return s ? "" : s.error().text();
+    }
+};
+bool says(const std::string& fault, const std::string& part) { return fault.find(part) != std::string::npos; }
+
+TEST(Sandbox, DangerousLibrariesAreNotThere) {
+    Cage c;
+    EXPECT_EQ(c.fault(R"(
+        for _, name in ipairs{'os', 'io', 'debug', 'package', 'require', 'load', 'loadfile', 'dofile', 'collectgarbage', 'loadstring'} do
+            expect.equal(_G[name], nil, name)
+        end
+        expect.equal(string.dump, nil)
+        expect.equal(('').dump, nil))"),
+              "");
+}
+
+TEST(Sandbox, CompiledLuaIsRefused) {
+    Cage c;
+    EXPECT_TRUE(says(c.fault(std::string("\x1bLua\x54\x00", 6)), "text only"));
+}
+
+TEST(Sandbox, FinalizersAreRefused) {
+    Cage c;
+    EXPECT_TRUE(says(c.fault("setmetatable({}, {__gc = function() while true do end end})"), "finalizers"));
+    EXPECT_EQ(c.fault("local t = setmetatable({}, {__index = {a = 1}}) expect.equal(t.a, 1)"), "");
+    EXPECT_TRUE(says(c.fault("setmetatable(setmetatable({}, {__metatable = 1}), {})"), "protected"));
+}
+
+TEST(Sandbox, ProtectedCallsWork) {
+    Cage c;
+    EXPECT_EQ(c.fault(R"(
+        expect.equal({pcall(function(a) return a, 'x' end, 1)}, {true, 1, 'x'})
+        expect.equal({pcall(error, {code = 5})}, {false, {code = 5}})
+        local co = coroutine.wrap(function() return pcall(function() coroutine.yield(1) error('late', 0) end) end)
+        expect.equal(co(), 1)
+        expect.equal({co()}, {false, 'late'})
+        expect.equal({xpcall(function(a, b) return a + b, 'x' end, print, 1, 2)}, {true, 3, 'x'})
+        expect.equal({xpcall(function() error({code = 5}) end, function(e) return e.code end)}, {false, 5}))"),
+              "");
+}
+
+TEST(Sandbox, EndlessScriptsEndAndSayTheirBound) {
+    Cage c;
+    c.host.limits.instructions = 2'000'000;
+    const std::string bound = "the script used up its 2000000 instructions";
+    for (const char* endless : {
+             "while true do end",
+             "repeat until false",
+             "local function f() return f() end f()",
+             "while true do pcall(function() while true do end end) end",
+             "pcall(function() while true do end end)",
+             "while true do pcall(error) end",
+             "xpcall(function() while true do end end, function() while true do end end)",
+             "while true do coroutine.wrap(function() for i = 1, 900 do end end)() end",
+             "while true do local co = coroutine.create(function() while true do end end) coroutine.resume(co) end",
+             "local t = setmetatable({}, {__index = function() while true do end end}) local x = t.a",
+             "local t = setmetatable({}, {__close = function() while true do end end}) do local x <close> = t end",
+             "table.move({}, 1, 1 << 53, 2)",
+             "table.sort({3, 2, 1}, function() while true do end end)",
+             "print(setmetatable({}, {__tostring = function() while true do end end}))",
+             "project.new() while true do map.noise('density', {scale = 1, octaves = 16}) end",
+             "project.new() while true do map.disc('density', {x = 20, z = 20, radius = 30}) end",
+             "project.new() while true do map.mean('density') end",
+             "project.new() map.fill('density', function() while true do end end)",
+             "project.new() local i = 0 while true do i = i + 1 entity.add('e' .. i) end",
+         })
+        EXPECT_TRUE(says(c.fault(endless), bound)) << endless << "\n" << c.fault(endless);
+}
+
+TEST(Sandbox, TheBoundIsToldWithTheLineThatReachedIt) {
+    Cage c;
+    c.host.limits.instructions = 100'000;
+    EXPECT_TRUE(says(c.fault("local x = 0\nwhile true do\n  x = x + 1\nend"), "test.lua:3: the script used up"));
+}
+
+TEST(Sandbox, TooMuchMemoryIsRefusedWithTheBound) {
+    Cage c;
+    c.host.limits.memoryBytes = size_t(32) << 20;
+    for (const char* greedy : {
+             "local t = {} for i = 1, 1e8 do t[i] = i end",
+             "local s = 'x' while true do s = s .. s end",
+             "string.rep('x', 1 << 30)",
+             "local t = {} for i = 1, 1e8 do t[i] = {} end",
+         })
+        EXPECT_TRUE(says(c.fault(greedy), "more than its 32 MiB of memory")) << greedy << "\n" << c.fault(greedy);
+    EXPECT_EQ(c.fault("expect.truthy(not pcall(string.rep, 'x', 1 << 30))"), "");  // may be caught: it did no harm
+}
+
+TEST(Sandbox, DeepRecursionEndsTheScriptOnly) {
+    Cage c;
+    EXPECT_TRUE(says(c.fault("local function f() return 1 + f() end f()"), "stack overflow"));
+    EXPECT_NE(c.fault("local t = {} for i = 1, 1000 do t = {t} end local u = {} for i = 1, 1000 do u = {u} end "
+                      "expect.equal(t, u)"),
+              "");
+    EXPECT_NE(c.fault("string.rep('(', 1000000):find(string.rep('(', 1000))"), "");
+}
+
+TEST(Sandbox, MapsBeyondTheirBoundAreRefused) {
+    Cage c;
+    EXPECT_TRUE(
+        says(c.fault("project.new() map.create{path = 'vegetation', width = 16384, height = 16384, type = 'f32'}"),
+             "the most is 1024"));
+    c.host.limits.mapBytes = size_t(1) << 20;
+    EXPECT_TRUE(says(c.fault("project.new() map.create{path = 'density', width = 2048, height = 2048}"),
+                     "a script may make them 1"));
+    EXPECT_TRUE(says(c.fault("project.new() map.create{path = 'density', width = 99999, height = 1}"), "1 to 16384"));
+}
+
+// --- files -----------------------------------------------------------------------------------------------------------
+
+TEST(Sandbox, FilesOutsideAreOutOfReach) {
+    Cage c;
+    ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png') map.export('density', 'p/ok.png')"), "");
+    EXPECT_TRUE(fs::exists(c.dir / "inside/p/ok.png"));
+    fs::copy_file(c.dir / "inside/ok.png", c.dir / "outside.png");
+    const std::string outside = (c.dir / "outside.png").string(), refusal = "scripts reach only files";
+    EXPECT_TRUE(says(c.fault("map.import('density', '" + outside + "')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.import('density', '../outside.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.import('density', 'p/../../outside.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', '../new.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', '/tmp/sward-escape.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("project.new('../other')"), refusal));
+    EXPECT_TRUE(says(c.fault("project.saveAs('../other')"), refusal));
+    EXPECT_FALSE(fs::exists(c.dir / "other"));
+    EXPECT_FALSE(fs::exists(c.dir / "new.png"));
+}
+
+TEST(Sandbox, SymbolicLinksCountAsWhereTheyLead) {
+    Cage c;
+    ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png')"), "");
+    fs::rename(c.dir / "inside/ok.png", c.dir / "outside.png");
+    fs::create_symlink(c.dir / "outside.png", c.dir / "inside/link.png");
+    fs::create_symlink(c.dir / "nowhere.png", c.dir / "inside/dangling.png");
+    fs::create_directory_symlink(c.dir.path, c.dir / "inside/up");
+    const std::string refusal = "scripts reach only files";
+    EXPECT_TRUE(says(c.fault("map.import('density', 'link.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', 'link.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', 'dangling.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', 'up/new.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("project.new('up/other')"), refusal));
+    EXPECT_FALSE(fs::exists(c.dir / "nowhere.png"));
+    EXPECT_FALSE(fs::exists(c.dir / "new.png"));
+}
+
+TEST(Sandbox, AProjectElsewhereMayBeOpenedAndCopiedButNotAnyFolder) {
+    Cage c;
+    ASSERT_EQ(c.fault("project.new('p') project.saveAs('q')"), "");
+    fs::rename(c.dir / "inside/q", c.dir / "q");
+    const std::string q = "'" + (c.dir / "q").string() + "'";
+    EXPECT_EQ(c.fault("project.open(" + q + ") map.export('density', project.dir() .. '/new.png')"), "");
+    EXPECT_EQ(c.fault("project.open(project.tempCopy(" + q + ")) project.save()"), "");
+    EXPECT_TRUE(says(c.fault("project.tempCopy('/etc')"), "no project"));
+    EXPECT_TRUE(says(c.fault("project.open('/etc')"), "project.json"));
+    EXPECT_TRUE(says(c.fault("project.tempCopy('nowhere')"), "no such project"));
+}
+
+TEST(Sandbox, TempCopyTakesNoLinksAlong) {
+    Cage c;
+    ASSERT_EQ(c.fault("project.new('p')"), "");
+    test::writeText(c.dir / "secret", "s");
+    fs::create_symlink(c.dir / "secret", c.dir / "inside/p/link");
+    std::string copy;
+    c.host.print = [&](const std::string& line) { copy = line; };
+    bool linked = true;
+    c.host.useCamera = [&](const std::string&) { linked = fs::exists(fs::path(copy) / "link"); };
+    ASSERT_EQ(c.fault("local c = project.tempCopy('p') print(c) project.open(c) camera.use('camera')"), "");
+    EXPECT_FALSE(linked);
+}
+
+}  // namespace
+}  // namespace sward
