@@ -127,7 +127,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
     ui::applyTheme(surface->contentScale());
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
-    if (gpu.software) viewport.resolution.movingScale = kMinScale;  // a first guess; drawings teach better
+    if (gpu.software) viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
@@ -152,7 +152,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
     runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
-    if (app.surface->takeCloseRequest()) requestQuit(app);
+    if (!app.queue.pending() && app.surface->takeCloseRequest()) requestQuit(app);  // what was typed before comes first
     if (app.queue.pending()) app.framesWanted = 4;
     --app.framesWanted;
     app.in = app.queue.next();
