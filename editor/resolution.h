@@ -32,8 +32,8 @@ inline constexpr double kMinScale = 0.25;       // of the side
 inline constexpr double kMinDetail = 1.0 / 16;  // of the blades
 inline constexpr double kSlowMs = 50;           // a drawing slower than this is coarsened while something moves
 inline constexpr double kTargetMs = 45;         // what a drawing may cost then: 15 frames a second with the rest of a frame
-inline constexpr double kStripMs = 60;          // what a strip should cost
-inline constexpr double kMinStrip = 1.0 / 48;   // of the height
+inline constexpr double kStripMs = 120;         // what a strip should cost
+inline constexpr double kMinStrip = 1.0 / 24;   // of the height
 inline constexpr double kRestSeconds = 0.25;    // without a change until the image is refined
 
 // `changed`: camera, scene, size or decal differ from what was last drawn.

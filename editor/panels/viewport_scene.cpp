@@ -32,9 +32,13 @@ BrushDecal decalOf(EditorApp& app) {
 ResolutionPlan nextPlan(EditorApp& app, bool changed) {
     Resolution& r = app.viewport.resolution;
     ResolutionPlan plan;
+    if (app.surface->fixedStep() == 0 && !app.refineNow) {
+        plan = planDrawing(r, app.now, changed);
+        if (app.measure && plan.scale >= 1 && plan.detail >= 1) plan.from = 0, plan.to = 1;  // numbers are of whole pictures
+        return plan;
+    }
     plan.draw = changed || r.stale || (app.refineNow && r.drawnScale < 1);
     if (app.refineNow) return plan;
-    if (app.surface->fixedStep() == 0) return planDrawing(r, app.now, changed);
     plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25;
     return plan;
 }
@@ -73,22 +77,12 @@ double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& s
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave these.
 void keepStats(Viewport& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
-    if (plan.from <= 0) {
-        v.stats = stats;
-        v.lastMs = ms;
-        return;
-    }
-    v.stats.bladesGeometry += stats.bladesGeometry;
-    v.stats.cells += stats.cells;
-    v.stats.cpuCullMs += stats.cpuCullMs;
-    v.lastMs += ms;
-    for (size_t i = 0; i < std::min(stats.passes.size(), v.stats.passes.size()); ++i) {
-        PassStats& sum = v.stats.passes[i];
-        const PassStats& one = stats.passes[i];
-        sum.ms += one.ms, sum.draws += one.draws, sum.instances += one.instances;
-        sum.vertices += one.vertices, sum.fragments += one.fragments;
-    }
+    v.lastMs = plan.from <= 0 ? ms : v.lastMs + ms;
+    if (!plan.whole()) return;
+    v.stats = stats;
+    v.stats.bladesGeometry = static_cast<uint64_t>(static_cast<double>(stats.bladesGeometry) / plan.detail);
 }
 
 void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
