@@ -127,7 +127,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
     ui::applyTheme(surface->contentScale());
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
-    if (gpu.software) viewport.resolution.movingScale = kMinScale;  // a first guess; drawings teach better
+    if (gpu.software) viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
@@ -152,7 +152,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
     runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
-    if (app.surface->takeCloseRequest()) requestQuit(app);
+    if (!app.queue.pending() && app.surface->takeCloseRequest()) requestQuit(app);  // what was typed before comes first
     if (app.queue.pending()) app.framesWanted = 4;
     --app.framesWanted;
     app.in = app.queue.next();
@@ -178,14 +178,15 @@ void runFrame(EditorApp& app, double waitSeconds) {
 double idleSeconds(const EditorApp& app) {
     if (wantsFrame(app)) return 0;
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen() ? -1 : secondsToRefine(app.viewport.resolution, clockSeconds());
-    return refine >= 0 ? std::min(refine, kIdleSeconds) : kIdleSeconds;
+    const double idle = app.book.tooltipDue ? 0.1 : kIdleSeconds;
+    return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
 void runUntilQuit(EditorApp& app) {
     while (!app.quit) {
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
     }
 }
 

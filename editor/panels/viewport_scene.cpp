@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-constexpr double kPartsMs = 35;  // of a frame, for parts of the full picture
+constexpr double kStripsMs = 35;  // of a frame, for strips of the full picture
 
 bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
     return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
@@ -31,9 +31,16 @@ BrushDecal decalOf(EditorApp& app) {
 // Headless frames draw coarsely, and in full for a screenshot: the same on every machine.
 ResolutionPlan nextPlan(EditorApp& app, bool changed) {
     Resolution& r = app.viewport.resolution;
-    if (app.refineNow) return {changed || r.stale || r.drawnScale < 1, 1, 4};
-    if (app.surface->fixedStep() == 0) return planDrawing(r, app.now, changed);
-    return {changed || r.stale, kMinScale, 1};
+    ResolutionPlan plan;
+    if (app.surface->fixedStep() == 0 && !app.refineNow) {
+        plan = planDrawing(r, app.now, changed);
+        if (app.measure && plan.scale >= 1 && plan.detail >= 1) plan.from = 0, plan.to = 1;  // numbers are of whole pictures
+        return plan;
+    }
+    plan.draw = changed || r.stale || (app.refineNow && r.drawnScale < 1);
+    if (app.refineNow) return plan;
+    plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25;
+    return plan;
 }
 
 // The texture on the screen, of the viewport's full size, whatever size is drawn.
@@ -52,12 +59,12 @@ void ensurePicture(Viewport& v, int width, int height) {
     v.hasImage = false;
 }
 
-// Puts the renderer's image into its place of the picture, stretched if it is coarser.
-void place(EditorApp& app, const ViewSettings& drawn, int x, int y, int width, int height) {
+// Puts the renderer's image into its rows of the picture, stretched if it is coarser.
+void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
     Viewport& v = app.viewport;
     glNamedFramebufferTexture(v.pictureSource, GL_COLOR_ATTACHMENT0, app.renderer->image(), 0);
     glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(v.pictureSource, v.pictureTarget, 0, 0, drawn.width, drawn.height, x, y, x + width, y + height,
+    glBlitNamedFramebuffer(v.pictureSource, v.pictureTarget, 0, 0, drawn.width, drawn.height, 0, y, v.pictureWidth, y + height,
                            GL_COLOR_BUFFER_BIT, GL_LINEAR);
     v.hasImage = true;
 }
@@ -70,42 +77,34 @@ double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& s
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave these.
 void keepStats(Viewport& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
-    if (plan.part == 0) {
-        v.stats = stats;
-        v.lastMs = ms;
-        return;
-    }
-    v.stats.bladesGeometry += stats.bladesGeometry;
-    v.stats.cells += stats.cells;
-    v.stats.cpuCullMs += stats.cpuCullMs;
-    v.lastMs += ms;
-    for (size_t i = 0; i < std::min(stats.passes.size(), v.stats.passes.size()); ++i) {
-        PassStats& sum = v.stats.passes[i];
-        const PassStats& one = stats.passes[i];
-        sum.ms += one.ms, sum.draws += one.draws, sum.instances += one.instances;
-        sum.vertices += one.vertices, sum.fragments += one.fragments;
-    }
+    v.lastMs = plan.from <= 0 ? ms : v.lastMs + ms;
+    if (!plan.whole()) return;
+    v.stats = stats;
+    v.stats.bladesGeometry = static_cast<uint64_t>(static_cast<double>(stats.bladesGeometry) / plan.detail);
 }
 
-void drawPart(EditorApp& app, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
+void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
     ViewSettings s = whole;
     s.msaa = plan.msaa;
-    int x = 0, y = 0, width = whole.width, height = whole.height;
-    if (plan.grid > 1) {
-        const int column = plan.part % plan.grid, row = plan.grid - 1 - plan.part / plan.grid;  // from the top down
-        x = whole.width * column / plan.grid, y = whole.height * row / plan.grid;
-        s.width = width = whole.width * (column + 1) / plan.grid - x;
-        s.height = height = whole.height * (row + 1) / plan.grid - y;
-        s.part = {x, y, whole.width, whole.height};
+    s.detail = static_cast<float>(plan.detail);
+    int y = 0, height = whole.height;
+    if (!plan.whole()) {
+        const int above = static_cast<int>(std::lround(whole.height * plan.from)), below = static_cast<int>(std::lround(whole.height * plan.to));
+        s.height = height = below - above;
+        y = whole.height - below;
+        s.part = {0, y, whole.width, whole.height};
     } else {
         s.width = std::max(1, static_cast<int>(whole.width * plan.scale));
         s.height = std::max(1, static_cast<int>(whole.height * plan.scale));
     }
-    if (width < 1 || height < 1) return;
-    const double ms = drawTimed(app, camera, s);
-    place(app, s, x, y, width, height);
-    keepStats(app.viewport, app.renderer->stats(), plan, ms);
+    double ms = 0;
+    if (height > 0) {
+        ms = drawTimed(app, camera, s);
+        place(app, s, y, height);
+        keepStats(app.viewport, app.renderer->stats(), plan, ms);
+    }
     learnDrawing(app.viewport.resolution, plan, ms);
     if (app.measure) app.viewport.countedRevision = ~uint64_t(0);
 }
@@ -151,9 +150,9 @@ void drawScene(EditorApp& app) {
     double spent = 0;
     while (plan.draw) {
         const double before = v.lastMs;
-        drawPart(app, camera, settings, plan);
-        spent += plan.part == 0 ? v.lastMs : v.lastMs - before;
-        if (plan.grid == 1 || spent > kPartsMs) break;
+        drawStrip(app, camera, settings, plan);
+        spent += plan.from <= 0 ? v.lastMs : v.lastMs - before;
+        if (plan.whole() || spent > kStripsMs) break;
         plan = nextPlan(app, false);
     }
     countAtRest(app, camera);

@@ -161,7 +161,7 @@ struct Renderer::Impl {
         g.viewProj = partProjection(s) * viewProjection(camera, wholeWidth(s), wholeHeight(s));
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), 0};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
     }
 
     void runSystems(DrawContext& ctx) {

@@ -44,6 +44,7 @@ struct ViewSettings {
     ViewMode mode = ViewMode::Final;
     double time = 0;            // scene seconds
     BrushDecal decal;
+    float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
     ViewPart part;              // width and height are then the part's
     bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)
 };

@@ -94,13 +94,16 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
 }
 
 void uploadCells(DrawContext& ctx, SpeciesState& s) {
+    const float detail = std::clamp(ctx.settings.detail, 0.01f, 1.0f);
     std::vector<Command> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
         const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
         const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(s.patch.blades.size()) + c.first * each;
-        commands.push_back({(c.last - c.first) * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
-        ctx.stats.bladesGeometry += c.last - c.first;
+        // In the order of thresholds, a prefix is an even choice.
+        const uint32_t blades = static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * detail));
+        commands.push_back({blades * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
+        ctx.stats.bladesGeometry += blades;
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
     writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(Command), commands.data());

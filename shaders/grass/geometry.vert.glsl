@@ -79,7 +79,7 @@ void main() {
     BladePose pose = poseHere(b, mirror, root, uv, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, v);
     float across = float(corner & 1) - 0.5;
-    vec3 position = at + f.position + f.side * (across * b.place.z);
+    vec3 position = at + f.position + f.side * (across * b.place.z * frame.mode.w);
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));

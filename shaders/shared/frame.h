@@ -26,7 +26,7 @@ struct FrameGlobals {
     SHARED_VEC4 haze;          // x: extinction per metre (0: none)
     SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
-    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: 0
+    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: factor of widths where fewer blades are drawn
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
