@@ -8,7 +8,7 @@ namespace {
 constexpr int kBlades = 64, kPoints = 4;
 
 // Share of a blade's point at v that other blades leave visible, seen from above eye height: tips hide roots.
-float seen(float v) { return std::exp(-1.2f * (1 - v)); }
+float seen(float v) { return std::exp(-2.4f * (1 - v)); }
 
 }  // namespace
 

@@ -26,8 +26,9 @@ layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // +1 or -1
 
-out vec4 lit;           // radiance; w: share of it that is haze
-out vec4 strip;         // across, along; opacity; dither
+// At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
+centroid out vec4 lit;   // radiance; w: share of it that is haze
+centroid out vec4 strip;         // across, along; opacity; dither
 
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
