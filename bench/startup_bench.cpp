@@ -3,8 +3,11 @@
 #include <cstdlib>
 
 #include "bench/limits.h"
+#include "gpu/gpu.h"
 
 namespace {
+using namespace sward;
+
 // Median seconds of five runs of `sward ARGS`; NaN if one fails.
 double medianRun(const std::string& args) {
     const std::string command = SWARD_BINARY_DIR "/sward " + args + " >/dev/null";
@@ -20,7 +23,10 @@ double medianRun(const std::string& args) {
 SWARD_LIMITS("startup", [] {
     const std::string football = SWARD_SOURCE_DIR "/projects/football";
     const std::string picture = (std::filesystem::temp_directory_path() / "sward-bench-startup.png").string();
-    reportLimit("startup: context and football loaded", medianRun("explain " + football), 1, "s");
+    // `check` starts, loads and needs no context; the context is added, made here.
+    bool made = false;
+    const double context = seconds([&] { made = static_cast<bool>(makeHeadlessGpu()); });
+    reportLimit("startup: football loaded, and a context made", made ? medianRun("check " + football) + context : std::nan(""), 1, "s");
     reportLimit("startup: football at human as a PNG of 320x240",
                 medianRun("render " + football + " --camera human --size 320x240 --out " + picture), 4, "s");
     std::filesystem::remove(picture);
