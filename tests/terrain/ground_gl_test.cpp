@@ -22,7 +22,7 @@ TEST(GroundPicture, HasNoCracks) {
     ViewSettings s = small();
     s.width = 320, s.height = 240;
     s.mode = ViewMode::Normals;  // ground is never black, what shows through a crack is
-    for (const ViewCamera& c : {ViewCamera{{200, 25, 200}, {230, 0, 215}, 55, 0}, ViewCamera{{60, 60, 60}, {200, 0, 180}, 55, 0}}) {
+    for (const ViewCamera& c : {ViewCamera{{200, 25, 200}, {230, 0, 215}, 55, 0}, ViewCamera{{60, 90, 60}, {120, 0, 100}, 55, 0}}) {
         ASSERT_TRUE(renderer.draw(p, c, s));
         const auto image = renderer.readImage();
         int black = 0;
