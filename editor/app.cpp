@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "panels/panels.h"
+#include "panels/viewport_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
@@ -60,6 +61,15 @@ void followProject(EditorApp& app) {
     keepMapValid(app);
 }
 
+void runConsole(EditorApp& app) {
+    while (!app.luaLines.empty() && app.runLua) {
+        const std::string line = app.luaLines.front();
+        app.luaLines.pop_front();
+        if (const Status status = app.runLua(line); !status) logError(status.error().text());
+        app.framesWanted = 4;
+    }
+}
+
 void runDeferred(EditorApp& app) {
     std::vector<std::function<void()>> edits;
     edits.swap(app.deferred);
@@ -103,7 +113,7 @@ void present(EditorApp& app) {
 }
 
 bool wantsFrame(const EditorApp& app) {
-    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() ||
+    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() || !app.luaLines.empty() ||
            app.viewport.drawnRevision != app.doc.revision() || hasFreshLog(app);
 }
 
@@ -117,6 +127,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
     ui::applyTheme(surface->contentScale());
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
+    if (gpu.software) viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
@@ -133,13 +144,15 @@ EditorApp::~EditorApp() {
     ImGui::SetCurrentContext(imgui);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
+    freePicture(viewport);
     renderer.reset();
 }
 
 void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
+    runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
-    if (app.surface->takeCloseRequest()) requestQuit(app);
+    if (!app.queue.pending() && app.surface->takeCloseRequest()) requestQuit(app);  // what was typed before comes first
     if (app.queue.pending()) app.framesWanted = 4;
     --app.framesWanted;
     app.in = app.queue.next();
@@ -165,14 +178,15 @@ void runFrame(EditorApp& app, double waitSeconds) {
 double idleSeconds(const EditorApp& app) {
     if (wantsFrame(app)) return 0;
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen() ? -1 : secondsToRefine(app.viewport.resolution, clockSeconds());
-    return refine >= 0 ? std::min(refine, kIdleSeconds) : kIdleSeconds;
+    const double idle = app.book.tooltipDue ? 0.1 : kIdleSeconds;
+    return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
 void runUntilQuit(EditorApp& app) {
     while (!app.quit) {
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
     }
 }
 
@@ -242,13 +256,21 @@ void selectTool(EditorApp& app, const std::string& tool) {
 void adoptProject(EditorApp& app) {
     app.shownProject = app.doc.project().dir;
     app.viewport.drawnRevision = ~uint64_t(0);
-    app.viewport.resolution = {};
+    app.viewport.resolution.stale = true;
+    app.viewport.resolution.fullMs = 0;
     app.selected.clear();
     app.book.errors.clear();
     if (const Camera* camera = findCamera(app.doc.project(), "")) app.viewport.camera = flyFrom(viewOf(*camera));
     for (const auto& [name, entity] : app.doc.project().entities)
         if (app.doc.project().registry.get<GrassField>(entity)) app.selected = name;
     keepMapValid(app);
+}
+
+bool goToCamera(EditorApp& app, const std::string& name) {
+    const Entity e = findEntity(app.doc.project(), name);
+    const Camera* camera = e == kNoEntity ? nullptr : app.doc.project().registry.get<Camera>(e);
+    if (camera) app.viewport.camera = flyFrom(viewOf(*camera));
+    return camera != nullptr;
 }
 
 std::vector<FieldRef> paintableMaps(EditorApp& app) {

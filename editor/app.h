@@ -36,7 +36,13 @@ struct Viewport {
     bool flying = false;                   // keys move the camera in this frame
     double lastX = -1, lastY = -1;         // pointer at the last step of the gesture
     Resolution resolution;
-    double lastMs = 0;                     // of the last drawing
+    double lastMs = 0;                     // of the last drawing, all its parts together
+    FrameStats stats;                      // of the same
+    double bladesVirtual = 0;              // the population, counted at rest
+    uint64_t bladesVisible = 0;            // counted at rest while measuring
+    uint64_t countedRevision = ~uint64_t(0);
+    unsigned picture = 0, pictureTarget = 0, pictureSource = 0;  // GL texture on the screen, and how it is written
+    int pictureWidth = 0, pictureHeight = 0;
     int skipped = 0;                       // frames that showed an old image because input was waiting
     // What the image on the screen shows.
     uint64_t drawnRevision = ~uint64_t(0);
@@ -108,6 +114,7 @@ struct EditorApp {
     std::string holding;                    // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
+    std::deque<std::string> luaLines;       // entered, run before the next frame: they may run frames themselves
     std::vector<std::function<void()>> deferred;       // edits, run once the widgets of this frame are built
     bool quit = false;
     bool refineNow = false;                 // screenshots: draw in full though something moves
@@ -139,6 +146,8 @@ bool saveNow(EditorApp& app);                     // asks where if the project w
 void selectTool(EditorApp& app, const std::string& tool);
 // After the document holds another project: its first camera, its first paintable map, nothing selected.
 void adoptProject(EditorApp& app);
+// Moves the view to a camera of the project. False if there is none of this name.
+bool goToCamera(EditorApp& app, const std::string& name);
 // Maps that brushes paint on: one channel, no heights; absent ones included.
 std::vector<FieldRef> paintableMaps(EditorApp& app);
 

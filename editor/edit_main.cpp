@@ -1,7 +1,9 @@
 #include "edit_main.h"
 
 #include "app.h"
+#include "script/script.h"
 #include "techniques.h"
+#include "ui/driver.h"
 #include "ui/window.h"
 
 namespace sward {
@@ -25,6 +27,12 @@ int editMain(const std::filesystem::path& project) {
         if (const Status opened = document.open(project); !opened) return failed(opened.error());
     EditorApp app(document, **gpu, std::move(*window), true);
     ui::installClipboard(surface);
+    const std::unique_ptr<UiDriver> driver = makeUiDriver(app);
+    ScriptHost host{document, driver.get()};
+    host.print = [](const std::string& line) { logInfo(line); };
+    host.useCamera = [&app](const std::string& name) { goToCamera(app, name); };
+    ScriptConsole console(host);
+    app.runLua = [&console](const std::string& line) { return console.run(line); };
     runUntilQuit(app);
     return 0;
 }

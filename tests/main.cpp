@@ -4,9 +4,11 @@
 #include <clocale>
 #include <cstdlib>
 
+#include "tests/child.h"
 #include "tests/support.h"
 
 int main(int argc, char** argv) {
+    if (const std::optional<int> code = sward::test::childMain(argc, argv)) return *code;
     sward::test::TempDir home;
     setenv("LC_ALL", "C", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);

@@ -26,7 +26,7 @@ void mapCombo(EditorApp& app) {
     const auto it = std::find(paths.begin(), paths.end(), app.brushes.map);
     int chosen = it == paths.end() ? -1 : static_cast<int>(it - paths.begin());
     caption("Map");
-    ImGui::SetNextItemWidth(em(20));
+    ImGui::SetNextItemWidth(em(22));
     if (ui::combo("Map", names, chosen)) app.brushes.map = paths[static_cast<size_t>(chosen)];
     ui::tooltip("The map that the brush paints: where this kind of grass grows.");
 }

@@ -25,10 +25,7 @@ void run(EditorApp& app) {
     app.consoleLine.clear();
     app.consoleHistory.push_back(line);
     logInfo("> " + line);
-    app.deferred.push_back([&app, line] {
-        const Status status = app.runLua(line);
-        if (!status) logError(status.error().text());
-    });
+    app.luaLines.push_back(line);
 }
 
 }  // namespace

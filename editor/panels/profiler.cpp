@@ -29,7 +29,7 @@ void row(const PassStats& p, bool measured) {
 }  // namespace
 
 void drawProfiler(EditorApp& app) {
-    const FrameStats& s = app.renderer->stats();
+    const FrameStats& s = app.viewport.stats;
     ui::checkbox("Measure", app.measure);
     ui::tooltip("Times each pass and counts its work. Waits for the GPU after each, so that a frame takes longer.");
     ImGui::SameLine(0, 18);

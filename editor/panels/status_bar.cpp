@@ -41,13 +41,13 @@ void savedDot(EditorApp& app) {
 }  // namespace
 
 void drawStatusBar(EditorApp& app) {
-    const FrameStats& s = app.renderer->stats();
+    const FrameStats& s = app.viewport.stats;
     ImGui::SetCursorPosY(5);
-    item("Blades", counted(s.bladesVirtual), "All blades of the fields: density summed over the terrain.");
+    item("Blades", counted(static_cast<uint64_t>(app.viewport.bladesVirtual)), "All blades of the fields: density summed over the terrain.");
     item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
-    if (s.bladesVisible > 0) item("Visible", counted(s.bladesVisible), "Blades of those that can be seen.");
+    if (app.viewport.bladesVisible > 0) item("Visible", counted(app.viewport.bladesVisible), "Blades of those that can be seen.");
     item("Frame", app.viewport.lastMs < 1000 ? fmt::format("{:.3g} ms", app.viewport.lastMs) : fmt::format("{:.1f} s", app.viewport.lastMs / 1000), "What the last drawing of the viewport took.");
-    item("Resolution", fmt::format("{:.0f} %", 100 * app.viewport.resolution.drawnScale),
+    item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, app.viewport.resolution.drawnScale + 0.001)),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
     savedDot(app);
     ui::coloredText(ui::kDimText, app.status.c_str());

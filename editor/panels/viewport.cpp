@@ -1,10 +1,10 @@
 // The scene: the renderer's image, the brush's ring, the red bar of the last error.
-#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include "frame/ground.h"
 #include "panels/panels.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
@@ -48,7 +48,7 @@ void header(EditorApp& app) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
     if (ui::combo("Camera", cameras, chosen))
-        if (const Camera* c = cameraNamed(app, cameras[static_cast<size_t>(chosen)])) v.camera = flyFrom(viewOf(*c));
+        goToCamera(app, cameras[static_cast<size_t>(chosen)]);
     ui::tooltip("Moves the view to one of the project's cameras.");
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
@@ -61,64 +61,6 @@ void header(EditorApp& app) {
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, v.gesture == Gesture::Look ? "W A S D fly, E up, Q down, wheel: speed" : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
-}
-
-bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
-    return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
-}
-
-bool sameSettings(const ViewSettings& a, const ViewSettings& b) {
-    return a.width == b.width && a.height == b.height && a.mode == b.mode && a.time == b.time && a.measure == b.measure &&
-           a.decal.x == b.decal.x && a.decal.z == b.decal.z && a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff;
-}
-
-// The decal in the scene itself: always where it costs nothing to draw anew, else while painting; the ring shows the rest.
-BrushDecal decalOf(EditorApp& app) {
-    Viewport& v = app.viewport;
-    const bool cheap = v.resolution.movingScale >= 1 && app.surface->fixedStep() == 0;
-    if (!v.ground || app.brushes.tool == kLookTool || (v.gesture != Gesture::Paint && !(cheap && v.gesture == Gesture::None))) return {};
-    const glm::dvec3 origin = findGround(app.doc.project()).origin;
-    const BrushSettings& b = currentBrush(app.brushes);
-    return {v.ground->x - origin.x, v.ground->z - origin.z, b.radius, b.falloff};
-}
-
-// Headless frames draw coarsely, and in full for a screenshot: the same on every machine.
-ResolutionPlan plan(EditorApp& app, bool changed) {
-    Resolution& r = app.viewport.resolution;
-    if (app.refineNow) return {changed || r.stale || r.drawnScale < 1, 1, 4};
-    if (app.surface->fixedStep() == 0) return planDrawing(r, app.now, changed);
-    return {changed || r.stale, kMinScale, 1};
-}
-
-void drawScene(EditorApp& app) {
-    Viewport& v = app.viewport;
-    ViewSettings settings;
-    const float dense = static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
-    settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
-    settings.mode = v.mode;
-    settings.measure = app.measure;
-    settings.decal = decalOf(app);
-    const ViewCamera camera = viewOf(v.camera);
-    const uint64_t revision = app.doc.revision();
-    const bool changed = revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);
-    const ResolutionPlan p = plan(app, changed);
-    if (!p.draw || settings.width < 1 || settings.height < 1) return;
-    if (app.queue.pending() && v.hasImage && !app.refineNow && ++v.skipped < 6) return;  // input first
-    v.skipped = 0;
-    ViewSettings scaled = settings;
-    scaled.width = std::max(1, static_cast<int>(settings.width * p.scale));
-    scaled.height = std::max(1, static_cast<int>(settings.height * p.scale));
-    scaled.msaa = p.msaa;
-    const auto start = std::chrono::steady_clock::now();
-    const Status status = app.renderer->draw(app.doc.project(), camera, scaled);
-    app.renderer->finish();
-    v.lastMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    learnDrawing(v.resolution, p.scale, v.lastMs);
-    v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = settings;
-    if (!status && app.notice.empty()) showError(app, status.error());
-    v.hasImage = app.renderer->image() != 0;
-    glTextureParameteri(app.renderer->image(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(app.renderer->image(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, float thickness) {
@@ -138,11 +80,11 @@ void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, fl
     }
 }
 
-// The brush's edge on the ground, and where its full strength ends. Drawn over the image, so that it follows the pointer
-// at the speed of the interface however long the scene takes.
+// The brush's edge on the ground, and where its full strength ends. Where the scene is slow to draw it stands in for the
+// decal: drawn over the image, it follows the pointer at the speed of the interface.
 void brushRing(EditorApp& app) {
     const Viewport& v = app.viewport;
-    if (!v.ground || app.brushes.tool == kLookTool || (v.gesture != Gesture::None && v.gesture != Gesture::Paint)) return;
+    if (!v.ground || drawsDecal(app) || app.brushes.tool == kLookTool || (v.gesture != Gesture::None && v.gesture != Gesture::Paint)) return;
     const Ground ground = findGround(app.doc.project());
     if (!ground.terrain) return;
     const BrushSettings& b = currentBrush(app.brushes);
@@ -198,7 +140,7 @@ void drawViewport(EditorApp& app) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, true);
     if (app.doc.isOpen() && v.hasImage) {
-        list.AddImage(ui::textureId(app.renderer->image()), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, {0, 1}, {1, 0});
+        list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, {0, 1}, {1, 0});
         brushRing(app);
     } else {
         list.AddRectFilled({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, IM_COL32(24, 25, 24, 255));

@@ -72,6 +72,7 @@ class Driver : public UiDriver {
     Result<Widget> reveal(const std::string& label);
     bool openWayTo(const std::string& label);
     void typeText(const std::string& text);
+    // A list's item by its text, or by an unambiguous tail of it: maps are named so elsewhere too.
     Status choose(const std::string& label, const std::string& text);
     Status setVector(const std::string& label, const std::string& text);
     Status typed(const std::string& label);
@@ -179,13 +180,17 @@ Status Driver::choose(const std::string& label, const std::string& text) {
     if (const Status opened = click(label); !opened) return opened;
     frames(2);
     std::string known;
-    const std::string prefix = label + "/";
+    std::vector<std::string> exact, tails;
+    const std::string prefix = label + "/", wanted = lower(text);
     for (const auto& [path, widget] : app_.book.widgets) {
         if (!path.starts_with(prefix)) continue;
-        const std::string item = path.substr(prefix.size());
-        if (lower(item) == lower(text)) return click(path);
+        const std::string item = path.substr(prefix.size()), plain = lower(item.substr(0, item.find(" (")));
+        if (plain == wanted || lower(item) == wanted) exact.push_back(path);
+        if (plain.ends_with(wanted)) tails.push_back(path);
         known += (known.empty() ? "" : ", ") + item;
     }
+    if (exact.size() == 1) return click(exact.front());
+    if (exact.empty() && tails.size() == 1) return click(tails.front());
     closeMenus();
     return usage("'" + label + "' has no choice '" + text + "'", known.empty() ? "" : "it has " + known);
 }

@@ -32,6 +32,8 @@ std::string idOf(const std::string& label) { return "##" + pathOf(label); }
 void beginBook(WidgetBook& b) {
     ImGui::GetIO().UserData = &b;
     b.next.clear();
+    if (!b.hovering) b.hoverX = b.hoverY = -1;
+    b.hovering = b.tooltipDue = false;
     b.scope.clear();
 }
 
@@ -83,7 +85,14 @@ void setError(const std::string& label, const std::string& message) {
 }
 
 void tooltip(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    constexpr double kRestSeconds = 0.45;
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
+    WidgetBook& b = book();
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    if (b.hoverX != corner.x || b.hoverY != corner.y) b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
+    b.hovering = true;
+    b.tooltipDue = ImGui::GetTime() - b.hoverSince < kRestSeconds;
+    if (b.tooltipDue) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(text.c_str());

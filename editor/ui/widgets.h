@@ -33,6 +33,9 @@ struct WidgetBook {
     std::string editText;
     int editAge = 0;                             // frames since typing was asked for
     bool editActive = false;
+    float hoverX = -1, hoverY = -1;              // corner of the item with a tooltip under the pointer ...
+    double hoverSince = 0;                       // ... and when the pointer came to it (ImGui's clock)
+    bool hovering = false, tooltipDue = false;   // in this frame; a tooltip waits to be shown
     std::string typing;                          // path of the textField being typed, and its text
     std::string typedText;
 };
@@ -68,7 +71,7 @@ Widget& record(const std::string& label, Kind kind, const std::string& value = {
 const std::string* errorAt(const std::string& label);
 void setError(const std::string& label, const std::string& message);  // empty: none
 
-// Shown when the pointer rests on the last item; empty text shows nothing.
+// Shown when the pointer has rested on the last item for a moment; empty text shows nothing.
 void tooltip(const std::string& text);
 
 bool button(const std::string& label, float width = 0, bool accent = false);

@@ -101,7 +101,8 @@ Status writeFileSynced(const fs::path& file, std::string_view bytes) {
         if (fault == 0 && ::fsync(out.fd) != 0) fault = errno;
     }
     if (fault == 0) return {};
-    ::unlink(file.c_str());
+    struct stat info {};
+    if (::lstat(file.c_str(), &info) == 0 && S_ISREG(info.st_mode)) ::unlink(file.c_str());  // never a device
     return fileError("cannot be written", file, fault);
 }
 

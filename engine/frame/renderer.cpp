@@ -30,6 +30,21 @@ glm::mat4 rotation(const ViewCamera& c) {
     return glm::lookAt(glm::vec3(0), forward, up);
 }
 
+int wholeWidth(const ViewSettings& s) { return s.part.wholeWidth > 0 ? s.part.wholeWidth : s.width; }
+
+// Stretches the part of clip space that the settings name over all of it.
+glm::mat4 partProjection(const ViewSettings& s) {
+    glm::mat4 m(1);
+    if (s.part.wholeWidth <= 0) return m;
+    const double scaleX = static_cast<double>(s.part.wholeWidth) / s.width, scaleY = static_cast<double>(s.part.wholeHeight) / s.height;
+    const double middleX = (2.0 * s.part.x + s.width) / s.part.wholeWidth - 1, middleY = (2.0 * s.part.y + s.height) / s.part.wholeHeight - 1;
+    m[0][0] = static_cast<float>(scaleX);
+    m[1][1] = static_cast<float>(scaleY);
+    m[3][0] = static_cast<float>(-middleX * scaleX);
+    m[3][1] = static_cast<float>(-middleY * scaleY);
+    return m;
+}
+
 void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples) return;
@@ -90,6 +105,8 @@ bool DrawContext::use(size_t index) {
     return true;
 }
 
+int wholeHeight(const ViewSettings& s) { return s.part.wholeHeight > 0 ? s.part.wholeHeight : s.height; }
+
 glm::mat4 viewProjection(const ViewCamera& camera, int width, int height) {
     return projection(camera.fovDeg, static_cast<float>(width) / static_cast<float>(height)) * rotation(camera);
 }
@@ -141,10 +158,10 @@ struct Renderer::Impl {
     void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s) {
         g = {};
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
-        g.viewProj = viewProjection(camera, s.width, s.height);
+        g.viewProj = partProjection(s) * viewProjection(camera, wholeWidth(s), wholeHeight(s));
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), 0};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
     }
 
     void runSystems(DrawContext& ctx) {

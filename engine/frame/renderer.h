@@ -31,12 +31,21 @@ struct BrushDecal {
     float falloff = 0.5f;
 };
 
+// The part of a larger picture that one draw makes, so that a slow renderer's full picture may be drawn in pieces with
+// input taken between; pieces side by side equal the whole. wholeWidth 0: no part, all of it.
+struct ViewPart {
+    int x = 0, y = 0;                       // of the part's lower left corner, in pixels of the whole
+    int wholeWidth = 0, wholeHeight = 0;
+};
+
 struct ViewSettings {
     int width = 1024, height = 768;
     int msaa = 4;               // clamped to what the driver has
     ViewMode mode = ViewMode::Final;
     double time = 0;            // scene seconds
     BrushDecal decal;
+    float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
+    ViewPart part;              // width and height are then the part's
     bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)
 };
 
@@ -83,6 +92,8 @@ class Renderer {
 
 // Eye-relative world to clip: reversed depth, far plane at infinity.
 glm::mat4 viewProjection(const ViewCamera& camera, int width, int height);
+// Height of the picture that the settings are for or a part of.
+int wholeHeight(const ViewSettings& s);
 // Pixels that a metre across the view takes at a distance of one metre.
 float pixelsPerMetre(const ViewCamera& camera, int height);
 // The camera entity named so, or the first; null if there is none.

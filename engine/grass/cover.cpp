@@ -8,14 +8,14 @@ namespace {
 constexpr int kBlades = 64, kPoints = 4;
 
 // Share of a blade's point at v that other blades leave visible, seen from above eye height: tips hide roots.
-float seen(float v) { return std::exp(-1.2f * (1 - v)); }
+float seen(float v) { return std::exp(-2.4f * (1 - v)); }
 
 }  // namespace
 
 CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGlobals& frame) {
     CoverSpecies out{};
     glm::vec3 albedo(0), ambient(0);
-    float weight = 0, upright = 0, level = 0, area = 0, height = 0;
+    float weight = 0, lit = 0, upright = 0, level = 0, area = 0, height = 0;
     const size_t n = std::min<size_t>(patch.blades.size(), kBlades);
     for (size_t i = 0; i < n; ++i) {
         const Blade& b = patch.blades[i * patch.blades.size() / n];
@@ -23,7 +23,8 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, w = seen(v);
             const f32::BladeFrame f = f32::bladeFrameFacing(b.control, b.tip, b.facing, v);
             const float left = glm::mix(species.rootOcclusion, 1.0f, v) * w;
-            albedo += f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), b.hue, b.lightness) * w;
+            albedo += f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), b.hue, b.lightness) * left;
+            lit += left;
             ambient += glm::mix(glm::vec3(frame.groundLight), glm::vec3(frame.skyLight), 0.5f + 0.5f * std::abs(f.normal.y)) * left;
             upright += std::sqrt(std::max(1 - f.normal.y * f.normal.y, 0.0f)) * left;
             level += std::abs(f.normal.y) * left;
@@ -33,8 +34,10 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
         height += b.tip.y;
     }
     if (n == 0) return out;
-    out.albedo = glm::vec4(albedo / weight, area / static_cast<float>(n) * species.bladesPerM2);
+    out.albedo = glm::vec4(albedo / std::max(lit, 1e-6f), area / static_cast<float>(n) * species.bladesPerM2);
     out.ambient = glm::vec4(ambient / weight, height / static_cast<float>(n));
+    const float clumps = species.clumpSize > 0 ? 0.2f * species.clumpStrength : 0;
+    out.clumps = {species.clumpSize, clumps, 0, 0};
     out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), 0.35f, upright / weight, level / weight};
     return out;
 }

@@ -94,13 +94,16 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
 }
 
 void uploadCells(DrawContext& ctx, SpeciesState& s) {
+    const float detail = std::clamp(ctx.settings.detail, 0.01f, 1.0f);
     std::vector<Command> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
         const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
         const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(s.patch.blades.size()) + c.first * each;
-        commands.push_back({(c.last - c.first) * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
-        ctx.stats.bladesGeometry += c.last - c.first;
+        // In the order of thresholds, a prefix is an even choice.
+        const uint32_t blades = static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * detail));
+        commands.push_back({blades * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
+        ctx.stats.bladesGeometry += blades;
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
     writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(Command), commands.data());
@@ -128,10 +131,10 @@ void cull(DrawContext& ctx) {
     const GeometryRange range = geometryRange(f);
     const size_t n = std::min<size_t>(f.species.size(), MAX_SPECIES);
     state.species.resize(n);
-    const float pixels = pixelsPerMetre(ctx.camera, ctx.settings.height);
+    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(n), range.min, range.inv, 0};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, 0};
+    cover.tiers = {static_cast<float>(n), range.min, range.inv, f.cellSize};
+    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
     for (size_t i = 0; i < n; ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         SpeciesState& s = *state.species[i];

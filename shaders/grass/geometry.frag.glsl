@@ -3,8 +3,8 @@
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
-in vec4 lit;
-in vec4 strip;
+centroid in vec4 lit;
+centroid in vec4 strip;
 out vec4 color;
 
 void main() {

@@ -26,8 +26,9 @@ layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // +1 or -1
 
-out vec4 lit;           // radiance; w: share of it that is haze
-out vec4 strip;         // across, along; opacity; dither
+// At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
+centroid out vec4 lit;   // radiance; w: share of it that is haze
+centroid out vec4 strip;         // across, along; opacity; dither
 
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
@@ -78,7 +79,7 @@ void main() {
     BladePose pose = poseHere(b, mirror, root, uv, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, v);
     float across = float(corner & 1) - 0.5;
-    vec3 position = at + f.position + f.side * (across * b.place.z);
+    vec3 position = at + f.position + f.side * (across * b.place.z * frame.mode.w);
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));

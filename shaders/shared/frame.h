@@ -26,7 +26,7 @@ struct FrameGlobals {
     SHARED_VEC4 haze;          // x: extinction per metre (0: none)
     SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
-    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: 0
+    SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: factor of widths where fewer blades are drawn
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
@@ -36,11 +36,12 @@ struct CoverSpecies {
     SHARED_VEC4 ambient;       // mean ambient light on what is seen, darkened towards the root; w: mean height (m)
     SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density;
                                // z, w: horizontal and vertical part of the normals of what is seen, darkened likewise
+    SHARED_VEC4 clumps;        // x: clump size (m); y: share of lightness; z, w: 0
 };
 struct CoverGlobals {
     CoverSpecies species[4];   // MAX_SPECIES
-    SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: 0
-    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion
+    SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
+    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion; w: seed
 };
 
 // What the vertex shader of blades reads of a species.

@@ -4,7 +4,9 @@
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
+#include "numerics/hash.h"
 #include "numerics/lod.h"
+#include "numerics/clump.h"
 #include "lib/light.glsl"
 #include "lib/cover.glsl"
 
@@ -46,6 +48,18 @@ vec3 sunOnBlades(CoverSpecies s, vec2 away) {
     return frame.sunLight.rgb * (s.shape.z * across * facing + s.shape.w * 0.5 * frame.sunDirection.y);
 }
 
+// Lightness of the clumps that the blades have too, and a mottle for single tufts, as long as pixels are small enough to
+// show them.
+float variation(CoverSpecies s, float pixel) {
+    float mottle = texture(tileTexture, mat2(0.83, 0.56, -0.56, 0.83) * place * 0.9).g * 2.0;
+    float v = mix(1.0, mottle, 0.4);
+    if (!GRASS_CLUMPS || s.clumps.x <= 0.0 || pixel > s.clumps.x) return v;
+    float cellSize = cover.tiers.w;
+    ivec2 cell = ivec2(floor(place / cellSize));
+    vec3 c = clumpValues(cell.x, cell.y, place - vec2(cell) * cellSize, cellSize, s.clumps.x, uint(cover.tiling.w));
+    return v * (1.0 + c.z * s.clumps.y * (1.0 - pixel / s.clumps.x));
+}
+
 // Beer's law over the blades' area; a mown stripe shows its blades' length where they lean away, their tips where they
 // lean towards the eye.
 Grass grassHere(vec2 uv, vec3 toEye) {
@@ -57,6 +71,7 @@ Grass grassHere(vec2 uv, vec3 toEye) {
     vec2 lean = paintedLean(uv);
     vec2 away = -toEye.xz / max(length(toEye.xz), 1e-4);
     float area = 0.0;
+    float pixel = max(length(dFdx(place)), length(dFdy(place)));
     for (int i = 0; i < int(cover.tiers.x); ++i) {
         CoverSpecies s = cover.species[i];
         float a = density[i] * s.albedo.w;
@@ -66,7 +81,7 @@ Grass grassHere(vec2 uv, vec3 toEye) {
             albedo = mix(albedo, v.rgb, v.a);
         }
         float stripe = 1.0 + 0.55 * s.shape.x * dot(lean, away) * (1.0 - toEye.y * toEye.y);
-        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + sunOnBlades(s, away)) * stripe;
+        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + sunOnBlades(s, away)) * stripe * variation(s, pixel);
         g.shades *= mix(1.0, s.shape.y, density[i]);
         area += a;
         g.total += density[i];

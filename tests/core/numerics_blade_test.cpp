@@ -78,6 +78,21 @@ TEST(Spline, FramesAreUnitAndPerpendicularForDegenerateBladesToo) {
     }
 }
 
+TEST(Spline, VectorsAreReplacedBelowAMillionthOfTheBladeOnly) {
+    const vec3 tip(1, 0, 0), side(0, 0, 1);
+    for (float k : {1e-2f, 1e-4f, 3e-6f, 3e-7f, 0.0f}) {
+        const vec3 control(0, k, 0), width(0, 0, -k);  // a width against the rest side shows who decided
+        const SplineFrame f = splineFrame(vec3(0), control, tip, width, control + width, tip + width, side, 0, 0);
+        EXPECT_EQ(f.tangent, k > 1e-6f ? vec3(0, 1, 0) : tip) << k;
+        EXPECT_EQ(f.bitangent, k > 1e-6f ? -side : side) << k;
+    }
+}
+
+TEST(Blade, ShortTangentsAreReplacedBelowAMillionthOfTheBladeOnly) {
+    for (float k : {1e-2f, 1e-4f, 3e-6f, 3e-7f, 0.0f})
+        EXPECT_EQ(bladeFrame({0, k, 0}, {1, 0, 0}, 0, 0).tangent, k > 1e-6f ? vec3(0, 1, 0) : vec3(1, 0, 0)) << k;
+}
+
 vec3 clumpAt(int cell, float local, float cellSize, float clumpSize) {
     return clumpValues(cell, cell / 3, vec2(local, 0.3f * cellSize), cellSize, clumpSize, 5);
 }

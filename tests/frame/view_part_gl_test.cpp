@@ -1,0 +1,73 @@
+// Pictures drawn in parts, and with a share of the blades: what the editor's viewport does on a slow renderer.
+#include <gtest/gtest.h>
+
+#include "../support.h"
+#include "frame/renderer.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+class ViewParts : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto made = makeHeadlessGpu();
+        ASSERT_TRUE(made) << made.error().text();
+        gpu = std::move(*made);
+        auto opened = newProject(dir / "lawn");
+        ASSERT_TRUE(opened) << opened.error().text();
+        project = std::make_unique<Project>(std::move(*opened));
+        renderer = std::make_unique<Renderer>(*gpu, tables());
+    }
+    std::vector<uint8_t> draw(const ViewSettings& settings) {
+        const Status drawn = renderer->draw(*project, viewOf(*findCamera(*project, "")), settings);
+        EXPECT_TRUE(drawn) << drawn.error().text();
+        return renderer->readImage();
+    }
+
+    test::TempDir dir;
+    std::unique_ptr<Gpu> gpu;
+    std::unique_ptr<Project> project;
+    std::unique_ptr<Renderer> renderer;
+};
+
+TEST_F(ViewParts, PartsSideBySideEqualTheWhole) {
+    ViewSettings whole;
+    whole.width = 160, whole.height = 96;
+    const std::vector<uint8_t> expected = draw(whole);
+    double difference = 0;
+    for (int part = 0; part < 4; ++part) {
+        ViewSettings s = whole;
+        s.width = 80, s.height = 48;
+        s.part = {part % 2 * 80, part / 2 * 48, 160, 96};
+        const std::vector<uint8_t> pixels = draw(s);
+        for (int y = 0; y < 48; ++y)
+            for (int i = 0; i < 80 * 3; ++i) {
+                const int row = 96 - s.part.y - 48 + y;  // images have their first row on top
+                const size_t at = static_cast<size_t>((row * 160 + s.part.x) * 3 + i);
+                difference += std::abs(int(pixels[static_cast<size_t>(y * 80 * 3 + i)]) - int(expected[at]));
+            }
+    }
+    EXPECT_LT(difference / static_cast<double>(expected.size()), 0.3);  // edges that round to another sample
+    EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
+}
+
+TEST_F(ViewParts, AShareOfTheBladesIsDrawnAndCoversAboutAsMuch) {
+    ViewSettings s;
+    s.width = 120, s.height = 80;
+    const auto meanOf = [](const std::vector<uint8_t>& pixels) {
+        double sum = 0;
+        for (const uint8_t p : pixels) sum += p;
+        return sum / static_cast<double>(pixels.size());
+    };
+    const double full = meanOf(draw(s));
+    const uint64_t blades = renderer->stats().bladesGeometry;
+    s.detail = 0.25f;
+    const double thin = meanOf(draw(s));
+    const double share = static_cast<double>(renderer->stats().bladesGeometry) / static_cast<double>(blades);
+    EXPECT_NEAR(share, 0.25, 0.02);
+    EXPECT_NEAR(thin, full, 6);
+}
+
+}  // namespace
+}  // namespace sward

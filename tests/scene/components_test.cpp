@@ -1,0 +1,218 @@
+// The tables: every field round-trips through a project file, has sound ranges and defaults, and every component asks
+// for the features that it should.
+#include "scene/components.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/json.h"
+#include "scene/project.h"
+#include "tests/scene/images.h"
+#include "tests/support.h"
+
+using namespace sward;
+using namespace sward::test;
+
+namespace {
+std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+
+void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
+
+template <class F>
+void eachField(std::span<const FieldRow> fields, const std::string& path, void* base, F&& f) {
+    for (const FieldRow& row : fields) {
+        f(row, path + "." + row.name, at(base, row));
+        if (row.type != FieldType::List) continue;
+        for (size_t i = 0; i < row.list->size(at(base, row)); ++i) eachField(row.list->fields, path + "." + row.name + "[" + std::to_string(i) + "]", row.list->at(at(base, row), i), f);
+    }
+}
+template <class F>
+void eachField(F&& f) {
+    for (const ComponentRow& row : rows()) {
+        const auto component = row.clone(row.defaults());
+        eachField(row.fields, row.name, component.get(), f);
+    }
+}
+
+// A value that no default has and that the table allows; different at every call.
+double valueFor(const FieldRow& row, int n) {
+    const double low = std::max(row.hardMin, row.softMin), high = std::min(row.hardMax, row.softMax);
+    return low + (high - low) * (0.211 + 0.017 * (n % 30));
+}
+void fill(const FieldRow& row, void* value, int n) {
+    const double v = valueFor(row, n);
+    switch (row.type) {
+        case FieldType::Bool: *static_cast<bool*>(value) ^= true; break;
+        case FieldType::Int: *static_cast<int*>(value) = int(v); break;
+        case FieldType::Float: *static_cast<float*>(value) = float(v); break;
+        case FieldType::Vec2: *static_cast<glm::dvec2*>(value) = {v, v * 0.999}; break;
+        case FieldType::Vec3: *static_cast<glm::dvec3*>(value) = {v, v * 0.999, v * 0.998}; break;
+        case FieldType::Color: *static_cast<glm::vec3*>(value) = {v, v * 0.999, v * 0.998}; break;
+        case FieldType::String: if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n); break;
+        case FieldType::Enum: *static_cast<int*>(value) = int(row.options.size()) - 1; break;
+        case FieldType::Map: {
+            auto& field = *static_cast<MapField*>(value);
+            field.map = patternMap({5 + n % 7, 4, row.mapChannels, row.mapType});
+            field.file = fmt::format("maps/{}.{}", n, row.mapType == PixelType::F32 ? "exr" : "png");
+            break;
+        }
+        case FieldType::List: break;
+    }
+}
+std::string textOf(const FieldRow& row, void* value) {
+    const std::string text = fieldText({value, &row, nullptr, "", ""});
+    if (row.type != FieldType::Map) return text;
+    return text + " " + std::to_string(static_cast<const MapField*>(value)->map.hash());
+}
+std::map<std::string, std::string> allTexts(Project& p) {
+    std::map<std::string, std::string> out;
+    for (const auto& [name, entity] : p.entities)
+        for (const ComponentRow& row : rows())
+            if (void* component = row.get(p.registry, entity))
+                eachField(row.fields, name + "." + row.name, component, [&](const FieldRow& f, const std::string& path, void* value) { out[path] = textOf(f, value); });
+    return out;
+}
+}  // namespace
+
+TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
+    std::set<std::string> names;
+    for (const ComponentRow& row : rows()) EXPECT_TRUE(names.insert(row.name).second && row.help[0]) << row.name;
+    eachField([](const FieldRow& f, const std::string& path, void* value) {
+        EXPECT_GT(std::string_view(f.help).size(), 8u) << path;
+        EXPECT_NE(f.unit, nullptr) << path;
+        if (f.type == FieldType::Enum) {
+            EXPECT_LT(size_t(*static_cast<int*>(value)), f.options.size()) << path;
+        }
+        if (f.type == FieldType::List) {
+            EXPECT_NE(f.list, nullptr) << path;
+        }
+        if (f.type == FieldType::Map) {
+            EXPECT_TRUE(f.mapChannels >= 1 && f.mapChannels <= 4) << path;
+            EXPECT_FALSE(f.isHeight && f.mapType == PixelType::U8) << path;
+        }
+        if (f.type > FieldType::Color || f.type == FieldType::Bool) return;
+        EXPECT_LT(f.hardMin, f.hardMax) << path;
+        EXPECT_TRUE(f.hardMin <= f.softMin && f.softMin < f.softMax && f.softMax <= f.hardMax) << path;
+        EXPECT_TRUE(setFieldText({value, &f, nullptr, "", path}, textOf(f, value))) << path << ": its default is refused";
+    });
+}
+
+TEST(Components, EveryFieldReadsBackFromItsText) {
+    int n = 0;
+    eachField([&](const FieldRow& f, const std::string& path, void* value) {
+        if (f.type == FieldType::Map || f.type == FieldType::List || f.isFile) return;
+        fill(f, value, ++n);
+        const std::string text = textOf(f, value);
+        fill(f, value, n + 1);
+        const Status set = setFieldText({value, &f, nullptr, "", path}, text);
+        EXPECT_TRUE(set) << path << (set ? "" : set.error().text());
+        EXPECT_EQ(textOf(f, value), text) << path;
+    });
+    EXPECT_GT(n, 40);
+}
+
+TEST(Components, EveryFieldOutsideItsRangeIsRefusedAndKeepsItsValue) {
+    eachField([](const FieldRow& f, const std::string& path, void* value) {
+        if (f.type != FieldType::Float && f.type != FieldType::Int) return;
+        const std::string before = textOf(f, value);
+        for (const std::string& text : {shortestText(f.hardMin - 1), shortestText(f.hardMax * 2 + 1), std::string("nan"), std::string("-inf"), std::string("x"), std::string("")}) {
+            const Status set = setFieldText({value, &f, nullptr, "", path}, text);
+            ASSERT_FALSE(set) << path << " " << text;
+            EXPECT_EQ(set.error().code, ExitCode::Usage);
+            EXPECT_NE(set.error().remedy.find(shortestText(f.hardMax)), std::string::npos) << "the range is named";
+        }
+        EXPECT_EQ(bool(setFieldText({value, &f, nullptr, "", path}, "inf")), f.allowInf) << path;
+        if (!f.allowInf) {
+            EXPECT_EQ(textOf(f, value), before);
+        }
+    });
+}
+
+TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
+    TempDir dir;
+    Project p;
+    p.dir = dir / "p";
+    p.name = "all \"fields\"";
+    int n = 0;
+    for (const ComponentRow& row : rows()) {
+        const Entity e = *addEntity(p, std::string("e-") + row.name);
+        row.assign(p.registry, e, nullptr);
+        void* component = row.get(p.registry, e);
+        if (row.name == std::string("GrassField")) static_cast<GrassField*>(component)->species.resize(3);
+        eachField(row.fields, row.name, component, [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });
+        repairComponent(row, component);
+    }
+    const auto written = saveProject(p, rows());
+    ASSERT_TRUE(written) << written.error().text();
+    const std::string text = readText(dir / "p/project.json");
+    LoadReport report;
+    Result<Project> again = loadProject(dir / "p", rows(), &report);
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_TRUE(report.repaired.empty());
+    EXPECT_EQ(again->name, p.name);
+    EXPECT_EQ(allTexts(*again), allTexts(p));
+    EXPECT_TRUE(saveProject(*again, rows())->empty());
+    std::filesystem::remove(dir / "p/project.json");
+    ASSERT_TRUE(saveProject(*again, rows()));
+    EXPECT_EQ(readText(dir / "p/project.json"), text) << "byte for byte";
+}
+
+TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
+    const auto featuresOf = [](const char* name, const void* value) { return findComponent(rows(), name)->features(value); };
+    Terrain terrain;
+    EXPECT_EQ(featuresOf("Terrain", &terrain), featureSet(Feature::Terrain));
+    terrain.height.map = terrain.terrainMap.map = Map({2, 2, 1, PixelType::F32});
+    EXPECT_EQ(featuresOf("Terrain", &terrain), featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
+    GrassField grass;
+    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass, Feature::GrassClumps));
+    grass.species[0].clumpSize = 0;
+    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass));
+    grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map = Map({2, 2, 1, PixelType::U8});
+    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion));
+    grass.species[0].bladesPerM2 = 0;
+    EXPECT_TRUE(featuresOf("GrassField", &grass).none()) << "nothing grows";
+    Light light;
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun));
+    light.intensity = 0;
+    EXPECT_TRUE(featuresOf("Light", &light).none());
+    Sky sky;
+    EXPECT_EQ(featuresOf("Sky", &sky), featureSet(Feature::Sky));
+    sky.intensity = 0;
+    EXPECT_TRUE(featuresOf("Sky", &sky).none());
+    Fog fog;
+    EXPECT_EQ(featuresOf("Fog", &fog), featureSet(Feature::Fog));
+    fog.visibility = std::numeric_limits<float>::infinity();
+    EXPECT_TRUE(featuresOf("Fog", &fog).none());
+}
+
+TEST(Components, AddingAndRemovingOneLeavesTheFeaturesAsBefore) {
+    Project p;
+    const Entity e = *addEntity(p, "e");
+    for (const ComponentRow& row : rows()) {
+        const FeatureSet before = sceneFeatures(p.registry, rows());
+        row.assign(p.registry, e, nullptr);
+        EXPECT_EQ(sceneFeatures(p.registry, rows()), row.features(row.defaults())) << row.name;
+        row.remove(p.registry, e);
+        EXPECT_EQ(sceneFeatures(p.registry, rows()), before) << row.name;
+        EXPECT_EQ(row.get(p.registry, e), nullptr);
+    }
+}
+
+TEST(Features, HaveNamesForPeopleAndForShaders) {
+    std::set<std::string> names;
+    for (size_t i = 0; i < size_t(Feature::Count); ++i) {
+        std::string name = featureName(Feature(i));
+        EXPECT_TRUE(names.insert(name).second);
+        for (char& c : name) c = c == '-' ? '_' : char(std::toupper(c));
+        EXPECT_EQ(name, featureConstant(Feature(i)));
+    }
+}
+
+TEST(Features, KnowWhichEntitiesAskForThem) {
+    Project p;
+    for (const char* name : {"b", "a", "c"}) p.registry.add<Light>(*addEntity(p, name));
+    p.registry.get<Light>(findEntity(p, "c"))->intensity = 0;
+    EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::Sun), (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Fog).empty());
+}

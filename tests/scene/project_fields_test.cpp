@@ -1,0 +1,209 @@
+// Fields and maps by PATH, their values as text, snapshots, imports.
+#include <gtest/gtest.h>
+
+#include "scene/import.h"
+#include "scene/map_io.h"
+#include "scene/project.h"
+#include "tests/scene/images.h"
+#include "tests/support.h"
+
+namespace fs = std::filesystem;
+using namespace sward;
+using namespace sward::test;
+
+namespace {
+std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+
+// Ground and a meadow of two species.
+Project meadow() {
+    Project p;
+    p.registry.add<Terrain>(*addEntity(p, "ground"));
+    GrassField field;
+    field.species.resize(2);
+    field.species[0].name = "lawn";
+    field.species[1].name = "weeds";
+    p.registry.add<GrassField>(*addEntity(p, "meadow"), std::move(field));
+    return p;
+}
+GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "meadow")); }
+std::string pathOf(Project& p, const std::string& path) {
+    const Result<FieldRef> f = findField(p, rows(), path);
+    return f ? f->path : f.error().text();
+}
+std::string mapOf(Project& p, const std::string& name) {
+    const Result<FieldRef> f = findMap(p, rows(), name);
+    return f ? f->path : f.error().text();
+}
+}  // namespace
+
+TEST(Entities, AreNamedOnceAndWithPlainNames) {
+    Project p;
+    ASSERT_TRUE(addEntity(p, "a-1_B"));
+    EXPECT_NE(addEntity(p, "a-1_B").error().message.find("already"), std::string::npos);
+    for (const char* bad : {"", "a b", "a.b", "a[0]", "\u00e4"}) EXPECT_FALSE(addEntity(p, bad)) << bad;
+    EXPECT_TRUE(p.registry.valid(findEntity(p, "a-1_B")));
+    EXPECT_EQ(findEntity(p, "none"), kNoEntity);
+    EXPECT_TRUE(removeEntity(p, "a-1_B"));
+    EXPECT_FALSE(removeEntity(p, "a-1_B"));
+    EXPECT_EQ(p.registry.size(), 0u);
+}
+
+TEST(Fields, AreFoundByPathAndCanonicalPathsUseNames) {
+    Project p = meadow();
+    EXPECT_EQ(pathOf(p, "ground.Terrain.size"), "ground.Terrain.size");
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[weeds].height");
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[weeds].height"), "meadow.GrassField.species[weeds].height");
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species"), "meadow.GrassField.species");
+    grassOf(p).species[1].name = "lawn";
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height") << "a name that repeats selects none";
+    grassOf(p).species[1].name = "7";
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height") << "a number is no name";
+}
+
+TEST(Fields, WhatIsNotThereIsAUsageErrorThatListsWhatIs) {
+    Project p = meadow();
+    for (const char* bad : {"", "ground", "ground.Terrain", "none.Terrain.size", "ground.Light.intensity", "ground.Terrain.sise", "ground.Terrain.size.x",
+                            "meadow.GrassField.species.height", "meadow.GrassField.species[none].height", "meadow.GrassField.species[2].height",
+                            "meadow.GrassField.species[lawn", "meadow.GrassField.species[lawn]", "ground..size", "ground.Terrain.size.", "ground.Terrain.[0]"}) {
+        const Result<FieldRef> f = findField(p, rows(), bad);
+        ASSERT_FALSE(f) << bad;
+        EXPECT_EQ(f.error().code, ExitCode::Usage) << bad;
+    }
+    EXPECT_NE(pathOf(p, "none.Terrain.size").find("there are: ground, meadow"), std::string::npos);
+    EXPECT_NE(pathOf(p, "ground.Light.intensity").find("it has: Terrain"), std::string::npos);
+    EXPECT_NE(pathOf(p, "ground.Terrain.sise").find("gridSpacing"), std::string::npos);
+    EXPECT_NE(pathOf(p, "meadow.GrassField.species[none].height").find("there are: lawn, weeds"), std::string::npos);
+}
+
+TEST(Fields, AreSetFromTextAndKeepTheirValueWhenThatIsWrong) {
+    Project p = meadow();
+    const auto set = [&](const char* path, const char* text) { return bool(setFieldText(*findField(p, rows(), path), text)); };
+    const auto get = [&](const char* path) { return fieldText(*findField(p, rows(), path)); };
+    EXPECT_TRUE(set("meadow.GrassField.maxGeom", " inf "));
+    EXPECT_EQ(get("meadow.GrassField.maxGeom"), "inf");
+    EXPECT_TRUE(set("meadow.GrassField.technique", "flat"));
+    EXPECT_FALSE(set("meadow.GrassField.technique", "magic"));
+    EXPECT_EQ(get("meadow.GrassField.technique"), "flat");
+    for (const char* text : {"[30, 20.5]", "30, 20.5", "30 20.5"}) EXPECT_TRUE(set("ground.Terrain.size", text)) << text;
+    EXPECT_EQ(get("ground.Terrain.size"), "[30, 20.5]");
+    for (const char* text : {"30", "[1, 2, 3]", "[1, x]", "[1, -2]", ""}) EXPECT_FALSE(set("ground.Terrain.size", text)) << text;
+    EXPECT_EQ(get("ground.Terrain.size"), "[30, 20.5]");
+    EXPECT_TRUE(set("meadow.GrassField.species[lawn].segments", "4"));
+    EXPECT_FALSE(set("meadow.GrassField.species[lawn].segments", "4.5"));
+    EXPECT_FALSE(set("meadow.GrassField.species", "x"));
+    EXPECT_FALSE(set("ground.Terrain.groundTexture", "../soil.png"));
+    EXPECT_FALSE(set("ground.Terrain.height", "maps/x.exr")) << "texels come by import";
+    EXPECT_TRUE(set("ground.Terrain.height", ""));
+}
+
+TEST(Maps, AreFoundByAnyTailThatMeansOne) {
+    Project p = meadow();
+    EXPECT_NE(mapOf(p, "density").find("more than one map"), std::string::npos);
+    EXPECT_EQ(mapOf(p, "height"), "ground.Terrain.height");
+    EXPECT_EQ(mapOf(p, "[weeds].density"), "meadow.GrassField.species[weeds].density");
+    EXPECT_EQ(mapOf(p, "meadow.GrassField.species[1].density"), "meadow.GrassField.species[weeds].density");
+    EXPECT_NE(mapOf(p, "ensity").find("no map is called"), std::string::npos);
+    EXPECT_NE(mapOf(p, "").find("no map is called"), std::string::npos);
+    grassOf(p).species[0].density = {"maps/a.png", patternMap({4, 4, 1, PixelType::U16})};
+    EXPECT_EQ(mapOf(p, "density"), "meadow.GrassField.species[lawn].density") << "one that is there goes before one that is not";
+    EXPECT_EQ(allMaps(p, rows()).size(), 1u);
+    EXPECT_EQ(allMaps(p, rows(), true).size(), 7u);
+}
+
+TEST(Maps, FilesAreNamedAfterEntitySpeciesAndMap) {
+    Project p = meadow();
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "[weeds].density"), PixelType::U16), "maps/meadow.weeds.density.png");
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/ground.height.exr");
+    grassOf(p).species[1].name = "../../etc x";
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "species[1].density"), PixelType::U16), "maps/meadow.1.density.png");
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height.file = "maps/dem.tif";
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/dem.tif");
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height.file = "maps/dem.png";
+    EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/dem.exr") << "PNG holds no floats";
+}
+
+TEST(Snapshots, ShareTilesAndNothingElse) {
+    Project p = meadow();
+    p.unknown["meadow.Wings"] = "1";
+    grassOf(p).species[0].density = {"maps/a.png", patternMap({300, 300, 1, PixelType::U16})};
+    Project copy = snapshot(p, rows());
+    EXPECT_TRUE(grassOf(copy).species[0].density.map.sameTiles(grassOf(p).species[0].density.map));
+    EXPECT_EQ(copy.unknown, p.unknown);
+    grassOf(copy).species[0].density.map.set(0, 0, 0, 0.5f);
+    grassOf(copy).minGeom = 1;
+    EXPECT_NE(grassOf(copy).species[0].density.map.hash(), grassOf(p).species[0].density.map.hash());
+    EXPECT_EQ(grassOf(p).minGeom, GrassField().minGeom);
+    EXPECT_TRUE(removeEntity(copy, "meadow"));
+    EXPECT_TRUE(p.registry.valid(findEntity(p, "meadow")));
+}
+
+TEST(Population, IsDensityTimesAreaOverAllSpecies) {
+    Project p = meadow();
+    p.registry.get<Terrain>(findEntity(p, "ground"))->size = {10, 20};
+    grassOf(p).species[0].bladesPerM2 = 100;
+    grassOf(p).species[1].bladesPerM2 = 50;
+    EXPECT_DOUBLE_EQ(virtualBlades(p), 150.0 * 200);
+    Map half({4, 4, 1, PixelType::F32});
+    for (int x = 0; x < 4; ++x)
+        for (int y = 0; y < 2; ++y) half.set(x, y, 0, 1);
+    grassOf(p).species[0].density = {"maps/a.exr", half};
+    EXPECT_DOUBLE_EQ(virtualBlades(p), (50.0 + 50) * 200);
+    removeEntity(p, "ground");
+    EXPECT_EQ(virtualBlades(p), 0);
+}
+
+TEST(Imports, FlipAndRangeAreRememberedAndServeTheExport) {
+    TempDir dir;
+    Map heights({3, 2, 1, PixelType::U16});
+    heights.set(0, 0, 0, 1);
+    ASSERT_TRUE(writeMap(dir / "dem.png", heights));
+    Project p = meadow();
+    p.dir = dir / "p";
+    ASSERT_TRUE(importMap(p, rows(), "height", dir / "dem.png", {true, std::pair(-5.0, 95.0)}));
+    const auto& terrain = *p.registry.get<Terrain>(findEntity(p, "ground"));
+    EXPECT_EQ(terrain.height.map.at(0, 1), 1.0f) << "flipped";
+    EXPECT_EQ(terrain.heightRange, glm::dvec2(-5, 95));
+    EXPECT_EQ(terrain.height.file, "maps/ground.height.png");
+    ASSERT_TRUE(saveProject(p, rows()));
+    Project again = std::move(*loadProject(dir / "p", rows()));
+    EXPECT_EQ(again.imports, p.imports);
+    EXPECT_EQ(again.imports.at("ground.Terrain.height"), (MapImport{"dem.png", true, std::pair(-5.0, 95.0)}));
+    ASSERT_TRUE(exportMap(again, rows(), "height", dir / "out.png"));
+    EXPECT_EQ(readMap(dir / "out.png", {})->hash(), heights.hash()) << "out as it came in";
+    ASSERT_TRUE(exportMap(again, rows(), "height", dir / "out.exr"));
+    EXPECT_EQ(readMap(dir / "out.exr", {})->at(0, 0), 95.0f) << "floats in metres";
+    ASSERT_TRUE(exportMap(again, rows(), "height", dir / "out.r16"));
+    EXPECT_EQ(sidecarRange(dir / "out.r16"), (std::pair<double, double>(-5, 95)));
+    ASSERT_TRUE(importMap(again, rows(), "height", dir / "dem.png"));
+    EXPECT_EQ(again.registry.get<Terrain>(findEntity(again, "ground"))->height.map.at(0, 1), 1.0f) << "flipped as before";
+}
+
+TEST(Imports, OtherMapsTakeTheirOwnType) {
+    TempDir dir;
+    Map floats({2, 1, 1, PixelType::F32});
+    floats.set(0, 0, 0, 50);
+    floats.set(1, 0, 0, 200);
+    ASSERT_TRUE(writeMap(dir / "d.exr", floats));
+    Project p = meadow();
+    ASSERT_TRUE(importMap(p, rows(), "[lawn].density", dir / "d.exr", {{}, std::pair(0.0, 100.0)}));
+    const Map& map = grassOf(p).species[0].density.map;
+    EXPECT_EQ(map.info().type, PixelType::U16);
+    EXPECT_NEAR(map.at(0, 0), 0.5f, 1e-5);
+    EXPECT_EQ(map.at(1, 0), 1.0f) << "beyond the range: clamped";
+}
+
+TEST(Imports, AFailureChangesNothing) {
+    TempDir dir;
+    ASSERT_TRUE(writeMap(dir / "m8.png", patternMap({4, 4, 1, PixelType::U8})));
+    ASSERT_TRUE(writeMap(dir / "m16.png", patternMap({4, 4, 1, PixelType::U16})));
+    Project p = meadow();
+    EXPECT_EQ(importMap(p, rows(), "height", dir / "m8.png").error().code, ExitCode::Unsound);
+    EXPECT_EQ(importMap(p, rows(), "none", dir / "m8.png").error().code, ExitCode::Usage);
+    EXPECT_EQ(importMap(p, rows(), "vegetation", dir / "m8.png").error().message, "has 1 channel, not 4");
+    EXPECT_EQ(importMap(p, rows(), "height", dir / "m16.png", {{}, std::pair(5.0, 5.0)}).error().code, ExitCode::Usage);
+    EXPECT_EQ(importMap(p, rows(), "height", dir / "m16.png", {{}, std::pair(-1e9, 5.0)}).error().code, ExitCode::Usage);
+    EXPECT_TRUE(allMaps(p, rows()).empty());
+    EXPECT_TRUE(p.imports.empty());
+    EXPECT_EQ(exportMap(p, rows(), "height", dir / "out.png").error().code, ExitCode::Usage);
+    EXPECT_FALSE(fs::exists(dir / "out.png"));
+}

@@ -1,0 +1,41 @@
+# Makes a sample project from its make.lua if it is not there, or if the script changed since.
+# What somebody painted in it since then is kept: delete its project.json to have it made again.
+#   cmake -DSWARD=path/to/sward -DSCRIPT=path/to/make.lua -P make_project.cmake
+get_filename_component(folder "${SCRIPT}" DIRECTORY)
+file(SHA1 "${SCRIPT}" recipe)
+set(note "${folder}/.made")  # the hash of the script, then of what it made
+
+# One hash over project.json and maps/.
+function(hash_project out)
+  file(GLOB files "${folder}/project.json" "${folder}/maps/*")
+  set(hashes "")
+  foreach(f IN LISTS files)
+    file(SHA1 "${f}" h)
+    string(APPEND hashes "${f} ${h}\n")
+  endforeach()
+  string(SHA1 all "${hashes}")
+  set(${out} ${all} PARENT_SCOPE)
+endfunction()
+
+if(EXISTS "${folder}/project.json")
+  set(made none none)
+  if(EXISTS "${note}")
+    file(STRINGS "${note}" made)
+  endif()
+  list(GET made 0 made_by)
+  if(made_by STREQUAL recipe)
+    return()
+  endif()
+  hash_project(now)
+  list(GET made 1 as_made)
+  if(NOT now STREQUAL as_made)
+    message("Sward: ${folder} was edited and stays as it is; its make.lua is another now (delete project.json to have it made again)")
+    return()
+  endif()
+endif()
+execute_process(COMMAND "${SWARD}" script "${SCRIPT}" RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "${SCRIPT} failed (${code}):\n${said}")
+endif()
+hash_project(now)
+file(WRITE "${note}" "${recipe}\n${now}\n")
