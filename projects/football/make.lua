@@ -53,12 +53,12 @@ map.rect(density, onPitch { value = 1 })
 -- Lines are white pigment on leaves and soil. What lies between is white of no opacity, so that their edges stay white.
 local paint, clear = { 0.94, 0.94, 0.91, 0.92 }, { 0.94, 0.94, 0.91, 0 }
 map.create { path = vegetation, width = columns, height = rows, type = "u8", value = clear }
-map.create { path = ground, width = columns, height = rows, type = "u8", value = { 0.47, 0.23, 0.16, 1 } }
+map.create { path = ground, width = columns, height = rows, type = "u8", value = { 0.36, 0.19, 0.14, 1 } }
 
 -- Around the pitch: three metres of green matting, then the red run-off.
 local apron = 3
 map.rect(ground, { x0 = a[1] - apron, z0 = a[2] - apron, x1 = b[1] + apron, z1 = b[2] + apron,
-                   value = { 0.2, 0.3, 0.14, 1 } })
+                   value = { 0.16, 0.24, 0.11, 1 } })
 map.noise(ground, { scale = 0.6, octaves = 4, amount = 0.18, seed = 3, mode = "multiply", channels = { 1, 2, 3 } })
 map.rect(ground, onPitch { value = clear })
 

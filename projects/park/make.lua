@@ -13,7 +13,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
-    cellSize = 1, minGeom = 3, maxGeom = 9,
+    cellSize = 1, minGeom = 3, maxGeom = 8,
     species = {
         { name = "lawn", bladesPerM2 = 12000, height = 0.075, heightVariation = 0.25, width = 0.0035, bend = 0.45,
           leanDeg = 10, leanVariationDeg = 12, segments = 2, clumpSize = 0.35, clumpStrength = 0.5 },
@@ -22,7 +22,7 @@ entity.add("grass", { GrassField = {
           rootColor = { 0.05, 0.06, 0.02 }, midColor = { 0.08, 0.125, 0.035 }, tipColor = { 0.16, 0.17, 0.06 } },
     },
 } })
-entity.add("sun", { Light = { azimuthDeg = 300, elevationDeg = 36 } })
+entity.add("sun", { Light = { azimuthDeg = 105, elevationDeg = 38 } })
 entity.add("sky", { Sky = { turbidity = 3.5 } })
 entity.add("haze", { Fog = { visibility = 2500 } })
 
@@ -90,15 +90,15 @@ map.blur(height, 0.8)
 map.noise(height, { scale = 3, octaves = 3, amount = 0.04, seed = 12 })
 
 -- Colours (sRGB) over the soil: gravel, and the mud of the ponds darkening towards the middle.
-map.create { path = ground, width = 1200, height = 1200, type = "u8", value = { 0.36, 0.31, 0.23, 0 } }
+map.create { path = ground, width = 1200, height = 1200, type = "u8", value = { 0.3, 0.26, 0.19, 0 } }
 for _, path in ipairs(paths) do
-    map.polyline(ground, { points = path.points, width = path.width, soft = 0.35, value = { 0.62, 0.57, 0.48, 1 } })
+    map.polyline(ground, { points = path.points, width = path.width, soft = 0.35, value = { 0.46, 0.42, 0.35, 1 } })
 end
 for _, pond in ipairs(ponds) do
-    map.polygon(ground, { points = pond.shore, soft = 2.5, value = { 0.33, 0.29, 0.23, 1 } })
-    map.polygon(ground, { points = pond.shore, soft = 7, value = { 0.17, 0.2, 0.24, 1 } })
+    map.polygon(ground, { points = pond.shore, soft = 2.5, value = { 0.27, 0.23, 0.17, 1 } })
+    map.polygon(ground, { points = pond.shore, soft = 7, value = { 0.12, 0.135, 0.14, 1 } })
 end
-map.noise(ground, { scale = 0.5, octaves = 4, amount = 0.22, seed = 21, mode = "multiply", channels = { 1, 2, 3 } })
+map.noise(ground, { scale = 0.4, octaves = 2, amount = 0.3, seed = 21, mode = "multiply", channels = { 1, 2, 3 } })
 
 ---------------------------------------------------------------------------------------------------------------- grass
 
@@ -152,7 +152,7 @@ map.curve(tint, { { 0.4, 0 }, { 0.8, 0.4 } }, { channels = { 4 } })
 
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
 entity.add("whole", { Camera = { eye = { 60, 56, -78 }, target = { 60, 0, 44 }, fovDeg = 55 } })
-entity.add("human", { Camera = { eye = above(57, 20, 1.7), target = above(50, 44, 0.4), fovDeg = 55 } })
-entity.add("low", { Camera = { eye = above(72, 44, 0.28), target = above(88, 30, 0.4), fovDeg = 55 } })
+entity.add("human", { Camera = { eye = above(46.5, 67.5, 1.7), target = above(41, 53, 0.3), fovDeg = 55 } })
+entity.add("low", { Camera = { eye = above(111, 40, 0.28), target = above(100, 30, 0.45), fovDeg = 55 } })
 
 project.saveAs(".")
