@@ -2,6 +2,7 @@
 // live on in it, so each stamp pays for fresh tiles, as here.
 #include <benchmark/benchmark.h>
 
+#include "bench/limits.h"
 #include "brushes/brush.h"
 
 namespace {
@@ -55,5 +56,18 @@ BENCHMARK_CAPTURE(stamp, noise_u16, "noise", PixelType::U16)->Arg(500)->Unit(ben
 BENCHMARK_CAPTURE(stamp, smooth_u16, "smooth", PixelType::U16)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(stamp, add_u8, "add", PixelType::U8)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(stamp, add_f32, "add", PixelType::F32)->Arg(500)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// What a frame can bear: a stamp of 500 texels' radius, with its undo; sending it to the GPU comes on top.
+SWARD_LIMITS("stamp", [] {
+    for (const char* mode : {"add", "subtract", "set", "smooth", "noise"}) {
+        const Map original = paintedMap(PixelType::U16);
+        std::vector<double> ms;
+        for (uint32_t turn = 0; turn < 40; ++turn) {
+            Map map = original;
+            ms.push_back(1e3 * seconds([&] { applyStamp(map, *findBrush(mode), {kSide / 2.0, kSide / 2.0, 500, 500, turn}, {}); }));
+        }
+        reportLimit((std::string("stamp of 500 texels on 4096^2, 16 bit, ") + mode).c_str(), median(ms), 5, "ms");
+    }
+});
 
 }  // namespace

@@ -20,6 +20,10 @@ if [ ! -f "$dir/build.ninja" ] || [ CMakePresets.json -nt "$dir/build.ninja" ]; 
     fi
 fi
 
+# A home that cannot be written to is no reason to fail.
+cache=$(ccache -k cache_dir 2>/dev/null || true)
+if [ -n "$cache" ] && ! { mkdir -p "$cache" 2>/dev/null && [ -w "$cache" ]; }; then export CCACHE_DISABLE=1; fi
+
 jobs=${SWARD_JOBS:-$(nproc)}
 targets=(--target "$@")
 [ $# -gt 0 ] || targets=()

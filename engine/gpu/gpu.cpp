@@ -10,11 +10,11 @@ namespace {
 struct EglContext {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
+    // The display stays initialised: other contexts of this process share it.
     ~EglContext() {
         if (context == EGL_NO_CONTEXT) return;
-        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (eglGetCurrentContext() == context) eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display, context);
-        eglTerminate(display);
     }
 };
 
@@ -31,7 +31,6 @@ bool contextOn(EGLDisplay display, EglContext& out, std::string& tried, const st
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         tried += what + ": no OpenGL 4.5 core; ";
         if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-        eglTerminate(display);
         return false;
     }
     out.display = display;
@@ -111,6 +110,11 @@ Result<std::unique_ptr<Gpu>> makeHeadlessGpu() {
     gpu->context = egl;
     if (Status s = describe(*gpu); !s) return s.error();
     return gpu;
+}
+
+void makeCurrent(const Gpu& gpu) {
+    if (const auto egl = std::static_pointer_cast<EglContext>(gpu.context))
+        eglMakeCurrent(egl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl->context);
 }
 
 Result<std::unique_ptr<Gpu>> adoptCurrentGpu() {

@@ -26,6 +26,8 @@ struct Gpu {
 
 // Makes a headless context current; prefers a hardware device. ExitCode::NoContext with what was tried.
 Result<std::unique_ptr<Gpu>> makeHeadlessGpu();
+// Makes a headless context current again, where a process has several. Nothing for a window's.
+void makeCurrent(const Gpu& gpu);
 // Takes the context that is current already (a window's).
 Result<std::unique_ptr<Gpu>> adoptCurrentGpu();
 

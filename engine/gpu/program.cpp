@@ -28,6 +28,10 @@ std::optional<std::string> includeOf(const std::string& line) {
     return line.substr(a + 1, b - a - 1);
 }
 
+// A line's number carries its file's: Mesa forgets #line's second number in half of its messages.
+constexpr size_t kLinesPerFile = 100000;
+std::string lineDirective(size_t file, int line) { return fmt::format("#line {}\n", file * kLinesPerFile + static_cast<size_t>(line)); }
+
 struct Loader {
     fs::path folder;
     ShaderText out;
@@ -43,7 +47,7 @@ struct Loader {
         }
         const size_t number = out.files.size();
         out.files.push_back(path);
-        out.text += fmt::format("#line 1 {}\n", number);
+        out.text += lineDirective(number, 1);
         std::string line;
         for (int n = 1; std::getline(in, line); ++n) {
             const auto include = includeOf(line);
@@ -53,7 +57,7 @@ struct Loader {
                 continue;
             }
             if (Status s = append(*include, path, n); !s) return s;
-            out.text += fmt::format("#line {} {}\n", n + 1, number);
+            out.text += lineDirective(number, n + 1);
         }
         return {};
     }
@@ -69,13 +73,13 @@ Result<ShaderText> loadShaderText(const fs::path& folder, const std::string& pat
 }
 
 std::string namedLog(const std::string& log, const std::vector<std::string>& files) {
-    static const std::regex place(R"((^|ERROR: |\n)(\d+)[:(](\d+)\)?)");
+    static const std::regex place(R"((^|ERROR: |\n)\d+[:(](\d+)\)?)");
     std::string out;
     auto at = log.cbegin();
     for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
         out.append(at, log.cbegin() + it->position());
-        const size_t file = std::stoul((*it)[2]);
-        out += (*it)[1].str() + (file < files.size() ? files[file] : (*it)[2].str()) + ":" + (*it)[3].str();
+        const size_t number = std::stoull((*it)[2]), file = number / kLinesPerFile;
+        out += (*it)[1].str() + (file < files.size() ? files[file] : "?") + ":" + std::to_string(number % kLinesPerFile);
         at = log.cbegin() + it->position() + it->length();
     }
     out.append(at, log.cend());

@@ -17,12 +17,12 @@ std::filesystem::path shaderFolder();
 
 struct ShaderText {
     std::string text;                // "#version", feature constants, then the sources with #line
-    std::vector<std::string> files;  // by the number that #line gives them
+    std::vector<std::string> files;  // by the number that their lines carry
 };
 // path: under the folder. `constants`: lines put after #version, such as "const bool WIND = true;".
 // Error: Failed, naming the file that cannot be read and the file and line that includes it.
 Result<ShaderText> loadShaderText(const std::filesystem::path& folder, const std::string& path, const std::string& constants);
-// Rewrites "0:12(3)", "0(12)" and "ERROR: 0:12" of a compiler's log to file names.
+// Rewrites "0:300012(3)", "0(300012)" and "ERROR: 0:300012" of a compiler's log to the third file's name and line 12.
 std::string namedLog(const std::string& log, const std::vector<std::string>& files);
 
 // Paths under the shader folder; null where a stage is absent.

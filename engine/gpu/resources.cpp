@@ -1,5 +1,7 @@
 #include "gpu/resources.h"
 
+#include <bit>
+
 namespace sward {
 
 size_t formatBytes(GLenum format) {
@@ -27,7 +29,8 @@ Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* 
 }
 
 void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data) {
-    if (buffer.bytes() < bytes) buffer = makeBuffer(gpu, owner, bytes + bytes / 2, nullptr);
+    const size_t room = std::bit_ceil(std::max<size_t>(bytes, 256));
+    if (buffer.bytes() != room) buffer = makeBuffer(gpu, owner, room, nullptr);
     if (bytes > 0) glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), data);
 }
 

@@ -74,7 +74,8 @@ struct Buffer {
 };
 // owner: "domain/stem"; its domain/stem is what `explain` charges. data may be null. Sizes of 0 become 16.
 Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags = GL_DYNAMIC_STORAGE_BIT);
-// Makes room for `bytes` (contents are lost when it grows; grows by half again) and writes them at the start.
+// Writes at the start of a buffer whose size is the next power of two: what it holds follows from what is written now, not
+// from what was once. Contents are lost when the size changes.
 void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data);
 
 struct Texture {

@@ -151,7 +151,7 @@ map.curve(tint, { { 0.4, 0 }, { 0.8, 0.4 } }, { channels = { 4 } })
 -------------------------------------------------------------------------------------------------------------- cameras
 
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
-entity.add("whole", { Camera = { eye = { 60, 52, -62 }, target = { 60, 0, 48 }, fovDeg = 55 } })
+entity.add("whole", { Camera = { eye = { 60, 56, -78 }, target = { 60, 0, 44 }, fovDeg = 55 } })
 entity.add("human", { Camera = { eye = above(57, 20, 1.7), target = above(50, 44, 0.4), fovDeg = 55 } })
 entity.add("low", { Camera = { eye = above(72, 44, 0.28), target = above(88, 30, 0.4), fovDeg = 55 } })
 

@@ -23,7 +23,7 @@ struct Cage {
 };
 bool says(const std::string& fault, const std::string& part) { return fault.find(part) != std::string::npos; }
 
-TEST(Sandbox, DangerousLibrariesAreNotThere) {
+TEST(ScriptSandbox, DangerousLibrariesAreNotThere) {
     Cage c;
     EXPECT_EQ(c.fault(R"(
         for _, name in ipairs{'os', 'io', 'debug', 'package', 'require', 'load', 'loadfile', 'dofile', 'collectgarbage', 'loadstring'} do
@@ -34,19 +34,19 @@ TEST(Sandbox, DangerousLibrariesAreNotThere) {
               "");
 }
 
-TEST(Sandbox, CompiledLuaIsRefused) {
+TEST(ScriptSandbox, CompiledLuaIsRefused) {
     Cage c;
     EXPECT_TRUE(says(c.fault(std::string("\x1bLua\x54\x00", 6)), "text only"));
 }
 
-TEST(Sandbox, FinalizersAreRefused) {
+TEST(ScriptSandbox, FinalizersAreRefused) {
     Cage c;
     EXPECT_TRUE(says(c.fault("setmetatable({}, {__gc = function() while true do end end})"), "finalizers"));
     EXPECT_EQ(c.fault("local t = setmetatable({}, {__index = {a = 1}}) expect.equal(t.a, 1)"), "");
     EXPECT_TRUE(says(c.fault("setmetatable(setmetatable({}, {__metatable = 1}), {})"), "protected"));
 }
 
-TEST(Sandbox, ProtectedCallsWork) {
+TEST(ScriptSandbox, ProtectedCallsWork) {
     Cage c;
     EXPECT_EQ(c.fault(R"(
         expect.equal({pcall(function(a) return a, 'x' end, 1)}, {true, 1, 'x'})
@@ -59,7 +59,7 @@ TEST(Sandbox, ProtectedCallsWork) {
               "");
 }
 
-TEST(Sandbox, EndlessScriptsEndAndSayTheirBound) {
+TEST(ScriptSandbox, EndlessScriptsEndAndSayTheirBound) {
     Cage c;
     c.host.limits.instructions = 2'000'000;
     const std::string bound = "the script used up its 2000000 instructions";
@@ -87,13 +87,13 @@ TEST(Sandbox, EndlessScriptsEndAndSayTheirBound) {
         EXPECT_TRUE(says(c.fault(endless), bound)) << endless << "\n" << c.fault(endless);
 }
 
-TEST(Sandbox, TheBoundIsToldWithTheLineThatReachedIt) {
+TEST(ScriptSandbox, TheBoundIsToldWithTheLineThatReachedIt) {
     Cage c;
     c.host.limits.instructions = 100'000;
     EXPECT_TRUE(says(c.fault("local x = 0\nwhile true do\n  x = x + 1\nend"), "test.lua:3: the script used up"));
 }
 
-TEST(Sandbox, TooMuchMemoryIsRefusedWithTheBound) {
+TEST(ScriptSandbox, TooMuchMemoryIsRefusedWithTheBound) {
     Cage c;
     c.host.limits.memoryBytes = size_t(32) << 20;
     for (const char* greedy : {
@@ -106,7 +106,7 @@ TEST(Sandbox, TooMuchMemoryIsRefusedWithTheBound) {
     EXPECT_EQ(c.fault("expect.truthy(not pcall(string.rep, 'x', 1 << 30))"), "");  // may be caught: it did no harm
 }
 
-TEST(Sandbox, DeepRecursionEndsTheScriptOnly) {
+TEST(ScriptSandbox, DeepRecursionEndsTheScriptOnly) {
     Cage c;
     EXPECT_TRUE(says(c.fault("local function f() return 1 + f() end f()"), "stack overflow"));
     EXPECT_NE(c.fault("local t = {} for i = 1, 1000 do t = {t} end local u = {} for i = 1, 1000 do u = {u} end "
@@ -115,7 +115,7 @@ TEST(Sandbox, DeepRecursionEndsTheScriptOnly) {
     EXPECT_NE(c.fault("string.rep('(', 1000000):find(string.rep('(', 1000))"), "");
 }
 
-TEST(Sandbox, MapsBeyondTheirBoundAreRefused) {
+TEST(ScriptSandbox, MapsBeyondTheirBoundAreRefused) {
     Cage c;
     EXPECT_TRUE(
         says(c.fault("project.new() map.create{path = 'vegetation', width = 16384, height = 16384, type = 'f32'}"),
@@ -128,7 +128,7 @@ TEST(Sandbox, MapsBeyondTheirBoundAreRefused) {
 
 // --- files -----------------------------------------------------------------------------------------------------------
 
-TEST(Sandbox, FilesOutsideAreOutOfReach) {
+TEST(ScriptSandbox, FilesOutsideAreOutOfReach) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png') map.export('density', 'p/ok.png')"), "");
     EXPECT_TRUE(fs::exists(c.dir / "inside/p/ok.png"));
@@ -145,7 +145,7 @@ TEST(Sandbox, FilesOutsideAreOutOfReach) {
     EXPECT_FALSE(fs::exists(c.dir / "new.png"));
 }
 
-TEST(Sandbox, SymbolicLinksCountAsWhereTheyLead) {
+TEST(ScriptSandbox, SymbolicLinksCountAsWhereTheyLead) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png')"), "");
     fs::rename(c.dir / "inside/ok.png", c.dir / "outside.png");
@@ -162,7 +162,7 @@ TEST(Sandbox, SymbolicLinksCountAsWhereTheyLead) {
     EXPECT_FALSE(fs::exists(c.dir / "new.png"));
 }
 
-TEST(Sandbox, AProjectElsewhereMayBeOpenedAndCopiedButNotAnyFolder) {
+TEST(ScriptSandbox, AProjectElsewhereMayBeOpenedAndCopiedButNotAnyFolder) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p') project.saveAs('q')"), "");
     fs::rename(c.dir / "inside/q", c.dir / "q");
@@ -174,7 +174,7 @@ TEST(Sandbox, AProjectElsewhereMayBeOpenedAndCopiedButNotAnyFolder) {
     EXPECT_TRUE(says(c.fault("project.tempCopy('nowhere')"), "no such project"));
 }
 
-TEST(Sandbox, TempCopyTakesNoLinksAlong) {
+TEST(ScriptSandbox, TempCopyTakesNoLinksAlong) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p')"), "");
     test::writeText(c.dir / "secret", "s");

@@ -1,0 +1,141 @@
+// What a scene lacks is not run, not compiled, not in memory: adding and removing each component and each map leaves plan,
+// programs and bytes as before.
+#include "core/json.h"
+#include "scenes.h"
+
+namespace sward::test {
+namespace {
+
+struct Trace {
+    std::string plan;  // explain --json: features, systems, passes, programs, bytes
+    std::vector<std::string> programs;
+    std::map<std::string, int64_t> ledger;
+    std::vector<uint8_t> image;
+};
+
+Trace traceOf(Renderer& renderer, Project& p) {
+    const Status drawn = renderer.draw(p, eyeHeight(), small());
+    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
+    return {renderer.explain(p, true), renderer.programNames(), gpu().ledger, renderer.readImage()};
+}
+
+// The first line in which two texts differ.
+std::string difference(const std::string& a, const std::string& b) {
+    const size_t n = static_cast<size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+    const size_t line = a.rfind('\n', n) + 1;
+    return a.substr(line, a.find('\n', n) - line) + " | " + b.substr(std::min(line, b.size()), 60);
+}
+
+void expectSame(const Trace& a, const Trace& b, const std::string& what) {
+    EXPECT_TRUE(a.plan == b.plan) << what << ": " << difference(a.plan, b.plan);
+    EXPECT_EQ(a.programs, b.programs) << what;
+    EXPECT_EQ(a.ledger, b.ledger) << what;
+    EXPECT_TRUE(a.image == b.image) << what << ": the picture differs";
+}
+
+// A scene in which every feature is there.
+Project everything() {
+    Project p = lawn();
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
+    f.species[0].density = field(filled({64, 64, 1, PixelType::U16}, 0.7f));
+    f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f));
+    f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f));
+    f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
+    t.height = field(filled({32, 32, 1, PixelType::F32}, 0.5f));
+    t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
+    return p;
+}
+
+TEST(Trace, AddingAndRemovingEachComponentLeavesNothing) {
+    NoGlErrors errors;
+    Renderer renderer(gpu(), tables());
+    for (const ComponentRow& row : tables().components) {
+        Project p = everything();
+        const Trace before = traceOf(renderer, p);
+        const Entity e = *addEntity(p, "aaa-added");
+        row.assign(p.registry, e, nullptr);
+        traceOf(renderer, p);
+        row.remove(p.registry, e);
+        removeEntity(p, "aaa-added");
+        expectSame(before, traceOf(renderer, p), std::string(row.name) + " added and removed");
+    }
+}
+
+TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
+    NoGlErrors errors;
+    for (const ComponentRow& row : tables().components) {
+        Project without = everything();
+        for (auto& [name, e] : without.entities) row.remove(without.registry, e);
+        Trace never;
+        {
+            Renderer fresh(gpu(), tables());
+            never = traceOf(fresh, without);
+        }
+        Renderer renderer(gpu(), tables());
+        Project p = everything();
+        const Trace with = traceOf(renderer, p);
+        for (auto& [name, e] : p.entities) row.remove(p.registry, e);
+        const Trace after = traceOf(renderer, p);
+        expectSame(never, after, std::string("without ") + row.name);
+        if (row.features(row.defaults()).any()) {
+            EXPECT_TRUE(with.plan != after.plan) << row.name << " makes no difference to the plan";
+        }
+    }
+}
+
+TEST(Trace, RemovingEachMapLeavesTheSceneThatNeverHadIt) {
+    NoGlErrors errors;
+    Project all = everything();
+    for (const FieldRef& map : allMaps(all, tables().components)) {
+        const auto removeFrom = [&](Project& p) { *static_cast<MapField*>(findField(p, tables().components, map.path)->value) = {}; };
+        Project without = everything();
+        removeFrom(without);
+        Trace never;
+        {
+            Renderer fresh(gpu(), tables());
+            never = traceOf(fresh, without);
+        }
+        Renderer renderer(gpu(), tables());
+        Project p = everything();
+        const Trace with = traceOf(renderer, p);
+        removeFrom(p);
+        expectSame(never, traceOf(renderer, p), "without " + map.path);
+        EXPECT_TRUE(with.plan != never.plan) << map.path;
+        EXPECT_GT(with.ledger.size(), never.ledger.size()) << map.path << " holds no memory of its own";
+    }
+}
+
+TEST(Trace, AnEmptySceneRunsOnlyWhatEveryPictureNeeds) {
+    NoGlErrors errors;
+    Renderer renderer(gpu(), tables());
+    Project p;
+    const Trace t = traceOf(renderer, p);
+    EXPECT_EQ(t.programs, (std::vector<std::string>{"post/tonemap"}));
+    for (const auto& [owner, bytes] : t.ledger) EXPECT_EQ(owner.rfind("frame/", 0), 0u) << owner << " holds " << bytes;
+}
+
+TEST(Trace, ARendererGivesBackEveryByte) {
+    const auto before = gpu().ledger;
+    {
+        Renderer renderer(gpu(), tables());
+        Project p = everything();
+        traceOf(renderer, p);
+        EXPECT_NE(gpu().ledger, before);
+    }
+    EXPECT_EQ(gpu().ledger, before);
+}
+
+TEST(Trace, ExplainNamesTheEntityAndWhatIsAbsent) {
+    Renderer renderer(gpu(), tables());
+    Project p = lawn();
+    const std::string text = renderer.explain(p, false), json = renderer.explain(p, true);
+    EXPECT_NE(text.find("because of sun"), std::string::npos) << text;
+    EXPECT_NE(text.find("terrain-heights: no Terrain has a height map"), std::string::npos) << text;
+    const auto parsed = parseJson(json, "explain");
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(parsed->find("features")->array.size() + parsed->find("absent")->array.size(), static_cast<size_t>(Feature::Count));
+}
+
+}  // namespace
+}  // namespace sward::test

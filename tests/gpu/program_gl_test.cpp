@@ -1,0 +1,106 @@
+#include "gpu/program.h"
+
+#include "scenes.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+const char* kVertex = "void main() { gl_Position = vec4(VALUE); }\n";
+
+struct Shaders {
+    TempDir dir;
+    ProgramSources sources{"test/program", "a.vert.glsl", "a.frag.glsl", nullptr};
+    Shaders() {
+        writeText(dir / "a.vert.glsl", std::string("#include \"lib/value.glsl\"\n#include \"lib/value.glsl\"\n") + kVertex);
+        writeText(dir / "a.frag.glsl", "#include \"lib/value.glsl\"\nout vec4 c;\nvoid main() { c = vec4(VALUE); }\n");
+        writeText(dir / "lib/value.glsl", "const float VALUE = 1.0;\n");
+    }
+    // A newer time, whatever the clock's resolution.
+    void rewrite(const std::string& name, const std::string& text) {
+        static int later = 0;
+        writeText(dir / name, text);
+        std::filesystem::last_write_time(dir / name, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++later));
+    }
+};
+
+TEST(Program, IncludesAreResolvedOnceAndCompile) {
+    gpu();
+    Shaders s;
+    Programs programs(s.dir.path);
+    const auto program = programs.get(s.sources, "");
+    ASSERT_TRUE(program) << program.error().text();
+    EXPECT_EQ(*programs.get(s.sources, ""), *program) << "compiled twice";
+    EXPECT_NE(*programs.get(s.sources, "const bool WIND = true;\n"), *program) << "other constants, other program";
+}
+
+TEST(Program, ACompilersMessageNamesTheIncludedFileAndItsLine) {
+    gpu();
+    Shaders s;
+    writeText(s.dir / "lib/value.glsl", "\nconst float VALUE = misspelt;\n");
+    Programs programs(s.dir.path);
+    const auto program = programs.get(s.sources, "");
+    ASSERT_FALSE(program);
+    EXPECT_NE(program.error().text().find("lib/value.glsl:2"), std::string::npos) << program.error().text();
+}
+
+TEST(Program, AMissingIncludeNamesTheFileThatWantsIt) {
+    gpu();
+    Shaders s;
+    writeText(s.dir / "a.frag.glsl", "\n#include \"lib/gone.glsl\"\n");
+    Programs programs(s.dir.path);
+    const auto program = programs.get(s.sources, "");
+    ASSERT_FALSE(program);
+    EXPECT_NE(program.error().text().find("gone.glsl"), std::string::npos);
+    EXPECT_NE(program.error().text().find("a.frag.glsl:2"), std::string::npos) << program.error().text();
+}
+
+TEST(Program, AMisspeltFeatureIsACompileError) {
+    gpu();
+    Shaders s;
+    writeText(s.dir / "a.frag.glsl", "out vec4 c;\nvoid main() { c = vec4(0.0); if (WINDY) c.x = 1.0; }\n");
+    Programs programs(s.dir.path);
+    EXPECT_FALSE(programs.get(s.sources, "const bool WIND = true;\n"));
+}
+
+TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
+    gpu();
+    Shaders s;
+    Programs programs(s.dir.path);
+    const GLuint first = *programs.get(s.sources, "");
+    EXPECT_TRUE(programs.reload().empty()) << "nothing changed";
+    EXPECT_EQ(*programs.get(s.sources, ""), first);
+
+    s.rewrite("lib/value.glsl", "const float VALUE = broken;\n");
+    const auto failed = programs.reload();
+    ASSERT_EQ(failed.size(), 1u);
+    EXPECT_NE(failed[0].find("lib/value.glsl:1"), std::string::npos) << failed[0];
+    EXPECT_EQ(*programs.get(s.sources, ""), first) << "the last good program is gone";
+    GLint linked = 0;
+    glGetProgramiv(first, GL_LINK_STATUS, &linked);
+    EXPECT_EQ(linked, GL_TRUE);
+    EXPECT_TRUE(programs.reload().empty()) << "the same fault is not told twice";
+
+    s.rewrite("lib/value.glsl", "const float VALUE = 2.0;\n");
+    EXPECT_TRUE(programs.reload().empty());
+    EXPECT_TRUE(programs.get(s.sources, ""));
+}
+
+TEST(Program, EveryProgramOfTheTableCompilesForEveryFeatureSet) {
+    NoGlErrors errors;
+    Programs programs;
+    for (const EffectRow& e : tables().effects)
+        for (const Pass& pass : e.passes)
+            for (const ProgramRow& p : pass.programs)
+                for (const FeatureSet& scene : {FeatureSet{}, ~FeatureSet{}}) {
+                    std::string constants;
+                    for (size_t f = 0; f < p.features.size(); ++f)
+                        if (p.features.test(f))
+                            constants += std::string("const bool ") + featureConstant(static_cast<Feature>(f)) + (scene.test(f) ? " = true;\n" : " = false;\n");
+                    const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, constants);
+                    EXPECT_TRUE(program) << (program ? "" : program.error().text());
+                }
+}
+
+}  // namespace
+}  // namespace sward::test

@@ -1,0 +1,159 @@
+#include "measure/frame_stats.h"
+#include "scenes.h"
+
+namespace sward::test {
+namespace {
+
+GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+
+const PassStats& passOf(const Renderer& r, const std::string& name) {
+    for (const PassStats& p : r.stats().passes)
+        if (p.name == name) return p;
+    static const PassStats none;
+    return none;
+}
+
+// Pixels of the tiers view that show blades (red), by half of the picture.
+std::array<int, 2> redPixels(Renderer& r, Project& p, const ViewCamera& c) {
+    ViewSettings s = small();
+    s.mode = ViewMode::Tiers;
+    EXPECT_TRUE(r.draw(p, c, s));
+    const auto image = r.readImage();
+    std::array<int, 2> n{0, 0};
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            const size_t i = (static_cast<size_t>(y) * static_cast<size_t>(s.width) + static_cast<size_t>(x)) * 3;
+            n[x >= s.width / 2] += image[i] > 90 && image[i] > 2 * image[i + 1];
+        }
+    return n;
+}
+
+TEST(GrassPicture, BladesAreSeenAndBareGroundHasNone) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    const auto full = redPixels(r, p, above());
+    EXPECT_GT(full[0] + full[1], 300);
+    grassOf(p).species[0].density = field(filled({8, 8, 1, PixelType::U16}, 0));
+    const auto bare = redPixels(r, p, above());
+    EXPECT_EQ(bare[0] + bare[1], 0);
+    EXPECT_EQ(r.stats().bladesGeometry, 0u);
+}
+
+TEST(GrassPicture, AHalfPaintedMapShowsGrassOnItsHalfOnly) {
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    grassOf(p).fade = 0;
+    Map m({40, 40, 1, PixelType::U16});
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 20; ++x) m.set(x, y, 0, 1);
+    grassOf(p).species[0].density = field(m);
+    const auto halves = redPixels(r, p, {{10, 6, 8}, {10, 0, 10}, 55, 0});  // looking along +z: +x is on the left
+    EXPECT_GT(std::max(halves[0], halves[1]), 150);
+    EXPECT_LT(std::min(halves[0], halves[1]), std::max(halves[0], halves[1]) / 20);
+}
+
+TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    GrassField& f = grassOf(p);
+    f.technique = static_cast<int>(Technique::Geometry);
+    f.fade = 0;
+    f.species[0].segments = 1;
+    f.species[0].density = field(filled({8, 8, 1, PixelType::U16}, 0.5f));
+    ViewSettings s = small();
+    s.measure = true;
+    const ViewCamera c{{10, 30, 10}, {10, 0, 10.001}, 55, 0};  // all of it in view
+    ASSERT_TRUE(r.draw(p, c, s));
+    EXPECT_DOUBLE_EQ(r.stats().bladesVirtual, 200.0 * 400 * f.species[0].density.map.mean());
+    const uint64_t seen = visibleBlades(p, c, s.width, s.height);
+    EXPECT_NEAR(static_cast<double>(seen), 200.0 * 400 / 2, 200.0 * 400 / 255);
+    EXPECT_EQ(r.stats().bladesGeometry, seen) << "constant density: the contiguous range is exactly the blades that exist";
+    const PassStats& pass = passOf(r, "grass/geometry");
+    EXPECT_GE(pass.vertices, 4 * seen) << "two rows of two vertices a blade";
+    EXPECT_FALSE(r.stats().features.empty());
+}
+
+TEST(GrassPicture, CallsDoNotGrowWithTheFieldAndFlatDrawsNone) {
+    Renderer r(gpu(), tables());
+    uint64_t draws[2];
+    for (int i = 0; i < 2; ++i) {
+        Project p = lawn();
+        p.registry.get<Terrain>(findEntity(p, "ground"))->size = i == 0 ? glm::dvec2(20) : glm::dvec2(640);
+        ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
+        draws[i] = passOf(r, "grass/geometry").draws;
+        if (i == 1) {
+            grassOf(p).technique = static_cast<int>(Technique::Flat);
+            ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
+            EXPECT_EQ(passOf(r, "grass/geometry").draws, 0u);
+        }
+    }
+    EXPECT_EQ(draws[0], draws[1]);
+}
+
+TEST(GrassPicture, IsTheSameNinetyThousandUnitsFromTheOrigin) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
+    const auto here = r.readImage();
+    const glm::dvec3 away{90000, 0, -90000};
+    put(p, "ground", Transform{away});
+    ViewCamera c = eyeHeight();
+    c.eye += away;
+    c.target += away;
+    ASSERT_TRUE(r.draw(p, c, small()));
+    const auto there = r.readImage();
+    int worst = 0;
+    for (size_t i = 0; i < here.size(); ++i) worst = std::max(worst, std::abs(here[i] - there[i]));
+    EXPECT_LE(worst, 1);
+}
+
+TEST(GrassPicture, IsFiniteForSunsAtTheZenithTheHorizonAndBelow) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    for (const float elevation : {90.0f, 0.0f, 0.01f, -20.0f}) {
+        p.registry.get<Light>(findEntity(p, "sun"))->elevationDeg = elevation;
+        ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
+        for (float v : r.readLinear()) ASSERT_TRUE(std::isfinite(v) && v >= 0) << elevation;
+    }
+}
+
+TEST(GrassPicture, PaintedLeanTurnsTheBlades) {
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    GrassField& f = grassOf(p);
+    f.species[0].bladesPerM2 = 4000;
+    f.species[0].leanDeg = 45;
+    f.species[0].clumpSize = 0;
+    double mean[2];
+    for (int i = 0; i < 2; ++i) {
+        Map m({4, 4, 2, PixelType::U16});
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 4; ++x) m.set(x, y, 0, 0.5f), m.set(x, y, 1, i == 0 ? 0.0f : 1.0f);
+        f.orientation = field(m);
+        ASSERT_TRUE(r.draw(p, {{10, 3, 4}, {10, 0, 9}, 45, 0}, small()));
+        mean[i] = 0;
+        for (float v : r.readLinear()) mean[i] += v;
+    }
+    EXPECT_GT(std::abs(mean[0] - mean[1]) / std::max(mean[0], mean[1]), 0.05) << "lean towards and away from the eye look alike";
+}
+
+TEST(GrassPicture, OverdrawCountsFragments) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project p = lawn();
+    ViewSettings s = small();
+    s.mode = ViewMode::Overdraw;
+    ASSERT_TRUE(r.draw(p, above(), s));
+    const auto light = r.readLinear();
+    float most = 0, least = 1e9f;
+    for (size_t i = 0; i < light.size(); i += 3) most = std::max(most, light[i]), least = std::min(least, light[i]);
+    EXPECT_GT(most, 1.9f / 32) << "somewhere a blade lies over the ground";
+    EXPECT_NEAR(least, 1.0f / 32, 1e-3f) << "and somewhere only the ground is drawn";
+}
+
+}  // namespace
+}  // namespace sward::test

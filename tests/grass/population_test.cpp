@@ -1,0 +1,122 @@
+#include "scene/population.h"
+
+#include <gtest/gtest.h>
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+Species species(float bladesPerM2) {
+    Species s;
+    s.bladesPerM2 = bladesPerM2;
+    return s;
+}
+
+TEST(Population, APatchHoldsDensityTimesArea) {
+    EXPECT_EQ(makePatch(species(2000), 0.5f, 1).blades.size(), 500u);
+    EXPECT_EQ(makePatch(species(87815), 0.5f, 1).blades.size(), 21954u);
+    EXPECT_EQ(makePatch(species(0), 0.5f, 1).blades.size(), 0u);
+    EXPECT_EQ(makePatch(species(4), 0.5f, 1).blades.size(), 1u);
+}
+
+TEST(Population, BladesAreSortedByThresholdsOfWholeTwoHundredFiftyFifths) {
+    const Patch p = makePatch(species(8000), 0.5f, 3);
+    uint32_t counted = 0;
+    for (size_t i = 0; i < p.blades.size(); ++i) {
+        const float k = p.blades[i].threshold * 255;
+        EXPECT_NEAR(k, std::round(k), 1e-4);
+        EXPECT_GE(k, 0.999f);
+        EXPECT_LE(k, 255.001f);
+        if (i > 0) EXPECT_LE(p.blades[i - 1].threshold, p.blades[i].threshold);
+    }
+    for (int k = 0; k <= 255; ++k) {
+        while (counted < p.blades.size() && p.blades[counted].threshold <= f32::thresholdOf(k)) ++counted;
+        EXPECT_EQ(p.upTo[static_cast<size_t>(k)], counted) << k;
+    }
+    EXPECT_EQ(p.upTo[255], p.blades.size());
+}
+
+TEST(Population, EveryDensityKeepsItsShareOfTheBlades) {
+    const Patch p = makePatch(species(8000), 0.5f, 3);
+    for (int k = 0; k <= 255; ++k) EXPECT_NEAR(p.upTo[static_cast<size_t>(k)], k / 255.0 * 2000, 9) << k;
+}
+
+TEST(Population, RootsAreStratifiedAndInsideTheirCell) {
+    const Patch p = makePatch(species(4 * 1024), 0.5f, 9);  // 1024 blades: 32 x 32 strata
+    std::vector<int> strata(1024);
+    for (const Blade& b : p.blades) {
+        ASSERT_GE(b.root.x, 0);
+        ASSERT_LT(b.root.x, 0.5f);
+        ASSERT_GE(b.root.y, 0);
+        ASSERT_LT(b.root.y, 0.5f);
+        ++strata[static_cast<size_t>(b.root.y * 64) * 32 + static_cast<size_t>(b.root.x * 64)];
+    }
+    EXPECT_TRUE(std::all_of(strata.begin(), strata.end(), [](int n) { return n == 1; }));
+}
+
+TEST(Population, ThinnedGrassStaysSpreadOverTheCell) {
+    const Patch p = makePatch(species(16000), 0.5f, 5);
+    int quarter[4] = {0, 0, 0, 0};
+    for (uint32_t i = 0; i < p.upTo[51]; ++i) ++quarter[(p.blades[i].root.x > 0.25f) + 2 * (p.blades[i].root.y > 0.25f)];
+    for (int n : quarter) EXPECT_NEAR(n, p.upTo[51] / 4.0, 4 * std::sqrt(p.upTo[51] / 4.0));
+}
+
+TEST(Population, NoBladeGoesUnderTheGroundAndAllAreFinite) {
+    Species s = species(20000);
+    s.bend = 1;
+    s.leanVariationDeg = 60;
+    for (const Blade& b : makePatch(s, 0.5f, 2).blades) {
+        for (float v = 0; v <= 1; v += 0.125f) {
+            const f32::BladeFrame f = f32::bladeFrameFacing(b.control, b.tip, b.facing, v);
+            ASSERT_GE(f.position.y, -1e-6f);
+            ASSERT_NEAR(glm::length(f.normal), 1, 1e-5f);
+        }
+        ASSERT_NEAR(glm::length(b.facing), 1, 1e-5f);
+        ASSERT_GT(b.dither, 0);
+        ASSERT_LE(b.dither, 1);
+    }
+}
+
+TEST(Population, TheSameSeedGivesTheSamePatchAndAnotherAnother) {
+    const Patch a = makePatch(species(2000), 0.5f, 1), b = makePatch(species(2000), 0.5f, 1), c = makePatch(species(2000), 0.5f, 2);
+    EXPECT_EQ(std::memcmp(a.blades.data(), b.blades.data(), a.blades.size() * sizeof(Blade)), 0);
+    EXPECT_NE(std::memcmp(a.blades.data(), c.blades.data(), a.blades.size() * sizeof(Blade)), 0);
+}
+
+TEST(Population, ThePatchKeyChangesWithEveryFieldThatShapesIt) {
+    const Species base = species(2000);
+    const uint64_t key = patchKey(base, 0.5f, 1);
+    EXPECT_NE(patchKey(base, 0.25f, 1), key);
+    EXPECT_NE(patchKey(base, 0.5f, 2), key);
+    for (float Species::* f : {&Species::bladesPerM2, &Species::height, &Species::heightVariation, &Species::width, &Species::bend,
+                               &Species::leanVariationDeg, &Species::hueVariationDeg, &Species::lightnessVariation}) {
+        Species s = base;
+        s.*f += 0.01f;
+        EXPECT_NE(patchKey(s, 0.5f, 1), key);
+    }
+}
+
+TEST(Pose, ALeaningBladeKeepsItsLengthAndStaysAboveGround) {
+    const Patch p = makePatch(species(2000), 0.5f, 1);
+    for (const Blade& b : p.blades)
+        for (const glm::vec2 lean : {glm::vec2(0), glm::vec2(0.4f, 0.1f), glm::vec2(-3, 0.2f)}) {
+            const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, -1}, lean, 1.0f);
+            EXPECT_NEAR(glm::length(pose.tip), glm::length(b.tip), 1e-6f);
+            EXPECT_GE(pose.tip.y, 0);
+            EXPECT_GE(pose.control.y, 0);
+            EXPECT_NEAR(glm::length(pose.facing), 1, 1e-5f);
+        }
+}
+
+TEST(Pose, NoLeanAndNoMirrorIsThePatchsOwnBlade) {
+    const Patch p = makePatch(species(2000), 0.5f, 1);
+    for (const Blade& b : p.blades) {
+        const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, {0, 0}, 1.0f);
+        EXPECT_LT(glm::length(pose.tip - b.tip), 1e-6f);
+        EXPECT_LT(glm::length(pose.control - b.control), 1e-6f);
+    }
+}
+
+}  // namespace
+}  // namespace sward

@@ -1,0 +1,116 @@
+#include "terrain/lod.h"
+
+#include <gtest/gtest.h>
+
+namespace sward {
+namespace {
+
+// Everything is in view.
+Frustum everywhere() {
+    Frustum f;
+    f.planes.fill(glm::vec4(0, 0, 0, 1));
+    return f;
+}
+
+Terrain hills(int side, double size) {
+    Terrain t;
+    t.size = {size, size};
+    Map m({side, side, 1, PixelType::F32});
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const double u = (x + 0.5) / side, v = (y + 0.5) / side;
+            m.set(x, y, 0, static_cast<float>(8 * std::sin(20 * u) * std::cos(17 * v)));
+        }
+    t.height = {"maps/h.exr", m};
+    return t;
+}
+
+int covering(const std::vector<TerrainNode>& nodes, double x, double z) {
+    int n = 0;
+    for (const TerrainNode& node : nodes) {
+        const double side = kNodeQuads * node.level.x;
+        n += x >= node.place.z && x < node.place.z + side && z >= node.place.w && z < node.place.w + side;
+    }
+    return n;
+}
+
+TEST(TerrainLod, EveryPointOfTheGroundIsInExactlyOneNode) {
+    const Terrain t = hills(128, 300);
+    HeightBounds bounds;
+    updateHeightBounds(bounds, t);
+    for (const glm::dvec3 eye : {glm::dvec3(150, 3, 150), glm::dvec3(-40, 30, 10), glm::dvec3(0, 2, 0), glm::dvec3(299, 200, 150)}) {
+        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everywhere());
+        for (double x = 0.3; x < 300; x += 7.7)
+            for (double z = 0.3; z < 300; z += 7.7) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
+    }
+}
+
+// Where levels meet, the finer one has morphed fully and the coarser one not yet: no crack whatever the heights.
+TEST(TerrainLod, VerticesAgreeWhereLevelsMeet) {
+    const Terrain t = hills(128, 300);
+    HeightBounds bounds;
+    updateHeightBounds(bounds, t);
+    int borders = 0;
+    for (const glm::dvec3 eye : {glm::dvec3(150, 3, 150), glm::dvec3(20, 40, 70)}) {
+        const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everywhere());
+        const double above = std::max(eye.y - bounds.high, 0.0);
+        const auto morph = [&](const TerrainNode& n, double x, double z) {
+            const double d = std::sqrt((x - eye.x) * (x - eye.x) + (z - eye.z) * (z - eye.z) + above * above);
+            return std::clamp((d - n.level.y) * n.level.z, 0.0, 1.0);
+        };
+        for (const TerrainNode& a : nodes)
+            for (const TerrainNode& b : nodes) {
+                const double sideA = kNodeQuads * a.level.x, edge = a.place.z + sideA;
+                if (b.level.x <= a.level.x || std::abs(edge - b.place.z) > 1e-6) continue;  // b is coarser, right of a
+                for (int i = 0; i <= kNodeQuads; ++i) {
+                    const double z = a.place.w + i * a.level.x;
+                    if (z < b.place.w || z > b.place.w + kNodeQuads * b.level.x || z > 300 || edge > 300) continue;
+                    ++borders;
+                    EXPECT_FLOAT_EQ(b.level.x, 2 * a.level.x) << "levels that meet differ by one";
+                    EXPECT_DOUBLE_EQ(morph(a, edge, z), 1.0) << edge << " " << z;
+                    EXPECT_DOUBLE_EQ(morph(b, edge, z), 0.0) << edge << " " << z;
+                }
+            }
+    }
+    EXPECT_GT(borders, 100);
+}
+
+TEST(TerrainLod, AFinerMapCostsNoMoreTriangles) {
+    const Frustum view = frustumOf(viewProjection({{100, 6, 100}, {300, 0, 300}, 55, 0}, 640, 480));
+    size_t nodes[2];
+    int i = 0;
+    for (int side : {512, 4096}) {
+        const Terrain t = hills(side, 600);
+        HeightBounds bounds;
+        updateHeightBounds(bounds, t);
+        nodes[i++] = selectNodes(t, terrainLod(t), bounds, {100, 6, 100}, view).size();
+    }
+    const double ratio = static_cast<double>(nodes[1]) / static_cast<double>(nodes[0]);
+    EXPECT_LT(ratio, 1.1);
+    EXPECT_GT(ratio, 1 / 1.1);
+}
+
+TEST(HeightBounds, ContainEverySampledHeight) {
+    const Terrain t = hills(77, 90);
+    HeightBounds bounds;
+    updateHeightBounds(bounds, t);
+    for (double x = 0; x <= 90; x += 1.7)
+        for (double z = 0; z <= 90; z += 1.3) {
+            const auto [low, high] = bounds.over(t.size, x, z, x, z);
+            const double h = terrainHeight(t, x, z);
+            EXPECT_GE(h, low - 1e-4);
+            EXPECT_LE(h, high + 1e-4);
+        }
+}
+
+TEST(HeightBounds, FlatGroundIsExactlyAtZero) {
+    Terrain t;
+    HeightBounds bounds;
+    updateHeightBounds(bounds, t);
+    EXPECT_EQ(bounds.low, 0);
+    EXPECT_EQ(bounds.high, 0);
+    EXPECT_EQ(terrainHeight(t, 3, 4), 0);
+}
+
+}  // namespace
+}  // namespace sward
