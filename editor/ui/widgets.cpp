@@ -94,7 +94,8 @@ void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
     WidgetBook& b = book();
     const ImVec2 corner = ImGui::GetItemRectMin();
-    if (b.hoverX != corner.x || b.hoverY != corner.y) b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
+    if (b.hoverX != corner.x || b.hoverY != corner.y)
+        b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
     b.hovering = true;
     b.tooltipDue = ImGui::GetTime() - b.hoverSince < kRestSeconds;
     if (b.tooltipDue) return;
@@ -120,7 +121,8 @@ bool checkbox(const std::string& label, bool& value) {
 }
 
 bool selectable(const std::string& label, bool selected, bool* doubleClicked) {
-    const bool pressed = ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
+    const bool pressed =
+        ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
     if (doubleClicked) *doubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     record(label, Kind::Button, selected ? "true" : "false");
     return pressed;
@@ -204,7 +206,8 @@ void endMenu() {
 }
 
 bool menuItem(const std::string& label, const std::string& chord, bool checked, bool enabled) {
-    const bool pressed = ImGui::MenuItem(shown(label).c_str(), chord.empty() ? nullptr : chord.c_str(), checked, enabled);
+    const bool pressed =
+        ImGui::MenuItem(shown(label).c_str(), chord.empty() ? nullptr : chord.c_str(), checked, enabled);
     record(label, Kind::Button, checked ? "true" : "false").enabled = enabled;
     return pressed;
 }
@@ -219,8 +222,9 @@ bool colorEdit(const std::string& label, float linear[3]) {
     if (!ImGui::BeginPopup(id.c_str())) return false;
     w.open = true;
     closeOnEscape();
-    const int flags = ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoSidePreview |
-                      ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex;
+    const int flags = ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions |
+                      ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                      ImGuiColorEditFlags_DisplayHex;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 14);
     const bool changed = ImGui::ColorPicker3((id + "picker").c_str(), srgb, flags);
     ImGui::EndPopup();
