@@ -11,7 +11,8 @@ namespace {
 void killWhileSaving() {
     const test::TempDir dir;
     std::string why;
-    reportLimit("projects unreadable or mixed after 1000 kills while saving", test::killSaveLoop(1000, dir / "p", &why), 0, "");
+    reportLimit("projects unreadable or mixed after 1000 kills while saving", test::killSaveLoop(1000, dir / "p", &why),
+                0, "");
     if (!why.empty()) std::fprintf(stderr, "%s\n", why.c_str());
 }
 
@@ -23,7 +24,8 @@ void saveAfterAStroke() {
     const Project before = snapshot(p, rows);
     static_cast<MapField*>(findMap(p, rows, "density")->value)->map.set(20, 20, 0, 0.25f);
     const auto written = saveProject(p, rows, &before);
-    reportLimit("files written by saving after one stroke", written ? double(written->size()) : std::nan(""), 1, "files");
+    reportLimit("files written by saving after one stroke", written ? double(written->size()) : std::nan(""), 1,
+                "files");
 }
 
 void loadHeights() {

@@ -15,7 +15,8 @@ using test::TempDir;
 Result<Project> make(const TempDir& dir, const std::string& place) {
     const fs::path folder = dir / fs::path(place).filename().string();
     fs::create_directories(folder);
-    fs::copy_file(fs::path(SWARD_SOURCE_DIR) / place / "make.lua", folder / "make.lua", fs::copy_options::overwrite_existing);
+    fs::copy_file(fs::path(SWARD_SOURCE_DIR) / place / "make.lua", folder / "make.lua",
+                  fs::copy_options::overwrite_existing);
     Document document(tables());
     ScriptHost host{document};
     if (Status made = runScript(folder / "make.lua", host); !made) return made.error();
@@ -32,7 +33,8 @@ const C& the(const Project& p, const std::string& entity) {
 }
 
 void expectCameras(const Project& p) {
-    for (const char* name : {"whole", "human", "low"}) EXPECT_NE(p.registry.get<Camera>(findEntity(p, name)), nullptr) << name;
+    for (const char* name : {"whole", "human", "low"})
+        EXPECT_NE(p.registry.get<Camera>(findEntity(p, name)), nullptr) << name;
 }
 
 // Every corner of the terrain is before the camera and within its picture of 4 to 3.
@@ -74,8 +76,14 @@ TEST(SampleProjects, FootballHas627MillionBladesOnAPitchOf105By68Metres) {
     const Map& density = mapOf(p, "density");
     const glm::dvec2 size = the<Terrain>(p, "ground").size;
     EXPECT_NEAR(density.mean() * size.x * size.y, 105 * 68, 0.01);
-    for (const auto& [x, z, wanted] : {std::tuple{9.9, 44.0, 0.0f}, {10.1, 44.0, 1.0f}, {114.9, 44.0, 1.0f}, {115.1, 44.0, 0.0f},
-                                       {60.0, 9.9, 0.0f}, {60.0, 10.1, 1.0f}, {60.0, 77.9, 1.0f}, {60.0, 78.1, 0.0f}})
+    for (const auto& [x, z, wanted] : {std::tuple{9.9, 44.0, 0.0f},
+                                       {10.1, 44.0, 1.0f},
+                                       {114.9, 44.0, 1.0f},
+                                       {115.1, 44.0, 0.0f},
+                                       {60.0, 9.9, 0.0f},
+                                       {60.0, 10.1, 1.0f},
+                                       {60.0, 77.9, 1.0f},
+                                       {60.0, 78.1, 0.0f}})
         EXPECT_EQ(density.sample(x / size.x, z / size.y), wanted) << x << "," << z;
     const GrassField& field = the<GrassField>(p, "turf");
     EXPECT_EQ(field.cellSize, 0.5f);
@@ -107,17 +115,46 @@ TEST(SampleProjects, FootballIsLinedByTheLawsOfTheGame) {
         double x, z;
     };
     const std::vector<Point> white = {
-        {halfLine, 20}, {105 - halfLine, 20}, {30, halfLine}, {30, 68 - halfLine},               // the frame
-        {middle, 10}, {middle, axis}, {middle + 9.15 - halfLine, axis}, {middle, axis - 9.15 + halfLine},  // the centre
-        {16.5 - halfLine, 20}, {105 - 16.5 + halfLine, 20}, {8, axis - 20.16 + halfLine}, {8, axis + 20.16 - halfLine},  // penalty areas
-        {5.5 - halfLine, 30}, {105 - 5.5 + halfLine, 30}, {3, axis - 9.16 + halfLine}, {3, axis + 9.16 - halfLine},      // goal areas
-        {11, axis}, {94, axis}, {11 + 9.15 - halfLine, axis}, {94 - 9.15 + halfLine, axis},      // spots and their arcs
-        {0.664, 0.664}, {104.336, 0.664}, {0.664, 67.336}, {104.336, 67.336},                    // corners, at 45 degrees
+        {halfLine, 20},
+        {105 - halfLine, 20},
+        {30, halfLine},
+        {30, 68 - halfLine},  // the frame
+        {middle, 10},
+        {middle, axis},
+        {middle + 9.15 - halfLine, axis},
+        {middle, axis - 9.15 + halfLine},  // the centre
+        {16.5 - halfLine, 20},
+        {105 - 16.5 + halfLine, 20},
+        {8, axis - 20.16 + halfLine},
+        {8, axis + 20.16 - halfLine},  // penalty areas
+        {5.5 - halfLine, 30},
+        {105 - 5.5 + halfLine, 30},
+        {3, axis - 9.16 + halfLine},
+        {3, axis + 9.16 - halfLine},  // goal areas
+        {11, axis},
+        {94, axis},
+        {11 + 9.15 - halfLine, axis},
+        {94 - 9.15 + halfLine, axis},  // spots and their arcs
+        {0.664, 0.664},
+        {104.336, 0.664},
+        {0.664, 67.336},
+        {104.336, 67.336},  // corners, at 45 degrees
     };
     for (const Point& w : white) EXPECT_GT(whiteAt(p, w.x, w.z), 0.8f) << w.x << "," << w.z;
-    const std::vector<Point> green = {{0.2, 20}, {30, 0.2}, {middle + 0.2, 10}, {middle + 9.15 + 0.1, axis}, {16.5 + 0.1, 20}, {16.5 - 0.22, 20},
-                                      {11 + 9.15 + 0.1, axis}, {9, 25}, {5.5 + 0.1, 30}, {0.4, 0.4}, {1.1, 1.1}, {11 - 9.15 + halfLine, axis}};
-    for (const Point& g : green) EXPECT_LT(whiteAt(p, g.x, g.z), 0.45f) << g.x << "," << g.z;  // worn grass is tinted a little
+    const std::vector<Point> green = {{0.2, 20},
+                                      {30, 0.2},
+                                      {middle + 0.2, 10},
+                                      {middle + 9.15 + 0.1, axis},
+                                      {16.5 + 0.1, 20},
+                                      {16.5 - 0.22, 20},
+                                      {11 + 9.15 + 0.1, axis},
+                                      {9, 25},
+                                      {5.5 + 0.1, 30},
+                                      {0.4, 0.4},
+                                      {1.1, 1.1},
+                                      {11 - 9.15 + halfLine, axis}};
+    for (const Point& g : green)
+        EXPECT_LT(whiteAt(p, g.x, g.z), 0.45f) << g.x << "," << g.z;  // worn grass is tinted a little
     const Map& ground = mapOf(p, "terrainMap");
     EXPECT_GT(ground.sample((10 + middle) / 125, 20.0 / 88, 3), 0.8f);  // lines are on the soil too
     EXPECT_LT(ground.sample((10 + middle + 1) / 125, 20.0 / 88, 3), 0.1f);
@@ -130,11 +167,13 @@ TEST(SampleProjects, ParkRollsAndIsBareOnItsPathsAndPonds) {
     Project& p = *made;
     expectCameras(p);
     expectSees(p, the<Camera>(p, "whole"), {0, 0}, {120, 120});
-    const Map &height = mapOf(p, "height"), &lawn = mapOf(p, "species[lawn].density"), &meadow = mapOf(p, "species[meadow].density");
+    const Map &height = mapOf(p, "height"), &lawn = mapOf(p, "species[lawn].density"),
+              &meadow = mapOf(p, "species[meadow].density");
     EXPECT_EQ(height.info().type, PixelType::F32);
     float low = 1e9f, high = -1e9f;
     for (int y = 0; y < height.info().height; ++y)
-        for (int x = 0; x < height.info().width; ++x) low = std::min(low, height.at(x, y)), high = std::max(high, height.at(x, y));
+        for (int x = 0; x < height.info().width; ++x)
+            low = std::min(low, height.at(x, y)), high = std::max(high, height.at(x, y));
     EXPECT_GT(high - low, 2);
     EXPECT_LT(high - low, 6);
     for (const auto& [x, z] : {std::pair{38.0, 44.0}, {84.0, 82.0}, {48.0, 62.0}, {62.0, 68.0}, {98.0, 56.0}}) {
@@ -164,7 +203,8 @@ TEST(SampleProjects, MakingAProjectAgainGivesTheSameMaps) {
     const TempDir dir;
     const auto hashes = [](Project& p) {
         std::vector<uint64_t> all;
-        for (const FieldRef& f : allMaps(p, tables().components)) all.push_back(static_cast<const MapField*>(f.value)->map.hash());
+        for (const FieldRef& f : allMaps(p, tables().components))
+            all.push_back(static_cast<const MapField*>(f.value)->map.hash());
         return all;
     };
     Result<Project> first = make(dir, "projects/park");
