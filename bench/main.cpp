@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/limits.h"
+#include "tests/child.h"
 
 namespace {
 struct Group {
@@ -62,6 +63,7 @@ double seconds(const std::function<void()>& work) {
 }
 
 int main(int argc, char** argv) {
+    if (const std::optional<int> code = sward::test::childMain(argc, argv)) return *code;
     std::string filter;
     bool limitsOnly = false;
     std::vector<std::string> texts;

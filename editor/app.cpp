@@ -52,7 +52,8 @@ void keepMapValid(EditorApp& app) {
     const std::vector<FieldRef> maps = paintableMaps(app);
     const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
     if (std::any_of(maps.begin(), maps.end(), named)) return;
-    const auto density = std::find_if(maps.begin(), maps.end(), [](const FieldRef& f) { return f.path.ends_with(".density"); });
+    const auto density =
+        std::find_if(maps.begin(), maps.end(), [](const FieldRef& f) { return f.path.ends_with(".density"); });
     app.brushes.map = density != maps.end() ? density->path : maps.empty() ? "" : maps.front().path;
 }
 
@@ -93,10 +94,14 @@ void updateTitle(EditorApp& app) {
 
 void showCursor(EditorApp& app) {
     switch (ImGui::GetMouseCursor()) {
-        case ImGuiMouseCursor_TextInput: return app.surface->setCursor(ui::Cursor::Text);
-        case ImGuiMouseCursor_ResizeEW: return app.surface->setCursor(ui::Cursor::ResizeEW);
-        case ImGuiMouseCursor_ResizeNS: return app.surface->setCursor(ui::Cursor::ResizeNS);
-        default: return app.surface->setCursor(ui::Cursor::Arrow);
+        case ImGuiMouseCursor_TextInput:
+            return app.surface->setCursor(ui::Cursor::Text);
+        case ImGuiMouseCursor_ResizeEW:
+            return app.surface->setCursor(ui::Cursor::ResizeEW);
+        case ImGuiMouseCursor_ResizeNS:
+            return app.surface->setCursor(ui::Cursor::ResizeNS);
+        default:
+            return app.surface->setCursor(ui::Cursor::Arrow);
     }
 }
 
@@ -113,8 +118,9 @@ void present(EditorApp& app) {
 }
 
 bool wantsFrame(const EditorApp& app) {
-    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || !app.deferred.empty() || !app.luaLines.empty() ||
-           app.viewport.drawnRevision != app.doc.revision() || hasFreshLog(app);
+    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() ||
+           !app.deferred.empty() || !app.luaLines.empty() || app.viewport.drawnRevision != app.doc.revision() ||
+           hasFreshLog(app);
 }
 
 }  // namespace
@@ -127,7 +133,8 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
     ui::applyTheme(surface->contentScale());
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
-    if (gpu.software) viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
+    if (gpu.software)
+        viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
@@ -159,8 +166,8 @@ void runFrame(EditorApp& app, double waitSeconds) {
     advanceTime(app);
     takeLog(app);
     followProject(app);
-    ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(), app.surface->pixelWidth(),
-                  app.surface->pixelHeight());
+    ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(),
+                  app.surface->pixelWidth(), app.surface->pixelHeight());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     ui::beginBook(app.book);
@@ -177,7 +184,9 @@ void runFrame(EditorApp& app, double waitSeconds) {
 
 double idleSeconds(const EditorApp& app) {
     if (wantsFrame(app)) return 0;
-    const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen() ? -1 : secondsToRefine(app.viewport.resolution, clockSeconds());
+    const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen()
+                              ? -1
+                              : secondsToRefine(app.viewport.resolution, clockSeconds());
     const double idle = app.book.tooltipDue ? 0.1 : kIdleSeconds;
     return refine >= 0 ? std::min(refine, idle) : idle;
 }
@@ -245,7 +254,9 @@ bool saveNow(EditorApp& app) {
         return false;
     }
     app.notice.clear();
-    say(app, written->empty() ? "saved: nothing had changed" : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
+    say(app, written->empty()
+                 ? "saved: nothing had changed"
+                 : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
     return true;
 }
 

@@ -29,21 +29,21 @@ enum class Gesture { None, Look, Orbit, Pan, Paint };
 struct Viewport {
     FlyCamera camera;
     ViewMode mode = ViewMode::Final;
-    Rect rect;                             // window coordinates
+    Rect rect;  // window coordinates
     bool hovered = false;
-    std::optional<glm::dvec3> ground;      // under the pointer
+    std::optional<glm::dvec3> ground;  // under the pointer
     Gesture gesture = Gesture::None;
-    bool flying = false;                   // keys move the camera in this frame
-    double lastX = -1, lastY = -1;         // pointer at the last step of the gesture
+    bool flying = false;            // keys move the camera in this frame
+    double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
     Resolution resolution;
-    double lastMs = 0;                     // of the last drawing, all its parts together
-    FrameStats stats;                      // of the same
-    double bladesVirtual = 0;              // the population, counted at rest
-    uint64_t bladesVisible = 0;            // counted at rest while measuring
+    double lastMs = 0;           // of the last drawing, all its parts together
+    FrameStats stats;            // of the same
+    double bladesVirtual = 0;    // the population, counted at rest
+    uint64_t bladesVisible = 0;  // counted at rest while measuring
     uint64_t countedRevision = ~uint64_t(0);
     unsigned picture = 0, pictureTarget = 0, pictureSource = 0;  // GL texture on the screen, and how it is written
     int pictureWidth = 0, pictureHeight = 0;
-    int skipped = 0;                       // frames that showed an old image because input was waiting
+    int skipped = 0;  // frames that showed an old image because input was waiting
     // What the image on the screen shows.
     uint64_t drawnRevision = ~uint64_t(0);
     ViewCamera drawnCamera;
@@ -58,23 +58,23 @@ struct LogLine {
 // Lines come from any thread.
 struct LogBook {
     std::mutex mutex;
-    std::deque<LogLine> fresh;   // not yet seen by a frame
-    std::deque<LogLine> lines;   // the last thousand; frames only
+    std::deque<LogLine> fresh;  // not yet seen by a frame
+    std::deque<LogLine> lines;  // the last thousand; frames only
     int sink = 0;
 };
 
 enum class FileTask { None, Open, SaveAs, New };
 struct FileDialog {
     FileTask task = FileTask::None;
-    bool opening = false;              // ImGui's popup is to be opened in this frame
-    std::filesystem::path folder;      // whose folders are listed
-    std::string path;                  // what is typed
+    bool opening = false;          // ImGui's popup is to be opened in this frame
+    std::filesystem::path folder;  // whose folders are listed
+    std::string path;              // what is typed
     std::string error;
     std::vector<std::pair<std::string, bool>> entries;  // name, is a project
 };
 // What waits for the answer to "save, discard or cancel".
 struct UnsavedDialog {
-    std::function<void()> then;        // empty: not asked
+    std::function<void()> then;  // empty: not asked
     bool opening = false;
     std::string error;
 };
@@ -93,7 +93,7 @@ struct EditorApp {
     ImGuiContext* imgui = nullptr;
 
     InputQueue queue;
-    FrameInput in;                          // of the frame being built
+    FrameInput in;  // of the frame being built
     ui::WidgetBook book;
     Layout layout;
     Areas areas;
@@ -101,29 +101,29 @@ struct EditorApp {
 
     Viewport viewport;
     BrushBook brushes;
-    std::string selected;                   // entity, by name
-    std::string newEntity;                  // being typed in the outliner
-    bool measure = false;                   // the profiler's
+    std::string selected;   // entity, by name
+    std::string newEntity;  // being typed in the outliner
+    bool measure = false;   // the profiler's
     LogBook log;
     std::string consoleLine;
     std::vector<std::string> consoleHistory;
-    std::string notice;                     // the red bar over the viewport; empty: none
-    std::string status;                     // last message
+    std::string notice;  // the red bar over the viewport; empty: none
+    std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;
-    std::string holding;                    // path whose slider holds an undo group
+    std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
-    std::deque<std::string> luaLines;       // entered, run before the next frame: they may run frames themselves
-    std::vector<std::function<void()>> deferred;       // edits, run once the widgets of this frame are built
+    std::deque<std::string> luaLines;             // entered, run before the next frame: they may run frames themselves
+    std::vector<std::function<void()>> deferred;  // edits, run once the widgets of this frame are built
     bool quit = false;
-    bool refineNow = false;                 // screenshots: draw in full though something moves
+    bool refineNow = false;  // screenshots: draw in full though something moves
     std::string shownTitle;
-    std::filesystem::path shownProject;     // whose first camera the viewport took
-    double now = 0;                         // seconds since the start, as frames count them
+    std::filesystem::path shownProject;  // whose first camera the viewport took
+    double now = 0;                      // seconds since the start, as frames count them
     double deltaSeconds = 1.0 / 60;
-    int framesWanted = 3;                   // ImGui needs a few after any event to settle
-    std::function<void(ui::Surface&)> beforePresent;   // once, on the next frame (screenshots)
+    int framesWanted = 3;                             // ImGui needs a few after any event to settle
+    std::function<void(ui::Surface&)> beforePresent;  // once, on the next frame (screenshots)
 };
 
 // One frame: takes input, builds the widgets, draws, presents. Waits up to `waitSeconds` for input first.
@@ -142,7 +142,7 @@ void say(EditorApp& app, const std::string& message);  // status bar and console
 // --- what menus and keys do
 void requestQuit(EditorApp& app);                 // asks first if there is unsaved work
 void requestTask(EditorApp& app, FileTask task);  // opens the file dialog; Open and New ask first
-bool saveNow(EditorApp& app);                     // asks where if the project was never saved; false then, or on an error
+bool saveNow(EditorApp& app);  // asks where if the project was never saved; false then, or on an error
 void selectTool(EditorApp& app, const std::string& tool);
 // After the document holds another project: its first camera, its first paintable map, nothing selected.
 void adoptProject(EditorApp& app);

@@ -23,7 +23,7 @@ BrushSettings& currentBrush(BrushBook& book);
 // Shift smooths, Ctrl+Shift subtracts.
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
 // One press of a size or strength key.
-void growBrush(BrushSettings& brush, int steps);       // a fifth each, within 0.05 to 500 m
+void growBrush(BrushSettings& brush, int steps);        // a fifth each, within 0.05 to 500 m
 void strengthenBrush(BrushSettings& brush, int steps);  // 0.1 each, within 0.05 to 1
 
 }  // namespace sward

@@ -9,10 +9,10 @@ namespace sward {
 
 struct FlyCamera {
     glm::dvec3 eye{0, 2, 0};
-    double yaw = 0;         // radians, clockwise from -z (north) seen from above
-    double pitch = 0;       // radians, up positive, within +-89 degrees
-    double speed = 5;       // metres per second
-    double distance = 10;   // to the point that orbits turn about, along the view
+    double yaw = 0;        // radians, clockwise from -z (north) seen from above
+    double pitch = 0;      // radians, up positive, within +-89 degrees
+    double speed = 5;      // metres per second
+    double distance = 10;  // to the point that orbits turn about, along the view
     float fovDeg = 55;
     float exposure = 0;
 };

@@ -37,7 +37,8 @@ void focusGround(EditorApp& app) {
     Viewport& v = app.viewport;
     if (!v.ground) return;
     const double distance = glm::length(*v.ground - v.camera.eye);
-    focus(v.camera, *v.ground, std::min(distance, std::max(3.0, 4.0 * static_cast<double>(currentBrush(app.brushes).radius))));
+    focus(v.camera, *v.ground,
+          std::min(distance, std::max(3.0, 4.0 * static_cast<double>(currentBrush(app.brushes).radius))));
 }
 void lookTool(EditorApp& app) { selectTool(app, app.brushes.tool == kLookTool ? "add" : kLookTool); }
 
@@ -62,22 +63,25 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool keyboardTaken(const EditorApp& app) {
-    return ImGui::GetIO().WantTextInput || app.files.task != FileTask::None || app.unsaved.then || !app.book.editing.empty();
-}
+bool dialogOpen(const EditorApp& app) { return app.files.task != FileTask::None || app.unsaved.then; }
+// A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
+bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
+bool goesPastText(const Command& c) { return std::string(c.menu) == "File"; }
 
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
 
 void runShortcuts(EditorApp& app) {
-    if (keyboardTaken(app)) return;
+    if (dialogOpen(app)) return;
     for (const int key : app.in.pressedKeys) {
         const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
         const bool flying = app.viewport.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
         for (const Command& c : commands()) {
             if (!matches(c.chord, pressed) && !matches(c.chord2, pressed)) continue;
-            if (flying || (!c.anywhere && !app.viewport.hovered) || !c.enabled(app)) continue;
+            if (flying || (typing(app) && !goesPastText(c)) || (!c.anywhere && !app.viewport.hovered) ||
+                !c.enabled(app))
+                continue;
             c.run(app);
             break;
         }

@@ -5,8 +5,8 @@
 
 namespace sward {
 
-// Opens the project (empty: none yet) and runs until the person quits. Returns an exit code: NoContext without a display or
-// OpenGL 4.5, Unsound or Failed if the project cannot be opened; what was wrong is logged.
+// Opens the project (empty: none yet) and runs until the person quits. Returns an exit code: NoContext without a
+// display or OpenGL 4.5, Unsound or Failed if the project cannot be opened; what was wrong is logged.
 int editMain(const std::filesystem::path& project);
 
 }  // namespace sward

@@ -26,7 +26,8 @@ void clampLayout(Layout& l, float width, float height) {
     l.outliner = std::clamp(l.outliner, 0.1f, 0.9f);
 }
 
-Areas areasOf(const Layout& given, float width, float height, float menuHeight, float barHeight, float statusHeight, float toolsWidth) {
+Areas areasOf(const Layout& given, float width, float height, float menuHeight, float barHeight, float statusHeight,
+              float toolsWidth) {
     Layout l = given;
     clampLayout(l, width, height);
     const bool outliner = !l.hidden.count("Outliner"), inspector = !l.hidden.count("Inspector");

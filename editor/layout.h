@@ -26,7 +26,8 @@ struct Areas {
     Rect menu, brushBar, tools, viewport, outliner, inspector, bottom, status;
 };
 // A hidden panel gives its place to its neighbours. Areas never overlap and never have a negative size.
-Areas areasOf(const Layout& layout, float width, float height, float menuHeight, float barHeight, float statusHeight, float toolsWidth);
+Areas areasOf(const Layout& layout, float width, float height, float menuHeight, float barHeight, float statusHeight,
+              float toolsWidth);
 // Brings sizes into what fits the window.
 void clampLayout(Layout& layout, float width, float height);
 

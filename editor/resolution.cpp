@@ -33,7 +33,8 @@ void learnMoving(Resolution& r, const ResolutionPlan& plan, double ms) {
     if ((slow && plan.scale <= kMinScale) || (quick && plan.detail < 1))
         r.movingDetail = std::clamp(plan.detail * std::clamp(ratio, 0.4, 1.5), kMinDetail, 1.0);
     else if (slow || quick)
-        r.movingScale = std::clamp(plan.scale * std::sqrt(ratio), std::max(kMinScale, plan.scale * 0.5), std::min(1.0, plan.scale * 1.25));
+        r.movingScale = std::clamp(plan.scale * std::sqrt(ratio), std::max(kMinScale, plan.scale * 0.5),
+                                   std::min(1.0, plan.scale * 1.25));
 }
 
 void learnFull(Resolution& r, double ms) {

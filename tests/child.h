@@ -1,9 +1,12 @@
 // Work that needs a process of its own: to be killed, to lose privileges, to hit limits. A process with threads must
-// not go on after a fork, so the executable is started anew with `--child NAME ARGS...`; its main calls childMain first.
+// not go on after a fork, so the executable is started anew with `--child NAME ARGS...`; its main calls childMain
+// first.
 #pragma once
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <functional>
 #include <map>
 #include <optional>
@@ -45,6 +48,7 @@ inline Child startChild(const std::string& name, const std::vector<std::string>&
     argv.push_back(nullptr);
     const pid_t pid = fork();
     if (pid == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // no child outlives a test that was interrupted
         dup2(ends[1], STDOUT_FILENO);
         close(ends[0]);
         close(ends[1]);
@@ -64,6 +68,8 @@ inline std::string finishChild(const Child& child) {
     waitpid(child.pid, &status, 0);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? said : "the child crashed";
 }
-inline std::string runChild(const std::string& name, const std::vector<std::string>& args) { return finishChild(startChild(name, args)); }
+inline std::string runChild(const std::string& name, const std::vector<std::string>& args) {
+    return finishChild(startChild(name, args));
+}
 
 }  // namespace sward::test

@@ -14,7 +14,8 @@ struct TempDir {
     std::filesystem::path path;
     TempDir() {
         std::string name = (std::filesystem::temp_directory_path() / "sward-test-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::filesystem::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
+        if (!mkdtemp(name.data()))
+            throw std::filesystem::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
         path = name;
     }
     ~TempDir() {

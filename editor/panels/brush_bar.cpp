@@ -71,7 +71,8 @@ void drawBrushBar(EditorApp& app) {
     next();
     number("Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
     next();
-    number("Strength", b.strength, em(5.5f), range(0, 1, 0, 1), "How much one pass over a place changes it: - and = change it.");
+    number("Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
+           "How much one pass over a place changes it: - and = change it.");
     next();
     number("Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode != "set") return;

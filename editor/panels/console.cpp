@@ -42,7 +42,7 @@ void drawConsole(EditorApp& app) {
     ui::input("Command", app.consoleLine, "a line of Lua, such as  map.mean(\"density\")", &entered);
     if (!entered) return;
     run(app);
-    ImGui::SetKeyboardFocusHere(-1);
+    if (!app.queue.pending()) ImGui::SetKeyboardFocusHere(-1);  // else a click that waits would lose to it
 }
 
 }  // namespace sward

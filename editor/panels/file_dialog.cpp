@@ -13,12 +13,15 @@ namespace fs = std::filesystem;
 const char* titleOf(FileTask task) {
     return task == FileTask::Open ? "Open a project" : task == FileTask::SaveAs ? "Save the project as" : "New project";
 }
-const char* actionOf(FileTask task) { return task == FileTask::Open ? "Open" : task == FileTask::SaveAs ? "Save" : "Create"; }
+const char* actionOf(FileTask task) {
+    return task == FileTask::Open ? "Open" : task == FileTask::SaveAs ? "Save" : "Create";
+}
 
 void list(FileDialog& d) {
     d.entries.clear();
     std::error_code error;
-    for (fs::directory_iterator it(d.folder, fs::directory_options::skip_permission_denied, error), end; !error && it != end; it.increment(error)) {
+    for (fs::directory_iterator it(d.folder, fs::directory_options::skip_permission_denied, error), end;
+         !error && it != end; it.increment(error)) {
         std::error_code ignored;
         const std::string name = it->path().filename().string();
         if (!it->is_directory(ignored) || name.starts_with('.')) continue;
@@ -37,13 +40,16 @@ void enter(FileDialog& d, const fs::path& folder) {
 
 Status perform(EditorApp& app, const fs::path& target) {
     switch (app.files.task) {
-        case FileTask::Open: return app.doc.open(target);
-        case FileTask::New: return app.doc.create(target);
+        case FileTask::Open:
+            return app.doc.open(target);
+        case FileTask::New:
+            return app.doc.create(target);
         case FileTask::SaveAs: {
             const auto written = app.doc.saveAs(target);
             return written ? Status{} : Status{written.error()};
         }
-        case FileTask::None: break;
+        case FileTask::None:
+            break;
     }
     return {};
 }
@@ -52,13 +58,18 @@ void act(EditorApp& app) {
     FileDialog& d = app.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status = d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named", "", 0, 0, "type one or choose one above"}} : perform(app, target);
+    const Status status =
+        d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named", "", 0, 0, "type one or choose one above"}}
+                       : perform(app, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);
         return;
     }
-    say(app, std::string(d.task == FileTask::Open ? "opened " : d.task == FileTask::SaveAs ? "saved " : "created ") + target.string());
+    say(app, std::string(d.task == FileTask::Open     ? "opened "
+                         : d.task == FileTask::SaveAs ? "saved "
+                                                      : "created ") +
+                 target.string());
     if (d.task != FileTask::SaveAs) adoptProject(app);
     app.notice.clear();
     d.task = FileTask::None;
@@ -111,7 +122,8 @@ void body(EditorApp& app) {
     ImGui::PopTextWrapPos();
     if (!d.error.empty()) ui::record("Error", ui::Kind::Label, d.error);
     const float width = ImGui::GetFontSize() * 6;
-    ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - 2 * width - 8, ImGui::GetWindowContentRegionMax().y - ImGui::GetFrameHeight()});
+    ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - 2 * width - 8,
+                         ImGui::GetWindowContentRegionMax().y - ImGui::GetFrameHeight()});
     const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive());
     ImGui::SameLine(0, 8);
     const bool pressed = ui::button(actionOf(d.task), width, true);
@@ -132,10 +144,12 @@ void drawFileDialog(EditorApp& app) {
         list(d);
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, ImGui::GetFontSize() * 44), std::min(screen.y * 0.85f, ImGui::GetFontSize() * 32)});
+    ImGui::SetNextWindowSize(
+        {std::min(screen.x * 0.9f, ImGui::GetFontSize() * 44), std::min(screen.y * 0.85f, ImGui::GetFontSize() * 32)});
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     const std::string title = std::string(titleOf(d.task)) + "###files";
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
+                                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
         return;
     body(app);
     if (d.task == FileTask::None) ImGui::CloseCurrentPopup();

@@ -18,20 +18,23 @@ void removeButton(EditorApp& app, const std::string& path, const char* what, con
 
 // A header that leaves room for the button at its right end.
 bool header(const std::string& path, const std::string& title, bool openAtFirst) {
-    ImGui::PushClipRect(ImGui::GetCursorScreenPos(),
-                        {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y + 1000}, true);
+    ImGui::PushClipRect(
+        ImGui::GetCursorScreenPos(),
+        {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y + 1000}, true);
     const bool open = ui::section(path, title, openAtFirst);
     ImGui::PopClipRect();
     ImGui::SetItemAllowOverlap();
     return open;
 }
 
-void listField(EditorApp& app, const std::string& owner, const ComponentRow& component, const FieldRow& row, void* list) {
+void listField(EditorApp& app, const std::string& owner, const ComponentRow& component, const FieldRow& row,
+               void* list) {
     const ListRow& l = *row.list;
     const std::string path = owner + "." + row.name;
     for (size_t i = 0; i < l.size(list); ++i) {
         void* element = l.at(list, i);
-        const std::string name = *static_cast<const std::string*>(static_cast<const void*>(static_cast<char*>(element) + l.fields[0].offset));
+        const std::string name = *static_cast<const std::string*>(
+            static_cast<const void*>(static_cast<char*>(element) + l.fields[0].offset));
         const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
         const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
         removeButton(app, at, "Remove this one", [&app, at] { return app.doc.removeListElement(at); });
@@ -44,20 +47,23 @@ void listField(EditorApp& app, const std::string& owner, const ComponentRow& com
         }
         ImGui::Unindent(8);
     }
-    if (ui::button(path + "/Add " + row.name)) app.deferred.push_back([&app, path] { accept(app, app.doc.addListElement(path)); });
+    if (ui::button(path + "/Add " + row.name))
+        app.deferred.push_back([&app, path] { accept(app, app.doc.addListElement(path)); });
 }
 
 void component(EditorApp& app, const ComponentRow& row, void* value) {
     const std::string path = app.selected + "." + row.name;
     const bool open = header(path, row.name, true);
-    removeButton(app, path, "Remove this component", [&app, &row] { return app.doc.removeComponent(app.selected, row.name); });
+    removeButton(app, path, "Remove this component",
+                 [&app, &row] { return app.doc.removeComponent(app.selected, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
         void* field = static_cast<char*>(value) + f.offset;
         if (f.type == FieldType::List)
             listField(app, path, row, f, field);
         else
-            drawField(app, {field, &f, &row, app.selected, path + "." + f.name}, static_cast<const char*>(row.defaults()) + f.offset);
+            drawField(app, {field, &f, &row, app.selected, path + "." + f.name},
+                      static_cast<const char*>(row.defaults()) + f.offset);
     }
     ImGui::Spacing();
 }

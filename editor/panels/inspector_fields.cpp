@@ -47,10 +47,10 @@ ui::NumberSpec specOf(const FieldRow& row) {
 
 void numberField(EditorApp& app, const FieldRef& f) {
     const bool integer = f.row->type == FieldType::Int;
-    double value = integer ? static_cast<double>(*static_cast<const int*>(f.value)) : static_cast<double>(*static_cast<const float*>(f.value));
+    double value = integer ? static_cast<double>(*static_cast<const int*>(f.value))
+                           : static_cast<double>(*static_cast<const float*>(f.value));
     const ui::NumberEdit edit = ui::number(f.path, value, specOf(*f.row));
-    if (edit.started) hold(app, f.path);
-    if (edit.changed) set(app, f.path, ui::numberText(value, integer));
+    if (edit.changed) hold(app, f.path), set(app, f.path, ui::numberText(value, integer));
     if (edit.typed) set(app, f.path, *edit.typed);
 }
 
@@ -75,11 +75,11 @@ void vectorField(EditorApp& app, const FieldRef& f) {
         ImGui::SetNextItemWidth(width);
         const std::string label = f.path + "." + (n == 2 ? "xz" : "xyz")[i];
         const ui::NumberEdit edit = ui::number(label, v[i], spec);
-        if (edit.started) hold(app, f.path);
-        if (edit.changed) set(app, f.path, vectorText(v, n));
+        if (edit.changed) hold(app, f.path), set(app, f.path, vectorText(v, n));
         if (!edit.typed) continue;
         std::string error;
-        if (const auto typed = ui::parseNumber(*edit.typed, spec, error)) v[i] = *typed, set(app, f.path, vectorText(v, n));
+        if (const auto typed = ui::parseNumber(*edit.typed, spec, error))
+            v[i] = *typed, set(app, f.path, vectorText(v, n));
         ui::setError(f.path, error);
     }
     ImGui::EndGroup();
@@ -139,7 +139,10 @@ void label(EditorApp& app, const FieldRef& f, const void* fallback, float width)
     ui::record(f.path + "/Reset", ui::Kind::Button);
     const bool hot = ImGui::IsItemHovered() && !map;
     std::string help = std::string(f.row->help) + "\n" + f.path;
-    if (map) help += "\nfile: " + (static_cast<const MapField*>(f.value)->present() ? static_cast<const MapField*>(f.value)->file : "none");
+    if (map)
+        help +=
+            "\nfile: " +
+            (static_cast<const MapField*>(f.value)->present() ? static_cast<const MapField*>(f.value)->file : "none");
     if (!map) help += "\nClick: back to " + (usualText.empty() ? "nothing" : usualText);
     ui::tooltip(help);
     const ImU32 color = hot ? ui::kAccent : changed ? ImGui::GetColorU32(ImGuiCol_Text) : ui::kDimText;
@@ -151,16 +154,24 @@ void label(EditorApp& app, const FieldRef& f, const void* fallback, float width)
 
 void value(EditorApp& app, const FieldRef& f) {
     switch (f.row->type) {
-        case FieldType::Bool: return boolField(app, f);
+        case FieldType::Bool:
+            return boolField(app, f);
         case FieldType::Int:
-        case FieldType::Float: return numberField(app, f);
+        case FieldType::Float:
+            return numberField(app, f);
         case FieldType::Vec2:
-        case FieldType::Vec3: return vectorField(app, f);
-        case FieldType::Color: return colorField(app, f);
-        case FieldType::String: return textLine(app, f, *static_cast<const std::string*>(f.value));
-        case FieldType::Enum: return enumField(app, f);
-        case FieldType::Map: return mapField(f);
-        case FieldType::List: return;  // lists have rows of their own
+        case FieldType::Vec3:
+            return vectorField(app, f);
+        case FieldType::Color:
+            return colorField(app, f);
+        case FieldType::String:
+            return textLine(app, f, *static_cast<const std::string*>(f.value));
+        case FieldType::Enum:
+            return enumField(app, f);
+        case FieldType::Map:
+            return mapField(f);
+        case FieldType::List:
+            return;  // lists have rows of their own
     }
 }
 

@@ -40,7 +40,8 @@ void add(EditorApp& app) {
 void footer(EditorApp& app) {
     bool entered = false;
     const float padding = 2 * ImGui::GetStyle().FramePadding.x;
-    const float addWidth = ImGui::CalcTextSize("Add entity").x + padding, removeWidth = ImGui::CalcTextSize("Remove").x + padding;
+    const float addWidth = ImGui::CalcTextSize("Add entity").x + padding,
+                removeWidth = ImGui::CalcTextSize("Remove").x + padding;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - addWidth - removeWidth - 8);
     ui::input("New entity", app.newEntity, "new entity", &entered);
     ImGui::SameLine(0, 4);

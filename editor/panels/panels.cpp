@@ -22,19 +22,28 @@ constexpr PanelRow kPanels[] = {
 };
 
 constexpr int kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoNavFocus;
+                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs |
+                       ImGuiWindowFlags_NoNavFocus;
 
 const Rect* areaOf(const EditorApp& app, Dock dock) {
     switch (dock) {
-        case Dock::BrushBar: return &app.areas.brushBar;
-        case Dock::Tools: return &app.areas.tools;
-        case Dock::Viewport: return &app.areas.viewport;
-        case Dock::Outliner: return &app.areas.outliner;
-        case Dock::Inspector: return &app.areas.inspector;
-        case Dock::Bottom: return &app.areas.bottom;
-        case Dock::StatusBar: return &app.areas.status;
-        default: return nullptr;
+        case Dock::BrushBar:
+            return &app.areas.brushBar;
+        case Dock::Tools:
+            return &app.areas.tools;
+        case Dock::Viewport:
+            return &app.areas.viewport;
+        case Dock::Outliner:
+            return &app.areas.outliner;
+        case Dock::Inspector:
+            return &app.areas.inspector;
+        case Dock::Bottom:
+            return &app.areas.bottom;
+        case Dock::StatusBar:
+            return &app.areas.status;
+        default:
+            return nullptr;
     }
 }
 
@@ -59,8 +68,7 @@ void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
 // The panels docked at the bottom share their place as tabs.
 void drawBottom(EditorApp& app) {
     if (!beginArea("Bottom", app.areas.bottom, ImGuiWindowFlags_NoScrollbar)) return;
-    if (app.layout.hidden.count(app.layout.tab))
-        app.layout.tab = app.layout.tab == "Console" ? "Profiler" : "Console";
+    if (app.layout.hidden.count(app.layout.tab)) app.layout.tab = app.layout.tab == "Console" ? "Profiler" : "Console";
     const PanelRow* open = nullptr;
     bool first = true;
     for (const PanelRow& row : panelRows()) {
@@ -85,13 +93,15 @@ void splitter(const char* name, const Rect& r, bool vertical, float sign, float&
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
     ImGui::SetNextWindowPos({r.x, r.y});
     ImGui::SetNextWindowSize({r.w, r.h});
-    const bool shown = ImGui::Begin(name, nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground);
+    const bool shown =
+        ImGui::Begin(name, nullptr, (kFixed & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_NoBackground);
     ImGui::PopStyleVar(2);
     if (shown) {
         ImGui::InvisibleButton("grip", {std::max(r.w, 1.f), std::max(r.h, 1.f)});
         ui::record(name, ui::Kind::Area);
         const bool active = ImGui::IsItemActive();
-        if (active) value += sign * (vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y);
+        if (active && !ImGui::IsItemActivated())  // the way to the strip is none along it
+            value += sign * (vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y);
         if (active || ImGui::IsItemHovered()) {
             ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
             ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, ui::kAccent);
@@ -105,8 +115,10 @@ void drawSplitters(EditorApp& app) {
     const Areas& a = app.areas;
     constexpr float kGrip = 4;
     const float column = std::max(a.outliner.h, a.inspector.h) > 0 ? a.inspector.w + a.outliner.w : 0;
-    if (column > 0) splitter("Right", {a.inspector.x - kGrip / 2, a.tools.y, kGrip, a.tools.h}, true, -1, app.layout.right);
-    if (a.bottom.h > 0) splitter("Bottom", {a.bottom.x, a.bottom.y - kGrip / 2, a.bottom.w, kGrip}, false, -1, app.layout.bottom);
+    if (column > 0)
+        splitter("Right", {a.inspector.x - kGrip / 2, a.tools.y, kGrip, a.tools.h}, true, -1, app.layout.right);
+    if (a.bottom.h > 0)
+        splitter("Bottom", {a.bottom.x, a.bottom.y - kGrip / 2, a.bottom.w, kGrip}, false, -1, app.layout.bottom);
     if (a.outliner.h > 0 && a.inspector.h > 0) {
         float height = app.layout.outliner * a.tools.h;
         splitter("Outliner", {a.inspector.x, a.inspector.y - kGrip / 2, a.inspector.w, kGrip}, false, 1, height);
@@ -125,7 +137,8 @@ float toolStripWidth() { return ImGui::GetFontSize() * 2.2f + 2 * ImGui::GetStyl
 void drawPanels(EditorApp& app) {
     const float width = static_cast<float>(app.surface->width()), height = static_cast<float>(app.surface->height());
     clampLayout(app.layout, width, height);
-    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(), statusBarHeight(), toolStripWidth());
+    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(), statusBarHeight(),
+                        toolStripWidth());
     for (const PanelRow& row : kPanels) {
         if (row.dock == Dock::Bottom) continue;
         const ui::Scope scope(row.name);

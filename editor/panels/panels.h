@@ -13,7 +13,7 @@ struct PanelRow {
     const char* name;  // the first part of its widgets' paths
     Dock dock;
     void (*draw)(EditorApp&);
-    bool hideable;     // listed in the View menu
+    bool hideable;  // listed in the View menu
 };
 std::span<const PanelRow> panelRows();
 // All of them, each in its area, with the splitters between.

@@ -33,13 +33,17 @@ void drawProfiler(EditorApp& app) {
     ui::checkbox("Measure", app.measure);
     ui::tooltip("Times each pass and counts its work. Waits for the GPU after each, so that a frame takes longer.");
     ImGui::SameLine(0, 18);
-    ui::coloredText(ui::kDimText, fmt::format("{}  |  culling {:.2f} ms  |  {} cells  |  {:.1f} MB on the GPU", app.gpu.renderer, s.cpuCullMs,
-                                              s.cells, static_cast<double>(s.gpuBytes) / 1e6).c_str());
-    const int flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp;
+    ui::coloredText(ui::kDimText,
+                    fmt::format("{}  |  culling {:.2f} ms  |  {} cells  |  {:.1f} MB on the GPU", app.gpu.renderer,
+                                s.cpuCullMs, s.cells, static_cast<double>(s.gpuBytes) / 1e6)
+                        .c_str());
+    const int flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY |
+                      ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("passes", 6, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Pass", 0, 3);
-    for (const char* name : {"ms", "Draws", "Instances", "Vertices", "Fragments"}) ImGui::TableSetupColumn(name, 0, 1.2f);
+    for (const char* name : {"ms", "Draws", "Instances", "Vertices", "Fragments"})
+        ImGui::TableSetupColumn(name, 0, 1.2f);
     ImGui::TableHeadersRow();
     const bool measured = app.viewport.drawnSettings.measure;
     for (const PassStats& p : s.passes) row(p, measured);

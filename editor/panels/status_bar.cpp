@@ -30,7 +30,8 @@ void savedDot(EditorApp& app) {
     const bool dirty = app.doc.isOpen() && app.doc.dirty();
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (dirty) ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size / 2, at.y + size / 2}, size * 0.25f, ui::kWarningText);
+    if (dirty)
+        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size / 2, at.y + size / 2}, size * 0.25f, ui::kWarningText);
     ImGui::Dummy({dirty ? size : 0, size});
     ImGui::SameLine(0, 4);
     ImGui::TextUnformatted(!app.doc.isOpen() ? "no project" : dirty ? "unsaved" : "saved");
@@ -43,10 +44,15 @@ void savedDot(EditorApp& app) {
 void drawStatusBar(EditorApp& app) {
     const FrameStats& s = app.viewport.stats;
     ImGui::SetCursorPosY(5);
-    item("Blades", counted(static_cast<uint64_t>(app.viewport.bladesVirtual)), "All blades of the fields: density summed over the terrain.");
+    item("Blades", counted(static_cast<uint64_t>(app.viewport.bladesVirtual)),
+         "All blades of the fields: density summed over the terrain.");
     item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
-    if (app.viewport.bladesVisible > 0) item("Visible", counted(app.viewport.bladesVisible), "Blades of those that can be seen.");
-    item("Frame", app.viewport.lastMs < 1000 ? fmt::format("{:.3g} ms", app.viewport.lastMs) : fmt::format("{:.1f} s", app.viewport.lastMs / 1000), "What the last drawing of the viewport took.");
+    if (app.viewport.bladesVisible > 0)
+        item("Visible", counted(app.viewport.bladesVisible), "Blades of those that can be seen.");
+    item("Frame",
+         app.viewport.lastMs < 1000 ? fmt::format("{:.3g} ms", app.viewport.lastMs)
+                                    : fmt::format("{:.1f} s", app.viewport.lastMs / 1000),
+         "What the last drawing of the viewport took.");
     item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, app.viewport.resolution.drawnScale + 0.001)),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
     savedDot(app);

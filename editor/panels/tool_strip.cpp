@@ -27,12 +27,13 @@ void level(Draw d, ImVec2 c, float r, ImU32 color) {
 
 void wave(Draw d, ImVec2 c, float r, ImU32 color) {
     for (const float y : {-0.4f, 0.4f})
-        d.AddBezierCubic({c.x - r, c.y + y * r}, {c.x - r * 0.3f, c.y + (y - 0.9f) * r}, {c.x + r * 0.3f, c.y + (y + 0.9f) * r},
-                         {c.x + r, c.y + y * r}, color, 1.8f);
+        d.AddBezierCubic({c.x - r, c.y + y * r}, {c.x - r * 0.3f, c.y + (y - 0.9f) * r},
+                         {c.x + r * 0.3f, c.y + (y + 0.9f) * r}, {c.x + r, c.y + y * r}, color, 1.8f);
 }
 
 void specks(Draw d, ImVec2 c, float r, ImU32 color) {
-    constexpr float kSpecks[][2] = {{-0.8f, -0.6f}, {0.1f, -0.9f}, {0.8f, -0.3f}, {-0.3f, 0.0f}, {0.5f, 0.5f}, {-0.8f, 0.7f}, {0.0f, 0.9f}};
+    constexpr float kSpecks[][2] = {{-0.8f, -0.6f}, {0.1f, -0.9f}, {0.8f, -0.3f}, {-0.3f, 0.0f},
+                                    {0.5f, 0.5f},   {-0.8f, 0.7f}, {0.0f, 0.9f}};
     for (const auto& s : kSpecks) d.AddCircleFilled({c.x + s[0] * r, c.y + s[1] * r}, r * 0.18f, color);
 }
 
@@ -65,7 +66,8 @@ void toolButton(EditorApp& app, const std::string& tool, const char* label, cons
 }  // namespace
 
 void drawToolStrip(EditorApp& app) {
-    toolButton(app, kLookTool, "Look", "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
+    toolButton(app, kLookTool, "Look",
+               "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
     ImGui::Spacing();
     for (const BrushRow& row : brushRows()) toolButton(app, row.name, row.label, row.help);
 }

@@ -30,7 +30,8 @@ int cameraShown(EditorApp& app, const std::vector<std::string>& names) {
     const ViewCamera now = viewOf(app.viewport.camera);
     for (size_t i = 0; i < names.size(); ++i) {
         const Camera* c = cameraNamed(app, names[i]);
-        const bool same = c && glm::length(c->eye - now.eye) < 1e-4 && glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5;
+        const bool same = c && glm::length(c->eye - now.eye) < 1e-4 &&
+                          glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5;
         if (same) return static_cast<int>(i);
     }
     return -1;
@@ -47,8 +48,7 @@ void header(EditorApp& app) {
     ui::coloredText(ui::kDimText, "Camera");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
-    if (ui::combo("Camera", cameras, chosen))
-        goToCamera(app, cameras[static_cast<size_t>(chosen)]);
+    if (ui::combo("Camera", cameras, chosen)) goToCamera(app, cameras[static_cast<size_t>(chosen)]);
     ui::tooltip("Moves the view to one of the project's cameras.");
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
@@ -60,7 +60,9 @@ void header(EditorApp& app) {
     if (ui::combo("Mode", modes, mode)) v.mode = static_cast<ViewMode>(mode);
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, v.gesture == Gesture::Look ? "W A S D fly, E up, Q down, wheel: speed" : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
+    ui::coloredText(ui::kDimText, v.gesture == Gesture::Look
+                                      ? "W A S D fly, E up, Q down, wheel: speed"
+                                      : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
 }
 
 void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, float thickness) {
@@ -74,17 +76,19 @@ void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, fl
         const double y = ground.origin.y + terrainHeight(*ground.terrain, x - ground.origin.x, z - ground.origin.z);
         const std::optional<glm::dvec2> at = projectPoint(v, {x, y + 0.02, z});
         if (at && before)
-            list.AddLine({static_cast<float>(before->x), static_cast<float>(before->y)}, {static_cast<float>(at->x), static_cast<float>(at->y)},
-                         color, thickness);
+            list.AddLine({static_cast<float>(before->x), static_cast<float>(before->y)},
+                         {static_cast<float>(at->x), static_cast<float>(at->y)}, color, thickness);
         before = at;
     }
 }
 
-// The brush's edge on the ground, and where its full strength ends. Where the scene is slow to draw it stands in for the
-// decal: drawn over the image, it follows the pointer at the speed of the interface.
+// The brush's edge on the ground, and where its full strength ends. Where the scene is slow to draw it stands in for
+// the decal: drawn over the image, it follows the pointer at the speed of the interface.
 void brushRing(EditorApp& app) {
     const Viewport& v = app.viewport;
-    if (!v.ground || drawsDecal(app) || app.brushes.tool == kLookTool || (v.gesture != Gesture::None && v.gesture != Gesture::Paint)) return;
+    if (!v.ground || drawsDecal(app) || app.brushes.tool == kLookTool ||
+        (v.gesture != Gesture::None && v.gesture != Gesture::Paint))
+        return;
     const Ground ground = findGround(app.doc.project());
     if (!ground.terrain) return;
     const BrushSettings& b = currentBrush(app.brushes);
@@ -132,7 +136,8 @@ void drawViewport(EditorApp& app) {
     const Rect& area = app.areas.viewport;
     v.rect = {area.x, area.y + top, area.w, std::max(area.h - top, 1.f)};
     ImGui::SetCursorScreenPos({v.rect.x, v.rect.y});
-    const int buttons = ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    const int buttons =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
     ImGui::InvisibleButton("image", {v.rect.w, v.rect.h}, buttons);
     app.book.next["Viewport"] = ui::record("Image", ui::Kind::Area);
     viewportInput(app, ImGui::IsItemHovered());
@@ -140,7 +145,8 @@ void drawViewport(EditorApp& app) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, true);
     if (app.doc.isOpen() && v.hasImage) {
-        list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, {0, 1}, {1, 0});
+        list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h},
+                      {0, 1}, {1, 0});
         brushRing(app);
     } else {
         list.AddRectFilled({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, IM_COL32(24, 25, 24, 255));

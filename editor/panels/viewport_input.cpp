@@ -30,7 +30,8 @@ bool ensureMap(EditorApp& app, const FieldRef& field) {
     Map map({side, side, 1, field.row->mapType});
     const std::vector<float> ones(field.row->mapType == PixelType::F32 ? static_cast<size_t>(side) : 0, 1.f);
     const std::vector<uint8_t> full(static_cast<size_t>(side) * map.texelBytes(), 0xff);
-    for (int y = 0; y < side; ++y) map.writeRows(y, 1, ones.empty() ? static_cast<const void*>(full.data()) : ones.data());
+    for (int y = 0; y < side; ++y)
+        map.writeRows(y, 1, ones.empty() ? static_cast<const void*>(full.data()) : ones.data());
     return accept(app, app.doc.setMap(field.path, std::move(map), "new map " + field.path));
 }
 
@@ -39,9 +40,11 @@ void beginPaint(EditorApp& app) {
     const std::optional<glm::dvec3> at = pick(app, app.in.x, app.in.y);
     if (!at) return;
     const std::vector<FieldRef> maps = paintableMaps(app);
-    const auto map = std::find_if(maps.begin(), maps.end(), [&](const FieldRef& f) { return f.path == app.brushes.map; });
+    const auto map =
+        std::find_if(maps.begin(), maps.end(), [&](const FieldRef& f) { return f.path == app.brushes.map; });
     if (map == maps.end())
-        return showError(app, {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
+        return showError(app,
+                         {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
     if (!ensureMap(app, *map)) return;
     const glm::dvec3 origin = findGround(app.doc.project()).origin;
     const BrushSettings brush = strokeBrush(app.brushes, app.in.ctrl(), app.in.shift());
@@ -58,7 +61,8 @@ void beginGesture(EditorApp& app) {
         takePivot(app, pick(app, app.in.x, app.in.y));
         v.gesture = Gesture::Pan;
     } else if (app.in.pressed[0] && app.in.alt()) {
-        takePivot(app, pick(app, static_cast<double>(v.rect.x + v.rect.w / 2), static_cast<double>(v.rect.y + v.rect.h / 2)));
+        takePivot(
+            app, pick(app, static_cast<double>(v.rect.x + v.rect.w / 2), static_cast<double>(v.rect.y + v.rect.h / 2)));
         v.gesture = Gesture::Orbit;
     } else if (app.in.pressed[0] && app.doc.isOpen() && app.brushes.tool != kLookTool && !app.doc.stroking()) {
         beginPaint(app);
@@ -81,9 +85,12 @@ void stepGesture(EditorApp& app) {
 
 bool buttonHeld(const EditorApp& app) {
     switch (app.viewport.gesture) {
-        case Gesture::Look: return app.in.buttons[1];
-        case Gesture::Pan: return app.in.buttons[2];
-        default: return app.in.buttons[0];
+        case Gesture::Look:
+            return app.in.buttons[1];
+        case Gesture::Pan:
+            return app.in.buttons[2];
+        default:
+            return app.in.buttons[0];
     }
 }
 
@@ -92,11 +99,25 @@ void flyByKeys(EditorApp& app) {
     v.flying = false;
     if (v.gesture != Gesture::Look || app.in.ctrl()) return;
     const auto axis = [&](int more, int less) {
-        return (app.in.keys[static_cast<size_t>(more)] ? 1.0 : 0.0) - (app.in.keys[static_cast<size_t>(less)] ? 1.0 : 0.0);
+        return (app.in.keys[static_cast<size_t>(more)] ? 1.0 : 0.0) -
+               (app.in.keys[static_cast<size_t>(less)] ? 1.0 : 0.0);
     };
-    const glm::dvec3 direction{axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_W, GLFW_KEY_S)};
+    const glm::dvec3 direction{axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
+                               axis(GLFW_KEY_W, GLFW_KEY_S)};
     v.flying = glm::length(direction) > 0;
     fly(v.camera, direction, app.deltaSeconds * (app.in.shift() ? 3 : 1));
+}
+
+// The eye stays a hand's breadth above the ground.
+void stayAbove(EditorApp& app) {
+    constexpr double kLeast = 0.1;
+    glm::dvec3& eye = app.viewport.camera.eye;
+    if (!app.doc.isOpen()) return;
+    const Ground ground = findGround(app.doc.project());
+    if (!ground.terrain) return;
+    const double x = eye.x - ground.origin.x, z = eye.z - ground.origin.z;
+    if (x < 0 || z < 0 || x > ground.terrain->size.x || z > ground.terrain->size.y) return;
+    eye.y = std::max(eye.y, ground.origin.y + terrainHeight(*ground.terrain, x, z) + kLeast);
 }
 
 void wheel(EditorApp& app) {
@@ -118,7 +139,8 @@ std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
     const glm::dvec3 up = glm::cross(right, forward), d = p - v.camera.eye;
     const double depth = glm::dot(d, forward);
     if (depth < 0.05) return std::nullopt;
-    const double half = static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
+    const double half =
+        static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
     return glm::dvec2{static_cast<double>(v.rect.x + v.rect.w / 2) + glm::dot(d, right) / depth * half,
                       static_cast<double>(v.rect.y + v.rect.h / 2) - glm::dot(d, up) / depth * half};
 }
@@ -130,8 +152,10 @@ void viewportInput(EditorApp& app, bool over) {
         beginGesture(app);
     else if (v.gesture != Gesture::None)
         stepGesture(app);
+    const glm::dvec3 before = v.camera.eye;
     flyByKeys(app);
     wheel(app);
+    if (v.camera.eye != before || v.gesture == Gesture::Orbit || v.gesture == Gesture::Pan) stayAbove(app);
     if (v.gesture != Gesture::None && !buttonHeld(app)) {
         if (v.gesture == Gesture::Paint) app.doc.endStroke();
         v.gesture = Gesture::None;

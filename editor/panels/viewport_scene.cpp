@@ -15,8 +15,9 @@ bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
 }
 
 bool sameSettings(const ViewSettings& a, const ViewSettings& b) {
-    return a.width == b.width && a.height == b.height && a.mode == b.mode && a.time == b.time && a.measure == b.measure &&
-           a.decal.x == b.decal.x && a.decal.z == b.decal.z && a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff;
+    return a.width == b.width && a.height == b.height && a.mode == b.mode && a.time == b.time &&
+           a.measure == b.measure && a.decal.x == b.decal.x && a.decal.z == b.decal.z &&
+           a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff;
 }
 
 BrushDecal decalOf(EditorApp& app) {
@@ -34,7 +35,8 @@ ResolutionPlan nextPlan(EditorApp& app, bool changed) {
     ResolutionPlan plan;
     if (app.surface->fixedStep() == 0 && !app.refineNow) {
         plan = planDrawing(r, app.now, changed);
-        if (app.measure && plan.scale >= 1 && plan.detail >= 1) plan.from = 0, plan.to = 1;  // numbers are of whole pictures
+        if (app.measure && plan.scale >= 1 && plan.detail >= 1)
+            plan.from = 0, plan.to = 1;  // numbers are of whole pictures
         return plan;
     }
     plan.draw = changed || r.stale || (app.refineNow && r.drawnScale < 1);
@@ -64,8 +66,8 @@ void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
     Viewport& v = app.viewport;
     glNamedFramebufferTexture(v.pictureSource, GL_COLOR_ATTACHMENT0, app.renderer->image(), 0);
     glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(v.pictureSource, v.pictureTarget, 0, 0, drawn.width, drawn.height, 0, y, v.pictureWidth, y + height,
-                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(v.pictureSource, v.pictureTarget, 0, 0, drawn.width, drawn.height, 0, y, v.pictureWidth,
+                           y + height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     v.hasImage = true;
 }
 
@@ -77,7 +79,8 @@ double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& s
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave these.
+// Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave
+// these.
 void keepStats(Viewport& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
     v.lastMs = plan.from <= 0 ? ms : v.lastMs + ms;
     if (!plan.whole()) return;
@@ -91,7 +94,8 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
     s.detail = static_cast<float>(plan.detail);
     int y = 0, height = whole.height;
     if (!plan.whole()) {
-        const int above = static_cast<int>(std::lround(whole.height * plan.from)), below = static_cast<int>(std::lround(whole.height * plan.to));
+        const int above = static_cast<int>(std::lround(whole.height * plan.from)),
+                  below = static_cast<int>(std::lround(whole.height * plan.to));
         s.height = height = below - above;
         y = whole.height - below;
         s.part = {0, y, whole.width, whole.height};
@@ -116,12 +120,15 @@ void countAtRest(EditorApp& app, const ViewCamera& camera) {
     if (coarse || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
     v.bladesVirtual = virtualBlades(app.doc.project());
-    v.bladesVisible = app.measure ? visibleBlades(app.doc.project(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
+    v.bladesVisible =
+        app.measure ? visibleBlades(app.doc.project(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
 }
 
 }  // namespace
 
-bool drawsDecal(const EditorApp& app) { return app.viewport.resolution.movingScale >= 1 && app.surface->fixedStep() == 0; }
+bool drawsDecal(const EditorApp& app) {
+    return app.viewport.resolution.movingScale >= 1 && app.surface->fixedStep() == 0;
+}
 
 void freePicture(Viewport& v) {
     glDeleteFramebuffers(1, &v.pictureTarget);
@@ -133,7 +140,8 @@ void freePicture(Viewport& v) {
 void drawScene(EditorApp& app) {
     Viewport& v = app.viewport;
     ViewSettings settings;
-    const float dense = static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
+    const float dense =
+        static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
     settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
     settings.mode = v.mode;
     settings.measure = app.measure;
@@ -141,9 +149,12 @@ void drawScene(EditorApp& app) {
     if (settings.width < 1 || settings.height < 1) return;
     const ViewCamera camera = viewOf(v.camera);
     const uint64_t revision = app.doc.revision();
-    const bool changed = revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);
+    const bool changed =
+        revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);
     ResolutionPlan plan = nextPlan(app, changed);
-    if (plan.draw && app.queue.pending() && v.hasImage && !app.refineNow && ++v.skipped < 6) return;  // input first
+    // Input first: strips wait for it, and what moves is drawn now and then, so that it is seen to move.
+    const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.whole();
+    if (plan.draw && app.queue.pending() && v.hasImage && !app.refineNow && (refining || ++v.skipped < 6)) return;
     v.skipped = 0;
     ensurePicture(v, settings.width, settings.height);
     v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = settings;

@@ -13,7 +13,9 @@ namespace {
 using ui::Kind;
 using ui::Widget;
 
-Error usage(const std::string& message, const std::string& remedy = "") { return {ExitCode::Usage, message, "", 0, 0, remedy}; }
+Error usage(const std::string& message, const std::string& remedy = "") {
+    return {ExitCode::Usage, message, "", 0, 0, remedy};
+}
 
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -65,7 +67,8 @@ class Driver : public UiDriver {
     // Until input, strokes and edits are worked off.
     void settle() {
         frames(2);
-        for (int i = 0; i < 10000 && (app_.queue.pending() || app_.doc.stroking() || !app_.deferred.empty()); ++i) runFrame(app_);
+        for (int i = 0; i < 10000 && (app_.queue.pending() || app_.doc.stroking() || !app_.deferred.empty()); ++i)
+            runFrame(app_);
     }
     void clickAt(const Widget& w);
     void closeMenus();
@@ -91,15 +94,18 @@ void Driver::clickAt(const Widget& w) {
     app_.now += 1;  // the next click is no double click
 }
 
-// Opens what hides the widget: its entity, a folded section, a menu or list, a panel's tab. True if something was opened.
+// Opens what hides the widget: its entity, a folded section, a menu or list, a panel's tab. True if something was
+// opened.
 bool Driver::openWayTo(const std::string& label) {
     const size_t slash = label.find('/');
     const std::string panel = label.substr(0, slash), rest = slash == std::string::npos ? "" : label.substr(slash + 1);
     if (panel == "Inspector" && !rest.empty()) {
         const std::string entity = rest.substr(0, rest.find('.'));
-        if (app_.selected != entity && find("Outliner/" + entity)) return static_cast<bool>(click("Outliner/" + entity));
+        if (app_.selected != entity && find("Outliner/" + entity))
+            return static_cast<bool>(click("Outliner/" + entity));
     }
-    if (const Widget* tab = find("Tabs/" + panel); tab && app_.layout.tab != panel) return static_cast<bool>(click("Tabs/" + panel));
+    if (const Widget* tab = find("Tabs/" + panel); tab && app_.layout.tab != panel)
+        return static_cast<bool>(click("Tabs/" + panel));
     for (size_t end = label.size(); end-- > 0;) {
         if (label[end] != '/' && label[end] != '.') continue;
         const std::string parent = label.substr(0, end);
@@ -107,7 +113,8 @@ bool Driver::openWayTo(const std::string& label) {
         if (!w || w->open || (w->kind != Kind::Menu && w->kind != Kind::Combo && w->kind != Kind::Section)) continue;
         return static_cast<bool>(click(parent));
     }
-    if (label.starts_with("Menu/") && rest.find('/') != std::string::npos) {  // a menu within reach only once another closed
+    if (label.starts_with("Menu/") &&
+        rest.find('/') != std::string::npos) {  // a menu within reach only once another closed
         closeMenus();
         return false;
     }
@@ -133,7 +140,9 @@ Result<Widget> Driver::reveal(const std::string& label) {
 
 void Driver::closeMenus() {
     for (int i = 0; i < 3; ++i) {
-        const auto open = [](const auto& item) { return item.second.open && (item.second.kind == Kind::Menu || item.second.kind == Kind::Combo); };
+        const auto open = [](const auto& item) {
+            return item.second.open && (item.second.kind == Kind::Menu || item.second.kind == Kind::Combo);
+        };
         if (std::none_of(app_.book.widgets.begin(), app_.book.widgets.end(), open)) return;
         pushKey(GLFW_KEY_ESCAPE, true);
         pushKey(GLFW_KEY_ESCAPE, false);
@@ -219,8 +228,10 @@ Status Driver::set(const std::string& label, const std::string& text) {
         case Kind::Checkbox:
             if (text != "true" && text != "false") return usage("'" + label + "' takes true or false");
             return w->value == text ? Status{} : click(label);
-        case Kind::Combo: return choose(label, text);
-        case Kind::Vector: return setVector(label, text);
+        case Kind::Combo:
+            return choose(label, text);
+        case Kind::Vector:
+            return setVector(label, text);
         case Kind::Slider:
             pushKey(GLFW_KEY_LEFT_CONTROL, true);
             clickAt(*w);
@@ -232,7 +243,8 @@ Status Driver::set(const std::string& label, const std::string& text) {
             clickAt(*w);
             typeText(text);
             return typed(label);
-        default: return usage("'" + label + "' has no value to set");
+        default:
+            return usage("'" + label + "' has no value to set");
     }
 }
 
@@ -319,7 +331,8 @@ Result<std::unique_ptr<UiDriver>> makeWindowUi(Document& document, int width, in
     if (!window) return window.error();
     auto gpu = adoptCurrentGpu();
     if (!gpu) return gpu.error();
-    return std::unique_ptr<UiDriver>(std::make_unique<OwningDriver>(document, nullptr, std::move(*gpu), std::move(*window)));
+    return std::unique_ptr<UiDriver>(
+        std::make_unique<OwningDriver>(document, nullptr, std::move(*gpu), std::move(*window)));
 }
 
 }  // namespace sward

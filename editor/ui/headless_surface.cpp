@@ -34,7 +34,9 @@ class HeadlessSurface final : public Surface {
 
 }  // namespace
 
-std::unique_ptr<Surface> makeHeadlessSurface(int width, int height) { return std::make_unique<HeadlessSurface>(width, height); }
+std::unique_ptr<Surface> makeHeadlessSurface(int width, int height) {
+    return std::make_unique<HeadlessSurface>(width, height);
+}
 
 std::vector<uint8_t> readSurface(Surface& surface) {
     const size_t width = static_cast<size_t>(surface.pixelWidth()), height = static_cast<size_t>(surface.pixelHeight());

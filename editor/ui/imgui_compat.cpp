@@ -12,13 +12,27 @@ struct KeyPair {
     int imgui, ours;
 };
 constexpr KeyPair kKeys[] = {
-    {ImGuiKey_Tab, GLFW_KEY_TAB},           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},      {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-    {ImGuiKey_UpArrow, GLFW_KEY_UP},        {ImGuiKey_DownArrow, GLFW_KEY_DOWN},      {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-    {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN}, {ImGuiKey_Home, GLFW_KEY_HOME},          {ImGuiKey_End, GLFW_KEY_END},
-    {ImGuiKey_Insert, GLFW_KEY_INSERT},     {ImGuiKey_Delete, GLFW_KEY_DELETE},       {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-    {ImGuiKey_Space, GLFW_KEY_SPACE},       {ImGuiKey_Enter, GLFW_KEY_ENTER},         {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-    {ImGuiKey_A, GLFW_KEY_A},               {ImGuiKey_C, GLFW_KEY_C},                 {ImGuiKey_V, GLFW_KEY_V},
-    {ImGuiKey_X, GLFW_KEY_X},               {ImGuiKey_Y, GLFW_KEY_Y},                 {ImGuiKey_Z, GLFW_KEY_Z},
+    {ImGuiKey_Tab, GLFW_KEY_TAB},
+    {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+    {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+    {ImGuiKey_UpArrow, GLFW_KEY_UP},
+    {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+    {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+    {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
+    {ImGuiKey_Home, GLFW_KEY_HOME},
+    {ImGuiKey_End, GLFW_KEY_END},
+    {ImGuiKey_Insert, GLFW_KEY_INSERT},
+    {ImGuiKey_Delete, GLFW_KEY_DELETE},
+    {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+    {ImGuiKey_Space, GLFW_KEY_SPACE},
+    {ImGuiKey_Enter, GLFW_KEY_ENTER},
+    {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+    {ImGuiKey_A, GLFW_KEY_A},
+    {ImGuiKey_C, GLFW_KEY_C},
+    {ImGuiKey_V, GLFW_KEY_V},
+    {ImGuiKey_X, GLFW_KEY_X},
+    {ImGuiKey_Y, GLFW_KEY_Y},
+    {ImGuiKey_Z, GLFW_KEY_Z},
 #if IMGUI_VERSION_NUM >= 18700
     {ImGuiKey_KeypadEnter, GLFW_KEY_KP_ENTER},
 #else
@@ -67,7 +81,9 @@ void feedInput(const FrameInput& in, float deltaSeconds, int width, int height, 
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = deltaSeconds;
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-    const auto ratio = [](int pixels, int size) { return size > 0 ? static_cast<float>(pixels) / static_cast<float>(size) : 1.f; };
+    const auto ratio = [](int pixels, int size) {
+        return size > 0 ? static_cast<float>(pixels) / static_cast<float>(size) : 1.f;
+    };
     io.DisplayFramebufferScale = {ratio(pixelWidth, width), ratio(pixelHeight, height)};
     io.MousePos = {static_cast<float>(in.x), static_cast<float>(in.y)};
     for (int b = 0; b < kButtonCount; ++b) io.MouseDown[b] = in.buttons[static_cast<size_t>(b)];

@@ -28,13 +28,16 @@ void InputQueue::push(const InputEvent& event) {
     events_.push_back(event);
 }
 
-// Moves come before what happens at their end, modifiers before what they modify, and what would be lost or reordered by
-// sharing a frame waits for the next one.
+// Moves come before what happens at their end, modifiers before what they modify, and what would be lost or reordered
+// by sharing a frame waits for the next one.
 bool InputQueue::fits(const InputEvent& e, const Taken& t) const {
     switch (e.kind) {
-        case InputKind::Move: return !t.buttons.any() && !t.wheeled;
-        case InputKind::Wheel: return !t.buttons.any();
-        case InputKind::Char: return !t.buttons.any() && !t.command;
+        case InputKind::Move:
+            return !t.buttons.any() && !t.wheeled;
+        case InputKind::Wheel:
+            return !t.buttons.any();
+        case InputKind::Char:
+            return !t.buttons.any() && !t.command;
         case InputKind::Button: {
             const bool endsDrag = t.moved && !e.down;  // a drag's last place is seen while the button is still held
             return !t.buttons[static_cast<size_t>(e.code)] && !endsDrag && !t.typed && !t.command;

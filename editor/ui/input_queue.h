@@ -18,21 +18,21 @@ enum class InputKind : uint8_t { Move, Button, Wheel, Key, Char };
 
 struct InputEvent {
     InputKind kind = InputKind::Move;
-    double x = 0, y = 0;   // Move: window coordinates from the top left; Wheel: notches, y up
-    int code = 0;          // Button: 0 left, 1 right, 2 middle; Key: key code; Char: Unicode code point
-    bool down = false;     // Button, Key
+    double x = 0, y = 0;  // Move: window coordinates from the top left; Wheel: notches, y up
+    int code = 0;         // Button: 0 left, 1 right, 2 middle; Key: key code; Char: Unicode code point
+    bool down = false;    // Button, Key
 };
 
 // What one frame sees.
 struct FrameInput {
-    double x = -1, y = -1;                          // where the pointer is now
-    std::bitset<kButtonCount> buttons;              // held at the end of the frame
-    std::bitset<kButtonCount> pressed, released;    // their transitions in this frame
-    std::bitset<kKeyCount> keys;                    // held at the end of the frame
-    std::vector<int> pressedKeys;                   // keys that went down in this frame, in order
+    double x = -1, y = -1;                        // where the pointer is now
+    std::bitset<kButtonCount> buttons;            // held at the end of the frame
+    std::bitset<kButtonCount> pressed, released;  // their transitions in this frame
+    std::bitset<kKeyCount> keys;                  // held at the end of the frame
+    std::vector<int> pressedKeys;                 // keys that went down in this frame, in order
     double wheelX = 0, wheelY = 0;
     std::vector<uint32_t> chars;
-    std::vector<std::pair<double, double>> path;    // every place the pointer passed in this frame, in order
+    std::vector<std::pair<double, double>> path;  // every place the pointer passed in this frame, in order
 
     bool ctrl() const;
     bool shift() const;

@@ -13,13 +13,13 @@ struct NamedKey {
     int key;
 };
 constexpr NamedKey kNamed[] = {
-    {"space", GLFW_KEY_SPACE},   {"enter", GLFW_KEY_ENTER},         {"return", GLFW_KEY_ENTER},
-    {"escape", GLFW_KEY_ESCAPE}, {"esc", GLFW_KEY_ESCAPE},          {"tab", GLFW_KEY_TAB},
-    {"delete", GLFW_KEY_DELETE}, {"backspace", GLFW_KEY_BACKSPACE}, {"insert", GLFW_KEY_INSERT},
-    {"left", GLFW_KEY_LEFT},     {"right", GLFW_KEY_RIGHT},         {"up", GLFW_KEY_UP},
-    {"down", GLFW_KEY_DOWN},     {"home", GLFW_KEY_HOME},           {"end", GLFW_KEY_END},
-    {"pageup", GLFW_KEY_PAGE_UP}, {"pagedown", GLFW_KEY_PAGE_DOWN}, {"minus", GLFW_KEY_MINUS},
-    {"equal", GLFW_KEY_EQUAL},   {"plus", GLFW_KEY_EQUAL},
+    {"space", GLFW_KEY_SPACE},    {"enter", GLFW_KEY_ENTER},         {"return", GLFW_KEY_ENTER},
+    {"escape", GLFW_KEY_ESCAPE},  {"esc", GLFW_KEY_ESCAPE},          {"tab", GLFW_KEY_TAB},
+    {"delete", GLFW_KEY_DELETE},  {"backspace", GLFW_KEY_BACKSPACE}, {"insert", GLFW_KEY_INSERT},
+    {"left", GLFW_KEY_LEFT},      {"right", GLFW_KEY_RIGHT},         {"up", GLFW_KEY_UP},
+    {"down", GLFW_KEY_DOWN},      {"home", GLFW_KEY_HOME},           {"end", GLFW_KEY_END},
+    {"pageup", GLFW_KEY_PAGE_UP}, {"pagedown", GLFW_KEY_PAGE_DOWN},  {"minus", GLFW_KEY_MINUS},
+    {"equal", GLFW_KEY_EQUAL},    {"plus", GLFW_KEY_EQUAL},
 };
 
 int keyNamed(const std::string& name) {
@@ -27,7 +27,8 @@ int keyNamed(const std::string& name) {
         if (name == k.name) return k.key;
     if (name.size() == 1) {
         const unsigned char c = static_cast<unsigned char>(std::toupper(static_cast<unsigned char>(name[0])));
-        const bool typed = std::isalnum(c) || std::string("[]-=;',./\\`").find(static_cast<char>(c)) != std::string::npos;
+        const bool typed =
+            std::isalnum(c) || std::string("[]-=;',./\\`").find(static_cast<char>(c)) != std::string::npos;
         return typed ? c : 0;  // GLFW's codes of typing keys are their US characters
     }
     if (name.size() <= 3 && name[0] == 'f') {

@@ -33,7 +33,8 @@ double rounded(double value, const NumberSpec& spec) {
 }
 
 bool wideRange(const NumberSpec& spec) {
-    return spec.softMin >= 0 && spec.softMax - spec.softMin >= 1000 * std::max(spec.softMin, 1e-3) && spec.softMax > 100;
+    return spec.softMin >= 0 && spec.softMax - spec.softMin >= 1000 * std::max(spec.softMin, 1e-3) &&
+           spec.softMax > 100;
 }
 
 // The filled part says where in its range the number is, under the number itself.
@@ -45,15 +46,20 @@ void drawFill(double value, const NumberSpec& spec, bool logarithmic) {
         share = value <= least ? 0 : std::log(value / least) / std::log(spec.softMax / least);
     }
     const float x = low.x + (high.x - low.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
-    const ImU32 color = ImGui::IsItemActive() ? IM_COL32(86, 134, 58, 255) : ImGui::IsItemHovered() ? IM_COL32(78, 120, 54, 255) : kFill;
-    if (x > low.x + 1) ImGui::GetWindowDrawList()->AddRectFilled(low, {x, high.y}, color, ImGui::GetStyle().FrameRounding);
+    const ImU32 color = ImGui::IsItemActive()    ? IM_COL32(86, 134, 58, 255)
+                        : ImGui::IsItemHovered() ? IM_COL32(78, 120, 54, 255)
+                                                 : kFill;
+    if (x > low.x + 1)
+        ImGui::GetWindowDrawList()->AddRectFilled(low, {x, high.y}, color, ImGui::GetStyle().FrameRounding);
 }
 
 void drawText(const std::string& text) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+                 size = ImGui::CalcTextSize(text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(low, high, true);
-    list.AddText({std::max(low.x + 3, (low.x + high.x - size.x) / 2), (low.y + high.y - size.y) / 2}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    list.AddText({std::max(low.x + 3, (low.x + high.x - size.x) / 2), (low.y + high.y - size.y) / 2},
+                 ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     list.PopClipRect();
 }
 
@@ -61,24 +67,24 @@ NumberEdit drag(const std::string& id, double& value, const NumberSpec& spec) {
     NumberEdit edit;
     double moved = value;
     const bool logarithmic = wideRange(spec);
-    const int flags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+    const int flags =
+        ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
     bool changed;
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, 0);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, 0);
     if (spec.softMax > spec.softMin) {
         if (std::isinf(moved)) moved = spec.softMax;
-        changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &moved, &spec.softMin, &spec.softMax, kNoText, flags);
+        changed =
+            ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &moved, &spec.softMin, &spec.softMax, kNoText, flags);
         drawFill(value, spec, logarithmic);
     } else {
         const double speed = spec.step > 0 ? spec.step : std::max(std::abs(value), 1.0) * 0.005;
         const int dragFlags = ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat;
-        changed = ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &moved, static_cast<float>(speed), nullptr, nullptr,
-                                    kNoText, dragFlags);
+        changed = ImGui::DragScalar(id.c_str(), ImGuiDataType_Double, &moved, static_cast<float>(speed), nullptr,
+                                    nullptr, kNoText, dragFlags);
     }
     ImGui::PopStyleColor(2);
-    edit.started = ImGui::IsItemActivated();
-    edit.ended = ImGui::IsItemDeactivated();
-    if (changed) {
+    if (changed && ImGui::IsMouseDragging(0, 2)) {  // a click alone, such as the first of two, changes nothing
         moved = std::clamp(rounded(moved, spec), spec.hardMin, spec.hardMax);
         edit.changed = moved != value;
         value = moved;
@@ -114,14 +120,14 @@ NumberEdit number(const std::string& label, double& value, const NumberSpec& spe
         edit = type(id, value, spec);
     } else {
         edit = drag(id, value, spec);
-        const bool ask = ImGui::IsItemHovered() && (ImGui::IsMouseDoubleClicked(0) || (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0)));
+        const bool ask = ImGui::IsItemHovered() &&
+                         (ImGui::IsMouseDoubleClicked(0) || (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0)));
         if (ask) {
             b.editing = path;
             b.editText = numberText(value, spec.integer, spec.precise);
             b.editAge = 0;
             b.editActive = false;
             edit.changed = false;
-            edit.ended = edit.started || ImGui::IsItemActive();
         }
     }
     record(label, Kind::Slider, numberText(value, spec.integer, spec.precise));

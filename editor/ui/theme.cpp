@@ -6,14 +6,17 @@
 namespace sward::ui {
 namespace {
 
-constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+                                  "/usr/share/fonts/TTF/DejaVuSans.ttf"};
 
 void loadFont(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     static const ImWchar ranges[] = {0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x45F, 0x2010, 0x2026, 0x25CF, 0x25CF, 0};
     for (const char* file : kFonts) {
         std::error_code error;
-        if (std::filesystem::exists(file, error) && atlas.AddFontFromFileTTF(file, std::round(14 * scale), nullptr, ranges)) return;
+        if (std::filesystem::exists(file, error) &&
+            atlas.AddFontFromFileTTF(file, std::round(14 * scale), nullptr, ranges))
+            return;
     }
     ImFontConfig config;
     config.SizePixels = std::round(13 * scale);

@@ -25,6 +25,11 @@ std::string shown(const std::string& label) {
 float toSrgb(float v) { return v <= 0.0031308f ? 12.92f * std::max(v, 0.f) : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 float fromSrgb(float v) { return v <= 0.04045f ? std::max(v, 0.f) / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
 
+// What a person expects of Escape; ImGui does it only with keyboard navigation on, which would take our keys.
+void closeOnEscape() {
+    if (escapePressed() && !ImGui::GetIO().WantTextInput) ImGui::CloseCurrentPopup();
+}
+
 std::string idOf(const std::string& label) { return "##" + pathOf(label); }
 
 }  // namespace
@@ -89,7 +94,8 @@ void tooltip(const std::string& text) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
     WidgetBook& b = book();
     const ImVec2 corner = ImGui::GetItemRectMin();
-    if (b.hoverX != corner.x || b.hoverY != corner.y) b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
+    if (b.hoverX != corner.x || b.hoverY != corner.y)
+        b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
     b.hovering = true;
     b.tooltipDue = ImGui::GetTime() - b.hoverSince < kRestSeconds;
     if (b.tooltipDue) return;
@@ -115,7 +121,8 @@ bool checkbox(const std::string& label, bool& value) {
 }
 
 bool selectable(const std::string& label, bool selected, bool* doubleClicked) {
-    const bool pressed = ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
+    const bool pressed =
+        ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
     if (doubleClicked) *doubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     record(label, Kind::Button, selected ? "true" : "false");
     return pressed;
@@ -158,6 +165,10 @@ bool combo(const std::string& label, std::span<const std::string> items, int& ch
         record(label, Kind::Combo, preview);
         return false;
     }
+    // The button was met before its list; the last item is the list's window now.
+    const auto before = book().widgets.find(pathOf(label));
+    if (before != book().widgets.end()) (book().next[pathOf(label)] = before->second).open = true;
+    closeOnEscape();
     bool changed = false;
     const Scope scope(label);
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
@@ -181,6 +192,7 @@ bool beginMenu(const std::string& label) {
         const auto before = book().widgets.find(pathOf(label));
         if (before != book().widgets.end()) w = before->second;
         w.open = true;
+        closeOnEscape();
         book().scope += label + "/";
     }
     return open;
@@ -194,7 +206,8 @@ void endMenu() {
 }
 
 bool menuItem(const std::string& label, const std::string& chord, bool checked, bool enabled) {
-    const bool pressed = ImGui::MenuItem(shown(label).c_str(), chord.empty() ? nullptr : chord.c_str(), checked, enabled);
+    const bool pressed =
+        ImGui::MenuItem(shown(label).c_str(), chord.empty() ? nullptr : chord.c_str(), checked, enabled);
     record(label, Kind::Button, checked ? "true" : "false").enabled = enabled;
     return pressed;
 }
@@ -202,10 +215,19 @@ bool menuItem(const std::string& label, const std::string& chord, bool checked, 
 bool colorEdit(const std::string& label, float linear[3]) {
     float srgb[3];
     for (int i = 0; i < 3; ++i) srgb[i] = toSrgb(linear[i]);
-    const int flags = ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float |
-                      ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoOptions;
-    const bool changed = ImGui::ColorEdit3(idOf(label).c_str(), srgb, flags);
-    record(label, Kind::Button);
+    const std::string id = idOf(label);
+    const ImVec4 shownColor{srgb[0], srgb[1], srgb[2], 1};
+    if (ImGui::ColorButton(id.c_str(), shownColor, ImGuiColorEditFlags_NoTooltip)) ImGui::OpenPopup(id.c_str());
+    Widget& w = record(label, Kind::Button);
+    if (!ImGui::BeginPopup(id.c_str())) return false;
+    w.open = true;
+    closeOnEscape();
+    const int flags = ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoOptions |
+                      ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                      ImGuiColorEditFlags_DisplayHex;
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 14);
+    const bool changed = ImGui::ColorPicker3((id + "picker").c_str(), srgb, flags);
+    ImGui::EndPopup();
     if (changed)
         for (int i = 0; i < 3; ++i) linear[i] = fromSrgb(srgb[i]);
     return changed;

@@ -18,25 +18,25 @@ struct Widget {
     float x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // window pixels
     std::string value;                     // as text: a number in shortest form, "true", a combo's choice
     bool enabled = true;
-    bool visible = true;                   // its centre is not scrolled or clipped away
-    bool open = false;                     // Menu, Combo, Section: what it holds is on the screen
+    bool visible = true;  // its centre is not scrolled or clipped away
+    bool open = false;    // Menu, Combo, Section: what it holds is on the screen
 };
 
 struct WidgetBook {
-    std::map<std::string, Widget> widgets;       // of the last whole frame
-    std::map<std::string, Widget> next;          // of the frame being built
-    std::map<std::string, std::string> errors;   // path -> what was wrong with the last value typed there
-    std::string scope;                           // "Brush/"
-    std::vector<bool> disabled;                  // of the Disabled blocks around, outermost first
-    std::string reveal;                          // path to scroll to when it is next met
-    std::string editing;                         // path of the number being typed
+    std::map<std::string, Widget> widgets;      // of the last whole frame
+    std::map<std::string, Widget> next;         // of the frame being built
+    std::map<std::string, std::string> errors;  // path -> what was wrong with the last value typed there
+    std::string scope;                          // "Brush/"
+    std::vector<bool> disabled;                 // of the Disabled blocks around, outermost first
+    std::string reveal;                         // path to scroll to when it is next met
+    std::string editing;                        // path of the number being typed
     std::string editText;
-    int editAge = 0;                             // frames since typing was asked for
+    int editAge = 0;  // frames since typing was asked for
     bool editActive = false;
-    float hoverX = -1, hoverY = -1;              // corner of the item with a tooltip under the pointer ...
-    double hoverSince = 0;                       // ... and when the pointer came to it (ImGui's clock)
-    bool hovering = false, tooltipDue = false;   // in this frame; a tooltip waits to be shown
-    std::string typing;                          // path of the textField being typed, and its text
+    float hoverX = -1, hoverY = -1;             // corner of the item with a tooltip under the pointer ...
+    double hoverSince = 0;                      // ... and when the pointer came to it (ImGui's clock)
+    bool hovering = false, tooltipDue = false;  // in this frame; a tooltip waits to be shown
+    std::string typing;                         // path of the textField being typed, and its text
     std::string typedText;
 };
 
@@ -96,17 +96,15 @@ bool colorEdit(const std::string& label, float linear[3]);
 struct NumberSpec {
     double softMin = 0, softMax = 1;  // the slider's range; softMin == softMax: dragged without ends
     double hardMin = -1e30, hardMax = 1e30;
-    std::string unit;                 // shown after the number
+    std::string unit;  // shown after the number
     bool integer = false;
-    bool precise = false;             // stored as double: positions
-    bool allowInf = false;            // "inf" may be typed
-    double step = 0;                  // of dragging without ends; 0: by the value
+    bool precise = false;   // stored as double: positions
+    bool allowInf = false;  // "inf" may be typed
+    double step = 0;        // of dragging without ends; 0: by the value
 };
 // What the person did to a number in this frame.
 struct NumberEdit {
-    bool started = false;              // took hold of the slider
-    bool changed = false;              // `value` was moved by it
-    bool ended = false;                // let go
+    bool changed = false;              // `value` was moved; while it is held, frame after frame
     std::optional<std::string> typed;  // entered by keyboard; not yet applied
 };
 // A slider; a double click or Ctrl+click types instead. The width is ImGui's next item width.

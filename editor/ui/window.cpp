@@ -34,7 +34,9 @@ void onKey(GLFWwindow* w, int key, int scancode, int action, int) {
     if (action == GLFW_REPEAT || key < 0) return;
     eventsOf(w).list.push_back({InputKind::Key, 0, 0, layoutKey(key, scancode), action == GLFW_PRESS});
 }
-void onChar(GLFWwindow* w, unsigned c) { eventsOf(w).list.push_back({InputKind::Char, 0, 0, static_cast<int>(c), false}); }
+void onChar(GLFWwindow* w, unsigned c) {
+    eventsOf(w).list.push_back({InputKind::Char, 0, 0, static_cast<int>(c), false});
+}
 void onMove(GLFWwindow* w, double x, double y) { eventsOf(w).list.push_back({InputKind::Move, x, y, 0, false}); }
 void onButton(GLFWwindow* w, int button, int action, int) {
     double x, y;
@@ -114,14 +116,19 @@ class Window final : public Surface {
     GLFWwindow* window_;
     Events events_;
     Cursor shown_ = Cursor::Arrow;
-    GLFWcursor* cursors_[4] = {nullptr, glfwCreateStandardCursor(GLFW_IBEAM_CURSOR), glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR),
+    GLFWcursor* cursors_[4] = {nullptr, glfwCreateStandardCursor(GLFW_IBEAM_CURSOR),
+                               glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR),
                                glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR)};
 };
 
 Error noWindow(const std::string& what) {
     const char* detail = nullptr;
     glfwGetError(&detail);
-    return {ExitCode::NoContext, what + (detail ? std::string(": ") + detail : ""), "", 0, 0,
+    return {ExitCode::NoContext,
+            what + (detail ? std::string(": ") + detail : ""),
+            "",
+            0,
+            0,
             "set DISPLAY, or use the verbs render and script, which need no window"};
 }
 

@@ -63,7 +63,12 @@ Error fileError(const std::string& verb, const fs::path& file, int errorNumber) 
     if (errorNumber == EACCES || errorNumber == EPERM) remedy = "check who may read and write it";
     if (errorNumber == EROFS) remedy = "the file system is read-only; save somewhere else";
     if (errorNumber == ENOENT) remedy = "check the path";
-    return {ExitCode::Failed, fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)), file.string(), 0, 0, remedy};
+    return {ExitCode::Failed,
+            fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)),
+            file.string(),
+            0,
+            0,
+            remedy};
 }
 
 Result<std::string> readFile(const fs::path& file, uint64_t limit) {
@@ -140,7 +145,8 @@ fs::path stateDir() { return userDir("XDG_STATE_HOME", ".local/state", "state");
 Result<fs::path> resolveInside(const fs::path& root, const std::string& relative) {
     const fs::path given(relative);
     const std::string remedy = "name a file inside the project's folder";
-    if (relative.empty() || relative.find('\0') != std::string::npos) return unsound("the path of a file is empty or not a path", root, remedy);
+    if (relative.empty() || relative.find('\0') != std::string::npos)
+        return unsound("the path of a file is empty or not a path", root, remedy);
     if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), root, remedy);
     for (const fs::path& part : given)
         if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), root, remedy);
@@ -151,7 +157,8 @@ Result<fs::path> resolveInside(const fs::path& root, const std::string& relative
     const fs::path full = fs::weakly_canonical(base / given, fault);
     if (fault) return unsound(fmt::format("\"{}\" cannot be resolved: {}", relative, fault.message()), root);
     const auto [end, ignored] = std::mismatch(base.begin(), base.end(), full.begin(), full.end());
-    if (end != base.end()) return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), root, remedy);
+    if (end != base.end())
+        return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), root, remedy);
     return root / given;
 }
 

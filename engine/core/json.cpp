@@ -54,7 +54,8 @@ class Builder {
     using string_t = nlohmann::json::string_t;
     using binary_t = nlohmann::json::binary_t;
 
-    Builder(std::string_view text, const std::string& file) : furthest(text.data()), text_(text), file_(file), done_(text.data()) {}
+    Builder(std::string_view text, const std::string& file)
+        : furthest(text.data()), text_(text), file_(file), done_(text.data()) {}
 
     const char* furthest;  // just behind the last character that the parser took
     Json root;
@@ -77,7 +78,8 @@ class Builder {
     bool end_array() { return close(); }
     bool key(string_t& name) {
         keyPlace_ = nextPlace();
-        if (stack_.back()->object.contains(name)) return fail(fmt::format("duplicate key \"{}\"", name), keyPlace_, "remove one of the two");
+        if (stack_.back()->object.contains(name))
+            return fail(fmt::format("duplicate key \"{}\"", name), keyPlace_, "remove one of the two");
         key_ = name;
         done_ = furthest;
         return true;
@@ -128,7 +130,8 @@ class Builder {
         return true;
     }
     bool open(Json value) {
-        if (stack_.size() >= size_t(kMaxJsonDepth)) return fail(fmt::format("more than {} levels of nesting", kMaxJsonDepth));
+        if (stack_.size() >= size_t(kMaxJsonDepth))
+            return fail(fmt::format("more than {} levels of nesting", kMaxJsonDepth));
         stack_.push_back(put_(std::move(value)));
         return true;
     }
@@ -137,7 +140,8 @@ class Builder {
         done_ = furthest;
         return true;
     }
-    // "[json.exception.parse_error.101] parse error at line 2, column 3: syntax error while ... - what" -> the end of it
+    // "[json.exception.parse_error.101] parse error at line 2, column 3: syntax error while ... - what" -> the end of
+    // it
     static std::string tidy(std::string what) {
         if (what.find("out_of_range") != std::string::npos) return "a number that is too large to hold";
         const size_t place = what.find("column ");
@@ -161,7 +165,12 @@ class Builder {
 
 Result<Json> parseJson(std::string_view text, const std::string& file) {
     if (text.size() > kMaxJsonBytes)
-        return Error{ExitCode::Unsound, fmt::format("{} bytes of JSON; the limit is {}", text.size(), kMaxJsonBytes), file, 0, 0, {}};
+        return Error{ExitCode::Unsound,
+                     fmt::format("{} bytes of JSON; the limit is {}", text.size(), kMaxJsonBytes),
+                     file,
+                     0,
+                     0,
+                     {}};
     Builder builder(text, file);
     const CountingIterator begin{text.data(), &builder.furthest}, end{text.data() + text.size(), nullptr};
     if (!nlohmann::json::sax_parse(begin, end, &builder)) return builder.error;

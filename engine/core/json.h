@@ -28,7 +28,7 @@ struct Json {
     Type type = Type::Null;
     bool boolean = false;
     double number = 0;
-    std::string text;     // String: its value; Number: its digits as read or as they will be written
+    std::string text;  // String: its value; Number: its digits as read or as they will be written
     Array array;
     Object object;
     int line = 0, column = 0;        // 1-based, of its first character; 0: not read from a file
@@ -39,8 +39,8 @@ struct Json {
     Json(float value);   // shortest digits that give the same float
     Json(double value);  // shortest digits that give the same double
     template <std::integral I>
-        requires(!std::same_as<I, bool>)
-    Json(I value) : type(Type::Number), number(static_cast<double>(value)), text(std::to_string(value)) {}
+    requires(!std::same_as<I, bool>) Json(I value)
+        : type(Type::Number), number(static_cast<double>(value)), text(std::to_string(value)) {}
     Json(std::string value) : type(Type::String), text(std::move(value)) {}
     Json(std::string_view value) : type(Type::String), text(value) {}
     Json(const char* value) : type(Type::String), text(value) {}

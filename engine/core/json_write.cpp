@@ -29,13 +29,27 @@ void appendString(std::string& out, std::string_view text) {
     out += '"';
     for (const char c : text) {
         switch (c) {
-            case '"': out += "\\\""; break;
-            case '\\': out += "\\\\"; break;
-            case '\n': out += "\\n"; break;
-            case '\t': out += "\\t"; break;
-            case '\r': out += "\\r"; break;
-            case '\b': out += "\\b"; break;
-            case '\f': out += "\\f"; break;
+            case '"':
+                out += "\\\"";
+                break;
+            case '\\':
+                out += "\\\\";
+                break;
+            case '\n':
+                out += "\\n";
+                break;
+            case '\t':
+                out += "\\t";
+                break;
+            case '\r':
+                out += "\\r";
+                break;
+            case '\b':
+                out += "\\b";
+                break;
+            case '\f':
+                out += "\\f";
+                break;
             default:
                 if (static_cast<unsigned char>(c) < 0x20)
                     out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
@@ -90,12 +104,24 @@ void appendObject(std::string& out, const Json::Object& members, int depth) {
 
 void append(std::string& out, const Json& j, int depth) {
     switch (j.type) {
-        case Json::Type::Null: out += "null"; break;
-        case Json::Type::Bool: out += j.boolean ? "true" : "false"; break;
-        case Json::Type::Number: appendNumber(out, j); break;
-        case Json::Type::String: appendString(out, j.text); break;
-        case Json::Type::Array: appendArray(out, j.array, depth); break;
-        case Json::Type::Object: appendObject(out, j.object, depth); break;
+        case Json::Type::Null:
+            out += "null";
+            break;
+        case Json::Type::Bool:
+            out += j.boolean ? "true" : "false";
+            break;
+        case Json::Type::Number:
+            appendNumber(out, j);
+            break;
+        case Json::Type::String:
+            appendString(out, j.text);
+            break;
+        case Json::Type::Array:
+            appendArray(out, j.array, depth);
+            break;
+        case Json::Type::Object:
+            appendObject(out, j.object, depth);
+            break;
     }
 }
 

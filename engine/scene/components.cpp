@@ -1,5 +1,5 @@
-// The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog ·
-// Camera · rows · features of a scene.
+// The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog
+// · Camera · rows · features of a scene.
 #include "scene/components.h"
 
 #include <cstddef>
@@ -8,8 +8,8 @@ namespace sward {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kFarM = 1e8;          // no position lies farther from the origin
-constexpr double kBrightest = 65504;   // the largest half: brighter light would turn infinite in a render target
+constexpr double kFarM = 1e8;         // no position lies farther from the origin
+constexpr double kBrightest = 65504;  // the largest half: brighter light would turn infinite in a render target
 
 // --- field helpers: one a type, so that a table's line says only what differs -----------------------------------
 struct Range {
@@ -17,7 +17,8 @@ struct Range {
 };
 constexpr Range kShare{0, 1, 0, 1};
 
-constexpr FieldRow number(FieldType type, const char* name, size_t offset, const char* unit, Range r, const char* help) {
+constexpr FieldRow number(FieldType type, const char* name, size_t offset, const char* unit, Range r,
+                          const char* help) {
     return {name, type, offset, unit, r.hardMin, r.hardMax, r.softMin, r.softMax, help};
 }
 constexpr FieldRow real(const char* name, size_t offset, const char* unit, Range r, const char* help) {
@@ -55,24 +56,30 @@ constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
 // --- Transform ---------------------------------------------------------------------------------------------------
 constexpr Range kPosition{-kFarM, kFarM, -1000, 1000};
 constexpr FieldRow kTransformFields[] = {
-    number(FieldType::Vec3, "position", offsetof(Transform, position), "m", kPosition, "where the origin of the entity lies"),
+    number(FieldType::Vec3, "position", offsetof(Transform, position), "m", kPosition,
+           "where the origin of the entity lies"),
 };
 FeatureSet transformFeatures(const void*) { return {}; }
 
 // --- Terrain -----------------------------------------------------------------------------------------------------
 constexpr FieldRow kTerrainFields[] = {
     number(FieldType::Vec2, "size", offsetof(Terrain, size), "m", {0.1, 1e6, 1, 1000}, "extent along x and z"),
-    heights("height", offsetof(Terrain, height), "heights; float maps in metres, integer maps span heightRange; none: flat"),
+    heights("height", offsetof(Terrain, height),
+            "heights; float maps in metres, integer maps span heightRange; none: flat"),
     number(FieldType::Vec2, "heightRange", offsetof(Terrain, heightRange), "m", {-1e5, 1e5, -100, 1000},
            "heights at 0 and at full scale of an integer height map"),
     real("gridSpacing", offsetof(Terrain, gridSpacing), "m", {0.01, 1000, 0.05, 4},
          "distance between vertices of the finest level"),
     real("lodDistance", offsetof(Terrain, lodDistance), "m", {0.1, 1e6, 5, 500},
          "how far the finest level reaches; each next level doubles it"),
-    map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8, "colour and opacity blended over the tile texture"),
-    imageFile("groundTexture", offsetof(Terrain, groundTexture), "image tiled over the ground; none: soil made by the program"),
-    real("tileSize", offsetof(Terrain, tileSize), "m", {0.01, 1e4, 0.1, 20}, "length that one tile of the texture covers"),
-    color("groundColor", offsetof(Terrain, groundColor), {0, 4, 0, 1}, "mean reflectance of the soil, or factor of the texture"),
+    map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
+        "colour and opacity blended over the tile texture"),
+    imageFile("groundTexture", offsetof(Terrain, groundTexture),
+              "image tiled over the ground; none: soil made by the program"),
+    real("tileSize", offsetof(Terrain, tileSize), "m", {0.01, 1e4, 0.1, 20},
+         "length that one tile of the texture covers"),
+    color("groundColor", offsetof(Terrain, groundColor), {0, 4, 0, 1},
+          "mean reflectance of the soil, or factor of the texture"),
 };
 FeatureSet terrainFeatures(const void* component) {
     const auto& t = *static_cast<const Terrain*>(component);
@@ -86,52 +93,69 @@ FeatureSet terrainFeatures(const void* component) {
 constexpr Range kReflectance{0, 1, 0, 0.5};
 constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
-    map("density", offsetof(Species, density), 1, PixelType::U16, "where it grows: share of bladesPerM2; none: everywhere"),
-    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5}, "blades on a square metre at density 1"),
+    map("density", offsetof(Species, density), 1, PixelType::U16,
+        "where it grows: share of bladesPerM2; none: everywhere"),
+    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
+         "blades on a square metre at density 1"),
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
-    real("heightVariation", offsetof(Species, heightVariation), "", kShare, "how much lengths differ, as a share, both ways"),
+    real("heightVariation", offsetof(Species, heightVariation), "", kShare,
+         "how much lengths differ, as a share, both ways"),
     real("width", offsetof(Species, width), "m", {0, 1, 0.001, 0.05}, "width at the widest place of a blade"),
     real("bend", offsetof(Species, bend), "", {0, 2, 0, 1}, "how far the tip droops, as a share of the length"),
     real("leanDeg", offsetof(Species, leanDeg), "deg", {0, 90, 0, 60}, "mean lean from the vertical"),
-    real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45}, "how much the lean differs, both ways"),
+    real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
+         "how much the lean differs, both ways"),
     number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
     imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
     color("rootColor", offsetof(Species, rootColor), kReflectance, "reflectance at the root"),
     color("midColor", offsetof(Species, midColor), kReflectance, "reflectance half-way up"),
     color("tipColor", offsetof(Species, tipColor), kReflectance, "reflectance at the tip"),
-    real("hueVariationDeg", offsetof(Species, hueVariationDeg), "deg", {0, 180, 0, 30}, "how much the hue differs by blade, both ways"),
-    real("lightnessVariation", offsetof(Species, lightnessVariation), "", kShare, "how much the lightness differs by blade, both ways"),
+    real("hueVariationDeg", offsetof(Species, hueVariationDeg), "deg", {0, 180, 0, 30},
+         "how much the hue differs by blade, both ways"),
+    real("lightnessVariation", offsetof(Species, lightnessVariation), "", kShare,
+         "how much the lightness differs by blade, both ways"),
     real("rootOcclusion", offsetof(Species, rootOcclusion), "", kShare, "share of ambient light left at the root"),
     real("clumpSize", offsetof(Species, clumpSize), "m", {0, 1000, 0, 3}, "size of clumps; 0: none"),
-    real("clumpStrength", offsetof(Species, clumpStrength), "", kShare, "share of lean, height and tint that a clump has in common"),
+    real("clumpStrength", offsetof(Species, clumpStrength), "", kShare,
+         "share of lean, height and tint that a clump has in common"),
 };
 constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
 
 constexpr Range kTiling{0.001, 10000, 1, 50};
 constexpr Range kTierDistance{0, 1e6, 0, 200};
 constexpr FieldRow techniqueField() {
-    FieldRow row = number(FieldType::Enum, "technique", offsetof(GrassField, technique), "", {}, "how the grass is drawn");
+    FieldRow row =
+        number(FieldType::Enum, "technique", offsetof(GrassField, technique), "", {}, "how the grass is drawn");
     row.options = kTechniques;
     return row;
 }
 constexpr FieldRow speciesField() {
-    FieldRow row = number(FieldType::List, "species", offsetof(GrassField, species), "", {}, "the kinds of blade that grow here");
+    FieldRow row =
+        number(FieldType::List, "species", offsetof(GrassField, species), "", {}, "the kinds of blade that grow here");
     row.list = &kSpeciesList;
     return row;
 }
 constexpr FieldRow kGrassFieldFields[] = {
     techniqueField(),
     speciesField(),
-    real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4}, "side of the square of blades that is repeated"),
-    number(FieldType::Int, "seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000}, "another number: other blades"),
+    real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4},
+         "side of the square of blades that is repeated"),
+    number(FieldType::Int, "seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000},
+           "another number: other blades"),
     distance("minGeom", offsetof(GrassField, minGeom), kTierDistance, "up to here every blade is drawn by itself"),
-    distance("maxGeom", offsetof(GrassField, maxGeom), kTierDistance, "from here no blade is drawn by itself; inf: never fades"),
+    distance("maxGeom", offsetof(GrassField, maxGeom), kTierDistance,
+             "from here no blade is drawn by itself; inf: never fades"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
-    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16, "direction x, z about 0.5 in which blades lean"),
-    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8, "colour and opacity over the blades' own colour"),
-    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8, "share of the sky that the ground sees"),
-    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling, "repeats of the orientation map over the terrain"),
-    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling, "repeats of the vegetation map over the terrain"),
+    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
+        "direction x, z about 0.5 in which blades lean"),
+    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
+        "colour and opacity over the blades' own colour"),
+    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
+        "share of the sky that the ground sees"),
+    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
+         "repeats of the orientation map over the terrain"),
+    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
+         "repeats of the vegetation map over the terrain"),
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
          "repeats of the ambient-occlusion map over the terrain"),
 };
@@ -156,7 +180,8 @@ FeatureSet grassFeatures(const void* component) {
 
 // --- Light, Sky, Fog ---------------------------------------------------------------------------------------------
 constexpr FieldRow kLightFields[] = {
-    real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360}, "where the sun stands, clockwise from north (-z)"),
+    real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360},
+         "where the sun stands, clockwise from north (-z)"),
     real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90}, "height of the sun over the horizon"),
     real("intensity", offsetof(Light, intensity), "", {0, kBrightest, 0, 4}, "factor of the sun's light; 0: no sun"),
 };
@@ -173,7 +198,8 @@ FeatureSet skyFeatures(const void* component) {
 }
 
 constexpr FieldRow kFogFields[] = {
-    distance("visibility", offsetof(Fog, visibility), {0.1, 1e8, 50, 20000}, "distance at which contrast has fallen to 2%; inf: no haze"),
+    distance("visibility", offsetof(Fog, visibility), {0.1, 1e8, 50, 20000},
+             "distance at which contrast has fallen to 2%; inf: no haze"),
 };
 FeatureSet fogFeatures(const void* component) {
     return static_cast<const Fog*>(component)->visibility < kInf ? featureSet(Feature::Fog) : FeatureSet{};
@@ -192,7 +218,8 @@ FeatureSet cameraFeatures(const void*) { return {}; }
 
 std::span<const ComponentRow> sharedComponentRows() {
     static constexpr ComponentRow kRows[] = {
-        componentRow<Transform>("Transform", "Where the entity and what stands on it is moved to.", kTransformFields, transformFeatures),
+        componentRow<Transform>("Transform", "Where the entity and what stands on it is moved to.", kTransformFields,
+                                transformFeatures),
         componentRow<Terrain>("Terrain", "The ground: heights and colour.", kTerrainFields, terrainFeatures),
         componentRow<GrassField>("GrassField", "Grass over the whole terrain.", kGrassFieldFields, grassFeatures),
         componentRow<Light>("Light", "The sun.", kLightFields, lightFeatures),

@@ -32,16 +32,22 @@ OIIO::ImageSpec asStored() {
 
 std::optional<PixelType> typeOf(const OIIO::TypeDesc& type) {
     switch (type.basetype) {
-        case OIIO::TypeDesc::UINT8: return PixelType::U8;
-        case OIIO::TypeDesc::UINT16: return PixelType::U16;
+        case OIIO::TypeDesc::UINT8:
+            return PixelType::U8;
+        case OIIO::TypeDesc::UINT16:
+            return PixelType::U16;
         case OIIO::TypeDesc::HALF:
-        case OIIO::TypeDesc::FLOAT: return PixelType::F32;
-        default: return {};
+        case OIIO::TypeDesc::FLOAT:
+            return PixelType::F32;
+        default:
+            return {};
     }
 }
 
 OIIO::TypeDesc descOf(PixelType type) {
-    return type == PixelType::U8 ? OIIO::TypeDesc::UINT8 : type == PixelType::U16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::FLOAT;
+    return type == PixelType::U8    ? OIIO::TypeDesc::UINT8
+           : type == PixelType::U16 ? OIIO::TypeDesc::UINT16
+                                    : OIIO::TypeDesc::FLOAT;
 }
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -66,7 +72,9 @@ class OiioReader final : public ImageReader {
         return unsound(file_, fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again");
     }
     Status readFromScanlines(int y0, int rows, void* out) {
-        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, descOf(info_.type), out)) return {};
+        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, descOf(info_.type),
+                                   out))
+            return {};
         return truncated(input_->geterror());
     }
     // Tiles may be of any height, so the whole image is read at the first call.
@@ -74,7 +82,8 @@ class OiioReader final : public ImageReader {
         const size_t rowBytes = size_t(info_.width) * size_t(info_.channels) * pixelBytes(info_.type);
         if (whole_.empty()) {
             whole_.resize(rowBytes * size_t(info_.height));
-            if (!input_->read_image(0, 0, 0, info_.channels, descOf(info_.type), whole_.data())) return truncated(input_->geterror());
+            if (!input_->read_image(0, 0, 0, info_.channels, descOf(info_.type), whole_.data()))
+                return truncated(input_->geterror());
         }
         std::memcpy(out, whole_.data() + rowBytes * size_t(y0), rowBytes * size_t(rows));
         return {};
@@ -92,10 +101,15 @@ Result<std::unique_ptr<ImageReader>> openFormat(const std::filesystem::path& fil
     if (!input) return unsound(file, fmt::format("cannot be read: this OpenImageIO has no {}", format));
     OIIO::ImageSpec spec;
     if (!input->open(file.string(), spec, asStored()))
-        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(input->geterror())), "export it again");
+        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(input->geterror())),
+                       "export it again");
     const std::optional<PixelType> type = typeOf(spec.format);
     if (!type || spec.deep || spec.depth > 1)
-        return unsound(file, fmt::format("holds {}{}", spec.format.c_str(), spec.deep ? ", deep" : spec.depth > 1 ? ", a volume" : ""),
+        return unsound(file,
+                       fmt::format("holds {}{}", spec.format.c_str(),
+                                   spec.deep        ? ", deep"
+                                   : spec.depth > 1 ? ", a volume"
+                                                    : ""),
                        "use 8 or 16 bits, half or float");
     if (Status s = checkLimits(file, spec.width, spec.height, spec.nchannels, pixelBytes(*type)); !s) return s.error();
     const MapInfo info{spec.width, spec.height, spec.nchannels, *type};
@@ -116,14 +130,18 @@ OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
 
 }  // namespace
 
-Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels, size_t bytesPerChannel) {
-    if (width < 1 || height < 1) return unsound(file, fmt::format("has size {} x {}", width, height), "a map has at least one texel");
+Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels,
+                   size_t bytesPerChannel) {
+    if (width < 1 || height < 1)
+        return unsound(file, fmt::format("has size {} x {}", width, height), "a map has at least one texel");
     if (width > kMaxMapSide || height > kMaxMapSide)
-        return unsound(file, fmt::format("is {} x {}; the limit is {} a side", width, height, kMaxMapSide), "scale it down");
+        return unsound(file, fmt::format("is {} x {}; the limit is {} a side", width, height, kMaxMapSide),
+                       "scale it down");
     if (channels < 1 || channels > 4) return unsound(file, fmt::format("has {} channels; the limit is 4", channels));
     const size_t bytes = size_t(width) * size_t(height) * size_t(channels) * bytesPerChannel;
     if (bytes > kMaxMapBytes)
-        return unsound(file, fmt::format("takes {} MiB; the limit is {}", bytes >> 20, kMaxMapBytes >> 20), "scale it down, or use fewer bits");
+        return unsound(file, fmt::format("takes {} MiB; the limit is {}", bytes >> 20, kMaxMapBytes >> 20),
+                       "scale it down, or use fewer bits");
     return {};
 }
 
@@ -139,8 +157,11 @@ Result<std::unique_ptr<ImageReader>> ImageReader::open(const std::filesystem::pa
     }
 }
 
-Result<std::string> encodeImage(const std::string& format, const MapInfo& info, const std::function<void(int, int, void*)>& rows) {
-    const auto failed = [&](const std::string& why) { return Error{ExitCode::Failed, fmt::format("cannot be encoded: {}", firstLine(why)), {}, 0, 0, {}}; };
+Result<std::string> encodeImage(const std::string& format, const MapInfo& info,
+                                const std::function<void(int, int, void*)>& rows) {
+    const auto failed = [&](const std::string& why) {
+        return Error{ExitCode::Failed, fmt::format("cannot be encoded: {}", firstLine(why)), {}, 0, 0, {}};
+    };
     useAllCores();
     try {
         auto output = OIIO::ImageOutput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
@@ -152,7 +173,8 @@ Result<std::string> encodeImage(const std::string& format, const MapInfo& info, 
         for (int y = 0; y < info.height; y += kTileSize) {
             const int n = std::min(kTileSize, info.height - y);
             rows(y, n, band.data());
-            if (!output->write_scanlines(y, y + n, 0, descOf(info.type), band.data())) return failed(output->geterror());
+            if (!output->write_scanlines(y, y + n, 0, descOf(info.type), band.data()))
+                return failed(output->geterror());
         }
         if (!output->close()) return failed(output->geterror());
         const auto& bytes = memory.buffer();

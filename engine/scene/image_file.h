@@ -26,10 +26,12 @@ class ImageReader {
 };
 
 // Size and channels against the limits; `file` is named in the error.
-Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels, size_t bytesPerChannel);
+Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels,
+                   size_t bytesPerChannel);
 
 // Encodes an image as "png", "exr" or "tif" and returns the file's bytes. rows(y0, n, out) fills n rows.
 // PNG takes integers only.
-Result<std::string> encodeImage(const std::string& format, const MapInfo& info, const std::function<void(int, int, void*)>& rows);
+Result<std::string> encodeImage(const std::string& format, const MapInfo& info,
+                                const std::function<void(int, int, void*)>& rows);
 
 }  // namespace sward

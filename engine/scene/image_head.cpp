@@ -50,7 +50,8 @@ Result<ImageHead> exrHead(const std::filesystem::path& file, const std::string& 
         if (typeEnd == std::string::npos || typeEnd + 5 > head.size()) return damaged(file, "is truncated");
         const int32_t length = littleEndian(head.data() + typeEnd + 1);
         const size_t value = typeEnd + 5;
-        if (length < 0 || size_t(length) > head.size() - value) return damaged(file, "is truncated or has a damaged header");
+        if (length < 0 || size_t(length) > head.size() - value)
+            return damaged(file, "is truncated or has a damaged header");
         if (head.compare(at, nameEnd - at, "dataWindow") == 0 && length == 16) {
             const auto edge = [&](size_t i) { return int64_t(littleEndian(head.data() + value + i * 4)); };
             return ImageHead{"exr", edge(2) - edge(0) + 1, edge(3) - edge(1) + 1};
@@ -74,7 +75,8 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     std::string head(kHeadBytes, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<size_t>(in.gcount()));
-    if (head.empty() && !in.eof()) return Error{ExitCode::Unsound, "cannot be read", file.string(), 0, 0, "check who may read it"};
+    if (head.empty() && !in.eof())
+        return Error{ExitCode::Unsound, "cannot be read", file.string(), 0, 0, "check who may read it"};
     in.clear();
     const uint64_t size = std::filesystem::file_size(file, fault);
     const std::string_view start(head);
@@ -84,7 +86,8 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     if (start.starts_with(std::string_view("II*\0", 4)) || start.starts_with(std::string_view("MM\0*", 4)) ||
         start.starts_with(std::string_view("II+\0", 4)) || start.starts_with(std::string_view("MM\0+", 4)))
         return readTiffHead(file, in, size);
-    return Error{ExitCode::Unsound, "is no PNG, EXR or TIFF image, or is damaged", file.string(), 0, 0, "convert it to one of these"};
+    return Error{ExitCode::Unsound,           "is no PNG, EXR or TIFF image, or is damaged", file.string(), 0, 0,
+                 "convert it to one of these"};
 }
 
 }  // namespace sward

@@ -11,7 +11,7 @@
 namespace sward {
 
 struct ImageHead {
-    std::string format;              // "png", "exr" or "tif"
+    std::string format;  // "png", "exr" or "tif"
     int64_t width = 0, height = 0;
 };
 // Unsound error if the file cannot be read, is empty or truncated within its header, or of none of these formats.

@@ -5,17 +5,22 @@
 namespace sward {
 namespace {
 
-Error usage(std::string message, std::string remedy = {}) { return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)}; }
+Error usage(std::string message, std::string remedy = {}) {
+    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
+}
 
 // What was asked for, else what is remembered.
-Result<MapImport> settle(const Project& p, const FieldRef& map, const std::filesystem::path& file, const ImportOptions& options) {
+Result<MapImport> settle(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+                         const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     MapImport out = it == p.imports.end() ? MapImport() : it->second;
     out.file = file.filename().string();
     if (options.flip) out.flip = *options.flip;
     if (options.range) out.range = options.range;
-    if (out.range && !(std::isfinite(out.range->first) && std::isfinite(out.range->second) && out.range->first < out.range->second))
-        return usage(fmt::format("{}: the range must be two numbers, the smaller first", map.path), "write --range 0,100");
+    if (out.range &&
+        !(std::isfinite(out.range->first) && std::isfinite(out.range->second) && out.range->first < out.range->second))
+        return usage(fmt::format("{}: the range must be two numbers, the smaller first", map.path),
+                     "write --range 0,100");
     return out;
 }
 
@@ -31,7 +36,8 @@ Status setHeightRange(Project& p, const FieldRef& map, const MapImport& import, 
     const FieldRow* row = rangeBeside(map);
     if (!row || !import.range || type == PixelType::F32) return {};
     const auto [low, high] = *import.range;
-    if (low < row->hardMin || high > row->hardMax) return usage(fmt::format("{}: the range lies beyond {} to {} m", map.path, row->hardMin, row->hardMax));
+    if (low < row->hardMin || high > row->hardMax)
+        return usage(fmt::format("{}: the range lies beyond {} to {} m", map.path, row->hardMin, row->hardMax));
     void* component = map.component->get(p.registry, findEntity(p, map.entity));
     *reinterpret_cast<glm::dvec2*>(static_cast<std::byte*>(component) + row->offset) = {low, high};
     return {};
@@ -39,8 +45,8 @@ Status setHeightRange(Project& p, const FieldRef& map, const MapImport& import, 
 
 }  // namespace
 
-Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file, const ImportOptions& options,
-                       MapImport* used, std::vector<std::string>* repaired) {
+Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+                       const ImportOptions& options, MapImport* used, std::vector<std::string>* repaired) {
     CHECK(map.row && map.row->type == FieldType::Map);
     Result<MapImport> settled = settle(p, map, file, options);
     if (!settled) return settled.error();
@@ -56,8 +62,8 @@ Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesys
     return texels;
 }
 
-Status importMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                 const ImportOptions& options, std::vector<std::string>* repaired) {
+Status importMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options, std::vector<std::string>* repaired) {
     const Result<FieldRef> map = findMap(p, rows, mapName);
     if (!map) return map.error();
     MapImport used;
@@ -71,8 +77,8 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
     return {};
 }
 
-Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                 const ImportOptions& options) {
+Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options) {
     const Result<FieldRef> map = findMap(p, rows, mapName);
     if (!map) return map.error();
     const auto& field = *static_cast<const MapField*>(map->value);

@@ -14,7 +14,7 @@
 namespace sward {
 
 struct ImportOptions {
-    std::optional<bool> flip;                            // first row is z = max; absent: as remembered, else false
+    std::optional<bool> flip;  // first row is z = max; absent: as remembered, else false
     // What 0 and full scale of integers stand for, lo < hi; absent: as remembered, else by an R16's sidecar, else none.
     // Heights: integers stay integers and heightRange becomes the range, if the component has one; floats are metres.
     // Other maps: floats from lo to hi become 0 to full scale.
@@ -23,16 +23,18 @@ struct ImportOptions {
 
 // Reads FILE as the texels of a map field: converted to the field's own type, except heights, which keep theirs.
 // `used`: what was applied. Errors of readMap; Usage if the range is empty or not finite.
-Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file, const ImportOptions& options,
-                       MapImport* used = nullptr, std::vector<std::string>* repaired = nullptr);
+Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+                       const ImportOptions& options, MapImport* used = nullptr,
+                       std::vector<std::string>* repaired = nullptr);
 
 // Reads FILE into the map called `mapName` (findMap), in memory; save the project to keep it. A map that had no file
 // gets one by mapFileFor. On failure nothing changes.
-Status importMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                 const ImportOptions& options = {}, std::vector<std::string>* repaired = nullptr);
+Status importMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options = {},
+                 std::vector<std::string>* repaired = nullptr);
 
 // Writes a map to FILE, its format by extension (writeMap). Usage error if the map is absent.
-Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                 const ImportOptions& options = {});
+Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace sward

@@ -68,9 +68,12 @@ double sumOf(const Tile& tile, int channels, int c, int width, int height) {
 
 double sumOf(const Tile& tile, const MapInfo& info, int c, int width, int height) {
     switch (info.type) {
-        case PixelType::U8: return sumOf<uint8_t>(tile, info.channels, c, width, height) / 255.0;
-        case PixelType::U16: return sumOf<uint16_t>(tile, info.channels, c, width, height) / 65535.0;
-        case PixelType::F32: return sumOf<float>(tile, info.channels, c, width, height);
+        case PixelType::U8:
+            return sumOf<uint8_t>(tile, info.channels, c, width, height) / 255.0;
+        case PixelType::U16:
+            return sumOf<uint16_t>(tile, info.channels, c, width, height) / 65535.0;
+        case PixelType::F32:
+            return sumOf<float>(tile, info.channels, c, width, height);
     }
     return 0;
 }
@@ -95,7 +98,8 @@ float Map::at(int x, int y, int c) const {
     y = std::clamp(y, 0, info_.height - 1);
     const size_t texel = size_t(y % kTileSize) * kTileSize + size_t(x % kTileSize);
     const Tile& t = *tiles_[index(x / kTileSize, y / kTileSize)];
-    return readTexel(t.bytes.data() + (texel * size_t(info_.channels) + size_t(c)) * pixelBytes(info_.type), info_.type);
+    return readTexel(t.bytes.data() + (texel * size_t(info_.channels) + size_t(c)) * pixelBytes(info_.type),
+                     info_.type);
 }
 
 void Map::set(int x, int y, int c, float value) {
@@ -108,8 +112,8 @@ void Map::set(int x, int y, int c, float value) {
 float Map::sample(double u, double v, int c) const {
     const auto inside = [](double t) { return t > 0 ? std::min(t, 1.0) : 0.0; };  // NaN becomes 0
     const f64::BilinearTap t = f64::bilinearTap(inside(u), inside(v), info_.width, info_.height);
-    return f32::bilinearMix(at(t.x0, t.y0, c), at(t.x1, t.y0, c), at(t.x0, t.y1, c), at(t.x1, t.y1, c), static_cast<float>(t.fx),
-                            static_cast<float>(t.fy));
+    return f32::bilinearMix(at(t.x0, t.y0, c), at(t.x1, t.y0, c), at(t.x0, t.y1, c), at(t.x1, t.y1, c),
+                            static_cast<float>(t.fx), static_cast<float>(t.fy));
 }
 
 void Map::readRows(int y0, int rows, void* out) const {

@@ -30,9 +30,13 @@ std::string extensionOf(const fs::path& file) {
 Status checkWish(const fs::path& file, const MapInfo& info, const MapWish& wish) {
     const bool addsAlpha = wish.channels == 4 && info.channels == 3;
     if (wish.channels != 0 && info.channels != wish.channels && !addsAlpha)
-        return unsound(file, fmt::format("has {} channel{}, not {}", info.channels, info.channels == 1 ? "" : "s", wish.channels),
-                       fmt::format("export it with {}", wish.channels == 1 ? "one channel (grey, without alpha)" : wish.channels == 2 ? "two channels" : "red, green, blue and alpha"));
-    if (wish.isHeight && info.type == PixelType::U8) return unsound(file, "holds heights of 8 bits, which make steps", "export 16 bits or floats");
+        return unsound(
+            file, fmt::format("has {} channel{}, not {}", info.channels, info.channels == 1 ? "" : "s", wish.channels),
+            fmt::format("export it with {}", wish.channels == 1   ? "one channel (grey, without alpha)"
+                                             : wish.channels == 2 ? "two channels"
+                                                                  : "red, green, blue and alpha"));
+    if (wish.isHeight && info.type == PixelType::U8)
+        return unsound(file, "holds heights of 8 bits, which make steps", "export 16 bits or floats");
     return {};
 }
 
@@ -43,7 +47,8 @@ void addAlpha(const std::vector<std::byte>& rgb, PixelType type, std::vector<std
     const uint32_t full = 0xffffffffu;
     for (size_t i = 0; i < n; ++i) {
         std::memcpy(rgba.data() + i * 4 * size, rgb.data() + i * 3 * size, 3 * size);
-        std::memcpy(rgba.data() + (i * 4 + 3) * size, type == PixelType::F32 ? static_cast<const void*>(&one) : &full, size);
+        std::memcpy(rgba.data() + (i * 4 + 3) * size, type == PixelType::F32 ? static_cast<const void*>(&one) : &full,
+                    size);
     }
 }
 
@@ -61,7 +66,8 @@ Result<Map> readPixels(const fs::path& file, const MapWish& wish) {
     if (Status s = checkWish(file, own, wish); !s) return s.error();
     MapInfo info = own;
     if (wish.channels != 0) info.channels = wish.channels;
-    if (Status s = checkLimits(file, info.width, info.height, info.channels, pixelBytes(info.type)); !s) return s.error();
+    if (Status s = checkLimits(file, info.width, info.height, info.channels, pixelBytes(info.type)); !s)
+        return s.error();
     Map map(info);
     std::vector<std::byte> band, widened;
     for (int y = 0; y < info.height; y += kTileSize) {
@@ -109,17 +115,24 @@ Result<Sidecar> readSidecar(const fs::path& r16) {
     }
     Sidecar s;
     if (!readSide(*json, "width", s.width) || !readSide(*json, "height", s.height))
-        return Error{ExitCode::Unsound, "width and height must be whole numbers", file.string(), std::max(1, json->line), std::max(1, json->column), form};
+        return Error{ExitCode::Unsound,
+                     "width and height must be whole numbers",
+                     file.string(),
+                     std::max(1, json->line),
+                     std::max(1, json->column),
+                     form};
     const Json* range = json->find("range");
     if (!range) return s;
     if (!range->isArray() || range->array.size() != 2 || !range->array[0].isNumber() || !range->array[1].isNumber())
-        return Error{ExitCode::Unsound, "range must be a list of two numbers", file.string(), range->line, range->column, form};
+        return Error{
+            ExitCode::Unsound, "range must be a list of two numbers", file.string(), range->line, range->column, form};
     s.range = {range->array[0].number, range->array[1].number};
     return s;
 }
 
 Result<Map> readR16(const fs::path& file, const MapWish& wish, Range& range) {
-    if (wish.channels > 1) return unsound(file, fmt::format("has 1 channel, not {}", wish.channels), "use PNG, EXR or TIFF");
+    if (wish.channels > 1)
+        return unsound(file, fmt::format("has 1 channel, not {}", wish.channels), "use PNG, EXR or TIFF");
     const Result<Sidecar> side = readSidecar(file);
     if (!side) return side.error();
     if (Status s = checkLimits(file, side->width, side->height, 1, 2); !s) return s.error();
@@ -127,8 +140,11 @@ Result<Map> readR16(const fs::path& file, const MapWish& wish, Range& range) {
     const Result<std::string> bytes = readFile(file, kMaxMapBytes);
     if (!bytes) return bytes.error();
     if (bytes->size() != expected)
-        return unsound(file, fmt::format("has {} bytes; {} x {} texels take {}", bytes->size(), side->width, side->height, expected),
-                       bytes->size() < expected ? "it is truncated, or its sidecar gives another size" : "its sidecar gives another size");
+        return unsound(
+            file,
+            fmt::format("has {} bytes; {} x {} texels take {}", bytes->size(), side->width, side->height, expected),
+            bytes->size() < expected ? "it is truncated, or its sidecar gives another size"
+                                     : "its sidecar gives another size");
     if (side->range) range = side->range;
     Map map({side->width, side->height, 1, PixelType::U16});
     std::vector<uint16_t> row(size_t(side->width));
@@ -169,7 +185,8 @@ Status writeSidecar(const fs::path& r16, const MapInfo& info, const Range& range
 void describeRepair(const TexelRepair& r, std::vector<std::string>& out) {
     const std::string place = fmt::format("texel ({}, {})", r.firstX, r.firstY);
     const std::string count = r.count == 1 ? place + " is" : fmt::format("{} and {} more are", place, r.count - 1);
-    out.push_back(count + " not finite; replaced by " + (r.anyFinite ? "the nearest finite texel" : "0, for there is no finite texel"));
+    out.push_back(count + " not finite; replaced by " +
+                  (r.anyFinite ? "the nearest finite texel" : "0, for there is no finite texel"));
 }
 
 // --- writing -----------------------------------------------------------------------------------------------------
@@ -178,8 +195,10 @@ Result<Map> mapForFormat(const fs::path& file, const std::string& ext, const Map
     const PixelType type = map.info().type;
     if (ext == ".exr") return convertMap(map, PixelType::F32, range);
     if (ext == ".tif") return map;
-    if (ext != ".png" && ext != ".r16") return failed(file, fmt::format("\"{}\" is no format for maps", ext), "use .png, .exr, .tif or .r16");
-    if (ext == ".r16" && map.info().channels != 1) return failed(file, "R16 holds one channel", "use .png, .exr or .tif");
+    if (ext != ".png" && ext != ".r16")
+        return failed(file, fmt::format("\"{}\" is no format for maps", ext), "use .png, .exr, .tif or .r16");
+    if (ext == ".r16" && map.info().channels != 1)
+        return failed(file, "R16 holds one channel", "use .png, .exr or .tif");
     if (type == PixelType::F32 && !range)
         return failed(file, fmt::format("{} holds integers, and the map has floats", ext == ".png" ? "PNG" : "R16"),
                       "use .exr or .tif, or say which range becomes 0 to full scale");
@@ -190,7 +209,8 @@ std::function<void(int, int, void*)> rowsOf(const Map& map, bool flip) {
     return [&map, flip](int y0, int rows, void* out) {
         if (!flip) return map.readRows(y0, rows, out);
         const size_t rowBytes = size_t(map.info().width) * map.texelBytes();
-        for (int i = 0; i < rows; ++i) map.readRows(map.info().height - 1 - (y0 + i), 1, static_cast<std::byte*>(out) + size_t(i) * rowBytes);
+        for (int i = 0; i < rows; ++i)
+            map.readRows(map.info().height - 1 - (y0 + i), 1, static_cast<std::byte*>(out) + size_t(i) * rowBytes);
     };
 }
 
@@ -218,7 +238,8 @@ Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::
     if (!map) return map;
     if (!range) range = stated;
     std::vector<std::string> said;
-    if (map->info().width == 1 && map->info().height == 1) said.push_back("texel (0, 0) is the only one; the map is constant");
+    if (map->info().width == 1 && map->info().height == 1)
+        said.push_back("texel (0, 0) is the only one; the map is constant");
     if (const TexelRepair r = repairTexels(*map); r.count > 0) describeRepair(r, said);
     if (repaired) repaired->insert(repaired->end(), said.begin(), said.end());
     return wish.type ? convertMap(*map, *wish.type, range) : std::move(*map);

@@ -31,7 +31,8 @@ void nearestInRow(const int32_t* rowOf, int w, int y, std::vector<int>& columnOf
     const auto distance = [&](int x, int i) { return squared(x - i) + squared(gap(i)); };
     // The first x at which column u is nearer than column i < u.
     const auto crossing = [&](int i, int u) {
-        const int64_t numerator = squared(u) - squared(i) + squared(gap(u)) - squared(gap(i)), denominator = 2 * int64_t(u - i);
+        const int64_t numerator = squared(u) - squared(i) + squared(gap(u)) - squared(gap(i)),
+                      denominator = 2 * int64_t(u - i);
         return (numerator >= 0 ? numerator / denominator : -((-numerator + denominator - 1) / denominator)) + 1;
     };
     std::vector<int> site{0};

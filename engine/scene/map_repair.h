@@ -14,8 +14,8 @@ struct TexelRepair {
     bool anyFinite = true;       // false: some channel had no finite value at all, and is 0 now
 };
 // Replaces each non-finite channel of a texel by that of the nearest texel (Euclidean; ties: the smaller x) where it is
-// finite. Method: the linear-time distance transform of Meijster, Roerdink and Hesselink 2000, with sites. Costs nothing
-// but a scan where all is finite.
+// finite. Method: the linear-time distance transform of Meijster, Roerdink and Hesselink 2000, with sites. Costs
+// nothing but a scan where all is finite.
 TexelRepair repairTexels(Map& map);
 
 // The map in another type. Integers to floats: 0 and full scale become range (default 0, 1); floats to integers: range

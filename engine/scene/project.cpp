@@ -48,9 +48,15 @@ Project emptyProject(const fs::path& dir) {
 
 Result<Entity> addEntity(Project& p, const std::string& name) {
     if (!validEntityName(name))
-        return Error{ExitCode::Usage, fmt::format("\"{}\" cannot name an entity", name), {}, 0, 0, "use letters, digits, '_' and '-'"};
+        return Error{ExitCode::Usage,
+                     fmt::format("\"{}\" cannot name an entity", name),
+                     {},
+                     0,
+                     0,
+                     "use letters, digits, '_' and '-'"};
     if (p.entities.contains(name))
-        return Error{ExitCode::Usage, fmt::format("there is already an entity \"{}\"", name), {}, 0, 0, "choose another name"};
+        return Error{ExitCode::Usage,      fmt::format("there is already an entity \"{}\"", name), {}, 0, 0,
+                     "choose another name"};
     return makeEntity(p, name);
 }
 
@@ -77,7 +83,8 @@ Project snapshot(const Project& p, std::span<const ComponentRow> rows) {
     for (const auto& [name, entity] : p.entities) {
         const Entity twin = makeEntity(copy, name);
         for (const ComponentRow& row : rows)  // get() takes a mutable registry, but only reads it
-            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity)) row.assign(copy.registry, twin, component);
+            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity))
+                row.assign(copy.registry, twin, component);
     }
     return copy;
 }
@@ -95,7 +102,8 @@ Result<Project> newProject(const fs::path& dir) {
     std::error_code fault;
     const bool existed = fs::exists(dir, fault);
     if (existed && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
-        return Error{ExitCode::Failed, "exists and is not an empty folder", dir.string(), 0, 0, "name a new or an empty folder"};
+        return Error{
+            ExitCode::Failed, "exists and is not an empty folder", dir.string(), 0, 0, "name a new or an empty folder"};
     Project p = emptyProject(dir);
     if (auto saved = saveProject(p, sharedComponentRows()); !saved) {
         if (!existed) fs::remove_all(dir, fault);

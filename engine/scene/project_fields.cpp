@@ -8,7 +8,9 @@ namespace {
 
 void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
 
-Error usage(std::string message, std::string remedy = {}) { return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)}; }
+Error usage(std::string message, std::string remedy = {}) {
+    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
+}
 
 template <class Range, class NameOf>
 std::string listNames(const Range& range, NameOf&& nameOf) {
@@ -43,12 +45,16 @@ const FieldRow* findRow(std::span<const FieldRow> rows, const std::string& name)
 }
 
 Result<FieldRef> noField(const std::string& path, const std::string& name, std::span<const FieldRow> rows) {
-    return usage(fmt::format("{}: no field \"{}\"", path, name), "there are: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
+    return usage(fmt::format("{}: no field \"{}\"", path, name),
+                 "there are: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
 }
 
 // Walks from a component down the parts that remain.
-Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> rows, std::span<const std::string> parts, const std::string& path) {
-    if (parts.empty()) return usage(fmt::format("{}: names no field", path), "add one of: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
+Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> rows, std::span<const std::string> parts,
+                         const std::string& path) {
+    if (parts.empty())
+        return usage(fmt::format("{}: names no field", path),
+                     "add one of: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
     const FieldRow* row = findRow(rows, parts[0]);
     if (!row) return noField(path, parts[0], rows);
     ref.row = row;
@@ -57,7 +63,8 @@ Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> row
     if (parts.size() == 1) return ref;
     if (row->type != FieldType::List) return usage(fmt::format("{}: {} has no parts", path, ref.path));
     std::string selector = parts[1];
-    if (selector.size() < 2 || selector[0] != '[') return usage(fmt::format("{}: {} is a list", path, ref.path), "select an element by [name] or [number]");
+    if (selector.size() < 2 || selector[0] != '[')
+        return usage(fmt::format("{}: {} is a list", path, ref.path), "select an element by [name] or [number]");
     selector = selector.substr(1, selector.size() - 2);
     const Result<size_t> element = findElement(ref, selector);
     if (!element) return element.error();
@@ -66,13 +73,15 @@ Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> row
     return descend(ref, list.at(ref.value, *element), list.fields, parts.subspan(2), path);
 }
 
-void collectMaps(const FieldRef& parent, void* base, std::span<const FieldRow> rows, bool absentToo, std::vector<FieldRef>& out) {
+void collectMaps(const FieldRef& parent, void* base, std::span<const FieldRow> rows, bool absentToo,
+                 std::vector<FieldRef>& out) {
     for (const FieldRow& row : rows) {
         FieldRef ref = parent;
         ref.value = at(base, row);
         ref.row = &row;
         ref.path += fmt::format(".{}", row.name);
-        if (row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(ref.value)->present())) out.push_back(ref);
+        if (row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(ref.value)->present()))
+            out.push_back(ref);
         if (row.type != FieldType::List) continue;
         const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
         for (size_t i = 0; i < selectors.size(); ++i) {
@@ -106,7 +115,8 @@ Result<size_t> findElement(const FieldRef& list, const std::string& selector) {
 
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
     const std::vector<std::string> parts = splitPath(path);
-    if (parts.size() < 2) return usage(fmt::format("\"{}\" is no path of a field", path), "write entity.Component.field");
+    if (parts.size() < 2)
+        return usage(fmt::format("\"{}\" is no path of a field", path), "write entity.Component.field");
     const Entity e = findEntity(p, parts[0]);
     if (!p.registry.valid(e))
         return usage(fmt::format("{}: no entity \"{}\"", path, parts[0]),
@@ -131,7 +141,8 @@ std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bo
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows)
             if (void* component = row.get(p.registry, entity))
-                collectMaps({nullptr, nullptr, &row, name, name + "." + row.name}, component, row.fields, absentToo, out);
+                collectMaps({nullptr, nullptr, &row, name, name + "." + row.name}, component, row.fields, absentToo,
+                            out);
     std::sort(out.begin(), out.end(), [](const FieldRef& a, const FieldRef& b) { return a.path < b.path; });
     return out;
 }
@@ -142,9 +153,12 @@ Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const s
     for (const bool wantPresent : {true, false}) {
         std::vector<FieldRef> found;
         for (const FieldRef& f : all)
-            if (static_cast<const MapField*>(f.value)->present() == wantPresent && endsWithPart(f.path, name)) found.push_back(f);
+            if (static_cast<const MapField*>(f.value)->present() == wantPresent && endsWithPart(f.path, name))
+                found.push_back(f);
         if (found.size() == 1) return found[0];
-        if (!found.empty()) return usage(fmt::format("more than one map is called \"{}\"", name), "say which: " + listNames(found, pathOf));
+        if (!found.empty())
+            return usage(fmt::format("more than one map is called \"{}\"", name),
+                         "say which: " + listNames(found, pathOf));
     }
     return usage(fmt::format("no map is called \"{}\"", name), "there are: " + listNames(all, pathOf));
 }

@@ -24,8 +24,8 @@ Status upgradeProject(Json& project, const std::string& file, std::span<const Up
 // Reads all that a project file holds, and goes on after a fault: each becomes one entry in refused or repaired.
 struct ProjectReader {
     std::span<const ComponentRow> rows;
-    std::string file;            // named in messages
-    bool repair = true;          // false: takes values as they are, to compare files
+    std::string file;    // named in messages
+    bool repair = true;  // false: takes values as they are, to compare files
     Project project;
     std::vector<Error> refused;  // in the file's order of keys
     std::vector<Fault> repaired;
@@ -34,7 +34,8 @@ struct ProjectReader {
 };
 
 // The whole tree. `files` gives the file of each map field by the field's address, where it is not the field's own.
-Json projectJson(const Project& p, std::span<const ComponentRow> rows, const std::map<const void*, std::string>& files = {});
+Json projectJson(const Project& p, std::span<const ComponentRow> rows,
+                 const std::map<const void*, std::string>& files = {});
 // The first value that the tables do not allow (out of range, not finite), or nothing.
 Status checkValues(const Project& p, std::span<const ComponentRow> rows);
 

@@ -11,23 +11,28 @@ void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base)
 void refuse(ProjectReader& r, const Json& where, std::string message, std::string remedy = {}) {
     r.refused.push_back({ExitCode::Unsound, std::move(message), r.file, where.line, where.column, std::move(remedy)});
 }
-void report(ProjectReader& r, int line, std::string message) { r.repaired.push_back({fmt::format("{}:{}", r.file, line), std::move(message)}); }
+void report(ProjectReader& r, int line, std::string message) {
+    r.repaired.push_back({fmt::format("{}:{}", r.file, line), std::move(message)});
+}
 
 // A key within a path of Project::unknown.
 std::string escaped(const std::string& key) {
     std::string out;
-    for (const char c : key) out += c == '%' ? "%25" : c == '.' ? "%2e" : c == '[' ? "%5b" : c == ']' ? "%5d" : std::string(1, c);
+    for (const char c : key)
+        out += c == '%' ? "%25" : c == '.' ? "%2e" : c == '[' ? "%5b" : c == ']' ? "%5d" : std::string(1, c);
     return out;
 }
-void keepUnknown(ProjectReader& r, const std::string& parent, const std::string& key, const Json& value, const char* what) {
+void keepUnknown(ProjectReader& r, const std::string& parent, const std::string& key, const Json& value,
+                 const char* what) {
     r.project.unknown[parent + "." + escaped(key)] = writeJson(value);
-    report(r, value.keyLine, fmt::format("unknown {} \"{}{}{}\" (kept as it is)", what, parent, parent.empty() ? "" : ".", key));
+    report(r, value.keyLine,
+           fmt::format("unknown {} \"{}{}{}\" (kept as it is)", what, parent, parent.empty() ? "" : ".", key));
 }
 
 // --- values by type ----------------------------------------------------------------------------------------------
 std::string rangeText(const FieldRow& row) {
-    return fmt::format("it takes {} to {}{}{}{}", shortestText(row.hardMin), shortestText(row.hardMax), row.unit[0] ? " " : "", row.unit,
-                       row.allowInf ? " or \"inf\"" : "");
+    return fmt::format("it takes {} to {}{}{}{}", shortestText(row.hardMin), shortestText(row.hardMax),
+                       row.unit[0] ? " " : "", row.unit, row.allowInf ? " or \"inf\"" : "");
 }
 
 bool readNumber(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, double& value) {
@@ -56,7 +61,8 @@ template <class V, class T>
 void readVector(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, void* out) {
     V value{};
     const auto length = size_t(value.length());
-    if (!j.isArray() || j.array.size() != length) return refuse(r, j, fmt::format("{}: must be a list of {} numbers", path, length));
+    if (!j.isArray() || j.array.size() != length)
+        return refuse(r, j, fmt::format("{}: must be a list of {} numbers", path, length));
     for (size_t i = 0; i < length; ++i) {
         double number = 0;
         if (!readNumber(r, row, path, j.array[i], number)) return;
@@ -68,7 +74,8 @@ void readVector(ProjectReader& r, const FieldRow& row, const std::string& path, 
 void readInt(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, void* out) {
     double number = 0;
     if (!readNumber(r, row, path, j, number)) return;
-    if (number != std::floor(number)) return refuse(r, j, fmt::format("{}: {} is not a whole number", path, j.text), rangeText(row));
+    if (number != std::floor(number))
+        return refuse(r, j, fmt::format("{}: {} is not a whole number", path, j.text), rangeText(row));
     *static_cast<int*>(out) = static_cast<int>(number);
 }
 
@@ -91,7 +98,10 @@ void readEnum(ProjectReader& r, const FieldRow& row, const std::string& path, co
         }
         names += fmt::format("{}\"{}\"", i ? ", " : "", row.options[i]);
     }
-    refuse(r, j, fmt::format("{}: {} is none of its values", path, j.isString() ? "\"" + j.text + "\"" : jsonTypeName(j.type)), "it takes " + names);
+    refuse(
+        r, j,
+        fmt::format("{}: {} is none of its values", path, j.isString() ? "\"" + j.text + "\"" : jsonTypeName(j.type)),
+        "it takes " + names);
 }
 
 // Where a file may lie is checked by its spelling here; symbolic links are followed when it is opened.
@@ -103,7 +113,8 @@ bool readPath(ProjectReader& r, const std::string& path, const Json& j) {
     if (j.text.empty()) return true;
     const auto inside = resolveInside(".", j.text);
     if (inside && !j.text.starts_with(".sward-")) return true;
-    refuse(r, j, fmt::format("{}: {}", path, inside ? "names a file of Sward's own" : inside.error().message), "name a file inside the project's folder");
+    refuse(r, j, fmt::format("{}: {}", path, inside ? "names a file of Sward's own" : inside.error().message),
+           "name a file inside the project's folder");
     return false;
 }
 
@@ -122,7 +133,8 @@ void readFields(ProjectReader& r, std::span<const FieldRow> rows, const std::str
 
 // Names come first, for the paths of elements are made of them.
 void readNames(const ListRow& list, const Json& j, void* out) {
-    const auto named = std::find_if(list.fields.begin(), list.fields.end(), [](const FieldRow& f) { return f.type == FieldType::String; });
+    const auto named = std::find_if(list.fields.begin(), list.fields.end(),
+                                    [](const FieldRow& f) { return f.type == FieldType::String; });
     if (named == list.fields.end()) return;
     for (size_t i = 0; i < j.array.size(); ++i)
         if (const Json* name = j.array[i].find(named->name); name && name->isString())
@@ -149,16 +161,26 @@ void readList(ProjectReader& r, const FieldRow& row, const std::string& path, co
 
 void readField(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, void* out) {
     switch (row.type) {
-        case FieldType::Bool: return readBool(r, path, j, out);
-        case FieldType::Int: return readInt(r, row, path, j, out);
-        case FieldType::Float: return readFloat(r, row, path, j, out);
-        case FieldType::Vec2: return readVector<glm::dvec2, double>(r, row, path, j, out);
-        case FieldType::Vec3: return readVector<glm::dvec3, double>(r, row, path, j, out);
-        case FieldType::Color: return readVector<glm::vec3, float>(r, row, path, j, out);
-        case FieldType::String: return readString(r, row, path, j, out);
-        case FieldType::Enum: return readEnum(r, row, path, j, out);
-        case FieldType::Map: return readMapFile(r, path, j, out);
-        case FieldType::List: return readList(r, row, path, j, out);
+        case FieldType::Bool:
+            return readBool(r, path, j, out);
+        case FieldType::Int:
+            return readInt(r, row, path, j, out);
+        case FieldType::Float:
+            return readFloat(r, row, path, j, out);
+        case FieldType::Vec2:
+            return readVector<glm::dvec2, double>(r, row, path, j, out);
+        case FieldType::Vec3:
+            return readVector<glm::dvec3, double>(r, row, path, j, out);
+        case FieldType::Color:
+            return readVector<glm::vec3, float>(r, row, path, j, out);
+        case FieldType::String:
+            return readString(r, row, path, j, out);
+        case FieldType::Enum:
+            return readEnum(r, row, path, j, out);
+        case FieldType::Map:
+            return readMapFile(r, path, j, out);
+        case FieldType::List:
+            return readList(r, row, path, j, out);
     }
 }
 
@@ -184,8 +206,11 @@ void readComponent(ProjectReader& r, const ComponentRow& row, const std::string&
 
 void readEntity(ProjectReader& r, const std::string& name, const Json& j) {
     Result<Entity> e = addEntity(r.project, name);
-    if (!e) return r.refused.push_back({ExitCode::Unsound, e.error().message, r.file, j.keyLine, j.keyColumn, e.error().remedy});
-    if (!j.isObject()) return refuse(r, j, fmt::format("{}: must be an object of components, not {}", name, jsonTypeName(j.type)));
+    if (!e)
+        return r.refused.push_back(
+            {ExitCode::Unsound, e.error().message, r.file, j.keyLine, j.keyColumn, e.error().remedy});
+    if (!j.isObject())
+        return refuse(r, j, fmt::format("{}: must be an object of components, not {}", name, jsonTypeName(j.type)));
     for (const auto& [key, value] : j.object) {
         const ComponentRow* row = findComponent(r.rows, key);
         if (row)
@@ -204,7 +229,8 @@ bool readImport(const Json& j, MapImport& out) {
     if (file) out.file = file->text;
     if (flip) out.flip = flip->boolean;
     if (!range) return true;
-    if (!range->isArray() || range->array.size() != 2 || !range->array[0].isNumber() || !range->array[1].isNumber()) return false;
+    if (!range->isArray() || range->array.size() != 2 || !range->array[0].isNumber() || !range->array[1].isNumber())
+        return false;
     out.range = {range->array[0].number, range->array[1].number};
     return true;
 }
@@ -216,7 +242,8 @@ void readImports(ProjectReader& r, const Json& j) {
         if (readImport(value, import))
             r.project.imports[path] = import;
         else
-            refuse(r, value, fmt::format("imports: \"{}\" must have a file, a flip and a range of two numbers", path), "remove it, and import the map again");
+            refuse(r, value, fmt::format("imports: \"{}\" must have a file, a flip and a range of two numbers", path),
+                   "remove it, and import the map again");
     }
 }
 
@@ -232,7 +259,12 @@ std::span<const Upgrade> projectUpgrades() { return {}; }
 
 Status upgradeProject(Json& project, const std::string& file, std::span<const Upgrade> steps) {
     if (!project.isObject())
-        return Error{ExitCode::Unsound, fmt::format("a project is an object, not {}", jsonTypeName(project.type)), file, project.line, project.column, {}};
+        return Error{ExitCode::Unsound,
+                     fmt::format("a project is an object, not {}", jsonTypeName(project.type)),
+                     file,
+                     project.line,
+                     project.column,
+                     {}};
     const int newest = 1 + static_cast<int>(steps.size());
     const Json* format = project.find("format");
     if (!format) return {};
@@ -240,9 +272,12 @@ Status upgradeProject(Json& project, const std::string& file, std::span<const Up
         return Error{ExitCode::Unsound, std::move(message), file, format->line, format->column, std::move(remedy)};
     };
     const double n = format->number;
-    if (!format->isNumber() || n < 1 || n != std::floor(n)) return refuseFormat("format: must be a whole number from 1", fmt::format("this Sward reads up to {}", newest));
+    if (!format->isNumber() || n < 1 || n != std::floor(n))
+        return refuseFormat("format: must be a whole number from 1", fmt::format("this Sward reads up to {}", newest));
     if (n > newest)
-        return refuseFormat(fmt::format("format {} is newer than this Sward, which reads up to {}", format->text, newest), "open it with the Sward that saved it, or a newer one");
+        return refuseFormat(
+            fmt::format("format {} is newer than this Sward, which reads up to {}", format->text, newest),
+            "open it with the Sward that saved it, or a newer one");
     for (int i = static_cast<int>(n); i < newest; ++i)
         if (Status s = steps[size_t(i - 1)](project); !s) return s;
     project["format"] = Json(newest);

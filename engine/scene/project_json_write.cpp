@@ -35,7 +35,8 @@ std::string unescaped(std::string_view key) {
 // Puts back what load did not know directly under `path`.
 void addUnknown(const Writer& w, const std::string& path, Json& j) {
     const std::string prefix = path + ".";
-    for (auto it = w.project.unknown.lower_bound(prefix); it != w.project.unknown.end() && it->first.starts_with(prefix); ++it) {
+    for (auto it = w.project.unknown.lower_bound(prefix);
+         it != w.project.unknown.end() && it->first.starts_with(prefix); ++it) {
         const std::string key = it->first.substr(prefix.size());
         if (key.find('.') != std::string::npos) continue;  // it lies deeper
         if (Result<Json> value = parseJson(it->second, ""); value) j.object.emplace(unescaped(key), std::move(*value));
@@ -48,7 +49,8 @@ Json listJson(const Writer& w, const FieldRow& row, const void* list, const std:
     const std::vector<std::string> selectors = elementSelectors(*row.list, list);
     Json j = Json::makeArray();
     for (size_t i = 0; i < selectors.size(); ++i)  // at() takes a mutable list, but only reads it
-        j.push(fieldsJson(w, row.list->fields, row.list->at(const_cast<void*>(list), i), fmt::format("{}[{}]", path, selectors[i])));
+        j.push(fieldsJson(w, row.list->fields, row.list->at(const_cast<void*>(list), i),
+                          fmt::format("{}[{}]", path, selectors[i])));
     return j;
 }
 
@@ -60,14 +62,22 @@ Json mapJson(const Writer& w, const void* value) {
 // Null: nothing to write (no map, no file).
 Json fieldJson(const Writer& w, const FieldRow& row, const void* value, const std::string& path) {
     switch (row.type) {
-        case FieldType::Bool: return Json(*static_cast<const bool*>(value));
-        case FieldType::Int: return Json(*static_cast<const int*>(value));
-        case FieldType::Float: return Json(*static_cast<const float*>(value));
-        case FieldType::Vec2: return vectorJson<glm::dvec2>(value);
-        case FieldType::Vec3: return vectorJson<glm::dvec3>(value);
-        case FieldType::Color: return vectorJson<glm::vec3>(value);
-        case FieldType::Enum: return Json(row.options[size_t(*static_cast<const int*>(value))]);
-        case FieldType::List: return listJson(w, row, value, path);
+        case FieldType::Bool:
+            return Json(*static_cast<const bool*>(value));
+        case FieldType::Int:
+            return Json(*static_cast<const int*>(value));
+        case FieldType::Float:
+            return Json(*static_cast<const float*>(value));
+        case FieldType::Vec2:
+            return vectorJson<glm::dvec2>(value);
+        case FieldType::Vec3:
+            return vectorJson<glm::dvec3>(value);
+        case FieldType::Color:
+            return vectorJson<glm::vec3>(value);
+        case FieldType::Enum:
+            return Json(row.options[size_t(*static_cast<const int*>(value))]);
+        case FieldType::List:
+            return listJson(w, row, value, path);
         case FieldType::Map: {
             Json j = mapJson(w, value);
             return j.text.empty() ? Json() : j;
@@ -104,9 +114,14 @@ Json importsJson(const Project& p) {
 Status checkField(const FieldRow& row, const std::string& path, double value) {
     const bool never = row.allowInf && value > 0 && std::isinf(value);
     // A float that was rounded from a limit may lie a hair outside it.
-    const double low = std::min<double>(row.hardMin, float(row.hardMin)), high = std::max<double>(row.hardMax, float(row.hardMax));
+    const double low = std::min<double>(row.hardMin, float(row.hardMin)),
+                 high = std::max<double>(row.hardMax, float(row.hardMax));
     if (never || (value >= low && value <= high)) return {};
-    return Error{ExitCode::Failed, fmt::format("{}: {} cannot be saved: out of range", path, shortestText(value)), {}, 0, 0,
+    return Error{ExitCode::Failed,
+                 fmt::format("{}: {} cannot be saved: out of range", path, shortestText(value)),
+                 {},
+                 0,
+                 0,
                  fmt::format("set it between {} and {}", shortestText(row.hardMin), shortestText(row.hardMax))};
 }
 
@@ -122,16 +137,25 @@ Status checkFields(std::span<const FieldRow> rows, const void* base, const std::
 
 Status checkOne(const FieldRow& row, const void* value, const std::string& path) {
     switch (row.type) {
-        case FieldType::Int: return checkField(row, path, *static_cast<const int*>(value));
-        case FieldType::Float: return checkField(row, path, *static_cast<const float*>(value));
-        case FieldType::Vec2: return checkVector<glm::dvec2>(row, path, value);
-        case FieldType::Vec3: return checkVector<glm::dvec3>(row, path, value);
-        case FieldType::Color: return checkVector<glm::vec3>(row, path, value);
+        case FieldType::Int:
+            return checkField(row, path, *static_cast<const int*>(value));
+        case FieldType::Float:
+            return checkField(row, path, *static_cast<const float*>(value));
+        case FieldType::Vec2:
+            return checkVector<glm::dvec2>(row, path, value);
+        case FieldType::Vec3:
+            return checkVector<glm::dvec3>(row, path, value);
+        case FieldType::Color:
+            return checkVector<glm::vec3>(row, path, value);
         case FieldType::List:
             for (size_t i = 0; i < row.list->size(value); ++i)
-                if (Status s = checkFields(row.list->fields, row.list->at(const_cast<void*>(value), i), fmt::format("{}[{}]", path, i)); !s) return s;
+                if (Status s = checkFields(row.list->fields, row.list->at(const_cast<void*>(value), i),
+                                           fmt::format("{}[{}]", path, i));
+                    !s)
+                    return s;
             return {};
-        default: return {};
+        default:
+            return {};
     }
 }
 
@@ -143,7 +167,8 @@ Status checkFields(std::span<const FieldRow> rows, const void* base, const std::
 
 }  // namespace
 
-Json projectJson(const Project& p, std::span<const ComponentRow> rows, const std::map<const void*, std::string>& files) {
+Json projectJson(const Project& p, std::span<const ComponentRow> rows,
+                 const std::map<const void*, std::string>& files) {
     const Writer w{p, files};
     Json j = Json::makeObject();
     j["format"] = Json(kProjectFormat);

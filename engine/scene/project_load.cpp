@@ -1,6 +1,6 @@
 #include "core/file.h"
-#include "core/log.h"
 #include "core/jobs.h"
+#include "core/log.h"
 #include "scene/map_io.h"
 #include "scene/project_json.h"
 #include "scene/save_folder.h"
@@ -28,7 +28,8 @@ struct Loading {
 // The folder may also be named by its project.json.
 fs::path projectFolder(const fs::path& given) {
     std::error_code ignored;
-    if (given.filename() == "project.json" && fs::is_regular_file(given, ignored)) return given.has_parent_path() ? given.parent_path() : ".";
+    if (given.filename() == "project.json" && fs::is_regular_file(given, ignored))
+        return given.has_parent_path() ? given.parent_path() : ".";
     return given;
 }
 
@@ -36,7 +37,8 @@ void readProjectJson(Loading& l) {
     const auto refuse = [&](Error e) { l.reader.refused.push_back(std::move(e)); };
     std::error_code ignored;
     if (!fs::is_directory(l.dir, ignored))
-        return refuse({ExitCode::Unsound, "is no folder with a project", l.dir.string(), 0, 0, "check the path, or make one with `sward new`"});
+        return refuse({ExitCode::Unsound, "is no folder with a project", l.dir.string(), 0, 0,
+                       "check the path, or make one with `sward new`"});
     const Result<fs::path> file = currentFile(l.dir, "project.json");
     if (!file) return refuse(file.error());
     l.reader.file = (l.dir / "project.json").string();
@@ -65,7 +67,8 @@ std::vector<MapLoad> mapsToLoad(Loading& l) {
         load.file = file;
         load.wish.channels = f.row->mapChannels;
         load.wish.isHeight = f.row->isHeight;
-        const auto same = std::find_if(loads.begin(), loads.end(), [&](const MapLoad& o) { return o.file == file && sameWish(o.wish, load.wish); });
+        const auto same = std::find_if(loads.begin(), loads.end(),
+                                       [&](const MapLoad& o) { return o.file == file && sameWish(o.wish, load.wish); });
         MapLoad& target = same == loads.end() ? loads.emplace_back(std::move(load)) : *same;
         target.fields.push_back(f);
     }
@@ -73,8 +76,10 @@ std::vector<MapLoad> mapsToLoad(Loading& l) {
 }
 
 void readOne(const Loading& l, MapLoad& load) {
-    if (fs::path(load.file).extension() == ".r16") {  // its size stands in another file, and the two cannot change in one instant
-        load.map = Error{ExitCode::Unsound, "a project's maps are PNG, EXR or TIFF", {}, 0, 0, "import the R16 file into the map"};
+    if (fs::path(load.file).extension() ==
+        ".r16") {  // its size stands in another file, and the two cannot change in one instant
+        load.map = Error{
+            ExitCode::Unsound, "a project's maps are PNG, EXR or TIFF", {}, 0, 0, "import the R16 file into the map"};
         return;
     }
     const Result<fs::path> file = currentFile(l.dir, load.file);
@@ -92,7 +97,8 @@ void takeOne(Loading& l, MapLoad& load) {
         return;
     }
     for (const FieldRef& f : load.fields) static_cast<MapField*>(f.value)->map = *load.map;
-    for (const std::string& said : load.repaired) l.reader.repaired.push_back({(l.dir / load.file).string(), path + ": " + said});
+    for (const std::string& said : load.repaired)
+        l.reader.repaired.push_back({(l.dir / load.file).string(), path + ": " + said});
     if (!load.repaired.empty()) l.reader.project.repairedMaps.insert(load.file);
 }
 
@@ -100,7 +106,8 @@ void loadMaps(Loading& l) {
     std::vector<MapLoad> loads = mapsToLoad(l);
     parallelFor(loads.size(), [&](size_t i) { readOne(l, loads[i]); });
     for (MapLoad& load : loads) takeOne(l, load);
-    for (const FieldRef& f : allMaps(l.reader.project, l.reader.rows, true)) {  // a field is empty exactly when its file is
+    for (const FieldRef& f :
+         allMaps(l.reader.project, l.reader.rows, true)) {  // a field is empty exactly when its file is
         auto& field = *static_cast<MapField*>(f.value);
         if (!field.present()) field.file.clear();
     }

@@ -69,9 +69,10 @@ struct Saving {
     const Project& p;
     Rows rows;
     std::vector<PlannedMap> plan;
-    std::vector<PlannedMap> savedPlan = {};   // of what is known to lie on disk; what it lacks is compared with the files
-    Project onDisk = Project();                   // without texels
-    bool readable = false;                    // whether there is a sound project on disk
+    std::vector<PlannedMap> savedPlan =
+        {};                      // of what is known to lie on disk; what it lacks is compared with the files
+    Project onDisk = Project();  // without texels
+    bool readable = false;       // whether there is a sound project on disk
     std::vector<SaveFile> files = {};
     std::vector<std::string> removed = {};
 };
@@ -90,12 +91,16 @@ Status checkMap(const PlannedMap& planned) {
     const MapInfo& info = planned.map->info();
     const FieldRow& row = *planned.field.row;
     const auto refuse = [&](std::string what, std::string remedy) {
-        return Error{ExitCode::Failed, planned.field.path + ": " + std::move(what), planned.file, 0, 0, std::move(remedy)};
+        return Error{ExitCode::Failed, planned.field.path + ": " + std::move(what), planned.file, 0, 0,
+                     std::move(remedy)};
     };
     if (info.channels != row.mapChannels)
-        return refuse(fmt::format("has {} channels, not {}", info.channels, row.mapChannels), "make a map with the right number of channels");
-    if (row.isHeight && info.type == PixelType::U8) return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
-    if (const auto inside = resolveInside(".", planned.file); !inside) return refuse(inside.error().message, inside.error().remedy);
+        return refuse(fmt::format("has {} channels, not {}", info.channels, row.mapChannels),
+                      "make a map with the right number of channels");
+    if (row.isHeight && info.type == PixelType::U8)
+        return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
+    if (const auto inside = resolveInside(".", planned.file); !inside)
+        return refuse(inside.error().message, inside.error().remedy);
     return {};
 }
 
@@ -157,7 +162,8 @@ void addProjectJson(Saving& s) {
 void addRemoved(Saving& s) {
     for (const FieldRef& f : allMaps(s.onDisk, s.rows, true)) {
         const std::string& file = static_cast<const MapField*>(f.value)->file;
-        const bool kept = std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });
+        const bool kept =
+            std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });
         if (!file.empty() && !kept && file.starts_with("maps/")) s.removed.push_back(file);
     }
 }
@@ -181,7 +187,8 @@ Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
 }  // namespace
 
 Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved) {
-    if (p.dir.empty()) return Error{ExitCode::Failed, "the project has no folder yet", {}, 0, 0, "save it to a new folder"};
+    if (p.dir.empty())
+        return Error{ExitCode::Failed, "the project has no folder yet", {}, 0, 0, "save it to a new folder"};
     if (Status ok = checkValues(p, rows); !ok) return ok.error();
     std::error_code fault;
     const bool existed = fs::exists(p.dir, fault);

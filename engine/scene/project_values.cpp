@@ -45,7 +45,8 @@ std::vector<std::string> splitNumbers(std::string text) {
 
 Result<double> numberIn(const FieldRef& f, const std::string& text) {
     double value = 0;
-    if (!parseNumber(text, value)) return usage(f, fmt::format("\"{}\" is not a number", text), "it takes numbers " + rangeText(*f.row));
+    if (!parseNumber(text, value))
+        return usage(f, fmt::format("\"{}\" is not a number", text), "it takes numbers " + rangeText(*f.row));
     const bool never = f.row->allowInf && value > 0 && std::isinf(value);
     if (!never && !(value >= f.row->hardMin && value <= f.row->hardMax))
         return usage(f, fmt::format("{} is out of range", text), "it takes numbers " + rangeText(*f.row));
@@ -95,7 +96,8 @@ Status setBool(const FieldRef& f, const std::string& text) {
 
 Status setString(const FieldRef& f, const std::string& text) {
     if (f.row->isFile && !text.empty())
-        if (const auto inside = resolveInside(".", text); !inside) return usage(f, inside.error().message, inside.error().remedy);
+        if (const auto inside = resolveInside(".", text); !inside)
+            return usage(f, inside.error().message, inside.error().remedy);
     *static_cast<std::string*>(f.value) = text;
     return {};
 }
@@ -116,10 +118,12 @@ std::vector<std::string> repairGrass(GrassField& g) {
     if (g.minGeom < g.maxGeom || (std::isinf(g.minGeom) && std::isinf(g.maxGeom))) return {};
     if (g.minGeom > g.maxGeom) {
         std::swap(g.minGeom, g.maxGeom);
-        return {fmt::format("minGeom was greater than maxGeom; swapped to {} and {}", shortestText(g.minGeom), shortestText(g.maxGeom))};
+        return {fmt::format("minGeom was greater than maxGeom; swapped to {} and {}", shortestText(g.minGeom),
+                            shortestText(g.maxGeom))};
     }
     const float widened = g.minGeom + std::max(0.1f, g.minGeom * 0.1f);
-    std::string said = fmt::format("minGeom and maxGeom were both {}; maxGeom is now {}", shortestText(g.minGeom), shortestText(widened));
+    std::string said = fmt::format("minGeom and maxGeom were both {}; maxGeom is now {}", shortestText(g.minGeom),
+                                   shortestText(widened));
     g.maxGeom = widened;
     return {said};
 }
@@ -134,16 +138,26 @@ std::vector<std::string> repairCamera(Camera& c) {
 
 std::string fieldText(const FieldRef& f) {
     switch (f.row->type) {
-        case FieldType::Bool: return *static_cast<const bool*>(f.value) ? "true" : "false";
-        case FieldType::Int: return std::to_string(*static_cast<const int*>(f.value));
-        case FieldType::Float: return shortestText(*static_cast<const float*>(f.value));
-        case FieldType::Vec2: return vectorText(*static_cast<const glm::dvec2*>(f.value));
-        case FieldType::Vec3: return vectorText(*static_cast<const glm::dvec3*>(f.value));
-        case FieldType::Color: return vectorText(*static_cast<const glm::vec3*>(f.value));
-        case FieldType::String: return *static_cast<const std::string*>(f.value);
-        case FieldType::Enum: return f.row->options[size_t(*static_cast<const int*>(f.value))];
-        case FieldType::Map: return static_cast<const MapField*>(f.value)->file;
-        case FieldType::List: return listText(f);
+        case FieldType::Bool:
+            return *static_cast<const bool*>(f.value) ? "true" : "false";
+        case FieldType::Int:
+            return std::to_string(*static_cast<const int*>(f.value));
+        case FieldType::Float:
+            return shortestText(*static_cast<const float*>(f.value));
+        case FieldType::Vec2:
+            return vectorText(*static_cast<const glm::dvec2*>(f.value));
+        case FieldType::Vec3:
+            return vectorText(*static_cast<const glm::dvec3*>(f.value));
+        case FieldType::Color:
+            return vectorText(*static_cast<const glm::vec3*>(f.value));
+        case FieldType::String:
+            return *static_cast<const std::string*>(f.value);
+        case FieldType::Enum:
+            return f.row->options[size_t(*static_cast<const int*>(f.value))];
+        case FieldType::Map:
+            return static_cast<const MapField*>(f.value)->file;
+        case FieldType::List:
+            return listText(f);
     }
     return {};
 }
@@ -151,24 +165,32 @@ std::string fieldText(const FieldRef& f) {
 Status setFieldText(const FieldRef& f, const std::string& given) {
     const std::string text = trimmed(given);
     switch (f.row->type) {
-        case FieldType::Bool: return setBool(f, text);
-        case FieldType::Int: return setInt(f, text);
+        case FieldType::Bool:
+            return setBool(f, text);
+        case FieldType::Int:
+            return setInt(f, text);
         case FieldType::Float: {
             const Result<double> number = numberIn(f, text);
             if (!number) return number.error();
             *static_cast<float*>(f.value) = static_cast<float>(*number);
             return {};
         }
-        case FieldType::Vec2: return setVector<glm::dvec2, double>(f, text);
-        case FieldType::Vec3: return setVector<glm::dvec3, double>(f, text);
-        case FieldType::Color: return setVector<glm::vec3, float>(f, text);
-        case FieldType::String: return setString(f, given);
-        case FieldType::Enum: return setEnum(f, text);
+        case FieldType::Vec2:
+            return setVector<glm::dvec2, double>(f, text);
+        case FieldType::Vec3:
+            return setVector<glm::dvec3, double>(f, text);
+        case FieldType::Color:
+            return setVector<glm::vec3, float>(f, text);
+        case FieldType::String:
+            return setString(f, given);
+        case FieldType::Enum:
+            return setEnum(f, text);
         case FieldType::Map:
             if (!text.empty()) return usage(f, "a map cannot be set by text", "import a file into it");
             *static_cast<MapField*>(f.value) = {};
             return {};
-        case FieldType::List: return usage(f, "a list cannot be set by text", "set the fields of its elements");
+        case FieldType::List:
+            return usage(f, "a list cannot be set by text", "set the fields of its elements");
     }
     return {};
 }

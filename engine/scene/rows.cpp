@@ -5,7 +5,8 @@ namespace {
 
 // The names of the elements, empty where they have no String field.
 std::vector<std::string> elementNames(const ListRow& row, const void* list) {
-    const auto named = std::find_if(row.fields.begin(), row.fields.end(), [](const FieldRow& f) { return f.type == FieldType::String; });
+    const auto named = std::find_if(row.fields.begin(), row.fields.end(),
+                                    [](const FieldRow& f) { return f.type == FieldType::String; });
     std::vector<std::string> names(row.size(list));
     if (named == row.fields.end()) return names;
     for (size_t i = 0; i < names.size(); ++i) {  // at() takes a mutable list, but only reads it

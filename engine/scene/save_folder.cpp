@@ -68,7 +68,8 @@ Status writeFiles(const fs::path& temp, const std::vector<SaveFile>& files, cons
         const fs::path place = temp / file.path;
         fs::create_directories(place.parent_path(), fault);
         if (fault) return fileError("cannot be made", place.parent_path(), fault.value());
-        for (fs::path folder = place.parent_path(); folder != temp; folder = folder.parent_path()) folders.insert(folder);
+        for (fs::path folder = place.parent_path(); folder != temp; folder = folder.parent_path())
+            folders.insert(folder);
         if (Status s = file.write(place); !s) return s;
     }
     std::string list;
@@ -86,7 +87,8 @@ FolderLock::FolderLock(const fs::path& dir, Kind kind) : fd_(::open(dir.c_str(),
     if (fd_ < 0) return;
     const int operation = (kind == Kind::Shared ? LOCK_SH : LOCK_EX) | LOCK_NB;
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    while (::flock(fd_, operation) != 0 && (errno == EWOULDBLOCK || errno == EINTR) && std::chrono::steady_clock::now() < end)
+    while (::flock(fd_, operation) != 0 && (errno == EWOULDBLOCK || errno == EINTR) &&
+           std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 FolderLock::~FolderLock() {

@@ -41,7 +41,8 @@ struct SaveFile {
 };
 // Writes all files, or none. `removed`: files to delete after the commit. The caller holds the exclusive lock and has
 // called finishSave. On failure the folder is as it was.
-Status commitSave(const std::filesystem::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed);
+Status commitSave(const std::filesystem::path& dir, const std::vector<SaveFile>& files,
+                  const std::vector<std::string>& removed);
 
 // Moves a committed save into place; nothing to do is no error.
 Status finishSave(const std::filesystem::path& dir);

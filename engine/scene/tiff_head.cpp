@@ -8,8 +8,17 @@ namespace sward {
 namespace {
 
 constexpr uint64_t kMaxValues = 1 << 20;  // strips or tiles of one image; 16384 rows have fewer
-enum Tag : uint16_t { kWidth = 256, kHeight = 257, kBits = 258, kCompression = 259, kStripOffsets = 273, kSamples = 277,
-                      kStripBytes = 279, kTileOffsets = 324, kTileBytes = 325 };
+enum Tag : uint16_t {
+    kWidth = 256,
+    kHeight = 257,
+    kBits = 258,
+    kCompression = 259,
+    kStripOffsets = 273,
+    kSamples = 277,
+    kStripBytes = 279,
+    kTileOffsets = 324,
+    kTileBytes = 325
+};
 
 struct Tiff {
     std::istream& in;
@@ -31,17 +40,22 @@ struct Tiff {
 
 struct Entry {
     uint64_t count = 0;
-    int bytes = 0;       // of one value
-    uint64_t values = 0; // where the values lie
+    int bytes = 0;        // of one value
+    uint64_t values = 0;  // where the values lie
 };
 
 int valueBytes(uint64_t type) {
     switch (type) {
-        case 1: return 1;             // BYTE
-        case 3: return 2;             // SHORT
-        case 4: return 4;             // LONG
-        case 16: return 8;            // LONG8
-        default: return 0;
+        case 1:
+            return 1;  // BYTE
+        case 3:
+            return 2;  // SHORT
+        case 4:
+            return 4;  // LONG
+        case 16:
+            return 8;  // LONG8
+        default:
+            return 0;
     }
 }
 
@@ -70,12 +84,14 @@ uint64_t first(Tiff& t, const std::map<uint64_t, Entry>& entries, Tag tag, uint6
 // Whether every piece lies within the file, and uncompressed pieces hold all texels.
 bool piecesFit(Tiff& t, const std::map<uint64_t, Entry>& entries, uint64_t texelBits, uint64_t texels) {
     const bool tiled = entries.contains(kTileOffsets);
-    const auto offsets = entries.find(tiled ? kTileOffsets : kStripOffsets), sizes = entries.find(tiled ? kTileBytes : kStripBytes);
+    const auto offsets = entries.find(tiled ? kTileOffsets : kStripOffsets),
+               sizes = entries.find(tiled ? kTileBytes : kStripBytes);
     if (offsets == entries.end() || sizes == entries.end()) return false;
     if (offsets->second.count != sizes->second.count || sizes->second.count > kMaxValues) return false;
     uint64_t total = 0;
     for (uint64_t i = 0; t.ok && i < sizes->second.count; ++i) {
-        const uint64_t at = t.number(offsets->second.values + i * uint64_t(offsets->second.bytes), offsets->second.bytes);
+        const uint64_t at =
+            t.number(offsets->second.values + i * uint64_t(offsets->second.bytes), offsets->second.bytes);
         const uint64_t bytes = t.number(sizes->second.values + i * uint64_t(sizes->second.bytes), sizes->second.bytes);
         if (at > t.size || bytes > t.size - at) return false;
         total += bytes;
@@ -87,19 +103,25 @@ bool piecesFit(Tiff& t, const std::map<uint64_t, Entry>& entries, uint64_t texel
 }  // namespace
 
 Result<ImageHead> readTiffHead(const std::filesystem::path& file, std::istream& in, uint64_t size) {
-    const auto refuse = [&](const char* what) { return Error{ExitCode::Unsound, what, file.string(), 0, 0, "export it again"}; };
+    const auto refuse = [&](const char* what) {
+        return Error{ExitCode::Unsound, what, file.string(), 0, 0, "export it again"};
+    };
     Tiff t{in, size};
     t.reversed = t.number(0, 1) == 'M';
     t.big = t.number(2, 2) == 43;
     const std::map<uint64_t, Entry> entries = readDirectory(t);
-    if (!t.ok || !entries.contains(kWidth) || !entries.contains(kHeight)) return refuse("is truncated or has a damaged header");
+    if (!t.ok || !entries.contains(kWidth) || !entries.contains(kHeight))
+        return refuse("is truncated or has a damaged header");
     const ImageHead head{"tif", int64_t(std::min<uint64_t>(first(t, entries, kWidth, 0), 1u << 31)),
                          int64_t(std::min<uint64_t>(first(t, entries, kHeight, 0), 1u << 31))};
-    const bool withinLimits = head.width >= 1 && head.height >= 1 && head.width <= kMaxMapSide && head.height <= kMaxMapSide;
-    const uint64_t bits = std::min<uint64_t>(first(t, entries, kBits, 1), 64) * std::min<uint64_t>(first(t, entries, kSamples, 1), 64);
+    const bool withinLimits =
+        head.width >= 1 && head.height >= 1 && head.width <= kMaxMapSide && head.height <= kMaxMapSide;
+    const uint64_t bits =
+        std::min<uint64_t>(first(t, entries, kBits, 1), 64) * std::min<uint64_t>(first(t, entries, kSamples, 1), 64);
     const uint64_t texels = uint64_t(head.width) * uint64_t(head.height);
     // What is too large is refused for that, by the caller.
-    if (withinLimits && texels * bits / 8 <= kMaxMapBytes && !piecesFit(t, entries, bits, texels)) return refuse("is truncated");
+    if (withinLimits && texels * bits / 8 <= kMaxMapBytes && !piecesFit(t, entries, bits, texels))
+        return refuse("is truncated");
     return head;
 }
 

@@ -84,7 +84,9 @@ TEST(Json, FaultsNameFileLineAndColumn) {
 
 TEST(Json, DepthAndSizeAreLimited) {
     parsed(std::string(kMaxJsonDepth, '[') + std::string(kMaxJsonDepth, ']'));
-    EXPECT_NE(faultOf(std::string(kMaxJsonDepth + 1, '[') + std::string(kMaxJsonDepth + 1, ']')).message.find("64 levels"), std::string::npos);
+    EXPECT_NE(
+        faultOf(std::string(kMaxJsonDepth + 1, '[') + std::string(kMaxJsonDepth + 1, ']')).message.find("64 levels"),
+        std::string::npos);
     EXPECT_EQ(faultOf(std::string(200000, '[')).column, kMaxJsonDepth + 1);
     std::string objects;
     for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
@@ -148,7 +150,8 @@ TEST(Json, NumbersTakeTheFewestDigitsThatReadBackTheSame) {
 }
 
 TEST(Json, WhatIsWrittenReadsBackAndWritesTheSame) {
-    const std::string text = writeJson(parsed("{\"b\": [0.1, 1e-300, 12345678901234567890, \"\\u0001\\t\"], \"a\": {\"k\": [[], {}]}}"));
+    const std::string text =
+        writeJson(parsed("{\"b\": [0.1, 1e-300, 12345678901234567890, \"\\u0001\\t\"], \"a\": {\"k\": [[], {}]}}"));
     EXPECT_EQ(writeJson(parsed(text)), text);
 }
 

@@ -63,12 +63,34 @@ class EditorUi : public testing::Test {
 Gpu* EditorUi::gpu = nullptr;
 
 TEST_F(EditorUi, EveryWidgetThatScriptsNameIsThere) {
-    for (const char* label :
-         {"Menu/File/New...", "Menu/File/Open...", "Menu/File/Save", "Menu/File/Save As...", "Menu/File/Quit", "Menu/Edit/Undo",
-          "Menu/Edit/Redo", "Menu/View/Tiers", "Menu/View/Profiler", "Tools/Look", "Tools/Add", "Tools/Smooth", "Brush/Mode", "Brush/Map",
-          "Brush/Radius", "Brush/Strength", "Brush/Falloff", "Viewport", "Viewport/Camera", "Outliner/lawn", "Outliner/New entity",
-          "Inspector/lawn.GrassField.maxGeom", "Inspector/ground.Terrain.size", "Inspector/sun.Light.elevationDeg", "Tabs/Console",
-          "Profiler/Measure", "Status/Blades", "Status/Saved"})
+    for (const char* label : {"Menu/File/New...",
+                              "Menu/File/Open...",
+                              "Menu/File/Save",
+                              "Menu/File/Save As...",
+                              "Menu/File/Quit",
+                              "Menu/Edit/Undo",
+                              "Menu/Edit/Redo",
+                              "Menu/View/Tiers",
+                              "Menu/View/Profiler",
+                              "Tools/Look",
+                              "Tools/Add",
+                              "Tools/Smooth",
+                              "Brush/Mode",
+                              "Brush/Map",
+                              "Brush/Radius",
+                              "Brush/Strength",
+                              "Brush/Falloff",
+                              "Viewport",
+                              "Viewport/Camera",
+                              "Outliner/lawn",
+                              "Outliner/New entity",
+                              "Inspector/lawn.GrassField.maxGeom",
+                              "Inspector/ground.Terrain.size",
+                              "Inspector/sun.Light.elevationDeg",
+                              "Tabs/Console",
+                              "Profiler/Measure",
+                              "Status/Blades",
+                              "Status/Saved"})
         EXPECT_TRUE(ui->exists(label)) << label;
     EXPECT_FALSE(ui->exists("Brush/Nothing"));
     EXPECT_FALSE(ui->exists("Inspector/nobody.GrassField.maxGeom"));
@@ -246,7 +268,10 @@ TEST_F(EditorUi, AScreenshotShowsTheWholeWindow) {
     ASSERT_TRUE(image);
     EXPECT_EQ(image->width, 800);
     EXPECT_EQ(image->height, 600);
-    const auto at = [&](int x, int y) { return image->pixels[(static_cast<size_t>(y) * 800 + static_cast<size_t>(x)) * static_cast<size_t>(image->channels)]; };
+    const auto at = [&](int x, int y) {
+        return image
+            ->pixels[(static_cast<size_t>(y) * 800 + static_cast<size_t>(x)) * static_cast<size_t>(image->channels)];
+    };
     const Rect& r = app->viewport.rect;
     EXPECT_GT(at(static_cast<int>(r.x + r.w / 2), static_cast<int>(r.y + 10)), 0.4f);  // sky
     EXPECT_LT(at(790, 300), 0.35f);                                                    // a dark panel

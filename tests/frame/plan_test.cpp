@@ -34,8 +34,8 @@ TEST(Plan, AnEffectRunsOnlyIfAllItsFeaturesAreThere) {
 
 TEST(Plan, PassesAreSortedByStageAndThenWritersBeforeReaders) {
     const FramePlan plan = planFrame(featureSet(Feature::Sun, Feature::Sky), kViewMain, kEffects);
-    EXPECT_EQ(passNames(plan), (std::vector<std::string>{"test/early", "test/reader", "test/writer"}))
-        << "reader and writer both write the image that the reader reads: neither must precede, the table's order holds";
+    EXPECT_EQ(passNames(plan), (std::vector<std::string>{"test/early", "test/writer", "test/reader"}))
+        << "by stage; within one, who writes the image before who reads it, against the table's order";
     const Pass pure[] = {{"test/use", Stage::Post, kViewMain, kSkyLight, 0, {}, nothing}};
     const EffectRow effects[] = {{"test/use", {}, {}, pure, nullptr, ""}, {"test/writer", {}, {}, kWriter, nullptr, ""}};
     EXPECT_EQ(passNames(planFrame({}, kViewMain, effects)), (std::vector<std::string>{"test/writer", "test/use"}));

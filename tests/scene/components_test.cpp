@@ -24,7 +24,9 @@ void eachField(std::span<const FieldRow> fields, const std::string& path, void* 
     for (const FieldRow& row : fields) {
         f(row, path + "." + row.name, at(base, row));
         if (row.type != FieldType::List) continue;
-        for (size_t i = 0; i < row.list->size(at(base, row)); ++i) eachField(row.list->fields, path + "." + row.name + "[" + std::to_string(i) + "]", row.list->at(at(base, row), i), f);
+        for (size_t i = 0; i < row.list->size(at(base, row)); ++i)
+            eachField(row.list->fields, path + "." + row.name + "[" + std::to_string(i) + "]",
+                      row.list->at(at(base, row), i), f);
     }
 }
 template <class F>
@@ -43,21 +45,38 @@ double valueFor(const FieldRow& row, int n) {
 void fill(const FieldRow& row, void* value, int n) {
     const double v = valueFor(row, n);
     switch (row.type) {
-        case FieldType::Bool: *static_cast<bool*>(value) ^= true; break;
-        case FieldType::Int: *static_cast<int*>(value) = int(v); break;
-        case FieldType::Float: *static_cast<float*>(value) = float(v); break;
-        case FieldType::Vec2: *static_cast<glm::dvec2*>(value) = {v, v * 0.999}; break;
-        case FieldType::Vec3: *static_cast<glm::dvec3*>(value) = {v, v * 0.999, v * 0.998}; break;
-        case FieldType::Color: *static_cast<glm::vec3*>(value) = {v, v * 0.999, v * 0.998}; break;
-        case FieldType::String: if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n); break;
-        case FieldType::Enum: *static_cast<int*>(value) = int(row.options.size()) - 1; break;
+        case FieldType::Bool:
+            *static_cast<bool*>(value) ^= true;
+            break;
+        case FieldType::Int:
+            *static_cast<int*>(value) = int(v);
+            break;
+        case FieldType::Float:
+            *static_cast<float*>(value) = float(v);
+            break;
+        case FieldType::Vec2:
+            *static_cast<glm::dvec2*>(value) = {v, v * 0.999};
+            break;
+        case FieldType::Vec3:
+            *static_cast<glm::dvec3*>(value) = {v, v * 0.999, v * 0.998};
+            break;
+        case FieldType::Color:
+            *static_cast<glm::vec3*>(value) = {v, v * 0.999, v * 0.998};
+            break;
+        case FieldType::String:
+            if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n);
+            break;
+        case FieldType::Enum:
+            *static_cast<int*>(value) = int(row.options.size()) - 1;
+            break;
         case FieldType::Map: {
             auto& field = *static_cast<MapField*>(value);
             field.map = patternMap({5 + n % 7, 4, row.mapChannels, row.mapType});
             field.file = fmt::format("maps/{}.{}", n, row.mapType == PixelType::F32 ? "exr" : "png");
             break;
         }
-        case FieldType::List: break;
+        case FieldType::List:
+            break;
     }
 }
 std::string textOf(const FieldRow& row, void* value) {
@@ -70,7 +89,9 @@ std::map<std::string, std::string> allTexts(Project& p) {
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows())
             if (void* component = row.get(p.registry, entity))
-                eachField(row.fields, name + "." + row.name, component, [&](const FieldRow& f, const std::string& path, void* value) { out[path] = textOf(f, value); });
+                eachField(
+                    row.fields, name + "." + row.name, component,
+                    [&](const FieldRow& f, const std::string& path, void* value) { out[path] = textOf(f, value); });
     return out;
 }
 }  // namespace
@@ -94,7 +115,8 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
         if (f.type > FieldType::Color || f.type == FieldType::Bool) return;
         EXPECT_LT(f.hardMin, f.hardMax) << path;
         EXPECT_TRUE(f.hardMin <= f.softMin && f.softMin < f.softMax && f.softMax <= f.hardMax) << path;
-        EXPECT_TRUE(setFieldText({value, &f, nullptr, "", path}, textOf(f, value))) << path << ": its default is refused";
+        EXPECT_TRUE(setFieldText({value, &f, nullptr, "", path}, textOf(f, value)))
+            << path << ": its default is refused";
     });
 }
 
@@ -116,7 +138,8 @@ TEST(Components, EveryFieldOutsideItsRangeIsRefusedAndKeepsItsValue) {
     eachField([](const FieldRow& f, const std::string& path, void* value) {
         if (f.type != FieldType::Float && f.type != FieldType::Int) return;
         const std::string before = textOf(f, value);
-        for (const std::string& text : {shortestText(f.hardMin - 1), shortestText(f.hardMax * 2 + 1), std::string("nan"), std::string("-inf"), std::string("x"), std::string("")}) {
+        for (const std::string& text : {shortestText(f.hardMin - 1), shortestText(f.hardMax * 2 + 1),
+                                        std::string("nan"), std::string("-inf"), std::string("x"), std::string("")}) {
             const Status set = setFieldText({value, &f, nullptr, "", path}, text);
             ASSERT_FALSE(set) << path << " " << text;
             EXPECT_EQ(set.error().code, ExitCode::Usage);
@@ -140,7 +163,8 @@ TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
         row.assign(p.registry, e, nullptr);
         void* component = row.get(p.registry, e);
         if (row.name == std::string("GrassField")) static_cast<GrassField*>(component)->species.resize(3);
-        eachField(row.fields, row.name, component, [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });
+        eachField(row.fields, row.name, component,
+                  [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });
         repairComponent(row, component);
     }
     const auto written = saveProject(p, rows());
@@ -159,17 +183,23 @@ TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
 }
 
 TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
-    const auto featuresOf = [](const char* name, const void* value) { return findComponent(rows(), name)->features(value); };
+    const auto featuresOf = [](const char* name, const void* value) {
+        return findComponent(rows(), name)->features(value);
+    };
     Terrain terrain;
     EXPECT_EQ(featuresOf("Terrain", &terrain), featureSet(Feature::Terrain));
     terrain.height.map = terrain.terrainMap.map = Map({2, 2, 1, PixelType::F32});
-    EXPECT_EQ(featuresOf("Terrain", &terrain), featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
+    EXPECT_EQ(featuresOf("Terrain", &terrain),
+              featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
     GrassField grass;
     EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass, Feature::GrassClumps));
     grass.species[0].clumpSize = 0;
     EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass));
-    grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map = Map({2, 2, 1, PixelType::U8});
-    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion));
+    grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
+        Map({2, 2, 1, PixelType::U8});
+    EXPECT_EQ(featuresOf("GrassField", &grass),
+              featureSet(Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
+                         Feature::GrassOcclusion));
     grass.species[0].bladesPerM2 = 0;
     EXPECT_TRUE(featuresOf("GrassField", &grass).none()) << "nothing grows";
     Light light;

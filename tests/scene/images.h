@@ -37,7 +37,8 @@ inline std::string pngBomb(uint32_t width, uint32_t height) {
         return bigEndian32(uint32_t(data.size())) + type + data + bigEndian32(~crc);
     };
     const std::string size = bigEndian32(width) + bigEndian32(height);
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string("\x08\x00\x00\x00\x00", 5)) + chunk("IDAT", "") + chunk("IEND", "");
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string("\x08\x00\x00\x00\x00", 5)) + chunk("IDAT", "") +
+           chunk("IEND", "");
 }
 
 // The header of an EXR whose data window has this size; one half channel, then nothing.
@@ -45,8 +46,10 @@ inline std::string exrBomb(int32_t width, int32_t height) {
     const auto attribute = [](const std::string& name, const std::string& type, const std::string& value) {
         return name + '\0' + type + '\0' + littleEndian32(uint32_t(value.size())) + value;
     };
-    const std::string window = littleEndian32(0) + littleEndian32(0) + littleEndian32(uint32_t(width - 1)) + littleEndian32(uint32_t(height - 1));
-    const std::string channel = std::string("Y\0", 2) + littleEndian32(1) + littleEndian32(0) + littleEndian32(1) + littleEndian32(1) + '\0';
+    const std::string window = littleEndian32(0) + littleEndian32(0) + littleEndian32(uint32_t(width - 1)) +
+                               littleEndian32(uint32_t(height - 1));
+    const std::string channel =
+        std::string("Y\0", 2) + littleEndian32(1) + littleEndian32(0) + littleEndian32(1) + littleEndian32(1) + '\0';
     return std::string("\x76\x2f\x31\x01\x02\x00\x00\x00", 8) + attribute("channels", "chlist", channel) +
            attribute("compression", "compression", std::string(1, '\0')) + attribute("dataWindow", "box2i", window) +
            attribute("displayWindow", "box2i", window) + attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
@@ -58,10 +61,12 @@ inline std::string exrBomb(int32_t width, int32_t height) {
 // A little-endian TIFF of one grey strip that declares a size.
 inline std::string tiffBomb(uint32_t width, uint32_t height) {
     const auto entry = [](uint16_t tag, uint16_t type, uint32_t value) {
-        return std::string{char(tag), char(tag >> 8), char(type), char(type >> 8)} + littleEndian32(1) + littleEndian32(value);
+        return std::string{char(tag), char(tag >> 8), char(type), char(type >> 8)} + littleEndian32(1) +
+               littleEndian32(value);
     };
-    return std::string("II*\0", 4) + littleEndian32(8) + std::string{9, 0} + entry(256, 4, width) + entry(257, 4, height) + entry(258, 3, 8) +
-           entry(259, 3, 1) + entry(262, 3, 1) + entry(273, 4, 8) + entry(277, 3, 1) + entry(278, 4, height) + entry(279, 4, 100) + littleEndian32(0);
+    return std::string("II*\0", 4) + littleEndian32(8) + std::string{9, 0} + entry(256, 4, width) +
+           entry(257, 4, height) + entry(258, 3, 8) + entry(259, 3, 1) + entry(262, 3, 1) + entry(273, 4, 8) +
+           entry(277, 3, 1) + entry(278, 4, height) + entry(279, 4, 100) + littleEndian32(0);
 }
 
 }  // namespace sward::test

@@ -46,9 +46,12 @@ inline std::string faultOf(const std::filesystem::path& dir) {
     const Project expected = killState(dir, p->name == "b");
     const auto& field = *p->registry.get<GrassField>(findEntity(*p, "lawn"));
     const auto& wanted = *expected.registry.get<GrassField>(findEntity(expected, "lawn"));
-    if (field.species[0].density.map.hash() != wanted.species[0].density.map.hash()) return "mixed: density of the other state than " + p->name;
-    if (field.vegetation.map.hash() != wanted.vegetation.map.hash()) return "mixed: vegetation of the other state than " + p->name;
-    if (p->registry.get<Terrain>(findEntity(*p, "ground"))->height.present() != (p->name == "b")) return "mixed: heights of the other state than " + p->name;
+    if (field.species[0].density.map.hash() != wanted.species[0].density.map.hash())
+        return "mixed: density of the other state than " + p->name;
+    if (field.vegetation.map.hash() != wanted.vegetation.map.hash())
+        return "mixed: vegetation of the other state than " + p->name;
+    if (p->registry.get<Terrain>(findEntity(*p, "ground"))->height.present() != (p->name == "b"))
+        return "mixed: heights of the other state than " + p->name;
     return {};
 }
 
@@ -62,7 +65,8 @@ inline const ChildFunctionRow kSaveInTurn("save-in-turn", [](const std::vector<s
 
 // Starts `times` children that save the two states in turn, kills each after up to `longestMs`, and loads what it left.
 // Returns how many left an unsound or mixed project; `why`: the first.
-inline int killSaveLoop(int times, const std::filesystem::path& dir, std::string* why, unsigned seed = 1, int longestMs = 40) {
+inline int killSaveLoop(int times, const std::filesystem::path& dir, std::string* why, unsigned seed = 1,
+                        int longestMs = 40) {
     if (!saveProject(killState(dir, false), sharedComponentRows())) return times;
     std::mt19937 random(seed);
     int faults = 0;
@@ -73,7 +77,8 @@ inline int killSaveLoop(int times, const std::filesystem::path& dir, std::string
         std::this_thread::sleep_for(std::chrono::microseconds(random() % (unsigned(longestMs) * 1000)));
         kill(child.pid, SIGKILL);
         const std::string said = finishChild(child);
-        const std::string fault = !began || said != "the child crashed" ? "the child could not save: " + said : faultOf(dir);
+        const std::string fault =
+            !began || said != "the child crashed" ? "the child could not save: " + said : faultOf(dir);
         if (fault.empty()) continue;
         if (faults++ == 0 && why) *why = "kill " + std::to_string(i) + ": " + fault;
     }

@@ -18,8 +18,9 @@ struct Kind {
     PixelType type;
     int channels;
 };
-constexpr Kind kKinds[] = {{"m.png", PixelType::U8, 4},  {"m.png", PixelType::U16, 1}, {"m.exr", PixelType::F32, 1}, {"m.exr", PixelType::F32, 4},
-                           {"m.tif", PixelType::U16, 1}, {"m.tif", PixelType::F32, 2}, {"m.r16", PixelType::U16, 1}};
+constexpr Kind kKinds[] = {{"m.png", PixelType::U8, 4},  {"m.png", PixelType::U16, 1}, {"m.exr", PixelType::F32, 1},
+                           {"m.exr", PixelType::F32, 4}, {"m.tif", PixelType::U16, 1}, {"m.tif", PixelType::F32, 2},
+                           {"m.r16", PixelType::U16, 1}};
 
 // The bytes of a sound file of this kind.
 std::string soundFile(const TempDir& dir, const Kind& kind) {
@@ -46,7 +47,9 @@ TEST(DamagedMaps, AFileCutShortAnywhereIsRefused) {
         const std::string sound = soundFile(dir, kind);
         ASSERT_TRUE(readMap(dir / kind.name, wishFor(kind)));
         for (size_t step = 0; step < 120; ++step) {
-            const size_t size = step < 40 ? step * 4 : step < 80 ? sound.size() - (step - 39) : sound.size() * (step - 80) / 40;
+            const size_t size = step < 40   ? step * 4
+                                : step < 80 ? sound.size() - (step - 39)
+                                            : sound.size() * (step - 80) / 40;
             writeText(dir / kind.name, sound.substr(0, std::min(size, sound.size() - 1)));
             const auto start = std::chrono::steady_clock::now();
             const Result<Map> map = readMap(dir / kind.name, wishFor(kind));
@@ -67,7 +70,8 @@ TEST(DamagedMaps, ChangedBytesNeverCrashNorGiveTexelsThatAreNotFinite) {
         const std::string sound = soundFile(dir, kind);
         for (int round = 0; round < 150; ++round) {
             std::string bytes = sound;
-            const size_t reach = round % 2 ? bytes.size() : std::min<size_t>(bytes.size(), 400);  // headers as often as pixels
+            const size_t reach =
+                round % 2 ? bytes.size() : std::min<size_t>(bytes.size(), 400);  // headers as often as pixels
             for (int flips = 1 + round % 4; flips > 0; --flips) bytes[random() % reach] = static_cast<char>(random());
             writeText(dir / kind.name, bytes);
             const Result<Map> map = readMap(dir / kind.name, wishFor(kind));

@@ -76,8 +76,10 @@ TEST(MapFiles, EveryFormatGivesBackTheTexelsItWasGiven) {
             wish.flip = flip;
             const Map back = readBack(file, wish);
             EXPECT_EQ(back.info(), map.info()) << f.ext << f.channels;
-            EXPECT_EQ(back.hash(), map.hash()) << f.ext << " type " << int(f.type) << " channels " << f.channels << " flip " << flip;
-            EXPECT_EQ(std::distance(fs::directory_iterator(dir.path), {}), f.ext == std::string(".r16") ? 2 : 1) << "left-overs";
+            EXPECT_EQ(back.hash(), map.hash())
+                << f.ext << " type " << int(f.type) << " channels " << f.channels << " flip " << flip;
+            EXPECT_EQ(std::distance(fs::directory_iterator(dir.path), {}), f.ext == std::string(".r16") ? 2 : 1)
+                << "left-overs";
             fs::remove(file);
             fs::remove(dir / "m.json");
         }
@@ -141,7 +143,8 @@ TEST(MapFiles, AlphaIsNeverMultipliedIntoColour) {
 
 TEST(MapFiles, ThreeChannelsServeFourWithFullAlpha) {
     TempDir dir;
-    for (const Format& f : {Format{"m.png", PixelType::U8, 3}, Format{"m.png", PixelType::U16, 3}, Format{"m.exr", PixelType::F32, 3}}) {
+    for (const Format& f :
+         {Format{"m.png", PixelType::U8, 3}, Format{"m.png", PixelType::U16, 3}, Format{"m.exr", PixelType::F32, 3}}) {
         const Map map = patternMap({130, 5, 3, f.type});
         ASSERT_TRUE(writeMap(dir / f.ext, map));
         const Map back = readBack(dir / f.ext, channels(4));
@@ -175,7 +178,8 @@ TEST(MapFiles, HeightsOfEightBitsAreRefused) {
 TEST(MapFiles, OtherTypesAreRefused) {
     TempDir dir;
     const std::vector<double> zeros(64 * 8, 0.0);
-    for (const OIIO::TypeDesc& type : {OIIO::TypeDesc(OIIO::TypeDesc::UINT32), OIIO::TypeDesc(OIIO::TypeDesc::INT16), OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE)}) {
+    for (const OIIO::TypeDesc& type : {OIIO::TypeDesc(OIIO::TypeDesc::UINT32), OIIO::TypeDesc(OIIO::TypeDesc::INT16),
+                                       OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE)}) {
         writeOther(dir / "m.tif", OIIO::ImageSpec(8, 8, 1, type), type, zeros.data());
         EXPECT_NE(refusal(dir / "m.tif", {}).message.find("holds"), std::string::npos);
     }

@@ -34,7 +34,8 @@ TEST(Map, IntegersAreClampedAndRoundedFloatsAreKept) {
     for (const PixelType type : {PixelType::U8, PixelType::U16}) {
         Map m({4, 1, 1, type});
         const float scale = type == PixelType::U8 ? 255 : 65535;
-        const float values[] = {-3, 7, std::numeric_limits<float>::quiet_NaN(), 10.4f / scale}, expected[] = {0, 1, 0, 10 / scale};
+        const float values[] = {-3, 7, std::numeric_limits<float>::quiet_NaN(), 10.4f / scale},
+                    expected[] = {0, 1, 0, 10 / scale};
         for (int x = 0; x < 4; ++x) {
             m.set(x, 0, 0, values[x]);
             EXPECT_EQ(m.at(x, 0), expected[x]);

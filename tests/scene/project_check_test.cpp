@@ -51,7 +51,8 @@ Project repaired(const TempDir& dir, const std::string& text, const std::vector<
     std::vector<std::string> said, checked;
     const std::string prefix = (dir / "p/").string();
     for (const Fault& f : report.repaired) said.push_back(f.where.substr(prefix.size()) + ": " + f.message);
-    for (const Fault& f : checkProject(dir / "p", rows()).repaired) checked.push_back(f.where.substr(prefix.size()) + ": " + f.message);
+    for (const Fault& f : checkProject(dir / "p", rows()).repaired)
+        checked.push_back(f.where.substr(prefix.size()) + ": " + f.message);
     EXPECT_EQ(said, expected);
     EXPECT_EQ(checked, expected);
     return std::move(*p);
@@ -137,12 +138,15 @@ TEST(RefusedProjects, ParametersWithTheirPlace) {
         {"\"Terrain\": {\"size\": [0, 10]}", 3, 22, "e.Terrain.size: 0 is out of range"},
         {"\"Light\": {\"intensity\": 70000}", 3, 24, "e.Light.intensity: 70000 is out of range"},
         {"\"GrassField\": {\"seed\": 1.5}", 3, 24, "e.GrassField.seed: 1.5 is not a whole number"},
-        {"\"GrassField\": {\"technique\": \"magic\"}", 3, 29, "e.GrassField.technique: \"magic\" is none of its values"},
+        {"\"GrassField\": {\"technique\": \"magic\"}", 3, 29,
+         "e.GrassField.technique: \"magic\" is none of its values"},
         {"\"GrassField\": {\"technique\": 1}", 3, 29, "e.GrassField.technique: a number is none of its values"},
         {"\"GrassField\": {\"species\": {}}", 3, 27, "e.GrassField.species: must be a list, not an object"},
         {"\"GrassField\": {\"species\": [7]}", 3, 28, "e.GrassField.species[grass]: must be an object, not a number"},
-        {"\"GrassField\": {\"species\": [{\"name\": \"a\"},\n{\"name\": \"b\", \"height\": -1}]}", 4, 25, "e.GrassField.species[b].height: -1 must not be negative"},
-        {"\"GrassField\": {\"species\": [{\"name\": 7}]}", 3, 37, "e.GrassField.species[grass].name: must be a string, not a number"},
+        {"\"GrassField\": {\"species\": [{\"name\": \"a\"},\n{\"name\": \"b\", \"height\": -1}]}", 4, 25,
+         "e.GrassField.species[b].height: -1 must not be negative"},
+        {"\"GrassField\": {\"species\": [{\"name\": 7}]}", 3, 37,
+         "e.GrassField.species[grass].name: must be a string, not a number"},
         {"\"GrassField\": 7", 3, 15, "e.GrassField: must be an object, not a number"},
         {"\"Terrain\": {\"height\": 7}", 3, 23, "e.Terrain.height: must be a string, not a number"},
     };
@@ -161,8 +165,10 @@ TEST(RefusedProjects, ValuesOutsideTheRangeOfAnyField) {
             if (field.type != FieldType::Float && field.type != FieldType::Int) continue;
             for (const double value : {field.hardMin - 1, field.hardMax * 2 + 1}) {
                 const std::string number = shortestText(value);
-                const Error e = refusal(dir, entity(fmt::format("\"{}\": {{\"{}\": {}}}", row.name, field.name, number)));
-                EXPECT_NE(e.message.find(fmt::format("e.{}.{}: {}", row.name, field.name, number)), std::string::npos) << e.text();
+                const Error e =
+                    refusal(dir, entity(fmt::format("\"{}\": {{\"{}\": {}}}", row.name, field.name, number)));
+                EXPECT_NE(e.message.find(fmt::format("e.{}.{}: {}", row.name, field.name, number)), std::string::npos)
+                    << e.text();
                 EXPECT_NE(e.remedy.find("it takes"), std::string::npos);
             }
         }
@@ -185,9 +191,12 @@ TEST(RefusedProjects, SymbolicLinksThatLeaveTheProject) {
     ASSERT_TRUE(writeMap(dir / "outside.png", patternMap({8, 8, 1, PixelType::U16})));
     fs::create_directories(dir / "p/maps");
     fs::create_symlink(dir / "outside.png", dir / "p/maps/link.png");
-    EXPECT_NE(refusal(dir, entity("\"Terrain\": {\"height\": \"maps/link.png\"}")).message.find("symbolic link"), std::string::npos);
+    EXPECT_NE(refusal(dir, entity("\"Terrain\": {\"height\": \"maps/link.png\"}")).message.find("symbolic link"),
+              std::string::npos);
     fs::create_symlink(dir.path, dir / "p/folder");
-    EXPECT_NE(refusal(dir, entity("\"Terrain\": {\"groundTexture\": \"folder/outside.png\"}")).message.find("symbolic link"), std::string::npos);
+    EXPECT_NE(
+        refusal(dir, entity("\"Terrain\": {\"groundTexture\": \"folder/outside.png\"}")).message.find("symbolic link"),
+        std::string::npos);
     ASSERT_TRUE(writeMap(dir / "p/maps/real.png", patternMap({8, 8, 1, PixelType::U16})));
     fs::create_symlink("real.png", dir / "p/maps/inside.png");
     accepted(dir, entity("\"Terrain\": {\"height\": \"maps/inside.png\"}"));
@@ -195,7 +204,9 @@ TEST(RefusedProjects, SymbolicLinksThatLeaveTheProject) {
 
 TEST(RefusedProjects, MapsThatCannotBeUsed) {
     TempDir dir;
-    const auto heightRefusal = [&](const char* file) { return refusal(dir, entity(fmt::format("\"Terrain\": {{\"height\": \"maps/{}\"}}", file))); };
+    const auto heightRefusal = [&](const char* file) {
+        return refusal(dir, entity(fmt::format("\"Terrain\": {{\"height\": \"maps/{}\"}}", file)));
+    };
     const Error missing = heightRefusal("none.exr");
     EXPECT_EQ(missing.message, "e.Terrain.height: cannot be read: No such file or directory");
     EXPECT_EQ(missing.file, (dir / "p/maps/none.exr").string());
@@ -217,10 +228,13 @@ TEST(RefusedProjects, MapsThatCannotBeUsed) {
 
 TEST(RefusedProjects, ImagesThatCannotBeUsed) {
     TempDir dir;
-    const Error e = refusal(dir, entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"texture\": \"blade.png\"}]}"));
+    const Error e =
+        refusal(dir, entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"texture\": \"blade.png\"}]}"));
     EXPECT_EQ(e.message, "e.GrassField.species[a].texture: cannot be read: No such file or directory");
     writeText(dir / "p/blade.png", pngBomb(30000, 30000));
-    EXPECT_NE(refusal(dir, entity("\"Terrain\": {\"groundTexture\": \"blade.png\"}")).message.find("the limit is 16384"), std::string::npos);
+    EXPECT_NE(
+        refusal(dir, entity("\"Terrain\": {\"groundTexture\": \"blade.png\"}")).message.find("the limit is 16384"),
+        std::string::npos);
 }
 
 TEST(RefusedProjects, EntitiesAndListsThatCannotBe) {
@@ -232,12 +246,14 @@ TEST(RefusedProjects, EntitiesAndListsThatCannotBe) {
     EXPECT_EQ(refusal(dir, "{\"imports\": 1}").message, "imports: must be an object, not a number");
     std::string many;
     for (size_t i = 0; i <= kMaxListElements; ++i) many += i ? ",{}" : "{}";
-    EXPECT_NE(refusal(dir, entity("\"GrassField\": {\"species\": [" + many + "]}")).message.find("the limit is 1024"), std::string::npos);
+    EXPECT_NE(refusal(dir, entity("\"GrassField\": {\"species\": [" + many + "]}")).message.find("the limit is 1024"),
+              std::string::npos);
 }
 
 TEST(RefusedProjects, CheckGoesOnAfterTheFirstFault) {
     TempDir dir;
-    writeText(dir / "p/project.json", entity("\"Camera\": {\"fovDeg\": -1, \"exposure\": 99},\n\"Terrain\": {\"height\": \"maps/none.exr\"},\n\"Wings\": {}"));
+    writeText(dir / "p/project.json", entity("\"Camera\": {\"fovDeg\": -1, \"exposure\": 99},\n\"Terrain\": "
+                                             "{\"height\": \"maps/none.exr\"},\n\"Wings\": {}"));
     const CheckReport report = checkProject(dir / "p", rows());
     ASSERT_EQ(report.refused.size(), 3u);
     EXPECT_NE(report.refused[0].message.find("exposure"), std::string::npos);
@@ -248,25 +264,30 @@ TEST(RefusedProjects, CheckGoesOnAfterTheFirstFault) {
 
 TEST(RepairedProjects, TierDistancesThatAreSwappedOrEqual) {
     TempDir dir;
-    const Project swapped = repaired(dir, entity("\"GrassField\": {\"minGeom\": 12, \"maxGeom\": 4}"),
-                                     {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 4 and 12"});
+    const Project swapped =
+        repaired(dir, entity("\"GrassField\": {\"minGeom\": 12, \"maxGeom\": 4}"),
+                 {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 4 and 12"});
     EXPECT_EQ(grassOf(swapped).minGeom, 4.0f);
     EXPECT_EQ(grassOf(swapped).maxGeom, 12.0f);
-    const Project equal = repaired(dir, entity("\"GrassField\": {\"minGeom\": 10, \"maxGeom\": 10}"),
-                                   {"project.json:3: e.GrassField: minGeom and maxGeom were both 10; maxGeom is now 11"});
+    const Project equal =
+        repaired(dir, entity("\"GrassField\": {\"minGeom\": 10, \"maxGeom\": 10}"),
+                 {"project.json:3: e.GrassField: minGeom and maxGeom were both 10; maxGeom is now 11"});
     EXPECT_GT(grassOf(equal).maxGeom, grassOf(equal).minGeom);
-    const Project infinite = repaired(dir, entity("\"GrassField\": {\"minGeom\": \"inf\", \"maxGeom\": 10}"),
-                                      {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 10 and inf"});
+    const Project infinite =
+        repaired(dir, entity("\"GrassField\": {\"minGeom\": \"inf\", \"maxGeom\": 10}"),
+                 {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 10 and inf"});
     EXPECT_EQ(grassOf(infinite).minGeom, 10.0f);
-    const Project zero = repaired(dir, entity("\"GrassField\": {\"minGeom\": 0, \"maxGeom\": 0}"),
-                                  {"project.json:3: e.GrassField: minGeom and maxGeom were both 0; maxGeom is now 0.1"});
+    const Project zero =
+        repaired(dir, entity("\"GrassField\": {\"minGeom\": 0, \"maxGeom\": 0}"),
+                 {"project.json:3: e.GrassField: minGeom and maxGeom were both 0; maxGeom is now 0.1"});
     EXPECT_EQ(grassOf(zero).minGeom, 0.0f);
 }
 
 TEST(RepairedProjects, ACameraThatLooksAtItself) {
     TempDir dir;
-    const Project p = repaired(dir, entity("\"Camera\": {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}"),
-                               {"project.json:3: e.Camera: eye and target were the same point; target is now 1 m to the north"});
+    const Project p =
+        repaired(dir, entity("\"Camera\": {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}"),
+                 {"project.json:3: e.Camera: eye and target were the same point; target is now 1 m to the north"});
     EXPECT_EQ(p.registry.get<Camera>(findEntity(p, "e"))->target, glm::dvec3(1, 2, 2));
 }
 
@@ -277,7 +298,8 @@ TEST(RepairedProjects, TexelsThatAreNotFiniteAreCountedAndTheNextSaveWritesThem)
     fs::create_directories(dir / "p/maps");
     ASSERT_TRUE(writeMap(dir / "p/maps/h.exr", map));
     const std::string text = entity("\"Terrain\": {\"height\": \"maps/h.exr\"}");
-    const Project p = repaired(dir, text, {"maps/h.exr: e.Terrain.height: texel (5, 6) is not finite; replaced by the nearest finite texel"});
+    const Project p = repaired(
+        dir, text, {"maps/h.exr: e.Terrain.height: texel (5, 6) is not finite; replaced by the nearest finite texel"});
     const Project same = snapshot(p, rows());
     EXPECT_EQ(*saveProject(p, rows(), &same), std::vector<std::string>{"maps/h.exr"});
     accepted(dir, text);
@@ -320,12 +342,14 @@ TEST(RepairedProjects, WhatIsUnknownIsKeptAndWrittenBack) {
     EXPECT_EQ(again.unknown, p.unknown);
     EXPECT_TRUE(removeEntity(again, "e"));
     ASSERT_TRUE(saveProject(again, rows()));
-    EXPECT_EQ(readJson(dir / "p/project.json")->find("entities")->object.size(), 0u) << "what is gone takes the unknown with it";
+    EXPECT_EQ(readJson(dir / "p/project.json")->find("entities")->object.size(), 0u)
+        << "what is gone takes the unknown with it";
 }
 
 TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
-    const Project p = accepted(dir, entity("\"GrassField\": {\"minGeom\": 3, \"maxGeom\": \"inf\"},\n\"Fog\": {\"visibility\": \"inf\"}"));
+    const Project p = accepted(
+        dir, entity("\"GrassField\": {\"minGeom\": 3, \"maxGeom\": \"inf\"},\n\"Fog\": {\"visibility\": \"inf\"}"));
     EXPECT_TRUE(std::isinf(grassOf(p).maxGeom));
     EXPECT_FALSE(has(sceneFeatures(p.registry, rows()), Feature::Fog)) << "no haze";
     accepted(dir, entity("\"GrassField\": {\"minGeom\": \"inf\", \"maxGeom\": \"inf\"}"));

@@ -55,16 +55,20 @@ TEST(Fields, AreFoundByPathAndCanonicalPathsUseNames) {
     EXPECT_EQ(pathOf(p, "meadow.GrassField.species[weeds].height"), "meadow.GrassField.species[weeds].height");
     EXPECT_EQ(pathOf(p, "meadow.GrassField.species"), "meadow.GrassField.species");
     grassOf(p).species[1].name = "lawn";
-    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height") << "a name that repeats selects none";
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height")
+        << "a name that repeats selects none";
     grassOf(p).species[1].name = "7";
-    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height") << "a number is no name";
+    EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[1].height")
+        << "a number is no name";
 }
 
 TEST(Fields, WhatIsNotThereIsAUsageErrorThatListsWhatIs) {
     Project p = meadow();
-    for (const char* bad : {"", "ground", "ground.Terrain", "none.Terrain.size", "ground.Light.intensity", "ground.Terrain.sise", "ground.Terrain.size.x",
-                            "meadow.GrassField.species.height", "meadow.GrassField.species[none].height", "meadow.GrassField.species[2].height",
-                            "meadow.GrassField.species[lawn", "meadow.GrassField.species[lawn]", "ground..size", "ground.Terrain.size.", "ground.Terrain.[0]"}) {
+    for (const char* bad :
+         {"", "ground", "ground.Terrain", "none.Terrain.size", "ground.Light.intensity", "ground.Terrain.sise",
+          "ground.Terrain.size.x", "meadow.GrassField.species.height", "meadow.GrassField.species[none].height",
+          "meadow.GrassField.species[2].height", "meadow.GrassField.species[lawn", "meadow.GrassField.species[lawn]",
+          "ground..size", "ground.Terrain.size.", "ground.Terrain.[0]"}) {
         const Result<FieldRef> f = findField(p, rows(), bad);
         ASSERT_FALSE(f) << bad;
         EXPECT_EQ(f.error().code, ExitCode::Usage) << bad;
@@ -77,16 +81,20 @@ TEST(Fields, WhatIsNotThereIsAUsageErrorThatListsWhatIs) {
 
 TEST(Fields, AreSetFromTextAndKeepTheirValueWhenThatIsWrong) {
     Project p = meadow();
-    const auto set = [&](const char* path, const char* text) { return bool(setFieldText(*findField(p, rows(), path), text)); };
+    const auto set = [&](const char* path, const char* text) {
+        return bool(setFieldText(*findField(p, rows(), path), text));
+    };
     const auto get = [&](const char* path) { return fieldText(*findField(p, rows(), path)); };
     EXPECT_TRUE(set("meadow.GrassField.maxGeom", " inf "));
     EXPECT_EQ(get("meadow.GrassField.maxGeom"), "inf");
     EXPECT_TRUE(set("meadow.GrassField.technique", "flat"));
     EXPECT_FALSE(set("meadow.GrassField.technique", "magic"));
     EXPECT_EQ(get("meadow.GrassField.technique"), "flat");
-    for (const char* text : {"[30, 20.5]", "30, 20.5", "30 20.5"}) EXPECT_TRUE(set("ground.Terrain.size", text)) << text;
+    for (const char* text : {"[30, 20.5]", "30, 20.5", "30 20.5"})
+        EXPECT_TRUE(set("ground.Terrain.size", text)) << text;
     EXPECT_EQ(get("ground.Terrain.size"), "[30, 20.5]");
-    for (const char* text : {"30", "[1, 2, 3]", "[1, x]", "[1, -2]", ""}) EXPECT_FALSE(set("ground.Terrain.size", text)) << text;
+    for (const char* text : {"30", "[1, 2, 3]", "[1, x]", "[1, -2]", ""})
+        EXPECT_FALSE(set("ground.Terrain.size", text)) << text;
     EXPECT_EQ(get("ground.Terrain.size"), "[30, 20.5]");
     EXPECT_TRUE(set("meadow.GrassField.species[lawn].segments", "4"));
     EXPECT_FALSE(set("meadow.GrassField.species[lawn].segments", "4.5"));
@@ -105,7 +113,8 @@ TEST(Maps, AreFoundByAnyTailThatMeansOne) {
     EXPECT_NE(mapOf(p, "ensity").find("no map is called"), std::string::npos);
     EXPECT_NE(mapOf(p, "").find("no map is called"), std::string::npos);
     grassOf(p).species[0].density = {"maps/a.png", patternMap({4, 4, 1, PixelType::U16})};
-    EXPECT_EQ(mapOf(p, "density"), "meadow.GrassField.species[lawn].density") << "one that is there goes before one that is not";
+    EXPECT_EQ(mapOf(p, "density"), "meadow.GrassField.species[lawn].density")
+        << "one that is there goes before one that is not";
     EXPECT_EQ(allMaps(p, rows()).size(), 1u);
     EXPECT_EQ(allMaps(p, rows(), true).size(), 7u);
 }
@@ -175,7 +184,8 @@ TEST(Imports, FlipAndRangeAreRememberedAndServeTheExport) {
     ASSERT_TRUE(exportMap(again, rows(), "height", dir / "out.r16"));
     EXPECT_EQ(sidecarRange(dir / "out.r16"), (std::pair<double, double>(-5, 95)));
     ASSERT_TRUE(importMap(again, rows(), "height", dir / "dem.png"));
-    EXPECT_EQ(again.registry.get<Terrain>(findEntity(again, "ground"))->height.map.at(0, 1), 1.0f) << "flipped as before";
+    EXPECT_EQ(again.registry.get<Terrain>(findEntity(again, "ground"))->height.map.at(0, 1), 1.0f)
+        << "flipped as before";
 }
 
 TEST(Imports, OtherMapsTakeTheirOwnType) {
@@ -201,7 +211,8 @@ TEST(Imports, AFailureChangesNothing) {
     EXPECT_EQ(importMap(p, rows(), "none", dir / "m8.png").error().code, ExitCode::Usage);
     EXPECT_EQ(importMap(p, rows(), "vegetation", dir / "m8.png").error().message, "has 1 channel, not 4");
     EXPECT_EQ(importMap(p, rows(), "height", dir / "m16.png", {{}, std::pair(5.0, 5.0)}).error().code, ExitCode::Usage);
-    EXPECT_EQ(importMap(p, rows(), "height", dir / "m16.png", {{}, std::pair(-1e9, 5.0)}).error().code, ExitCode::Usage);
+    EXPECT_EQ(importMap(p, rows(), "height", dir / "m16.png", {{}, std::pair(-1e9, 5.0)}).error().code,
+              ExitCode::Usage);
     EXPECT_TRUE(allMaps(p, rows()).empty());
     EXPECT_TRUE(p.imports.empty());
     EXPECT_EQ(exportMap(p, rows(), "height", dir / "out.png").error().code, ExitCode::Usage);

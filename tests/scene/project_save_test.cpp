@@ -1,6 +1,6 @@
 // Saving when something is in the way: kills, full disks, folders that cannot be written.
-#include <gtest/gtest.h>
 #include <grp.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 
 #include "scene/map_io.h"
@@ -33,7 +33,8 @@ bool dropPrivileges() {
 
 void makeReadOnly(const fs::path& dir) {
     fs::permissions(dir.parent_path(), fs::perms(0755));
-    for (const auto& entry : fs::recursive_directory_iterator(dir)) fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0555 : 0444));
+    for (const auto& entry : fs::recursive_directory_iterator(dir))
+        fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0555 : 0444));
     fs::permissions(dir, fs::perms(0555));
 }
 void makeWritable(const fs::path& dir) {
@@ -60,7 +61,8 @@ const ChildFunctionRow kSaveWithLimit("save-with-limit", [](const std::vector<st
     if (setrlimit(RLIMIT_FSIZE, &bound) != 0) return "no limit";
     const auto saved = saveProject(p, rows());
     if (saved) return "saved";
-    return p.name == "b" && p.registry.get<Terrain>(findEntity(p, "ground"))->height.present() ? saved.error().text() : "memory changed";
+    return p.name == "b" && p.registry.get<Terrain>(findEntity(p, "ground"))->height.present() ? saved.error().text()
+                                                                                               : "memory changed";
 });
 }  // namespace
 
@@ -85,7 +87,8 @@ TEST(Saving, AKillBeforeTheCommitLeavesTheOldState) {
 TEST(Saving, AKillAfterTheCommitLeavesTheNewStateWhateverWasMoved) {
     TempDir dir;
     ASSERT_TRUE(saveProject(killState(dir / "b", true), rows()));
-    const std::vector<std::string> files{"project.json", "maps/ground.height.exr", "maps/lawn.grass.density.png", "maps/lawn.vegetation.png"};
+    const std::vector<std::string> files{"project.json", "maps/ground.height.exr", "maps/lawn.grass.density.png",
+                                         "maps/lawn.vegetation.png"};
     for (size_t moved = 0; moved <= files.size(); ++moved) {
         fs::remove_all(dir / "p");
         ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));

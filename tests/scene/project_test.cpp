@@ -8,7 +8,6 @@
 #include "scene/map_io.h"
 #include "tests/support.h"
 
-
 namespace fs = std::filesystem;
 using namespace sward;
 using sward::test::readText;
@@ -47,8 +46,8 @@ TEST(Project, ANewOneHasGroundGrassSunSkyHazeAndACamera) {
     for (const auto& [name, entity] : p.entities) found.insert(name);
     EXPECT_EQ(found, names);
     EXPECT_DOUBLE_EQ(virtualBlades(p), 2000.0 * 40 * 40);
-    const FeatureSet expected = featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps,
-                                           Feature::Sun, Feature::Sky, Feature::Fog);
+    const FeatureSet expected = featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity,
+                                           Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog);
     EXPECT_EQ(sceneFeatures(p.registry, rows()), expected);
 }
 
