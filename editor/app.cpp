@@ -191,8 +191,23 @@ double idleSeconds(const EditorApp& app) {
     return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
+namespace {
+
+// Once a second: shaders that were edited are compiled and seen; one that fails is told and the last good one stays.
+void followShaders(EditorApp& app, double& last) {
+    if (clockSeconds() - last < 1) return;
+    last = clockSeconds();
+    const Reload done = app.renderer->reloadPrograms();
+    if (!done.failed.empty()) app.notice = done.failed.front();
+    if (!done.nothing()) app.viewport.drawnRevision = ~uint64_t(0);
+}
+
+}  // namespace
+
 void runUntilQuit(EditorApp& app) {
+    double lastLook = clockSeconds();
     while (!app.quit) {
+        followShaders(app, lastLook);
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
         if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);

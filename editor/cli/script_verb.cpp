@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "core/log.h"
 #include "document.h"
 #include "script/script.h"
 #include "techniques.h"
@@ -23,6 +24,13 @@ class LazyUi final : public UiDriver {
     Status wait(int frames) override { return with([&](UiDriver& d) { return d.wait(frames); }); }
     Status screenshot(const std::filesystem::path& file) override { return with([&](UiDriver& d) { return d.screenshot(file); }); }
 
+    // The view of a camera: now if the editor is there, else once it is made.
+    void useCamera(const std::string& name) {
+        camera_ = name;
+        if (driver_)
+            if (Status s = driver_->set("Viewport/Camera", name); !s) logWarning(s.error().text());
+    }
+
   private:
     Status make() {
         if (driver_) return {};
@@ -30,7 +38,7 @@ class LazyUi final : public UiDriver {
         if (!gpu) return gpu.error();
         gpu_ = std::move(*gpu);
         driver_ = makeHeadlessUi(document_, *gpu_, 1280, 800);
-        return {};
+        return camera_.empty() ? Status{} : driver_->set("Viewport/Camera", camera_);
     }
     template <class F>
     Status with(F&& f) {
@@ -40,12 +48,8 @@ class LazyUi final : public UiDriver {
     Document& document_;
     std::unique_ptr<Gpu> gpu_;
     std::unique_ptr<UiDriver> driver_;
+    std::string camera_;
 };
-
-Result<std::unique_ptr<UiDriver>> makeUi(Document& document, bool window) {
-    if (window) return makeWindowUi(document, 1440, 900);
-    return std::unique_ptr<UiDriver>(std::make_unique<LazyUi>(document));
-}
 
 }  // namespace
 
@@ -53,10 +57,20 @@ int scriptVerb(const ScriptOptions& o) {
     Document document(tables());
     if (!o.project.empty())
         if (Status s = document.open(o.project); !s) return report(s.error());
-    auto ui = makeUi(document, o.window);
-    if (!ui) return report(ui.error());
+    LazyUi lazy(document);
+    std::unique_ptr<UiDriver> window;
     ScriptHost host{document};
-    host.ui = ui->get();
+    host.ui = &lazy;
+    host.useCamera = [&](const std::string& name) { lazy.useCamera(name); };
+    if (o.window) {
+        auto made = makeWindowUi(document, 1440, 900);
+        if (!made) return report(made.error());
+        window = std::move(*made);
+        host.ui = window.get();
+        host.useCamera = [&](const std::string& name) {
+            if (Status s = window->set("Viewport/Camera", name); !s) logWarning(s.error().text());
+        };
+    }
     if (Status s = runScript(o.file, host); !s) return report(s.error());
     return 0;
 }

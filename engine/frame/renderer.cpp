@@ -267,10 +267,10 @@ const FrameStats& Renderer::stats() const { return impl_->stats; }
 void Renderer::finish() { glFinish(); }
 std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }
 
-std::vector<std::string> Renderer::reloadPrograms() {
-    std::vector<std::string> failed = impl_->programs.reload();
-    for (const std::string& message : failed) logError(message);
-    return failed;
+Reload Renderer::reloadPrograms() {
+    Reload done = impl_->programs.reload();
+    for (const std::string& message : done.failed) logError(message);
+    return done;
 }
 
 std::string Renderer::explain(Project& project, bool json) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "gpu/gpu.h"
+#include "gpu/program.h"
 #include "scene/project.h"
 #include "scene/rows.h"
 
@@ -79,8 +80,8 @@ class Renderer {
     const FrameStats& stats() const;
     // Waits for the GPU; for measuring.
     void finish();
-    // Recompiles programs whose sources changed; keeps the last good ones. Messages of those that failed.
-    std::vector<std::string> reloadPrograms();
+    // Recompiles programs whose sources changed; keeps the last good ones. Failures are logged too.
+    Reload reloadPrograms();
     // What runs for the project now, and why: the plan as JSON text (explain --json) or for people.
     std::string explain(Project& project, bool json);
     std::vector<std::string> programNames() const;

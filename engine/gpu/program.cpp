@@ -167,15 +167,19 @@ Result<GLuint> Programs::get(const ProgramSources& sources, const std::string& c
     return programs_.emplace(place, std::move(entry)).first->second.program.id();
 }
 
-std::vector<std::string> Programs::reload() {
-    std::vector<std::string> failed;
+Reload Programs::reload() {
+    Reload done;
     for (auto& [key, entry] : programs_) {
         if (newestOf(folder_, entry.files) <= entry.newest) continue;
         auto program = build(entry);
-        if (program) entry.program = GlName<ProgramKind>(*program);
-        else failed.push_back(program.error().text());
+        if (program) {
+            entry.program = GlName<ProgramKind>(*program);
+            ++done.renewed;
+        } else {
+            done.failed.push_back(program.error().text());
+        }
     }
-    return failed;
+    return done;
 }
 
 void Programs::keepOnly(const std::vector<std::string>& names) {

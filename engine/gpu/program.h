@@ -33,13 +33,20 @@ struct ProgramSources {
     const char* compute = nullptr;
 };
 
+// What a reload did: programs made anew, and the compilers' logs of those that kept their last good version.
+struct Reload {
+    int renewed = 0;
+    std::vector<std::string> failed;
+    bool nothing() const { return renewed == 0 && failed.empty(); }
+};
+
 class Programs {
   public:
     explicit Programs(std::filesystem::path folder = shaderFolder()) : folder_(std::move(folder)) {}
     // The program with these constants, compiled at first use. Failed with the compiler's log.
     Result<GLuint> get(const ProgramSources& sources, const std::string& constants);
-    // Recompiles what changed on disk; a program that fails keeps its last good version. The logs of those that failed.
-    std::vector<std::string> reload();
+    // Recompiles what changed on disk since it was last compiled.
+    Reload reload();
     // Forgets every program whose name is not listed.
     void keepOnly(const std::vector<std::string>& names);
     std::vector<std::string> names() const;  // sorted

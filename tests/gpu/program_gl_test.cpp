@@ -68,21 +68,21 @@ TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
     Shaders s;
     Programs programs(s.dir.path);
     const GLuint first = *programs.get(s.sources, "");
-    EXPECT_TRUE(programs.reload().empty()) << "nothing changed";
+    EXPECT_TRUE(programs.reload().nothing()) << "nothing changed";
     EXPECT_EQ(*programs.get(s.sources, ""), first);
 
     s.rewrite("lib/value.glsl", "const float VALUE = broken;\n");
-    const auto failed = programs.reload();
+    const auto failed = programs.reload().failed;
     ASSERT_EQ(failed.size(), 1u);
     EXPECT_NE(failed[0].find("lib/value.glsl:1"), std::string::npos) << failed[0];
     EXPECT_EQ(*programs.get(s.sources, ""), first) << "the last good program is gone";
     GLint linked = 0;
     glGetProgramiv(first, GL_LINK_STATUS, &linked);
     EXPECT_EQ(linked, GL_TRUE);
-    EXPECT_TRUE(programs.reload().empty()) << "the same fault is not told twice";
+    EXPECT_TRUE(programs.reload().nothing()) << "the same fault is not told twice";
 
     s.rewrite("lib/value.glsl", "const float VALUE = 2.0;\n");
-    EXPECT_TRUE(programs.reload().empty());
+    EXPECT_EQ(programs.reload().renewed, 1);
     EXPECT_TRUE(programs.get(s.sources, ""));
 }
 

@@ -1,7 +1,7 @@
 -- Drags a stroke in the viewport of park, takes it back, does it again, saves, reopens, and finds the same field.
 local copy = project.tempCopy("../../projects/park")
 project.open(copy)
-camera.use("human")
+camera.use("low")
 ui.set("Brush/Map", "grass.GrassField.species[lawn].density")
 ui.set("Brush/Mode", "subtract")
 ui.set("Brush/Radius", "3")
