@@ -41,14 +41,15 @@ void slide(const T* add, const T* drop, Sum<T>* __restrict sums) {
 }
 
 template <class T>
-void meansAcross(const Sum<T>* sums, int reach, double share, float* means) {
+void meansAcross(const Sum<T>* sums, int reach, double share, float* __restrict means) {
+    alignas(64) Sum<T> squares[kTileSize];
     Sum<T> sum = 0;
     for (int x = 0; x < 2 * reach; ++x) sum += sums[x];
     for (int x = 0; x < kTileSize; ++x) {
-        sum += sums[x + 2 * reach];
-        means[x] = static_cast<float>(sum * share);
-        sum -= sums[x];
+        squares[x] = sum + sums[x + 2 * reach];
+        sum = squares[x] - sums[x];
     }
+    for (int x = 0; x < kTileSize; ++x) means[x] = static_cast<float>(squares[x] * share);
 }
 
 // The means around the tile's texels, kTileSize rows of kTileSize.

@@ -15,6 +15,8 @@ struct Events {
     std::deque<InputEvent> list;
     bool refresh = false;  // the window system wants its pixels again
     bool close = false;
+    bool moved = false;  // the pointer's place is known:
+    double x = 0, y = 0;
 };
 
 Events& eventsOf(GLFWwindow* w) { return *static_cast<Events*>(glfwGetWindowUserPointer(w)); }
@@ -37,11 +39,18 @@ void onKey(GLFWwindow* w, int key, int scancode, int action, int) {
 void onChar(GLFWwindow* w, unsigned c) {
     eventsOf(w).list.push_back({InputKind::Char, 0, 0, static_cast<int>(c), false});
 }
-void onMove(GLFWwindow* w, double x, double y) { eventsOf(w).list.push_back({InputKind::Move, x, y, 0, false}); }
+void onMove(GLFWwindow* w, double x, double y) {
+    Events& events = eventsOf(w);
+    events.moved = true;
+    events.x = x, events.y = y;
+    events.list.push_back({InputKind::Move, x, y, 0, false});
+}
+// Only before any motion is the pointer asked for: later it may be ahead of the events still to be read, and a button
+// would go up in the wrong place.
 void onButton(GLFWwindow* w, int button, int action, int) {
     double x, y;
-    glfwGetCursorPos(w, &x, &y);  // a click may come before any motion (a window that opens under the pointer)
-    if (eventsOf(w).list.empty()) eventsOf(w).list.push_back({InputKind::Move, x, y, 0, false});
+    glfwGetCursorPos(w, &x, &y);
+    if (!eventsOf(w).moved) onMove(w, x, y);
     eventsOf(w).list.push_back({InputKind::Button, 0, 0, button, action == GLFW_PRESS});
 }
 void onWheel(GLFWwindow* w, double dx, double dy) { eventsOf(w).list.push_back({InputKind::Wheel, dx, dy, 0, false}); }
@@ -89,11 +98,8 @@ class Window final : public Surface {
             glfwPollEvents();
         for (const InputEvent& e : events_.list) queue.push(e);
         events_.list.clear();
-        if (std::exchange(events_.refresh, false)) {  // any event makes a frame
-            double x, y;
-            glfwGetCursorPos(window_, &x, &y);
-            queue.push({InputKind::Move, x, y, 0, false});
-        }
+        if (std::exchange(events_.refresh, false))
+            queue.push({InputKind::Move, events_.x, events_.y, 0, false});  // any event makes a frame
     }
     bool closeRequested() const override { return events_.close; }
     bool takeCloseRequest() override { return std::exchange(events_.close, false); }
