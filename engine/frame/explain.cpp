@@ -14,6 +14,9 @@ const char* whyAbsent(Feature f) {
         case Feature::TerrainHeights: return "no Terrain has a height map: the ground is flat";
         case Feature::TerrainMap: return "no Terrain has a terrainMap";
         case Feature::Grass: return "no GrassField has a species with blades";
+        case Feature::GrassGeometry: return "no grass is drawn blade by blade (technique, or maxGeom 0)";
+        case Feature::GrassSlices: return "no grass is drawn as vertical slices (technique, or maxBTF not beyond minGeom)";
+        case Feature::GrassFar: return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
         case Feature::GrassDensity: return "no species has a density map: density is 1 everywhere";
         case Feature::GrassOrientation: return "no GrassField has an orientation map";
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";

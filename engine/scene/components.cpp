@@ -118,17 +118,24 @@ constexpr FieldRow kSpeciesFields[] = {
     real("clumpSize", offsetof(Species, clumpSize), "m", {0, 1000, 0, 3}, "size of clumps; 0: none"),
     real("clumpStrength", offsetof(Species, clumpStrength), "", kShare,
          "share of lean, height and tint that a clump has in common"),
+    real("translucency", offsetof(Species, translucency), "", {0, 2, 0, 1},
+         "light that shines through a blade, as a share of what it reflects; 0: none"),
+    real("gloss", offsetof(Species, gloss), "", {0, 10, 0, 2}, "waxy highlight, as a factor of a leaf's; 0: none"),
+    real("roughness", offsetof(Species, roughness), "", {0.05, 1, 0.3, 0.8}, "spread of the highlight"),
 };
 constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
 
 constexpr Range kTiling{0.001, 10000, 1, 50};
 constexpr Range kTierDistance{0, 1e6, 0, 200};
-constexpr FieldRow techniqueField() {
-    FieldRow row =
-        number(FieldType::Enum, "technique", offsetof(GrassField, technique), "", {}, "how the grass is drawn");
-    row.options = kTechniques;
+constexpr FieldRow choice(const char* name, size_t offset, std::span<const char* const> options, const char* help) {
+    FieldRow row = number(FieldType::Enum, name, offset, "", {}, help);
+    row.options = options;
     return row;
 }
+constexpr FieldRow whole(const char* name, size_t offset, const char* unit, Range r, const char* help) {
+    return number(FieldType::Int, name, offset, unit, r, help);
+}
+constexpr Range kSliceTexels{8, 2048, 32, 512};
 constexpr FieldRow speciesField() {
     FieldRow row =
         number(FieldType::List, "species", offsetof(GrassField, species), "", {}, "the kinds of blade that grow here");
@@ -136,7 +143,7 @@ constexpr FieldRow speciesField() {
     return row;
 }
 constexpr FieldRow kGrassFieldFields[] = {
-    techniqueField(),
+    choice("technique", offsetof(GrassField, technique), kTechniques, "how the grass is drawn"),
     speciesField(),
     real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4},
          "side of the square of blades that is repeated"),
@@ -145,6 +152,24 @@ constexpr FieldRow kGrassFieldFields[] = {
     distance("minGeom", offsetof(GrassField, minGeom), kTierDistance, "up to here every blade is drawn by itself"),
     distance("maxGeom", offsetof(GrassField, maxGeom), kTierDistance,
              "from here no blade is drawn by itself; inf: never fades"),
+    distance("minBTF", offsetof(GrassField, minBTF), kTierDistance, "up to here every vertical slice is drawn"),
+    distance("maxBTF", offsetof(GrassField, maxBTF), kTierDistance,
+             "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
+    whole("slices", offsetof(GrassField, slices), "", {1, 64, 4, 20}, "vertical slices through a cell along x, and as many along z"),
+    whole("sliceWidth", offsetof(GrassField, sliceWidth), "texels", kSliceTexels, "width of a vertical slice's images"),
+    whole("sliceHeight", offsetof(GrassField, sliceHeight), "texels", kSliceTexels, "height of a vertical slice's images"),
+    whole("farSize", offsetof(GrassField, farSize), "texels", kSliceTexels, "side of the horizontal slice's images"),
+    real("farHeight", offsetof(GrassField, farHeight), "", kShare,
+         "where the horizontal slice lies, as a share of the tallest blade's height"),
+    choice("storage", offsetof(GrassField, storage), kStorages, "how slices are stored: factored, compressed, or an image a light as published"),
+    choice("sliceCover", offsetof(GrassField, sliceCover), kSliceCovers,
+           "slices cover what the blades would in this view, or all that they hold, as published"),
+    choice("lightWeights", offsetof(GrassField, lightWeights), kLightWeights, "how the images of a slice are weighted by the light (equations 8-13)"),
+    choice("weightsAt", offsetof(GrassField, weightsAt), kWeightsAt, "where point lights' weights are computed"),
+    choice("transparency", offsetof(GrassField, transparency), kTransparencies, "how part-covered pixels are drawn (figure 21)"),
+    choice("filtering", offsetof(GrassField, filtering), kFilterings, "how the horizontal slice is filtered"),
+    whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256}, "width of the mask by which blades shade blades; 0: they do not"),
+    number(FieldType::Bool, "groundShadows", offsetof(GrassField, groundShadows), "", {}, "blades shade the ground"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
     map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
         "direction x, z about 0.5 in which blades lean"),
@@ -159,6 +184,20 @@ constexpr FieldRow kGrassFieldFields[] = {
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
          "repeats of the ambient-occlusion map over the terrain"),
 };
+// Which tiers a field is drawn with.
+FeatureSet tierFeatures(const GrassField& g) {
+    switch (static_cast<Technique>(g.technique)) {
+        case Technique::Geometry: return featureSet(Feature::GrassGeometry);
+        case Technique::Slices: return featureSet(Feature::GrassSlices, Feature::GrassFar);
+        case Technique::Flat: return featureSet(Feature::GrassFar);
+        default: break;
+    }
+    FeatureSet s;
+    if (g.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
+    if (std::isinf(g.minGeom)) return s;
+    if (g.maxBTF > g.minGeom) s |= featureSet(Feature::GrassSlices);
+    return s | featureSet(Feature::GrassFar);
+}
 FeatureSet grassFeatures(const void* component) {
     const auto& g = *static_cast<const GrassField*>(component);
     bool grows = false, density = false, clumps = false;
@@ -169,7 +208,7 @@ FeatureSet grassFeatures(const void* component) {
         clumps |= s.clumpSize > 0 && s.clumpStrength > 0;
     }
     if (!grows) return {};
-    FeatureSet s = featureSet(Feature::Grass);
+    FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
     if (density) s |= featureSet(Feature::GrassDensity);
     if (clumps) s |= featureSet(Feature::GrassClumps);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);

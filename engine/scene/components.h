@@ -57,6 +57,9 @@ struct Species {
     float rootOcclusion = 0.25f;          // ambient light left at the root; 1 at the tip
     float clumpSize = 0.25f;              // metres; 0: no clumps
     float clumpStrength = 0.5f;           // share of lean, height and tint that a clump's blades have in common
+    float translucency = 0;               // light that shines through, as a share of what is reflected; 0: none
+    float gloss = 0;                      // waxy highlight, as a factor of a leaf's (Fresnel 0.04); 0: none
+    float roughness = 0.5f;               // of the highlight
 };
 
 // Grass over the whole terrain: what grows (population) and how it is drawn (technique, distances).
@@ -67,14 +70,44 @@ struct GrassField {
     int seed = 1;
     float minGeom = 4;                    // blades are all there up to here ...
     float maxGeom = 12;                   // ... and gone from here; infinite: never fades
+    float minBTF = 25;                    // vertical slices are all there up to here ...
+    float maxBTF = 40;                    // ... and gone from here
+    int slices = 10;                      // vertical slices through a cell along x, and as many along z
+    int sliceWidth = 256, sliceHeight = 64;  // texels of a vertical slice
+    int farSize = 256;                    // texels of the horizontal slice, each way
+    float farHeight = 0.3f;               // where the horizontal slice lies, as a share of the tallest blade's height
+    int storage = 0;                      // index into kStorages
+    int sliceCover = 0;                   // index into kSliceCovers
+    int lightWeights = 0;                 // index into kLightWeights
+    int weightsAt = 0;                    // index into kWeightsAt
+    int transparency = 0;                 // index into kTransparencies
+    int filtering = 0;                    // index into kFilterings
+    int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
+    bool groundShadows = true;            // blades shade the ground
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
     MapField orientation;                 // two channels: direction x, z in [0,1] about 0.5; its length is the strength
     MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
     MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
     float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1;  // repeats over the terrain
 };
-inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "flat"};
-enum class Technique { Hybrid, Geometry, Flat };
+inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat"};
+enum class Technique { Hybrid, Geometry, Slices, Flat };
+// How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a light.
+inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
+enum class Storage { Factored, Compressed, Full };
+// How much of slices shows: as much as blades would cover in this view; or all of every slice, as published.
+inline constexpr const char* kSliceCovers[] = {"conserving", "published"};
+enum class SliceCover { Conserving, Published };
+// Forms of equations 8-13, by their row in the table of what accuracy costs (docs/numerics.md).
+inline constexpr const char* kLightWeights[] = {"atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published"};
+enum class LightWeighting { Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
+inline constexpr const char* kWeightsAt[] = {"vertex", "pixel"};
+enum class WeightsAt { Vertex, Pixel };
+// How part-covered pixels are drawn (section 4.2, figure 21).
+inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
+enum class Transparency { Coverage, Both, Test, Blend };
+inline constexpr const char* kFilterings[] = {"anisotropic", "trilinear"};
+enum class Filtering { Anisotropic, Trilinear };
 
 // The sun. Its colour and strength follow from its elevation and the sky's turbidity (sky/sky.h).
 struct Light {

@@ -12,6 +12,9 @@ enum class Feature : uint8_t {
     TerrainHeights,    // the ground is not flat: a height map
     TerrainMap,        // 004 equation 1: a colour map blended over the ground's tile texture
     Grass,             // blades grow
+    GrassGeometry,     // blades are drawn one by one, near the eye or everywhere
+    GrassSlices,       // vertical slices are drawn, at middle distance or everywhere
+    GrassFar,          // the horizontal slice is drawn
     GrassDensity,      // a density map decides where
     GrassOrientation,  // a painted direction turns the lean
     GrassVegetation,   // a colour map tints blades

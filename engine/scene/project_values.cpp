@@ -113,19 +113,25 @@ std::string listText(const FieldRef& f) {
     return fmt::format("{} element{}", f.row->list->size(f.value), f.row->list->size(f.value) == 1 ? "" : "s");
 }
 
-// Tier distances in order, so that a formula may divide by their difference. Both infinite: never fades, and is kept.
-std::vector<std::string> repairGrass(GrassField& g) {
-    if (g.minGeom < g.maxGeom || (std::isinf(g.minGeom) && std::isinf(g.maxGeom))) return {};
-    if (g.minGeom > g.maxGeom) {
-        std::swap(g.minGeom, g.maxGeom);
-        return {fmt::format("minGeom was greater than maxGeom; swapped to {} and {}", shortestText(g.minGeom),
-                            shortestText(g.maxGeom))};
+// A pair of tier distances in order, so that a formula may divide by their difference. Both infinite: never fades, and
+// is kept. Appends what was done.
+void repairRange(const char* nearName, float& near, const char* farName, float& far, std::vector<std::string>& said) {
+    if (near < far || (std::isinf(near) && std::isinf(far))) return;
+    if (near > far) {
+        std::swap(near, far);
+        said.push_back(fmt::format("{} was greater than {}; swapped to {} and {}", nearName, farName, shortestText(near), shortestText(far)));
+        return;
     }
-    const float widened = g.minGeom + std::max(0.1f, g.minGeom * 0.1f);
-    std::string said = fmt::format("minGeom and maxGeom were both {}; maxGeom is now {}", shortestText(g.minGeom),
-                                   shortestText(widened));
-    g.maxGeom = widened;
-    return {said};
+    const float widened = near + std::max(0.1f, near * 0.1f);
+    said.push_back(fmt::format("{} and {} were both {}; {} is now {}", nearName, farName, shortestText(near), farName, shortestText(widened)));
+    far = widened;
+}
+
+std::vector<std::string> repairGrass(GrassField& g) {
+    std::vector<std::string> said;
+    repairRange("minGeom", g.minGeom, "maxGeom", g.maxGeom, said);
+    repairRange("minBTF", g.minBTF, "maxBTF", g.maxBTF, said);
+    return said;
 }
 
 std::vector<std::string> repairCamera(Camera& c) {
