@@ -1,6 +1,8 @@
 #include "techniques.h"
 
+#include "grass/field.h"
 #include "grass/geometry.h"
+#include "grass/slices.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/sky.h"
@@ -12,7 +14,7 @@ const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(),   // light
         groundEffect(),                           // ground
-        geometryEffect(),                         // grass
+        fieldEffect(), geometryEffect(), farEffect(), slicesEffect(),  // grass
         tonemapEffect(), decalEffect(),           // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

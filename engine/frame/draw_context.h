@@ -19,8 +19,21 @@ struct Frustum {
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 
-// What effects hand to effects of other domains, which never include each other.
+// The terrain's nodes as they are drawn this frame, for layers that lie on it.
+struct GroundMesh {
+    GLuint mesh = 0;                            // vertex array: 17 x 17 corners, triangles as unsigned shorts
+    int indices = 0;
+    std::span<const TerrainNode> nodes;
+};
+// Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
+size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
+
+struct FieldState;  // grass/field.h
+
+// What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque here.
 struct SharedResources {
+    GroundMesh groundMesh;
+    FieldState* grass = nullptr;
     Ground ground;             // the terrain; null without one
     HeightBounds bounds;
     GLuint heights = 0;        // the height map's texture; 0: flat
@@ -58,7 +71,8 @@ struct DrawContext {
     template <class S>
     S& own() { return *static_cast<S*>(state); }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
-    bool use(size_t program = 0);
+    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n".
+    bool use(size_t program = 0, const std::string& constants = {});
     std::string error = {};        // the first program that failed
 };
 

@@ -94,9 +94,21 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
-bool DrawContext::use(size_t index) {
+size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room) {
+    size_t calls = 0;
+    glBindVertexArray(mesh.mesh);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_NODES, room.id());
+    for (size_t first = 0; first < nodes.size(); first += NODES_PER_DRAW, ++calls) {
+        const size_t n = std::min<size_t>(NODES_PER_DRAW, nodes.size() - first);
+        glNamedBufferSubData(room.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &nodes[first]);
+        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(n));
+    }
+    return calls;
+}
+
+bool DrawContext::use(size_t index, const std::string& constants) {
     const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, plan.features));
+    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, plan.features) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;

@@ -47,6 +47,7 @@ struct ViewSettings {
     BrushDecal decal;
     float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
     ViewPart part;              // width and height are then the part's
+    bool background = false;    // what must be made first is made beside, with a draft shown until it is there; else it is waited for
     bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)
 };
 
@@ -61,6 +62,8 @@ struct FrameStats {
     uint64_t bladesGeometry = 0;    // submitted after the density range
     uint64_t bladesVisible = 0;     // filled by who counts them (measure/frame_stats.h)
     std::vector<std::string> features, programs, systems;  // what ran, if measured
+    uint64_t sliceQuads = 0;    // vertical slices submitted
+    uint64_t macroCells = 0;    // quadtree nodes drawn with the horizontal slice
     uint64_t cells = 0;         // drawn this frame
     uint64_t gpuBytes = 0;
     double cpuCullMs = 0;

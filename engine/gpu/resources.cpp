@@ -18,6 +18,11 @@ size_t formatBytes(GLenum format) {
     }
 }
 
+size_t imageBytes(GLenum format, int width, int height) {
+    if (format != GL_COMPRESSED_RGBA_BPTC_UNORM) return formatBytes(format) * static_cast<size_t>(width) * static_cast<size_t>(height);
+    return 16 * static_cast<size_t>((width + 3) / 4) * static_cast<size_t>((height + 3) / 4);
+}
+
 Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags) {
     const size_t size = std::max<size_t>(bytes, 16);
     GLuint id = 0;
@@ -43,7 +48,7 @@ int fullChain(int width, int height) {
 size_t chainBytes(GLenum format, int width, int height, int levels) {
     size_t sum = 0;
     for (int l = 0; l < levels; ++l)
-        sum += formatBytes(format) * static_cast<size_t>(std::max(width >> l, 1)) * static_cast<size_t>(std::max(height >> l, 1));
+        sum += imageBytes(format, std::max(width >> l, 1), std::max(height >> l, 1));
     return sum;
 }
 }  // namespace
@@ -60,6 +65,19 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
     return {GlName<TextureKind>(id), Tally(gpu, owner, chainBytes(format, width, height, levels)), width, height, levels, format};
+}
+
+Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers) {
+    const int levels = fullChain(width, height);
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
+    glTextureStorage3D(id, levels, format, width, height, layers);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
+    return {GlName<TextureKind>(id), Tally(gpu, owner, chainBytes(format, width, height, levels) * static_cast<size_t>(layers)), width, height, levels, format};
 }
 
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples) {

@@ -87,11 +87,15 @@ struct Texture {
 };
 // levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
 Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1, bool repeat = false);
+// Layers of one size, with their full chain of levels; trilinear, clamped.
+Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
 Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
 VertexArray makeVertexArray(const char* label);
 
-// Bytes of one texel of a sized format; CHECK fails for one that Sward does not use.
+// Bytes of one texel of a sized format; CHECK fails for one that Sward does not use, or that is compressed.
 size_t formatBytes(GLenum format);
+// Bytes of one level of an image, compressed formats included (blocks of 4 x 4).
+size_t imageBytes(GLenum format, int width, int height);
 
 }  // namespace sward

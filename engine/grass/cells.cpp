@@ -57,16 +57,28 @@ struct CellSelection {
         out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last, segmentsAt(nearest(b))});
     }
 
-    void node(int x, int z, int size) {
+    // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.
+    template <class F>
+    void node(int x, int z, int size, float far, const F& atLeaf) {
         if (x >= cellsX || z >= cellsZ) return;
         ++nodes;
         const Box b = boxOf(x, z, size);
-        if (nearest(b) >= q.range.max || !visible(b)) return;
-        if (size == 1) return leaf(x, z, b);
+        if (nearest(b) >= far || !visible(b)) return;
+        if (size == 1) return atLeaf(x, z, b);
         const int half = size / 2;
-        for (int i = 0; i < 4; ++i) node(x + (i & 1) * half, z + (i >> 1) * half, half);
+        for (int i = 0; i < 4; ++i) node(x + (i & 1) * half, z + (i >> 1) * half, half, far, atLeaf);
+    }
+    template <class F>
+    void eachCell(float far, const F& atLeaf) {
+        int root = 1;
+        while (root < std::max(cellsX, cellsZ)) root *= 2;
+        node(0, 0, root, far, atLeaf);
     }
 };
+
+CellSelection selection(const CellQuery& q) {
+    return {q, static_cast<int>(std::ceil(q.terrain.size.x / q.cellSize)), static_cast<int>(std::ceil(q.terrain.size.y / q.cellSize)), 0, {}};
+}
 
 }  // namespace
 
@@ -74,6 +86,7 @@ GeometryRange geometryRange(const GrassField& f) {
     const float inf = std::numeric_limits<float>::infinity();
     switch (static_cast<Technique>(f.technique)) {
         case Technique::Geometry: return {0, 0, inf};
+        case Technique::Slices:
         case Technique::Flat: return {0, -1, 0};
         default: return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
     }
@@ -116,12 +129,26 @@ std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size,
 }
 
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes) {
-    CellSelection s{q, static_cast<int>(std::ceil(q.terrain.size.x / q.cellSize)), static_cast<int>(std::ceil(q.terrain.size.y / q.cellSize)), 0, {}};
-    int root = 1;
-    while (root < std::max(s.cellsX, s.cellsZ)) root *= 2;
-    s.node(0, 0, root);
+    CellSelection s = selection(q);
+    s.eachCell(q.range.max, [&](int x, int z, const CellSelection::Box& b) { s.leaf(x, z, b); });
     if (nodes) *nodes = s.nodes;
     return std::move(s.out);
+}
+
+std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far) {
+    CellSelection s = selection(q);
+    std::vector<std::pair<double, SliceCell>> found;
+    s.eachCell(far, [&](int x, int z, const CellSelection::Box& b) {
+        if (s.farthest(b) <= near) return;
+        if (q.density && densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
+        const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
+        found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y}});
+    });
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<SliceCell> out;
+    out.reserve(found.size());
+    for (const auto& [distance, cell] : found) out.push_back(cell);
+    return out;
 }
 
 namespace {

@@ -50,6 +50,15 @@ CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const Gr
 // Cells in the order of the quadtree. `nodes`, if given, counts the nodes that were looked at.
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes = nullptr);
 
+// A cell whose vertical slices are drawn.
+struct SliceCell {
+    int32_t cellX, cellZ;
+    float x, z;             // the cell's corner relative to the eye
+    float mirrorX, mirrorZ; // +1 or -1 (B-18)
+};
+// The cells that vertical slices are drawn for, nearest first: those that reach beyond `near` and begin before `far` (m).
+std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far);
+
 // Lowest and highest density that bilinear sampling can give over terrain-relative [x0, x1] x [z0, z1].
 std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1);
 

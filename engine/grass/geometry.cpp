@@ -2,9 +2,8 @@
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "grass/cells.h"
-#include "grass/cover.h"
+#include "grass/field.h"
 
 namespace sward {
 namespace {
@@ -19,17 +18,14 @@ struct Command {
 };
 
 struct SpeciesState {
-    uint64_t key = 0;
-    Patch patch;
-    Buffer blades, indices, cells, commands, globals;
+    uint64_t key = 0;  // of the patch that the mesh was made from
+    int segments = 0;
+    Buffer blades, indices, cells, commands;
     VertexArray mesh;
-    Texture texture;
-    std::string textureOf = "?";
     std::vector<CellDraw> selected;
 };
 struct GeometryState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
-    Buffer cover;
 };
 
 // Where the indices of strips with n segments begin, per blade: those with fewer stand before.
@@ -64,42 +60,23 @@ void describeCells(SpeciesState& s) {
     glVertexArrayElementBuffer(mesh, s.indices.id());
 }
 
-void updatePatch(DrawContext& ctx, SpeciesState& s, const Species& species, const GrassField& field) {
-    const uint64_t key = patchKey(species, field.cellSize, static_cast<uint32_t>(field.seed));
-    if (s.key == key && s.mesh.id()) return;
-    s.key = key;
-    s.patch = makePatch(species, field.cellSize, static_cast<uint32_t>(field.seed));
-    const auto indices = stripIndices(s.patch.blades.size(), species.segments);
-    s.blades = makeBuffer(ctx.gpu, kOwner, s.patch.blades.size() * sizeof(Blade), s.patch.blades.data());
+void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int segments) {
+    if (s.key == f.key && s.segments == segments && s.mesh.id()) return;
+    s.key = f.key;
+    s.segments = segments;
+    const auto indices = stripIndices(f.patch.blades.size(), segments);
+    s.blades = makeBuffer(ctx.gpu, kOwner, f.patch.blades.size() * sizeof(Blade), f.patch.blades.data());
     s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
     s.mesh = makeVertexArray(kOwner);
 }
 
-void updateTexture(DrawContext& ctx, SpeciesState& s, const Species& species) {
-    if (s.textureOf == species.texture) return;
-    s.textureOf = species.texture;
-    Rgba8 image = species.texture.empty() ? Rgba8{} : loadTile(ctx.project.dir / species.texture);
-    s.texture = makeTileTexture(ctx.gpu, kOwner, image.pixels.empty() ? makeBladeImage(32, 128) : image, false);
-}
-
-void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const GrassField& f, int index) {
-    SpeciesGlobals g;
-    g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
-    g.midColor = glm::vec4(sp.midColor, std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))));
-    g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
-    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
-    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
-    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
-}
-
-void uploadCells(DrawContext& ctx, SpeciesState& s) {
+void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
     const float detail = std::clamp(ctx.settings.detail, 0.01f, 1.0f);
     std::vector<Command> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
         const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
-        const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(s.patch.blades.size()) + c.first * each;
+        const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(patchBlades) + c.first * each;
         // In the order of thresholds, a prefix is an even choice.
         const uint32_t blades = static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * detail));
         commands.push_back({blades * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
@@ -111,72 +88,38 @@ void uploadCells(DrawContext& ctx, SpeciesState& s) {
     ctx.stats.cells += s.selected.size();
 }
 
-void publishMaps(DrawContext& ctx, const GrassField& f) {
-    for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
-        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map) : 0;
-    const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
-        to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
-    };
-    publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
-    publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
-    publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
-}
-
 void cull(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     const auto start = std::chrono::steady_clock::now();
     const GrassField& f = *firstOf<GrassField>(ctx.project);
-    if (!ctx.shared.ground.terrain) return;
-    publishMaps(ctx, f);
-    const GeometryRange range = geometryRange(f);
-    const size_t n = std::min<size_t>(f.species.size(), MAX_SPECIES);
-    state.species.resize(n);
+    if (!ctx.shared.grass) return;
+    const FieldState& field = *ctx.shared.grass;
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(n), range.min, range.inv, f.cellSize};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
-    for (size_t i = 0; i < n; ++i) {
+    state.species.resize(field.species.size());
+    for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
-        SpeciesState& s = *state.species[i];
-        updatePatch(ctx, s, f.species[i], f);
-        updateTexture(ctx, s, f.species[i]);
-        writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        s.selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.patch, ctx.eye, ctx.frustum, pixels));
-        cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals);
+        updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
+        state.species[i]->selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels));
     }
-    ctx.stats.cpuCullMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i]);
-    writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
-    ctx.shared.cover = state.cover.id();
-}
-
-void bindShared(DrawContext& ctx) {
-    const SharedResources& r = ctx.shared;
-    if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
-    if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
-    if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
-    if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
+    ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    for (size_t i = 0; i < state.species.size(); ++i) uploadCells(ctx, *state.species[i], field.species[i]->patch.blades.size());
 }
 
 void draw(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
-    if (!ctx.use()) return;
-    bindShared(ctx);
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
-    if (overdraw) {
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
-    } else {
-        glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    }
+    if (!ctx.shared.grass) return;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.use(0, fieldConstants(f))) return;
+    bindField(ctx);
+    beginTransparency(ctx, f);
     for (size_t i = 0; i < state.species.size(); ++i) {
         SpeciesState& s = *state.species[i];
+        const FieldSpecies& shared = *ctx.shared.grass->species[i];
         if (s.selected.empty()) continue;
-        glBindTextureUnit(TEX_BLADE, s.texture.id());
+        glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
-        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, s.globals.id());
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
         glBindVertexArray(s.mesh.id());
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
         glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(s.selected.size()), 0);
@@ -184,20 +127,19 @@ void draw(DrawContext& ctx) {
         ctx.pass->instances += s.selected.size();
     }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-    glDisable(GL_BLEND);
-    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    endTransparency();
 }
 
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
                                             Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog)}};
-const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& geometryEffect() {
-    static const EffectRow row{"grass/geometry", featureSet(Feature::Grass, Feature::Terrain), kSystems, kPasses,
+    static const EffectRow row{"grass/geometry", featureSet(Feature::GrassGeometry, Feature::Grass, Feature::Terrain), kSystems, kPasses,
                                [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
                                "blades near the eye are drawn one by one"};
     return row;

@@ -53,8 +53,8 @@ Json bladesJson(const FrameStats& s) {
     j["virtual"] = static_cast<uint64_t>(std::llround(s.bladesVirtual));
     j["geometry"] = s.bladesGeometry;
     j["geometry_visible"] = s.bladesVisible;
-    j["slice_quads"] = 0;
-    j["macro_cells"] = 0;
+    j["slice_quads"] = s.sliceQuads;
+    j["macro_cells"] = s.macroCells;
     return j;
 }
 

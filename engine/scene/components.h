@@ -82,6 +82,7 @@ struct GrassField {
     int weightsAt = 0;                    // index into kWeightsAt
     int transparency = 0;                 // index into kTransparencies
     int filtering = 0;                    // index into kFilterings
+    float sharpness = 3;               // levels of detail by which slices are sampled finer than a pixel
     int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
     bool groundShadows = true;            // blades shade the ground
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
@@ -98,16 +99,17 @@ enum class Storage { Factored, Compressed, Full };
 // How much of slices shows: as much as blades would cover in this view; or all of every slice, as published.
 inline constexpr const char* kSliceCovers[] = {"conserving", "published"};
 enum class SliceCover { Conserving, Published };
-// Forms of equations 8-13, by their row in the table of what accuracy costs (docs/numerics.md).
-inline constexpr const char* kLightWeights[] = {"atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published"};
-enum class LightWeighting { Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
+// How a slice's images are weighted by a directional light: by the cosine that their differences give (exact where a texel
+// shows one blade), or interpolated as published, by a form of equations 8-13 (docs/numerics.md has what each costs).
+inline constexpr const char* kLightWeights[] = {"cosine", "atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published"};
+enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
 inline constexpr const char* kWeightsAt[] = {"vertex", "pixel"};
 enum class WeightsAt { Vertex, Pixel };
 // How part-covered pixels are drawn (section 4.2, figure 21).
 inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
 enum class Transparency { Coverage, Both, Test, Blend };
-inline constexpr const char* kFilterings[] = {"anisotropic", "trilinear"};
-enum class Filtering { Anisotropic, Trilinear };
+inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
+enum class Filtering { Trilinear, Anisotropic };
 
 // The sun. Its colour and strength follow from its elevation and the sky's turbidity (sky/sky.h).
 struct Light {

@@ -63,6 +63,7 @@ void select(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     s.selected = selectNodes(t, terrainLod(t), ctx.shared.bounds, ctx.eye, ctx.frustum);
+    ctx.shared.groundMesh = {s.mesh.id(), 6 * kNodeQuads * kNodeQuads, s.selected};
     FrameGlobals& g = ctx.globals;
     g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
@@ -94,21 +95,14 @@ void draw(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     if (s.selected.empty() || !ctx.use()) return;
     bindMaps(ctx, s, *ctx.shared.ground.terrain);
-    glBindVertexArray(s.mesh.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_NODES, s.nodes.id());
-    for (size_t first = 0; first < s.selected.size(); first += NODES_PER_DRAW) {
-        const size_t n = std::min<size_t>(NODES_PER_DRAW, s.selected.size() - first);
-        glNamedBufferSubData(s.nodes.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &s.selected[first]);
-        glDrawElementsInstanced(GL_TRIANGLES, 6 * kNodeQuads * kNodeQuads, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(n));
-        ctx.pass->draws += 1;
-        ctx.pass->instances += n;
-    }
+    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, s.selected, s.nodes);
+    ctx.pass->instances += s.selected.size();
 }
 
 const System kSystems[] = {{"terrain/select", select}};
 const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation,
-                                            Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog)}};
+                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity,
+                                            Feature::Sun, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

@@ -1,5 +1,8 @@
-// A blade's fragment: the strip's texture gives shape and veins; a low alpha test, then alpha to coverage (section 4.2).
+// A blade's fragment: the strip's texture gives shape and veins.
 #include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#include "lib/transparency.glsl"
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
@@ -9,10 +12,8 @@ out vec4 color;
 
 void main() {
     vec4 t = texture(bladeTexture, strip.xy);
-    float alpha = t.a * strip.z;
-    if (!(alpha >= 0.02)) discard;
-    // Coverage is the ceiling of alpha times the samples: a blade's own offset makes the mean right.
-    alpha = clamp(alpha + (strip.w - 1.0) / frame.mode.z, 0.0, 1.0);
+    float alpha = coveredAlpha(t.a * strip.z, floatBitsToUint(strip.w));
+    if (!(alpha > 0.0)) discard;
     color = vec4(lit.rgb * mix(t.rgb * 2.0, vec3(1.0), lit.w), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
     if (viewMode() == VIEW_NORMALS) color.rgb = lit.rgb;

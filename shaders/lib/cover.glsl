@@ -1,7 +1,6 @@
-// Painted maps that say what grows, and how grass looks from afar.
-// Needs: const bool GRASS_DENSITY, GRASS_ORIENTATION, GRASS_VEGETATION, GRASS_OCCLUSION; frame.glsl; numerics bilinear, lod.
-layout(std140, binding = UBO_COVER) uniform CoverBlock { CoverGlobals cover; };
-layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
+// Painted maps that say how grass stands and looks.
+// Needs: const bool GRASS_ORIENTATION, GRASS_VEGETATION, GRASS_OCCLUSION; frame.glsl.
+#include "lib/density.glsl"
 layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
 layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
 layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionMap;

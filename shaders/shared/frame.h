@@ -30,18 +30,32 @@ struct FrameGlobals {
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
-// How grass looks from where it is not drawn as blades; one a species, written by the grass domain for the ground.
-struct CoverSpecies {
-    SHARED_VEC4 albedo;        // mean reflectance of what is seen of its blades; w: blade area per m2 of ground at density 1
-    SHARED_VEC4 ambient;       // mean ambient light on what is seen, darkened towards the root; w: mean height (m)
-    SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density;
-                               // z, w: horizontal and vertical part of the normals of what is seen, darkened likewise
-    SHARED_VEC4 clumps;        // x: clump size (m); y: share of lightness; z, w: 0
-};
+// What shaders of all of a field's species read.
 struct CoverGlobals {
-    CoverSpecies species[4];   // MAX_SPECIES
     SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
     SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion; w: seed
+    SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
+};
+
+// Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine = (i/(n-1))^2).
+#define LOOK_AZIMUTHS 8
+#define LOOK_ELEVATIONS 4
+#define LOOK_VIEWS 32
+// What slices of a species are drawn with.
+struct SliceGlobals {
+    SHARED_VEC4 shape;         // x: cell size (m); y: height of the vertical slices (m); z: slices along an axis; w: reflectance at full scale
+    SHARED_VEC4 tiers;         // x: minGeom; y: its lodInverse; z: minBTF; w: its lodInverse
+    SHARED_VEC4 areas;         // blade area towards x: a level view, y: the zenith (m2 a m2); z: height of the horizontal slice (m);
+                               // w: light left at the root
+    SHARED_VEC4 eyeCell;       // x, z of the cell that the eye is over; where in it, in cells (B-17)
+    SHARED_VEC4 counts;        // x: fade (omega); y: seed; z, w: texels of the horizontal slice, and of a vertical one's width
+    SHARED_VEC4 sunWeights;    // of the images x+, y, z+, x-; z- is what is left to 1
+    SHARED_VEC4 ambient;       // that vertical slices receive
+    SHARED_VEC4 farAmbient;    // that the horizontal slice receives
+    SHARED_VEC4 clumps;        // x: lean (m per m); y: share of height; z: share of lightness; w: clump size (m)
+    SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: light that shines through, as a share; z: levels finer than a pixel; w: 2^-z
+    SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by paint towards +x
+    SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by paint towards +z
 };
 
 // What the vertex shader of blades reads of a species.
@@ -70,6 +84,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define UBO_COVER 1
 #define UBO_SPECIES 2
 #define UBO_NODES 3
+#define UBO_SLICES 4
 // Storage buffers
 #define SSBO_BLADES 0
 // Textures
@@ -83,5 +98,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define TEX_DENSITY 8      // and the MAX_SPECIES - 1 that follow
 #define TEX_SCENE 8        // post passes: nothing of the above is bound for them
 #define TEX_DEPTH 9
+#define TEX_SLICE_REFLECTANCE 16
+#define TEX_SLICE_THRESHOLD 17
+#define TEX_SLICE_LIGHT 18
 // Limits
 #define MAX_SPECIES 4

@@ -1,14 +1,10 @@
-// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; and, where blades are not
-// drawn, the grass's mean colour by how much of the ground it hides at this angle.
+// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass stands on it.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/clump.h"
 #include "lib/light.glsl"
-#include "lib/cover.glsl"
+#include "lib/density.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
@@ -30,65 +26,11 @@ vec4 densities(vec2 uv) {
     return d;
 }
 
-struct Grass {
-    vec3 light;    // radiance of the grass that is seen
-    float hides;   // share of the ground it hides at this angle
-    float shades;  // share of light that reaches the soil
-    float total;   // sum of densities, for the views
-};
-
-// Sun on upright blades of all azimuths, of which the eye sees the faces turned towards it: the mean of max(n.L, 0) over
-// normals n weighted by n.E is ((pi - x) cos x + sin x) / 4 of the sun's horizontal part, x the angle between sun and eye
-// from above; here as a polynomial in cos x (error 0.005).
-vec3 sunOnBlades(CoverSpecies s, vec2 away) {
-    if (!SUN) return vec3(0.0);
-    float across = length(frame.sunDirection.xz);
-    float c = -dot(frame.sunDirection.xz, away) / max(across, 1e-4);
-    float facing = 0.25 + c * (0.39 + c * 0.145);
-    return frame.sunLight.rgb * (s.shape.z * across * facing + s.shape.w * 0.5 * frame.sunDirection.y);
-}
-
-// Lightness of the clumps that the blades have too, and a mottle for single tufts, as long as pixels are small enough to
-// show them.
-float variation(CoverSpecies s, float pixel) {
-    float mottle = texture(tileTexture, mat2(0.83, 0.56, -0.56, 0.83) * place * 0.9).g * 2.0;
-    float v = mix(1.0, mottle, 0.4);
-    if (!GRASS_CLUMPS || s.clumps.x <= 0.0 || pixel > s.clumps.x) return v;
-    float cellSize = cover.tiers.w;
-    ivec2 cell = ivec2(floor(place / cellSize));
-    vec3 c = clumpValues(cell.x, cell.y, place - vec2(cell) * cellSize, cellSize, s.clumps.x, uint(cover.tiling.w));
-    return v * (1.0 + c.z * s.clumps.y * (1.0 - pixel / s.clumps.x));
-}
-
-// Beer's law over the blades' area; a mown stripe shows its blades' length where they lean away, their tips where they
-// lean towards the eye.
-Grass grassHere(vec2 uv, vec3 toEye) {
-    Grass g;
-    g.light = vec3(0.0);
-    g.shades = 1.0;
-    g.total = 0.0;
-    vec4 density = densities(uv);
-    vec2 lean = paintedLean(uv);
-    vec2 away = -toEye.xz / max(length(toEye.xz), 1e-4);
-    float area = 0.0;
-    float pixel = max(length(dFdx(place)), length(dFdy(place)));
-    for (int i = 0; i < int(cover.tiers.x); ++i) {
-        CoverSpecies s = cover.species[i];
-        float a = density[i] * s.albedo.w;
-        vec3 albedo = s.albedo.rgb;
-        if (GRASS_VEGETATION) {
-            vec4 v = texture(vegetationMap, uv * cover.tiling.y);
-            albedo = mix(albedo, v.rgb, v.a);
-        }
-        float stripe = 1.0 + 0.55 * s.shape.x * dot(lean, away) * (1.0 - toEye.y * toEye.y);
-        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + sunOnBlades(s, away)) * stripe * variation(s, pixel);
-        g.shades *= mix(1.0, s.shape.y, density[i]);
-        area += a;
-        g.total += density[i];
-    }
-    g.light = g.light / max(area, 1e-6);
-    g.hides = 1.0 - exp(-0.5 * area / max(toEye.y, 0.08));
-    return g;
+// Share of light that grass leaves to the soil.
+float lightLeft(vec4 density) {
+    float left = 1.0;
+    for (int i = 0; i < int(cover.tiers.x); ++i) left *= mix(1.0, cover.shade[i], density[i]);
+    return left;
 }
 
 vec3 soil(vec2 uv) {
@@ -101,20 +43,15 @@ vec3 soil(vec2 uv) {
 void main() {
     vec2 uv = place * frame.terrain.zw;
     float distance = length(position);
-    vec3 toEye = -position / max(distance, 1e-4);
     vec3 n = normalize(normal);
     vec3 light = (sunLight(n) + ambientLight(n)) * soil(uv);
-    float far = 0.0;
-    Grass g;
-    if (GRASS) {
-        g = grassHere(uv, toEye);
-        far = lodRamp(distance, cover.tiers.y, cover.tiers.z) * g.hides;
-        light = mix(light * g.shades, g.light, far);
-    }
+    vec4 density = GRASS ? densities(uv) : vec4(0.0);
+    if (GRASS) light *= lightLeft(density);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
     color = vec4(light, 1.0);
-    if (viewMode() == VIEW_TIERS) color.rgb = mix(vec3(0.25), vec3(0.05, 0.75, 0.1), far);
+    float total = clamp(dot(density, vec4(1.0)), 0.0, 1.0);
+    if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
     if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
-    if (viewMode() == VIEW_DENSITY) color.rgb = GRASS ? mix(vec3(0.35, 0.18, 0.05), vec3(0.1, 0.9, 0.2), clamp(g.total, 0.0, 1.0)) : vec3(0.35, 0.18, 0.05);
+    if (viewMode() == VIEW_DENSITY) color.rgb = mix(vec3(0.35, 0.18, 0.05), vec3(0.1, 0.9, 0.2), total);
 }

@@ -1,0 +1,218 @@
+#include "grass/appearance.h"
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "core/numerics.h"
+#include "scene/components.h"
+
+namespace sward {
+namespace {
+
+constexpr int kBlades = 64, kPoints = 4;
+constexpr float kLeast = 0.03f;  // sine of the flattest view: flatter ones look like it
+
+// Share of a strip's width that the blade's texture covers at v.
+float coverAt(const Rgba8& image, float v) {
+    const int y = std::clamp(static_cast<int>(v * image.height), 0, image.height - 1);
+    int sum = 0;
+    for (int x = 0; x < image.width; ++x) sum += image.pixels[(static_cast<size_t>(y) * image.width + x) * 4 + 3];
+    return static_cast<float>(sum) / (255.0f * image.width);
+}
+
+float lengthOf(const Blade& b) {
+    float sum = 0;
+    glm::vec3 last(0);
+    for (int i = 1; i <= 8; ++i) {
+        const glm::vec3 next = f32::bladePosition(b.control, b.tip, static_cast<float>(i) / 8);
+        sum += glm::length(next - last);
+        last = next;
+    }
+    return sum;
+}
+
+// A point as it stands in a cell: mirrored, leant by paint.
+struct Posed {
+    glm::vec3 color, normal;
+    float height, area;
+};
+// `clumps`: by how much clumps lean them, each another way.
+std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps) {
+    std::vector<Posed> out;
+    out.reserve(look.points.size() * 4);
+    for (size_t i = 0; i < look.points.size(); ++i)
+        for (int m = 0; m < 4; ++m) {
+            const LookPoint& p = look.points[i];
+            const float turn = 2.399963f * static_cast<float>(4 * (i / kPoints) + m), most = 1.414214f * clumps;
+            const glm::vec2 along = lean + most * glm::vec2(std::cos(turn), std::sin(turn));
+            const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, {m & 1 ? -1.0f : 1.0f, m & 2 ? -1.0f : 1.0f}, along, 1);
+            const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, p.along);
+            out.push_back({p.color, f.normal, f.position.y, p.area / 4});
+        }
+    std::sort(out.begin(), out.end(), [](const Posed& a, const Posed& b) { return a.height > b.height; });
+    return out;
+}
+
+float areaTowards(const std::vector<Posed>& points, const glm::vec3& e) {
+    float sum = 0;
+    for (const Posed& p : points) sum += p.area * std::abs(glm::dot(p.normal, e));
+    return sum;
+}
+
+// Light of the five images of a slice on a face, interpolated.
+float interpolated(const glm::vec3& n, const glm::vec4& w) {
+    const float zNeg = 1 - (w.x + w.y + w.z + w.w);
+    return w.x * std::max(n.x, 0.0f) + w.y * std::max(n.y, 0.0f) + w.z * std::max(n.z, 0.0f) + w.w * std::max(-n.x, 0.0f) + zNeg * std::max(-n.z, 0.0f);
+}
+
+glm::vec3 facing(const glm::vec3& n, const glm::vec3& e) { return glm::dot(n, e) < 0 ? -n : n; }
+
+// Mean radiance of what is seen along e, the direction towards the eye.
+struct Mean {
+    glm::vec3 radiance{0};
+    float weight = 0;
+    glm::vec3 value() const { return radiance / std::max(weight, 1e-9f); }
+};
+
+glm::vec3 bladeLight(const glm::vec3& n, const FieldLight& l) {
+    glm::vec3 sum = glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y);
+    for (const auto& [direction, color] : l.suns) sum += color * std::max(glm::dot(n, direction), 0.0f);
+    return sum;
+}
+glm::vec3 sliceLight(const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+    glm::vec3 sum = ambient;
+    const bool cosine = l.weighting == static_cast<int>(LightWeighting::Cosine);
+    for (size_t i = 0; i < weights.size(); ++i)
+        sum += l.suns[i].second * (cosine ? std::max(glm::dot(n, l.suns[i].first), 0.0f) : interpolated(n, weights[i]));
+    return sum;
+}
+
+// Calls see(point, share of it that is seen) for the points from the top down.
+template <class F>
+void eachSeen(const std::vector<Posed>& points, const glm::vec3& e, F see) {
+    const float k = areaTowards(points, e) / std::max(std::abs(e.y), kLeast);
+    float all = 0, above = 0;
+    for (const Posed& p : points) all += p.area;
+    for (const Posed& p : points) {
+        see(p, std::exp(-k * (above + 0.5f * p.area) / std::max(all, 1e-9f)));
+        above += p.area;
+    }
+}
+
+Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l) {
+    Mean m;
+    eachSeen(points, e, [&](const Posed& p, float seen) {
+        const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
+        m.radiance += p.color * bladeLight(facing(p.normal, e), l) * w;
+        m.weight += w;
+    });
+    return m;
+}
+// Both families of vertical slices, each by how much it is turned towards e.
+Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+    Mean m;
+    eachSeen(points, e, [&](const Posed& p, float seen) {
+        for (int axis = 0; axis <= 2; axis += 2) {
+            glm::vec3 way(0);
+            way[axis] = e[axis] < 0 ? -1.0f : 1.0f;
+            const float w = p.area * std::abs(p.normal[axis]) * e[axis] * e[axis] * seen;
+            m.radiance += p.color * sliceLight(facing(p.normal, way), l, ambient, weights) * w;
+            m.weight += w;
+        }
+    });
+    return m;
+}
+Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+    Mean m;
+    const glm::vec3 up(0, 1, 0);
+    eachSeen(points, up, [&](const Posed& p, float seen) {
+        const float w = p.area * std::abs(p.normal.y) * seen;
+        m.radiance += p.color * sliceLight(facing(p.normal, up), l, ambient, weights) * w;
+        m.weight += w;
+    });
+    return m;
+}
+
+glm::vec3 viewOf(int i) {
+    const float a = 6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS, t = static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1);
+    const float y = std::clamp(t * t, kLeast, 0.999f), h = std::sqrt(1 - y * y);
+    return {h * std::cos(a), y, h * std::sin(a)};
+}
+
+glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) { return glm::clamp(a / glm::max(b, glm::vec3(1e-9f)), glm::vec3(0.2f), glm::vec3(5)); }
+float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+}  // namespace
+
+void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key, const Rgba8& blade) {
+    const float colors[] = {s.rootColor.x, s.rootColor.y, s.rootColor.z, s.midColor.x, s.midColor.y, s.midColor.z, s.tipColor.x, s.tipColor.y, s.tipColor.z, s.rootOcclusion, s.clumpSize, s.clumpStrength, s.leanDeg};
+    const uint64_t parts[] = {key, hashBytes(colors, sizeof(colors)), hashBytes(blade.pixels.data(), blade.pixels.size())};
+    const uint64_t now = hashBytes(parts, sizeof(parts));
+    if (madeFrom == now) return;
+    madeFrom = now;
+    look = {};
+    const size_t n = std::min<size_t>(patch.blades.size(), kBlades);
+    for (size_t i = 0; i < n; ++i) {
+        const Blade& b = patch.blades[i * patch.blades.size() / n];
+        const float length = lengthOf(b);
+        for (int p = 0; p < kPoints; ++p) {
+            const float v = (static_cast<float>(p) + 0.5f) / kPoints, open = glm::mix(s.rootOcclusion, 1.0f, v);
+            const glm::vec3 color = f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
+            look.points.push_back({color * open, b.control, b.tip, b.facing, v, b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
+        }
+    }
+    // Values of clumps are noise in [-1, 1] of deviation 0.4.
+    if (s.clumpSize > 0) look.clumpLean = 0.4f * 0.8f * s.clumpStrength * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f)));
+    const auto points = posed(look, glm::vec2(0), look.clumpLean);
+    for (const Posed& p : points) look.across += p.area * 0.63662f * std::sqrt(std::max(1 - p.normal.y * p.normal.y, 0.0f));
+    look.above = areaTowards(points, {0, 1, 0});
+}
+
+float lightLeft(const Look& look, float sinElevation) {
+    const float y = std::max(sinElevation, 0.15f), across = look.across * std::sqrt(std::max(1 - y * y, 0.0f));
+    return std::exp(-std::sqrt(across * across + look.above * look.above * y * y) / y);
+}
+
+glm::vec4 imageWeights(const glm::vec3& l, int weighting) {
+    const f32::LightOctant o = f32::lightOctant(l);
+    glm::vec3 w;
+    switch (static_cast<LightWeighting>(weighting)) {
+        case LightWeighting::Poly9: w = f32::weightsPoly9(o); break;
+        case LightWeighting::Poly7: w = f32::weightsPoly7(o); break;
+        case LightWeighting::Poly5: w = f32::weightsPoly5(o); break;
+        case LightWeighting::Poly3: w = f32::weightsPoly3(o); break;
+        case LightWeighting::Linear: w = f32::weightsLinear(o); break;
+        case LightWeighting::Squares: w = f32::weightsSquares(o); break;
+        case LightWeighting::Published: w = f32::weightsPublished(l); break;
+        default: w = f32::weightsThreeAtan(o); break;
+    }
+    const f32::LightWeights five = f32::spreadWeights(l, w);
+    return {five.xPos, five.yPos, five.zPos, five.xNeg};
+}
+
+Gains gainsOf(const Look& look, const FieldLight& light) {
+    Gains out;
+    out.sliceAmbient = 0.5f * (light.sky + light.ground);
+    out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
+    std::vector<glm::vec4> weights;
+    for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
+    const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
+    const auto far = asFar(plain, light, out.farAmbient, weights).value();
+    std::vector<Posed> leant[4];
+    for (int i = 0; i < 4 && light.lean > 0; ++i) leant[i] = posed(look, light.lean * glm::vec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0), look.clumpLean);
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
+        out.slices[static_cast<size_t>(i)] = glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
+        out.far[static_cast<size_t>(i)] = glm::vec4(quotient(blades, far), 0);
+        if (light.lean <= 0) continue;
+        const auto change = [&](int plus) {
+            const float a = luminance(asBlades(leant[plus], e, light).value()), b = luminance(asBlades(leant[plus + 1], e, light).value());
+            return std::clamp(0.5f * (a - b) / std::max(luminance(blades), 1e-9f), -0.9f, 0.9f);
+        };
+        out.slices[static_cast<size_t>(i)].w = change(0);
+        out.far[static_cast<size_t>(i)].w = change(2);
+    }
+    return out;
+}
+
+}  // namespace sward

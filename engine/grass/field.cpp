@@ -1,0 +1,116 @@
+#include "grass/field.h"
+
+#include "core/numerics.h"
+#include "grass/cells.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/field";
+
+void updatePatch(FieldSpecies& s, const Species& species, const GrassField& field) {
+    const uint64_t key = patchKey(species, field.cellSize, static_cast<uint32_t>(field.seed));
+    if (s.key == key) return;
+    s.key = key;
+    s.patch = makePatch(species, field.cellSize, static_cast<uint32_t>(field.seed));
+}
+
+void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
+    if (s.textureOf == species.texture) return;
+    s.textureOf = species.texture;
+    s.bladeImage = species.texture.empty() ? Rgba8{} : loadTile(ctx.project.dir / species.texture);
+    if (s.bladeImage.pixels.empty()) s.bladeImage = makeBladeImage(32, 128);
+    s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
+}
+
+void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const GrassField& f, int index) {
+    SpeciesGlobals g;
+    g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
+    g.midColor = glm::vec4(sp.midColor, std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))));
+    g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
+    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
+    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
+    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
+    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
+}
+
+void publishMaps(DrawContext& ctx, const GrassField& f) {
+    for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
+        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map) : 0;
+    const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
+        to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
+    };
+    publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
+    publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
+    publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
+}
+
+void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
+    const GeometryRange range = geometryRange(f);
+    CoverGlobals cover{};
+    cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
+    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
+    for (size_t i = 0; i < state.species.size(); ++i) cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
+    writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
+    ctx.shared.cover = state.cover.id();
+}
+
+void update(DrawContext& ctx) {
+    FieldState& state = ctx.own<FieldState>();
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.shared.ground.terrain) return;
+    publishMaps(ctx, f);
+    state.species.resize(std::min<size_t>(f.species.size(), MAX_SPECIES));
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        if (!state.species[i]) state.species[i] = std::make_unique<FieldSpecies>();
+        FieldSpecies& s = *state.species[i];
+        updatePatch(s, f.species[i], f);
+        updateTexture(ctx, s, f.species[i]);
+        updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key, s.bladeImage);
+        writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
+        if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = 0, s.bake = {}, s.sliceGlobals = {};
+    }
+    writeCover(ctx, state, f);
+    ctx.shared.grass = &state;
+}
+
+const System kSystems[] = {{"grass/field", update}};
+
+}  // namespace
+
+void bindField(DrawContext& ctx) {
+    const SharedResources& r = ctx.shared;
+    if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
+    if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
+    if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
+    if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
+}
+
+void beginTransparency(const DrawContext& ctx, const GrassField& field) {
+    if (ctx.settings.mode == ViewMode::Overdraw) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        return;
+    }
+    const auto way = static_cast<Transparency>(field.transparency);
+    if (way == Transparency::Both || way == Transparency::Blend) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    }
+}
+void endTransparency() { glDisable(GL_BLEND); }
+
+std::string fieldConstants(const GrassField& f) {
+    return fmt::format("const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
+                       f.transparency, f.storage, f.lightWeights == static_cast<int>(LightWeighting::Cosine), f.weightsAt == static_cast<int>(WeightsAt::Pixel), f.sliceCover == static_cast<int>(SliceCover::Conserving));
+}
+
+const EffectRow& fieldEffect() {
+    static const EffectRow row{"grass/field", featureSet(Feature::Grass, Feature::Terrain), kSystems, {},
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FieldState>(); },
+                               "there is grass: its patches, maps and textures"};
+    return row;
+}
+
+}  // namespace sward

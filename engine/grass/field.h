@@ -1,0 +1,45 @@
+// What all of grass's tiers share of a field: patches, blade textures, maps, and how much light grass leaves to the soil.
+// Does not: draw.
+#pragma once
+#include "frame/draw_context.h"
+#include "frame/tiles.h"
+#include "grass/appearance.h"
+#include "grass/slice_textures.h"
+#include "scene/population.h"
+
+namespace sward {
+
+struct FieldSpecies {
+    uint64_t key = 0;            // patchKey
+    Patch patch;
+    Buffer globals;              // SpeciesGlobals
+    Rgba8 bladeImage;
+    Texture bladeTexture;
+    std::string textureOf = "?";
+    Look look;                   // of the patch, for appearances
+    uint64_t lookKey = 0;
+    // Slices, kept by grass/slices.cpp while a tier wants them.
+    uint64_t sliceKey = 0;       // of what the textures were made from; 0: none
+    SliceTextures slices;
+    Job<SliceImages> bake;
+    uint64_t bakeOf = 0;         // what it makes
+    uint64_t gainKey = 0;
+    Gains gains;
+    Buffer sliceGlobals;         // SliceGlobals
+};
+struct FieldState : EffectState {
+    std::vector<std::unique_ptr<FieldSpecies>> species;  // the field's first MAX_SPECIES
+    Buffer cover;
+};
+
+const EffectRow& fieldEffect();
+
+// Textures and buffers that grass shaders of all tiers read.
+void bindField(DrawContext& ctx);
+// Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
+void beginTransparency(const DrawContext& ctx, const GrassField& field);
+void endTransparency();
+// What shaders of this field know at compile time beside features.
+std::string fieldConstants(const GrassField& field);
+
+}  // namespace sward

@@ -1,0 +1,320 @@
+// Index: making slices · uniforms · vertical slices · the horizontal slice · rows.
+#include "grass/slices.h"
+
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/log.h"
+#include "core/numerics.h"
+#include "grass/cells.h"
+#include "grass/field.h"
+#include "grass/slice_file.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/slices";
+constexpr const char* kFarOwner = "grass/far";
+
+// --- making slices -----------------------------------------------------------------------------------------------------
+struct FarState : EffectState {
+    Buffer nodes;
+    std::vector<TerrainNode> selected;
+};
+
+void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
+    const bool vertical = has(ctx.plan.features, Feature::GrassSlices);
+    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, static_cast<Storage>(f.storage));
+    s.sliceKey = key;
+}
+
+// Slices at once, from the cache or made.
+SliceImages slicesNow(const SliceSpec& spec) {
+    const uint64_t key = sliceKey(spec);
+    if (auto cached = loadCachedSlices(cacheDir(), key)) return std::move(*cached);
+    JobControl control;
+    SliceImages made = std::move(*bakeSlices(spec, control));
+    cacheSlices(cacheDir(), key, made);
+    return made;
+}
+
+// Which textures the species should have: what they are made from, and how they are stored.
+uint64_t textureKey(const DrawContext& ctx, const GrassField& f, uint64_t slices) {
+    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.storage), has(ctx.plan.features, Feature::GrassSlices) ? 1u : 0u};
+    return hashBytes(parts, sizeof(parts));
+}
+
+// Where one may wait, waits. Else shows drafts while the slices are made beside.
+void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
+    const SliceSpec spec = sliceSpec(f, species, s.bladeImage);
+    const uint64_t made = sliceKey(spec), wanted = textureKey(ctx, f, made);
+    if (s.sliceKey == wanted) return;
+    if (!ctx.settings.background) return upload(ctx, f, s, wanted, slicesNow(spec));
+    if (auto result = s.bake.take(made)) {
+        if (*result) return upload(ctx, f, s, wanted, **result);
+    }
+    if (s.bake.active() && s.bakeOf == made) return;
+    if (std::filesystem::exists(sliceFile(cacheDir(), made))) return upload(ctx, f, s, wanted, slicesNow(spec));
+    JobControl control;
+    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(f, species, s.bladeImage, true), control));
+    s.bakeOf = made;
+    s.bake = Job<SliceImages>("slices of " + species.name, made, [spec](JobControl& c) {
+        Result<SliceImages> images = bakeSlices(spec, c);
+        if (images) cacheSlices(cacheDir(), sliceKey(spec), *images);
+        return images;
+    });
+}
+
+// --- uniforms ------------------------------------------------------------------------------------------------------------
+FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s) {
+    const FrameGlobals& g = ctx.globals;
+    FieldLight l;
+    l.sky = g.skyLight, l.ground = g.groundLight;
+    if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0) l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
+    l.weighting = f.lightWeights;
+    l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? std::tan(glm::radians(std::min(s.leanDeg, 80.0f))) : 0.0f;
+    return l;
+}
+
+void updateGains(FieldSpecies& s, const FieldLight& l) {
+    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean};
+    for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    if (s.gainKey == key) return;
+    s.gainKey = key;
+    s.gains = gainsOf(s.look, l);
+}
+
+SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& sp, const FieldSpecies& s) {
+    SliceGlobals g{};
+    const Gains& gains = s.gains;
+    const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
+    const glm::vec2 within = eye / double(f.cellSize) - cell;
+    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
+    const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
+    const GeometryRange range = geometryRange(f);
+    g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
+    g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
+    g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, sp.rootOcclusion};
+    g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
+    g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width), static_cast<float>(s.slices.reflectance.width)};
+    g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
+    g.ambient = glm::vec4(gains.sliceAmbient, 0);
+    g.farAmbient = glm::vec4(gains.farAmbient, 0);
+    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, sp.clumpSize};
+    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), 0, f.sharpness, std::exp2(-f.sharpness)};
+    const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
+        g.farGains[i] = conserving ? gains.far[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
+    }
+    return g;
+}
+
+void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLuint light) {
+    glBindTextureUnit(TEX_SLICE_REFLECTANCE, reflectance);
+    glBindTextureUnit(TEX_SLICE_THRESHOLD, threshold);
+    glBindTextureUnit(TEX_SLICE_LIGHT, light);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, s.sliceGlobals.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, s.globals.id());
+}
+
+// --- vertical slices ---------------------------------------------------------------------------------------------------
+struct SliceDraw {
+    Buffer indices, cells;
+    VertexArray mesh;
+    int slices = 0;
+    std::vector<SliceCell> selected;
+    int first[5] = {};  // cells sorted into the four quarters around the eye
+};
+struct SlicesState : EffectState {
+    std::vector<std::unique_ptr<SliceDraw>> species;
+};
+
+// Quads of a cell in four orders, nearest first for an eye to its -x or +x, -z or +z. Vertex 4 q + corner of quad q; the
+// first n quads cut x.
+std::vector<uint16_t> sliceIndices(int n) {
+    std::vector<uint16_t> out;
+    for (int quarter = 0; quarter < 4; ++quarter)
+        for (int i = 0; i < n; ++i)
+            for (int axis = 0; axis < 2; ++axis) {
+                const bool fromHigh = quarter >> axis & 1;
+                const int q = axis * n + (fromHigh ? n - 1 - i : i);
+                for (const int corner : {0, 1, 2, 2, 1, 3}) out.push_back(static_cast<uint16_t>(4 * q + corner));
+            }
+    return out;
+}
+
+void makeSliceMesh(DrawContext& ctx, SliceDraw& s, int n) {
+    const auto indices = sliceIndices(n);
+    s.slices = n;
+    s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 2, indices.data());
+    s.mesh = makeVertexArray(kOwner);
+}
+
+// 0..3: the eye lies to the cell's -x or +x (1), -z or +z (2).
+int quarterOf(const SliceCell& c, float cellSize) { return (c.x + 0.5f * cellSize < 0 ? 1 : 0) + (c.z + 0.5f * cellSize < 0 ? 2 : 0); }
+
+void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
+    std::stable_sort(s.selected.begin(), s.selected.end(), [&](const SliceCell& a, const SliceCell& b) { return quarterOf(a, cellSize) < quarterOf(b, cellSize); });
+    for (int q = 0; q <= 4; ++q)
+        s.first[q] = static_cast<int>(std::partition_point(s.selected.begin(), s.selected.end(), [&](const SliceCell& c) { return quarterOf(c, cellSize) < q; }) - s.selected.begin());
+    writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(SliceCell), s.selected.data());
+    const GLuint mesh = s.mesh.id();
+    glVertexArrayVertexBuffer(mesh, 0, s.cells.id(), 0, sizeof(SliceCell));
+    glVertexArrayBindingDivisor(mesh, 0, 1);
+    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+        glEnableVertexArrayAttrib(mesh, attribute);
+        glVertexArrayAttribBinding(mesh, attribute, 0);
+    }
+    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(SliceCell, cellX));
+    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(SliceCell, x));
+    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(SliceCell, mirrorX));
+    glVertexArrayElementBuffer(mesh, s.indices.id());
+    ctx.stats.sliceQuads += s.selected.size() * 2 * static_cast<size_t>(s.slices);
+    ctx.stats.cells += s.selected.size();
+}
+
+void selectSlices(DrawContext& ctx) {
+    SlicesState& state = ctx.own<SlicesState>();
+    if (!ctx.shared.grass) return;
+    const auto start = std::chrono::steady_clock::now();
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
+    state.species.resize(ctx.shared.grass->species.size());
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        if (!state.species[i]) state.species[i] = std::make_unique<SliceDraw>();
+        SliceDraw& s = *state.species[i];
+        const FieldSpecies& field = *ctx.shared.grass->species[i];
+        if (s.slices != field.slices.slices) makeSliceMesh(ctx, s, field.slices.slices);
+        const CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.patch, ctx.eye, ctx.frustum, 1);
+        s.selected = selectSliceCells(q, only ? -1 : f.minGeom, only ? std::numeric_limits<float>::infinity() : f.maxBTF);
+        uploadSliceCells(ctx, s, f.cellSize);
+    }
+    ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void drawSlices(DrawContext& ctx) {
+    SlicesState& state = ctx.own<SlicesState>();
+    if (!ctx.shared.grass) return;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.use(0, fieldConstants(f))) return;
+    bindField(ctx);
+    beginTransparency(ctx, f);
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        SliceDraw& s = *state.species[i];
+        const FieldSpecies& field = *ctx.shared.grass->species[i];
+        if (s.selected.empty()) continue;
+        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+        bindSlices(field, field.slices.reflectance.id(), field.slices.threshold.id(), field.slices.light.id());
+        glBindVertexArray(s.mesh.id());
+        const int each = 12 * s.slices;
+        for (int q = 0; q < 4; ++q) {
+            const int n = s.first[q + 1] - s.first[q];
+            if (n == 0) continue;
+            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n, static_cast<GLuint>(s.first[q]));
+            ctx.pass->draws += 1;
+            ctx.pass->instances += static_cast<uint64_t>(n);
+        }
+    }
+    endTransparency();
+}
+
+// --- the horizontal slice ------------------------------------------------------------------------------------------------
+// Nodes that reach beyond the distance where blades are all there.
+void selectFarNodes(DrawContext& ctx, FarState& state, float near) {
+    state.selected.clear();
+    for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
+        const float side = 16 * n.level.x;
+        const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
+        const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low), std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
+        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near) state.selected.push_back(n);
+    }
+    ctx.stats.macroCells += state.selected.size();
+}
+
+void updateFar(DrawContext& ctx) {
+    FarState& state = ctx.own<FarState>();
+    if (!ctx.shared.grass) return;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    FieldState& field = *ctx.shared.grass;
+    if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    for (size_t i = 0; i < field.species.size(); ++i) {
+        FieldSpecies& s = *field.species[i];
+        ensureSlices(ctx, f, f.species[i], s);
+        updateGains(s, fieldLight(ctx, f, f.species[i]));
+        const SliceGlobals g = globalsOf(ctx, f, f.species[i], s);
+        writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
+    }
+    const bool blades = static_cast<Technique>(f.technique) == Technique::Hybrid;
+    selectFarNodes(ctx, state, blades ? f.minGeom : -1);
+}
+
+void filterFar(GLuint texture, const GrassField& f) {
+    const bool anisotropic = f.filtering == static_cast<int>(Filtering::Anisotropic);
+    glTextureParameterf(texture, GL_TEXTURE_MAX_ANISOTROPY, anisotropic ? 8.0f : 1.0f);
+}
+
+void drawFar(DrawContext& ctx) {
+    FarState& state = ctx.own<FarState>();
+    if (!ctx.shared.grass || state.selected.empty()) return;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.use(0, fieldConstants(f))) return;
+    bindField(ctx);
+    glEnable(GL_BLEND);
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
+    glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
+        const FieldSpecies& s = *ctx.shared.grass->species[i];
+        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+        for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight}) filterFar(t->id(), f);
+        bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
+        ctx.pass->draws += drawNodes(ctx.shared.groundMesh, state.selected, state.nodes);
+        ctx.pass->instances += state.selected.size();
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+// --- rows ------------------------------------------------------------------------------------------------------------------
+constexpr auto kLook = [] {
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
+                      Feature::Sun, Feature::Sky, Feature::Fog);
+};
+const System kFarSystems[] = {{"grass/bake", updateFar}};
+const System kSliceSystems[] = {{"grass/slices", selectSlices}};
+const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook()}};
+const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook()}};
+const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
+const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
+
+}  // namespace
+
+SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& blade, bool draft) {
+    SliceSpec s;
+    s.species = species;
+    s.species.density = {};
+    s.cellSize = f.cellSize;
+    s.seed = static_cast<uint32_t>(f.seed);
+    const int share = draft ? 8 : 1;
+    s.slices = f.slices;
+    s.width = f.sliceWidth / share, s.height = f.sliceHeight / share, s.farSize = f.farSize / share;
+    s.blade = blade;
+    s.shadowMask = f.shadowMask;
+    return s;
+}
+
+const EffectRow& farEffect() {
+    static const EffectRow row{"grass/far", featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain), kFarSystems, kFarPasses,
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarState>(); },
+                               "far grass is one slice over the ground"};
+    return row;
+}
+const EffectRow& slicesEffect() {
+    static const EffectRow row{"grass/slices", featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain), kSliceSystems, kSlicePasses,
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesState>(); },
+                               "grass at middle distance is vertical slices"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,23 @@
+// Grass as slices: vertical ones through the cells at middle distance, one horizontal over the ground as far as it reaches.
+// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.1 and appendix; B-1 to B-18, B-26.
+// The horizontal slice lies on the terrain's own quadtree nodes (macro-cells), lifted; cells repeat in it by integer id.
+// Ours, where GrassField.sliceCover is "conserving" (the paper's form stays selectable):
+//   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does, so each
+//     family shows the share |cos| of its blades by which it is turned to the eye: cos^2 + sin^2 = 1.
+//   - the horizontal slice is opaque by Beer's law along the slanted ray, less what vertical slices already cover.
+//   - every tier is scaled to the mean radiance of the blades it stands for (appearance.h).
+// Does not: bake (slice_bake.h).
+#pragma once
+#include "grass/slice_bake.h"
+#include "scene/components.h"
+#include "scene/rows.h"
+
+namespace sward {
+
+const EffectRow& slicesEffect();  // vertical
+const EffectRow& farEffect();     // horizontal; makes and holds the slices of both
+
+// What a species' slices are made from. draft: an eighth of the resolution, made while one waits.
+SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool draft = false);
+
+}  // namespace sward

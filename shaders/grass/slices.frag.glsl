@@ -1,0 +1,64 @@
+// A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit: reflectance
+// times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "lib/light.glsl"
+#include "lib/cover.glsl"
+#include "lib/slices.glsl"
+#include "lib/transparency.glsl"
+
+in vec3 texel;
+in vec3 foot;
+flat in vec4 images;
+flat in float lightLayer;
+in vec3 gain;
+in vec4 ambient;
+in float turned;
+out vec4 color;
+float level;          // of detail
+
+// A random number fixed to the slice: it moves with it, and its grains are about a pixel.
+uint grain(float level) {
+    vec2 size = vec2(textureSize(sliceThreshold, 0).xy) * exp2(-floor(level));
+    ivec2 at = ivec2(texel.xy * size);
+    return hash3(uint(at.x), uint(at.y), uint(texel.z) + 64u * uint(level));
+}
+
+vec3 radiance(vec3 reflectance, vec4 stored) {
+    bool front = !(lightLayer > 0.0);
+    if (STORAGE == FULL_STORAGE) {
+        float layers = float(textureSize(sliceReflectance, 0).z), first = texel.z + (front ? 0.0 : 5.0 * layers);
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 4; ++i) {  // facing, side +, side -, above: images 0, 2, 3, 4
+            float image = i == 0 ? 0.0 : float(i + 1);
+            sum += images[i] * textureLod(sliceLight, vec3(texel.xy, first + image * layers), level).rgb;
+        }
+        return ambient.rgb * reflectance + gain * sum;
+    }
+    vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), level);
+    float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
+    float sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz, level) : dot(images, vec4(lit.xzw, above));
+    return reflectance * (ambient.rgb + gain * sun);
+}
+
+void main() {
+    level = max(textureQueryLod(sliceThreshold, texel.xy).y - slices.lean.z, 0.0);
+    vec4 stored = textureLod(sliceThreshold, texel, level);
+    vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
+    float d = length(foot);
+    float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
+    density *= (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) * turned;
+    float alpha = coveredAlpha(texelOpacity(stored.xy, density, level), grain(level));
+    if (!(alpha > 0.0)) discard;
+    vec3 reflectance = paintedOver(textureLod(sliceReflectance, texel, level).rgb, uv, mix(slices.areas.w, 1.0, texel.y) / slices.shape.w);
+    color = vec4(mix(radiance(reflectance, stored), horizonColor(foot.xz), ambient.w), alpha);
+    if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.15, 0.9) * (0.4 + 0.6 * texel.y);
+    if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 0.5, 1.0);
+    if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
+    if (viewMode() == VIEW_DENSITY) color.rgb = mix(vec3(0.1, 0.4, 0.1), vec3(0.1, 0.9, 0.2), texel.y);
+}

@@ -1,0 +1,88 @@
+// One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that neighbours
+// share them), lean with the paint and with clumps, and are lit per vertex.
+// Boulanger, Pattanaik and Bouatouch 2006, sections 3.1 and 3.3.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/clump.h"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/cover.glsl"
+#include "lib/slices.glsl"
+
+layout(location = 0) in ivec2 cell;
+layout(location = 1) in vec2 cellCorner;  // relative to the eye
+layout(location = 2) in vec2 mirror;      // +1 or -1
+
+out vec3 texel;       // across, up, layer
+out vec3 foot;        // the ground below, relative to the eye
+flat out vec4 images; // sun: weights of the view's images: facing, side +, side -, above; with LIGHT_COSINE its direction: facing,
+                      // side, above
+flat out float lightLayer;
+out vec3 gain;        // of light from the sun
+out vec4 ambient;     // w: share that is haze
+out float turned;     // share of its blades that this family shows
+
+struct Place {
+    vec2 lean;      // horizontal metres a metre of height
+    float scale;    // of heights
+    float lighter;
+};
+Place placeHere(vec2 inCell, vec2 painted) {
+    Place p;
+    p.lean = painted * slices.lean.x;
+    p.scale = 1.0;
+    p.lighter = 1.0;
+    if (GRASS_CLUMPS && slices.clumps.w > 0.0) {
+        vec3 c = clumpValues(cell.x, cell.y, inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
+        p.lean += c.xy * slices.clumps.x;
+        p.scale += c.z * slices.clumps.y;
+        p.lighter += c.z * slices.clumps.z;
+    }
+    return p;
+}
+
+// The sun as a slice sees it, in the patch's own axes.
+vec4 imagesOf(int axis, float side) {
+    if (LIGHT_COSINE) {
+        vec3 l = frame.sunDirection.xyz * vec3(mirror.x, 1.0, mirror.y);
+        return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
+    }
+    vec4 w = slices.sunWeights;
+    float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
+    vec2 x = mirror.x > 0.0 ? vec2(w.x, w.w) : vec2(w.w, w.x), z = mirror.y > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z);
+    vec2 along = axis == 0 ? x : z, across = axis == 0 ? z : x;
+    return vec4(side > 0.0 ? along.x : along.y, across, w.y);
+}
+
+void main() {
+    int n = int(slices.shape.z), quad = gl_VertexID / 4, corner = gl_VertexID % 4;
+    int axis = quad / n, k = quad % n;
+    float end = float(corner & 1), top = float(corner >> 1), at = (float(k) + 0.5) / float(n);
+    vec2 local = axis == 0 ? vec2(at, end) : vec2(end, at);
+    vec2 inCell = local * slices.shape.x;
+    vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = ground * frame.terrain.zw;
+    foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
+    vec2 painted = paintedLean(uv);
+    Place p = placeHere(inCell, painted);
+    float lean2 = min(dot(p.lean, p.lean), 0.9);
+    vec3 position = foot + top * slices.shape.y * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
+
+    vec2 signs = axis == 0 ? mirror : mirror.yx;  // along the normal, along the slice
+    float side = (axis == 0 ? -foot.x : -foot.z) * signs.x;
+    texel = vec3(signs.y > 0.0 ? end : 1.0 - end, top, float(axis * n + (signs.x > 0.0 ? k : n - 1 - k)));
+    lightLayer = float(side > 0.0 ? 0 : 2 * n);
+    float level = max(length(foot.xz), 1e-4);
+    turned = CONSERVING ? abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
+
+    vec3 brighter = p.lighter * slices.shape.w * sliceGain(-foot / max(length(foot), 1e-4), painted, false);
+    images = imagesOf(axis, side > 0.0 ? 1.0 : -1.0);
+    gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);
+    ambient = vec4(brighter * slices.ambient.rgb * skyShare(uv), hazeShare(length(position)));
+    gl_Position = frame.viewProj * vec4(position, 1.0);
+    if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+}
