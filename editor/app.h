@@ -16,6 +16,7 @@
 #include "frame/renderer.h"
 #include "layout.h"
 #include "resolution.h"
+#include "tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
 
@@ -24,7 +25,7 @@ struct ImGuiContext;
 namespace sward {
 
 // What the left, right or middle button is doing in the viewport since it went down there.
-enum class Gesture { None, Look, Orbit, Pan, Paint };
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring };
 
 struct Viewport {
     FlyCamera camera;
@@ -101,6 +102,7 @@ struct EditorApp {
 
     Viewport viewport;
     BrushBook brushes;
+    TierView tierView;
     std::string selected;   // entity, by name
     std::string newEntity;  // being typed in the outliner
     bool measure = false;   // the profiler's
@@ -143,12 +145,9 @@ void say(EditorApp& app, const std::string& message);  // status bar and console
 void requestQuit(EditorApp& app);                 // asks first if there is unsaved work
 void requestTask(EditorApp& app, FileTask task);  // opens the file dialog; Open and New ask first
 bool saveNow(EditorApp& app);  // asks where if the project was never saved; false then, or on an error
-void selectTool(EditorApp& app, const std::string& tool);
 // After the document holds another project: its first camera, its first paintable map, nothing selected.
 void adoptProject(EditorApp& app);
 // Moves the view to a camera of the project. False if there is none of this name.
 bool goToCamera(EditorApp& app, const std::string& name);
-// Maps that brushes paint on: one channel, no heights; absent ones included.
-std::vector<FieldRef> paintableMaps(EditorApp& app);
 
 }  // namespace sward

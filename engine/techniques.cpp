@@ -1,6 +1,7 @@
 #include "techniques.h"
 
 #include "grass/geometry.h"
+#include "post/map_overlay.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/sky.h"
@@ -13,7 +14,7 @@ const Tables& tables() {
         sunEffect(), skyEffect(), hazeEffect(),   // light
         groundEffect(),                           // ground
         geometryEffect(),                         // grass
-        tonemapEffect(), decalEffect(),           // the screen
+        tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};
     return all;

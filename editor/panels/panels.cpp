@@ -16,6 +16,7 @@ constexpr PanelRow kPanels[] = {
     {"Inspector", Dock::Inspector, drawInspector, true},
     {"Console", Dock::Bottom, drawConsole, true},
     {"Profiler", Dock::Bottom, drawProfiler, true},
+    {"Tiers", Dock::Bottom, drawTiers, true, "Tiers Panel"},
     {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},
@@ -68,7 +69,7 @@ void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
 // The panels docked at the bottom share their place as tabs.
 void drawBottom(EditorApp& app) {
     if (!beginArea("Bottom", app.areas.bottom, ImGuiWindowFlags_NoScrollbar)) return;
-    if (app.layout.hidden.count(app.layout.tab)) app.layout.tab = app.layout.tab == "Console" ? "Profiler" : "Console";
+    app.layout.tab = openTab(app.layout);
     const PanelRow* open = nullptr;
     bool first = true;
     for (const PanelRow& row : panelRows()) {

@@ -14,6 +14,7 @@ struct PanelRow {
     Dock dock;
     void (*draw)(EditorApp&);
     bool hideable;  // listed in the View menu
+    const char* menu = nullptr;  // what it is called there, if not by its name
 };
 std::span<const PanelRow> panelRows();
 // All of them, each in its area, with the splitters between.
@@ -27,9 +28,13 @@ void drawOutliner(EditorApp& app);
 void drawInspector(EditorApp& app);
 void drawConsole(EditorApp& app);
 void drawProfiler(EditorApp& app);
+void drawTiers(EditorApp& app);
 void drawStatusBar(EditorApp& app);
 void drawFileDialog(EditorApp& app);
 void drawUnsavedDialog(EditorApp& app);
+
+// 627 M, 12.3 k
+std::string counted(uint64_t n);
 
 // Heights and widths of what does not follow from the layout, at the present font.
 float brushBarHeight();
