@@ -102,6 +102,7 @@ struct EditorApp {
 
     Viewport viewport;
     BrushBook brushes;
+    int brushBarRows = 1;  // that the brush bar's widgets took in the last frame
     TierView tierView;
     std::string selected;   // entity, by name
     std::string newEntity;  // being typed in the outliner

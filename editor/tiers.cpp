@@ -35,7 +35,8 @@ double stoppedTier(const TierDistances& t, size_t i, double wanted) {
     const double low = i > 0 ? leastAfter(i - 1, t[i - 1]) : 0;
     const double high = i + 1 < kTierCount ? mostBefore(i, t[i + 1]) : kMost;
     if (!(wanted >= 0)) wanted = 0;
-    if (low > high) return std::min(wanted, kMost);
+    if (low > high && (i == 0 || i + 1 == kTierCount)) return t[i];
+    if (low > high) return t[i - 1] > t[i + 1] ? std::min(wanted, kMost) : t[i];
     return std::clamp(wanted, low, std::min(high, kMost));
 }
 

@@ -17,8 +17,8 @@ using TierDistances = std::array<double, kTierCount>;  // metres; infinity: neve
 
 TierDistances tiersOf(const GrassField& field);
 bool tiersInOrder(const TierDistances& t);
-// What a drag of tier i towards `wanted` gives: as near to it as its neighbours allow. Where these are out of order
-// themselves they do not count.
+// What a drag of tier i towards `wanted` gives: as near to it as its neighbours allow; nothing new where they leave no
+// room. Where these are out of order themselves they do not count.
 double stoppedTier(const TierDistances& t, size_t i, double wanted);
 // All four after tier i was set to `value` (at least 0): the others give way as little as they must.
 TierDistances pushedTiers(TierDistances t, size_t i, double value);

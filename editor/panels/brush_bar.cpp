@@ -16,9 +16,16 @@ void caption(const char* text) {
     ImGui::SameLine(0, 5);
 }
 
-void next() { ImGui::SameLine(0, 14); }
-
 float em(float ems) { return ImGui::GetFontSize() * ems; }
+
+// Beside the last widget, or on a new row if what follows does not fit.
+void next(EditorApp& app, const char* label, float width) {
+    const float needed = 14 + ImGui::CalcTextSize(label).x + 5 + width;
+    if (ImGui::GetItemRectMax().x + needed > app.areas.brushBar.x + app.areas.brushBar.w - 6)
+        ++app.brushBarRows;
+    else
+        ImGui::SameLine(0, 14);
+}
 
 void mapCombo(EditorApp& app) {
     std::vector<std::string> names, paths;
@@ -28,6 +35,7 @@ void mapCombo(EditorApp& app) {
     }
     const auto it = std::find(paths.begin(), paths.end(), app.brushes.map);
     int chosen = it == paths.end() ? -1 : static_cast<int>(it - paths.begin());
+    next(app, "Map", em(21) + 80);
     caption("Map");
     ImGui::SetNextItemWidth(em(21));
     if (ui::combo("Map", names, chosen)) selectMap(app, paths[static_cast<size_t>(chosen)]);
@@ -41,6 +49,7 @@ void mapCombo(EditorApp& app) {
 // One click makes the map that is not there; without one there is nothing to see or paint.
 void createButton(EditorApp& app, const FieldRef& map) {
     const std::string size = describeNewMap(app.doc.project(), map), path = map.path;
+    next(app, size.c_str(), em(7));
     if (ui::button("Create map", 0, true))
         app.deferred.push_back([&app, path, size] {
             if (accept(app, app.doc.createMap(path))) say(app, fmt::format("new map {}: {}", path, size));
@@ -50,7 +59,6 @@ void createButton(EditorApp& app, const FieldRef& map) {
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, size.c_str());
     ui::record("New map", ui::Kind::Label, size);
-    next();
 }
 
 void modeCombo(EditorApp& app) {
@@ -63,7 +71,8 @@ void modeCombo(EditorApp& app) {
     if (ui::combo("Mode", labels, chosen)) selectTool(app, tools[static_cast<size_t>(chosen)]);
 }
 
-void number(const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
+void number(EditorApp& app, const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
+    next(app, label, width);
     caption(label);
     ImGui::SetNextItemWidth(width);
     ui::slider(label, value, spec);
@@ -104,7 +113,7 @@ void dial(EditorApp& app, float& angleDeg) {
 }
 
 void angle(EditorApp& app, float& angleDeg) {
-    number("Angle", angleDeg, em(5.5f), range(0, 360, -360, 360, "deg"),
+    number(app, "Angle", angleDeg, em(5.5f), range(0, 360, -360, 360, "deg"),
            "Where the blades lean, clockwise from north (-z) seen from above.");
     ImGui::SameLine(0, 4);
     dial(app, angleDeg);
@@ -113,27 +122,23 @@ void angle(EditorApp& app, float& angleDeg) {
 }  // namespace
 
 void drawBrushBar(EditorApp& app) {
+    app.brushBarRows = 1;
     const ui::Disabled noProject(!app.doc.isOpen());
     modeCombo(app);
-    next();
     mapCombo(app);
-    next();
     const std::optional<FieldRef> map = chosenMap(app);
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(app, *map);
     const ui::Disabled looking(app.brushes.tool == kLookTool);
     BrushSettings& b = currentBrush(app.brushes);
-    number("Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
-    next();
     const bool lays = b.mode == "comb" || b.mode == "direction";
-    number("Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
+    number(app, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
+    number(app, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
            lays ? "How far the blades lean over: - and = change it."
                 : "How much one pass over a place changes it: - and = change it.");
-    next();
-    number("Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
-    next();
+    number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(app, b.angleDeg);
-    if (b.mode != "set") return;
-    number("Value", b.value, em(5.5f), range(0, 1, 0, 1), "What the brush paints towards: 0 is bare, 1 is full.");
+    if (b.mode == "set")
+        number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1), "What the brush paints towards: 0 is bare, 1 is full.");
 }
 
 }  // namespace sward

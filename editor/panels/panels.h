@@ -37,7 +37,7 @@ void drawUnsavedDialog(EditorApp& app);
 std::string counted(uint64_t n);
 
 // Heights and widths of what does not follow from the layout, at the present font.
-float brushBarHeight();
+float brushBarHeight(int rows);
 float statusBarHeight();
 float toolStripWidth();
 

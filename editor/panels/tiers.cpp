@@ -190,10 +190,11 @@ void drawTiers(EditorApp& app) {
     }
     const TierDistances now = tiersOf(*field);
     ImGui::BeginChild("tiers");
-    if (ImGui::BeginTable("columns", 3, ImGuiTableFlags_SizingStretchProp)) {
-        ImGui::TableSetupColumn("a", 0, 1.25f);
-        ImGui::TableSetupColumn("b", 0, 0.85f);
-        ImGui::TableSetupColumn("c", 0, 1.2f);
+    const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
+    const int columns = ems < 28 ? 1 : ems < 46 ? 2 : 3;  // what does not fit beside goes below
+    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
+        for (const float share : {1.25f, 0.85f, 1.2f})
+            if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         distances(app, now);
         ImGui::TableNextColumn();

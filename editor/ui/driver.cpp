@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include "scene/map_io.h"
+#include "ui/imgui_compat.h"
 #include "ui/keys.h"
 #include "ui/window.h"
 
@@ -96,7 +97,7 @@ void Driver::clickAt(const Widget& w) {
     frames(1);
     push({InputKind::Button, 0, 0, 0, false});
     frames(2);
-    app_.now += 1;  // the next click is no double click
+    ui::forgetClicks();  // the next one is no double click
 }
 
 // Opens what hides the widget: its entity, a folded section, a menu or list, a panel's tab. True if something was
@@ -293,7 +294,7 @@ Status Driver::drag(double x1, double y1, double x2, double y2, const std::strin
     for (const auto& [down, code] : modifiers)
         if (down) pushKey(code, false);
     settle();
-    app_.now += 1;
+    ui::forgetClicks();
     return {};
 }
 

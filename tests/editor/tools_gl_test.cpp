@@ -170,7 +170,8 @@ TEST_F(EditorTools, PinnedRingsStayWhereTheEyeWas) {
     ok(ui->set("Tiers/Pin rings", "true"));
     const glm::dvec3 eye = app->viewport.camera.eye;
     ASSERT_TRUE(app->tierView.pin);
-    app->viewport.camera.eye += glm::dvec3(0, 6, 3);
+    app->viewport.camera.pitch = -0.6;
+    focus(app->viewport.camera, eye, 25);
     ok(ui->wait(2));
     EXPECT_EQ(*app->tierView.pin, eye);
     const auto [x, y] = grip("maxGeom");
