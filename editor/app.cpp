@@ -201,10 +201,12 @@ void runUntilQuit(EditorApp& app) {
     double lastLook = clockSeconds();
     while (!app.quit) {
         followShaders(app, lastLook);
+        tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
         if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
     }
+    endAutosave(app);
 }
 
 void showError(EditorApp& app, const Error& error) {

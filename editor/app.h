@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "autosave.h"
 #include "brush_book.h"
 #include "camera_control.h"
 #include "core/log.h"
@@ -114,6 +115,7 @@ struct EditorApp {
     std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;
+    Autosave autosave;
     std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows

@@ -70,7 +70,7 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const EditorApp& app) { return app.files.task != FileTask::None || app.unsaved.then; }
+bool dialogOpen(const EditorApp& app) { return app.files.task != FileTask::None || app.unsaved.then || !app.autosave.found.empty(); }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
 bool goesPastText(const Command& c) { return std::string(c.menu) == "File"; }

@@ -1,6 +1,8 @@
 // The document: files · edits · strokes · undo and redo.
 #include "document.h"
 
+#include <set>
+
 #include "field_walk.h"
 #include "history.h"
 #include "new_map.h"
@@ -129,6 +131,30 @@ Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
         if (!existed) fs::remove_all(dir, fault);
     }
     return written;
+}
+
+Status Document::takeOver(const fs::path& dir, const std::string& label) {
+    if (!isOpen()) return notOpen();
+    impl_->finishStroke();
+    const Result<Project> other = loadProject(dir, impl_->rows());
+    if (!other) return other.error();
+    std::set<std::string> names;
+    for (const auto& [name, entity] : project().entities) names.insert(name);
+    for (const auto& [name, entity] : other->entities) names.insert(name);
+    std::vector<Change> changes;
+    const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
+    for (const std::string& name : names) {
+        for (const ComponentRow& row : impl_->rows()) {
+            const void* after = componentOf(*other, name, row);
+            changes.push_back({name, &row, impl_->stateOf(name, row), after ? row.clone(after) : nullptr});
+        }
+        const bool before = project().entities.contains(name), after = other->entities.contains(name);
+        if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
+    }
+    dropEmptyChanges(changes);
+    applyChanges(project(), changes, true);
+    impl_->record(label, std::move(changes));
+    return {};
 }
 
 bool Document::isOpen() const { return impl_->project.has_value(); }

@@ -35,6 +35,8 @@ class Document {
     Status create(const std::filesystem::path& dir);
     Result<std::vector<std::string>> save();  // the files written
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
+    // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
+    Status takeOver(const std::filesystem::path& dir, const std::string& label);
     bool isOpen() const;
     bool dirty() const;  // differs from what is on disk
     Project& project();

@@ -49,7 +49,8 @@ void mapCombo(EditorApp& app) {
 // One click makes the map that is not there; without one there is nothing to see or paint.
 void createButton(EditorApp& app, const FieldRef& map) {
     const std::string size = describeNewMap(app.doc.project(), map), path = map.path;
-    next(app, size.c_str(), em(7));
+    const std::string shortly = size.substr(0, size.find(" texels"));
+    next(app, shortly.c_str(), em(7));
     if (ui::button("Create map", 0, true))
         app.deferred.push_back([&app, path, size] {
             if (accept(app, app.doc.createMap(path))) say(app, fmt::format("new map {}: {}", path, size));
@@ -57,7 +58,7 @@ void createButton(EditorApp& app, const FieldRef& map) {
     ui::tooltip("The project has no " + path + " yet.\nMakes it: " + size + ". The first stroke does so too; undo takes it back.");
     ImGui::SameLine(0, 8);
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, size.c_str());
+    ui::coloredText(ui::kDimText, shortly.c_str());
     ui::record("New map", ui::Kind::Label, size);
 }
 

@@ -22,7 +22,7 @@ void text(ImVec2 at, const std::string& words, ImU32 color = IM_COL32_WHITE) {
     ImGui::GetWindowDrawList()->AddText(at, color, words.c_str());
 }
 
-void amounts(const Rect& r, const std::string& title) {
+void amounts(const Rect& r, const std::string& title, const char* least, const char* most) {
     const float line = ImGui::GetTextLineHeight(), bar = 150;
     const float width = std::max(bar, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
     ImVec2 at = box(r, width, 2 * kPad + 2 * line + 16);
@@ -32,8 +32,8 @@ void amounts(const Rect& r, const std::string& title) {
     const float half = at.x + bar / 2;
     list.AddRectFilledMultiColor(at, {half, at.y + 10}, kNone, kHalf, kHalf, kNone);
     list.AddRectFilledMultiColor({half, at.y}, {at.x + bar, at.y + 10}, kHalf, kFull, kFull, kHalf);
-    text({at.x, at.y + 12}, "0", ui::kDimText);
-    text({at.x + bar - ImGui::CalcTextSize("1").x, at.y + 12}, "1", ui::kDimText);
+    text({at.x, at.y + 12}, least, ui::kDimText);
+    text({at.x + bar - ImGui::CalcTextSize(most).x, at.y + 12}, most, ui::kDimText);
 }
 
 ImU32 hueOf(float turn) {
@@ -77,7 +77,8 @@ void drawOverlayLegend(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
     if (overlayOf(app).map.empty() || !map) return;
     const std::string title = map->path;
-    if (map->row->mapChannels == 1) amounts(app.viewport.rect, title);
+    const bool sky = std::string_view(map->row->name) == "ambientOcclusion";
+    if (map->row->mapChannels == 1) amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
     if (map->row->mapChannels == 2) directions(app.viewport.rect, title, app.viewport.camera.yaw);
 }
 

@@ -20,6 +20,7 @@ constexpr PanelRow kPanels[] = {
     {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},
+    {"Recovery", Dock::Dialog, drawRecoveryDialog, false},
 };
 
 constexpr int kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

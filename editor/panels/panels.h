@@ -32,6 +32,7 @@ void drawTiers(EditorApp& app);
 void drawStatusBar(EditorApp& app);
 void drawFileDialog(EditorApp& app);
 void drawUnsavedDialog(EditorApp& app);
+void drawRecoveryDialog(EditorApp& app);
 
 // 627 M, 12.3 k
 std::string counted(uint64_t n);

@@ -30,6 +30,7 @@ void draw(DrawContext& ctx) {
     if (map.empty() || !ctx.use()) return;
     glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling / ctx.shared.ground.terrain->size.x);
     glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
@@ -41,7 +42,8 @@ void draw(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-constexpr ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, {}}};
+const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
+                                        featureSet(Feature::TerrainHeights)}};
 const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
 
 }  // namespace

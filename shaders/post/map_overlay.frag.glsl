@@ -1,5 +1,9 @@
 // A painted map over the scene, looked at from above: what stands on a place takes the place's colour.
 #include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/bilinear.h"
+#include "lib/heights.glsl"
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(binding = TEX_DEPTH) uniform sampler2DMS depths;
 layout(location = 0) uniform vec4 overlay;  // channels; repeats over the terrain; metres a pixel at 1 m; texels a metre
@@ -43,10 +47,16 @@ float arrow(vec2 place, float metresPerPixel) {
     return 1.0 - smoothstep(0.0, 1.5 * pixel, min(shaft, head));
 }
 
-vec4 directionView(vec2 place, vec4 texel, float metresPerPixel) {
+// Where the eye would see the ground if nothing stood on it: arrows lie there, or every blade would break them.
+vec2 footOf(vec3 position, vec2 place) {
+    float over = clamp(position.y - groundHeight(place), 0.0, 1.0);
+    return place + position.xz * clamp(over / max(-position.y, 1e-3), 0.0, 0.5);
+}
+
+vec4 directionView(vec3 position, vec2 place, vec4 texel, float metresPerPixel) {
     vec2 lean = leanOf(texel);
     vec4 seen = vec4(directionColor(lean), mix(0.1, 0.5, length(lean)));
-    return mix(seen, vec4(0.03, 0.03, 0.05, 0.85), arrow(place, metresPerPixel));
+    return mix(seen, vec4(0.03, 0.03, 0.05, 0.85), arrow(footOf(position, place), metresPerPixel));
 }
 
 vec3 srgb(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308))); }
@@ -61,6 +71,6 @@ void main() {
     float metresPerPixel = length(position) * overlay.z;
     vec4 texel = mapAt(place, max(0.0, log2(metresPerPixel * overlay.w)));
     if (overlay.x < 1.5) color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
-    else if (overlay.x < 2.5) color = directionView(place, texel, metresPerPixel);
+    else if (overlay.x < 2.5) color = directionView(position, place, texel, metresPerPixel);
     else color = vec4(srgb(texel.rgb), texel.a * 0.75);
 }
