@@ -1,7 +1,7 @@
-// Numbered copies of unsaved work, whole projects in $XDG_STATE_HOME/sward/autosave/NAME-HASH/NNNN, outside the project.
-// They go once the work is saved or given up by its owner; those of a program that ended otherwise are offered on the
-// next start. Does not: touch the project's folder, nor copy while a stroke or a drag is on.
-// Cost: the copy is made in the background from a snapshot that shares its maps' tiles.
+// Numbered copies of unsaved work, whole projects in $XDG_STATE_HOME/sward/autosave/NAME-HASH/NNNN, outside the
+// project. They go once the work is saved or given up by its owner; those of a program that ended otherwise are offered
+// on the next start. Does not: touch the project's folder, nor copy while a stroke or a drag is on. Cost: the copy is
+// made in the background from a snapshot that shares its maps' tiles.
 #pragma once
 #include <filesystem>
 #include <vector>

@@ -61,7 +61,8 @@ constexpr Command kCommands[] = {
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
     {"Brush", "Look Without Painting", "v", "", toggleLook, opened},
     {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
-    {"Brush", "Shift Erases", "", "", shiftErases, always, true, [](EditorApp& app) { return app.brushes.shiftErases; }},
+    {"Brush", "Shift Erases", "", "", shiftErases, always, true,
+     [](EditorApp& app) { return app.brushes.shiftErases; }},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
 
@@ -70,7 +71,9 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const EditorApp& app) { return app.files.task != FileTask::None || app.unsaved.then || !app.autosave.found.empty(); }
+bool dialogOpen(const EditorApp& app) {
+    return app.files.task != FileTask::None || app.unsaved.then || !app.autosave.found.empty();
+}
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
 bool goesPastText(const Command& c) { return std::string(c.menu) == "File"; }

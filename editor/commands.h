@@ -14,7 +14,7 @@ struct Command {
     const char* chord2;  // another one, not shown; "" for none
     void (*run)(EditorApp&);
     bool (*enabled)(EditorApp&);
-    bool anywhere = true;  // false: only while the pointer is over the viewport
+    bool anywhere = true;                   // false: only while the pointer is over the viewport
     bool (*checked)(EditorApp&) = nullptr;  // of what is switched on and off
 };
 std::span<const Command> commands();

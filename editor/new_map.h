@@ -1,5 +1,5 @@
-// Maps that are not there yet: how large a new one is and what it holds, so that making it changes nothing that is seen.
-// Does not: put it into a project; Document does.
+// Maps that are not there yet: how large a new one is and what it holds, so that making it changes nothing that is
+// seen. Does not: put it into a project; Document does.
 #pragma once
 #include <string>
 

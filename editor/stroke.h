@@ -45,8 +45,8 @@ class Stroke {
     MapInfo info_;
     uint32_t turn_;
     double step_, carry_ = 0;
-    glm::dvec2 heading_{0};  // at the last point
-    bool headless_ = false;  // the first stamp waits until the stroke goes somewhere
+    glm::dvec2 heading_{0};                          // at the last point
+    bool headless_ = false;                          // the first stamp waits until the stroke goes somewhere
     std::vector<std::pair<double, double>> points_;  // the last one, from which the line goes on
     std::deque<Stamp> queue_;
     Map before_;  // as it was before the stamp that is being painted; empty between pumps that left nothing

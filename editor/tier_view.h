@@ -20,12 +20,12 @@ struct RingDrag {
 };
 
 struct TierView {
-    std::string field;                                  // entity chosen in the panel; empty: the selected or first one
-    bool rings = true;                                  // drawn while the panel is in sight
-    std::optional<glm::dvec3> pin;                      // where the rings stay; none: around the eye
-    std::array<ScreenRing, kTierCount> screen;          // as last drawn
-    std::array<std::vector<bool>, kTierCount> clear;    // by point: on the terrain, and no ground hides it
-    std::optional<RingHit> hover;                       // under the pointer
+    std::string field;                                // entity chosen in the panel; empty: the selected or first one
+    bool rings = true;                                // drawn while the panel is in sight
+    std::optional<glm::dvec3> pin;                    // where the rings stay; none: around the eye
+    std::array<ScreenRing, kTierCount> screen;        // as last drawn
+    std::array<std::vector<bool>, kTierCount> clear;  // by point: on the terrain, and no ground hides it
+    std::optional<RingHit> hover;                     // under the pointer
     std::optional<RingDrag> drag;
 };
 

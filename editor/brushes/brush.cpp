@@ -19,9 +19,7 @@ constexpr BrushRow kBrushes[] = {
 
 std::span<const BrushRow> brushRows() { return kBrushes; }
 
-bool paints(const BrushRow& row, int channels) {
-    return channels == 1 ? row.amounts : channels == 2 && row.directions;
-}
+bool paints(const BrushRow& row, int channels) { return channels == 1 ? row.amounts : channels == 2 && row.directions; }
 
 const BrushRow* findBrush(const std::string& name) {
     for (const BrushRow& row : kBrushes)

@@ -7,9 +7,8 @@ namespace sward {
 std::shared_ptr<const Tile> applySubtract(const Map& map, int tx, int ty, const Stamp& stamp,
                                           const BrushSettings& brush) {
     if (map.info().channels == 2)
-        return paintTile<2>(map, tx, ty, stamp, brush, [](const auto& row) {
-            turnTowards(row, [&](int, int) { return row.scale / 2; });
-        });
+        return paintTile<2>(map, tx, ty, stamp, brush,
+                            [](const auto& row) { turnTowards(row, [&](int, int) { return row.scale / 2; }); });
     return paintTile(map, tx, ty, stamp, brush, [](const auto& row) {
         for (int i = 0; i < kTileSize; ++i) row.change[i] = -row.scale * row.weight[i];
     });

@@ -55,7 +55,8 @@ void createButton(EditorApp& app, const FieldRef& map) {
         app.deferred.push_back([&app, path, size] {
             if (accept(app, app.doc.createMap(path))) say(app, fmt::format("new map {}: {}", path, size));
         });
-    ui::tooltip("The project has no " + path + " yet.\nMakes it: " + size + ". The first stroke does so too; undo takes it back.");
+    ui::tooltip("The project has no " + path + " yet.\nMakes it: " + size +
+                ". The first stroke does so too; undo takes it back.");
     ImGui::SameLine(0, 8);
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, shortly.c_str());
@@ -72,7 +73,8 @@ void modeCombo(EditorApp& app) {
     if (ui::combo("Mode", labels, chosen)) selectTool(app, tools[static_cast<size_t>(chosen)]);
 }
 
-void number(EditorApp& app, const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
+void number(EditorApp& app, const char* label, float& value, float width, const ui::NumberSpec& spec,
+            const char* help) {
     next(app, label, width);
     caption(label);
     ImGui::SetNextItemWidth(width);
@@ -98,7 +100,8 @@ void dial(EditorApp& app, float& angleDeg) {
     ImGui::InvisibleButton("dial", {side, side});
     ui::record("Dial", ui::Kind::Area, ui::numberText(static_cast<double>(angleDeg)));
     const ImVec2 low = ImGui::GetItemRectMin(), c{low.x + side / 2, low.y + side / 2}, mouse = ImGui::GetIO().MousePos;
-    const float yawDeg = static_cast<float>(glm::degrees(app.viewport.camera.yaw)), dx = mouse.x - c.x, dy = mouse.y - c.y;
+    const float yawDeg = static_cast<float>(glm::degrees(app.viewport.camera.yaw)), dx = mouse.x - c.x,
+                dy = mouse.y - c.y;
     if (ImGui::IsItemActive() && std::hypot(dx, dy) > 2) {
         const float turn = glm::degrees(std::atan2(dx, -dy)) + yawDeg;
         angleDeg = std::round(turn - 360 * std::floor(turn / 360));
@@ -109,7 +112,8 @@ void dial(EditorApp& app, float& angleDeg) {
     list.AddCircleFilled(c, r, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
     list.AddCircle(c, r, ui::kDimText);
     list.AddLine({c.x - x * r * 0.6f, c.y - y * r * 0.6f}, {c.x + x * r * 0.6f, c.y + y * r * 0.6f}, IM_COL32_WHITE, 2);
-    list.AddTriangleFilled({c.x + x * r, c.y + y * r}, {c.x + (x * 0.2f - y * 0.5f) * r, c.y + (y * 0.2f + x * 0.5f) * r},
+    list.AddTriangleFilled({c.x + x * r, c.y + y * r},
+                           {c.x + (x * 0.2f - y * 0.5f) * r, c.y + (y * 0.2f + x * 0.5f) * r},
                            {c.x + (x * 0.2f + y * 0.5f) * r, c.y + (y * 0.2f - x * 0.5f) * r}, IM_COL32_WHITE);
 }
 
@@ -139,7 +143,8 @@ void drawBrushBar(EditorApp& app) {
     number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(app, b.angleDeg);
     if (b.mode == "set")
-        number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1), "What the brush paints towards: 0 is bare, 1 is full.");
+        number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
+               "What the brush paints towards: 0 is bare, 1 is full.");
 }
 
 }  // namespace sward

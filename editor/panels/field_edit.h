@@ -12,6 +12,7 @@ void setField(EditorApp& app, const std::string& path, const std::string& text, 
 void holdEdit(EditorApp& app, const std::string& path);
 ui::NumberSpec numberSpec(const FieldRow& row);
 // What a number's widget gave: a drag is held and set, a typed text set.
-void takeEdit(EditorApp& app, const FieldRef& field, const ui::NumberEdit& edit, double value, const std::string& label);
+void takeEdit(EditorApp& app, const FieldRef& field, const ui::NumberEdit& edit, double value,
+              const std::string& label);
 
 }  // namespace sward

@@ -10,7 +10,8 @@ namespace {
 
 constexpr float kPad = 8;
 // As in shaders/post/map_overlay.frag.glsl.
-constexpr ImU32 kNone = IM_COL32(61, 13, 107, 255), kHalf = IM_COL32(222, 77, 92, 255), kFull = IM_COL32(255, 235, 64, 255);
+constexpr ImU32 kNone = IM_COL32(61, 13, 107, 255), kHalf = IM_COL32(222, 77, 92, 255),
+                kFull = IM_COL32(255, 235, 64, 255);
 
 ImVec2 box(const Rect& r, float width, float height) {
     const ImVec2 low{r.x + r.w - width - 10, r.y + 10};
@@ -78,7 +79,8 @@ void drawOverlayLegend(EditorApp& app) {
     if (overlayOf(app).map.empty() || !map) return;
     const std::string title = map->path;
     const bool sky = std::string_view(map->row->name) == "ambientOcclusion";
-    if (map->row->mapChannels == 1) amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
+    if (map->row->mapChannels == 1)
+        amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
     if (map->row->mapChannels == 2) directions(app.viewport.rect, title, app.viewport.camera.yaw);
 }
 

@@ -134,7 +134,8 @@ std::span<const PanelRow> panelRows() { return kPanels; }
 
 float brushBarHeight(int rows) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
-    return static_cast<float>(rows) * (ImGui::GetFrameHeight() + spacing) - spacing + 2 * ImGui::GetStyle().WindowPadding.y;
+    return static_cast<float>(rows) * (ImGui::GetFrameHeight() + spacing) - spacing +
+           2 * ImGui::GetStyle().WindowPadding.y;
 }
 float statusBarHeight() { return ImGui::GetTextLineHeight() + 10; }
 float toolStripWidth() { return ImGui::GetFontSize() * 2.2f + 2 * ImGui::GetStyle().WindowPadding.x; }
@@ -142,8 +143,8 @@ float toolStripWidth() { return ImGui::GetFontSize() * 2.2f + 2 * ImGui::GetStyl
 void drawPanels(EditorApp& app) {
     const float width = static_cast<float>(app.surface->width()), height = static_cast<float>(app.surface->height());
     clampLayout(app.layout, width, height);
-    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(app.brushBarRows), statusBarHeight(),
-                        toolStripWidth());
+    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(app.brushBarRows),
+                        statusBarHeight(), toolStripWidth());
     for (const PanelRow& row : kPanels) {
         if (row.dock == Dock::Bottom) continue;
         const ui::Scope scope(row.name);

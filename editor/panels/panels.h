@@ -13,7 +13,7 @@ struct PanelRow {
     const char* name;  // the first part of its widgets' paths
     Dock dock;
     void (*draw)(EditorApp&);
-    bool hideable;  // listed in the View menu
+    bool hideable;               // listed in the View menu
     const char* menu = nullptr;  // what it is called there, if not by its name
 };
 std::span<const PanelRow> panelRows();

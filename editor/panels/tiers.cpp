@@ -12,8 +12,8 @@ namespace sward {
 namespace {
 
 FieldRef fieldNamed(EditorApp& app, const char* name) {
-    const Result<FieldRef> f = findField(app.doc.project(), app.doc.tables().components,
-                                         tierEntity(app) + ".GrassField." + name);
+    const Result<FieldRef> f =
+        findField(app.doc.project(), app.doc.tables().components, tierEntity(app) + ".GrassField." + name);
     CHECK(bool(f));
     return *f;
 }
@@ -56,8 +56,8 @@ void typeDistance(EditorApp& app, size_t i, const std::string& text, const ui::N
 void distance(EditorApp& app, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
     const FieldRef field = fieldNamed(app, name);
-    const std::string help = fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.",
-                                         field.row->help, field.path);
+    const std::string help =
+        fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float size = ImGui::GetTextLineHeight() * 0.7f, y = at.y + (ImGui::GetFrameHeight() - size) / 2;
@@ -126,7 +126,8 @@ void looks(EditorApp& app) {
 void toggles(EditorApp& app) {
     bool colours = app.viewport.mode == ViewMode::Tiers;
     if (ui::checkbox("False colours", colours)) app.viewport.mode = colours ? ViewMode::Tiers : ViewMode::Final;
-    ui::tooltip("Red: blades by themselves. Blue: vertical slices. Green: the horizontal slice and the ground's colour.");
+    ui::tooltip(
+        "Red: blades by themselves. Blue: vertical slices. Green: the horizontal slice and the ground's colour.");
     ImGui::SameLine(0, 14);
     ui::checkbox("Rings", app.tierView.rings);
     ui::tooltip("The distances as rings on the ground. Drag them with the mouse; Escape lets go.");
@@ -134,8 +135,9 @@ void toggles(EditorApp& app) {
     bool pinned = app.tierView.pin.has_value();
     if (ui::checkbox("Pin rings", pinned))
         app.tierView.pin = pinned ? std::optional(app.viewport.camera.eye) : std::nullopt;
-    ui::tooltip("Leaves the rings around where the eye is now, so that you can fly off and look at them.\n"
-                "The picture's own tiers stay around the eye.");
+    ui::tooltip(
+        "Leaves the rings around where the eye is now, so that you can fly off and look at them.\n"
+        "The picture's own tiers stay around the eye.");
 }
 
 // Fields that only some renderers count.
@@ -165,17 +167,21 @@ void costs(EditorApp& app) {
     std::string line;
     for (const PassStats& p : app.viewport.stats.passes)
         if (measured && p.name.starts_with("grass/"))
-            line += fmt::format("{}{} {:.2f} ms", line.empty() ? "" : "   ", p.name.substr(p.name.rfind('/') + 1), p.ms);
+            line +=
+                fmt::format("{}{} {:.2f} ms", line.empty() ? "" : "   ", p.name.substr(p.name.rfind('/') + 1), p.ms);
     ui::checkbox("Measure", app.measure);
     ui::tooltip("Times each pass, as in the profiler. A frame takes longer then.");
     ImGui::SameLine(0, 10);
-    ui::coloredText(ui::kDimText, !app.measure ? "ms of the grass passes" : line.empty() ? "no grass pass ran" : line.c_str());
+    ui::coloredText(ui::kDimText, !app.measure   ? "ms of the grass passes"
+                                  : line.empty() ? "no grass pass ran"
+                                                 : line.c_str());
     ui::record("Passes", ui::Kind::Label, line);
 }
 
 void orderHint(EditorApp& app, const TierDistances& now) {
     if (tiersInOrder(now)) return;
-    if (ui::button("Put in order", 0, true)) app.deferred.push_back([&app] { setAll(app, orderedTiers(tiersOf(*tierField(app)))); });
+    if (ui::button("Put in order", 0, true))
+        app.deferred.push_back([&app] { setAll(app, orderedTiers(tiersOf(*tierField(app)))); });
     ImGui::SameLine(0, 8);
     ui::coloredText(ui::kWarningText, "near and far are swapped");
 }

@@ -41,12 +41,14 @@ void specks(Draw d, ImVec2 c, float r, ImU32 color) {
 // Three blades laid the same way.
 void comb(Draw d, ImVec2 c, float r, ImU32 color) {
     for (const float x : {-0.9f, -0.2f, 0.5f})
-        d.AddBezierQuadratic({c.x + x * r, c.y + r}, {c.x + x * r, c.y - r * 0.4f}, {c.x + (x + 0.8f) * r, c.y - r * 0.8f}, color, 1.8f);
+        d.AddBezierQuadratic({c.x + x * r, c.y + r}, {c.x + x * r, c.y - r * 0.4f},
+                             {c.x + (x + 0.8f) * r, c.y - r * 0.8f}, color, 1.8f);
 }
 
 void compass(Draw d, ImVec2 c, float r, ImU32 color) {
     d.AddCircle(c, r * 1.15f, color, 0, 1.4f);
-    d.AddTriangleFilled({c.x + r * 0.62f, c.y - r * 0.62f}, {c.x - r * 0.6f, c.y - r * 0.05f}, {c.x + r * 0.05f, c.y + r * 0.6f}, color);
+    d.AddTriangleFilled({c.x + r * 0.62f, c.y - r * 0.62f}, {c.x - r * 0.6f, c.y - r * 0.05f},
+                        {c.x + r * 0.05f, c.y + r * 0.6f}, color);
 }
 
 void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, ImU32 color) {

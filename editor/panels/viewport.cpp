@@ -2,8 +2,8 @@
 #include <imgui.h>
 
 #include "frame/ground.h"
-#include "panels/panels.h"
 #include "panels/overlay_legend.h"
+#include "panels/panels.h"
 #include "panels/viewport_input.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"

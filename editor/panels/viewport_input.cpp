@@ -40,8 +40,8 @@ void beginGesture(EditorApp& app) {
         takePivot(app, groundAt(app, app.in.x, app.in.y));
         v.gesture = Gesture::Pan;
     } else if (app.in.pressed[0] && app.in.alt()) {
-        takePivot(
-            app, groundAt(app, static_cast<double>(v.rect.x + v.rect.w / 2), static_cast<double>(v.rect.y + v.rect.h / 2)));
+        takePivot(app, groundAt(app, static_cast<double>(v.rect.x + v.rect.w / 2),
+                                static_cast<double>(v.rect.y + v.rect.h / 2)));
         v.gesture = Gesture::Orbit;
     } else if (app.in.pressed[0] && grabRing(app)) {
         v.gesture = Gesture::Ring;

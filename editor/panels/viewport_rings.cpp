@@ -44,7 +44,8 @@ void layRing(EditorApp& app, const Ground& ground, size_t i, double distance) {
         if (!points[k]) continue;
         screen[k] = projectPoint(app.viewport, *points[k] + glm::dvec3(0, 0.02, 0));
         clear[k] = screen[k] && onTerrain(ground, *points[k]) &&
-                   !(ground.terrain->height.present() && hiddenByGround(heightAt, app.viewport.camera.eye, *points[k], kSlack));
+                   !(ground.terrain->height.present() &&
+                     hiddenByGround(heightAt, app.viewport.camera.eye, *points[k], kSlack));
     }
 }
 
@@ -84,7 +85,8 @@ Rect roomFor(const Rect& view, ImVec2 grip, ImVec2 size, const std::vector<Rect>
         const float y = grip.y + step * (size.y + 10) - size.y / 2 - (step < 0 ? 2 : -2);
         const Rect room{x - 5, y - 2, size.x + 10, size.y + 4};
         const bool inside = room.y > view.y && room.y + room.h < view.y + view.h;
-        if (inside && std::none_of(taken.begin(), taken.end(), [&](const Rect& r) { return overlap(r, room); })) return room;
+        if (inside && std::none_of(taken.begin(), taken.end(), [&](const Rect& r) { return overlap(r, room); }))
+            return room;
     }
     return {x - 5, grip.y - size.y - 16, size.x + 10, size.y + 4};
 }
@@ -96,12 +98,14 @@ void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) 
     ScreenRing seen = t.screen[i];
     for (size_t k = 0; k < seen.size(); ++k)
         if (!t.clear[i][k]) seen[k].reset();
-    const double margin = 14, x = static_cast<double>(r.x) + static_cast<double>(r.w) * (0.26 + 0.14 * static_cast<double>(i));
+    const double margin = 14,
+                 x = static_cast<double>(r.x) + static_cast<double>(r.w) * (0.26 + 0.14 * static_cast<double>(i));
     const auto at = ringLabel(seen, {static_cast<double>(r.x) + margin, static_cast<double>(r.y) + margin},
                               {static_cast<double>(r.x + r.w) - margin, static_cast<double>(r.y + r.h) - margin}, x);
     if (!at) return;
     const ImVec2 grip = vec(*at);
-    app.book.next[fmt::format("Viewport/Ring {}", kTierFields[i])] = {ui::Kind::Area, grip.x - 6, grip.y - 6, grip.x + 6, grip.y + 6, metres(distance)};
+    app.book.next[fmt::format("Viewport/Ring {}", kTierFields[i])] = {ui::Kind::Area, grip.x - 6, grip.y - 6,
+                                                                      grip.x + 6,     grip.y + 6, metres(distance)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = highlighted(t, i) ? 7.5f : 5.5f;
     list.AddCircleFilled(grip, radius + 1.5f, IM_COL32(0, 0, 0, 170));
@@ -109,7 +113,8 @@ void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) 
     const std::string text = fmt::format("{} {}", kTierTitles[i], metres(distance));
     const Rect room = roomFor(r, grip, ImGui::CalcTextSize(text.c_str()), taken);
     taken.push_back(room);
-    list.AddRectFilled({room.x, room.y}, {room.x + room.w, room.y + room.h}, IM_COL32(18, 20, 18, highlighted(t, i) ? 245 : 190), 3);
+    list.AddRectFilled({room.x, room.y}, {room.x + room.w, room.y + room.h},
+                       IM_COL32(18, 20, 18, highlighted(t, i) ? 245 : 190), 3);
     list.AddText({room.x + 5, room.y + 2}, kTierColors[i], text.c_str());
 }
 
@@ -140,7 +145,9 @@ std::optional<glm::dvec3> groundTowards(const EditorApp& app, double x, double y
 std::string tierEntity(EditorApp& app) {
     if (!app.doc.isOpen()) return "";
     Project& p = app.doc.project();
-    const auto grows = [&](const std::string& name) { return p.registry.get<GrassField>(findEntity(p, name)) != nullptr; };
+    const auto grows = [&](const std::string& name) {
+        return p.registry.get<GrassField>(findEntity(p, name)) != nullptr;
+    };
     for (const std::string& name : {app.tierView.field, app.selected})
         if (!name.empty() && p.entities.contains(name) && grows(name)) return name;
     for (const auto& [name, entity] : p.entities)

@@ -69,11 +69,10 @@ int screenshot(lua_State* L, State& state) {
 }  // namespace
 
 void openUiCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"click", luaCall<click>}, {"set", luaCall<set>},
-                                   {"get", luaCall<get>},     {"exists", luaCall<exists>},
-                                   {"key", luaCall<key>},     {"drag", luaCall<drag>},
-                                   {"rect", luaCall<rect>},
-                                   {"wait", luaCall<wait>},   {"screenshot", luaCall<screenshot>}};
+    constexpr NamedCall calls[] = {
+        {"click", luaCall<click>},   {"set", luaCall<set>},   {"get", luaCall<get>},
+        {"exists", luaCall<exists>}, {"key", luaCall<key>},   {"drag", luaCall<drag>},
+        {"rect", luaCall<rect>},     {"wait", luaCall<wait>}, {"screenshot", luaCall<screenshot>}};
     registerCalls(L, "ui", calls);
 }
 

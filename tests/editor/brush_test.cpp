@@ -41,7 +41,8 @@ TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
         EXPECT_EQ(paints(row, 1), name != "comb" && name != "direction") << name;
-        EXPECT_EQ(paints(row, 2), name == "comb" || name == "direction" || name == "smooth" || name == "subtract") << name;
+        EXPECT_EQ(paints(row, 2), name == "comb" || name == "direction" || name == "smooth" || name == "subtract")
+            << name;
         EXPECT_FALSE(paints(row, 4)) << name;
     }
     EXPECT_EQ(findBrush("spray"), nullptr);

@@ -206,7 +206,8 @@ TEST(Document, AStrokeOnSeveralMapsIsOneStepAndMakesWhatIsMissing) {
     f.doc.endStroke();
     f.doc.pumpStroke(0);
     for (const char* name : {"lawn", "grass"}) {
-        const auto field = findField(f.doc.project(), tables().components, fmt::format("lawn.GrassField.species[{}].density", name));
+        const auto field =
+            findField(f.doc.project(), tables().components, fmt::format("lawn.GrassField.species[{}].density", name));
         ASSERT_TRUE(field);
         EXPECT_LT(static_cast<const MapField*>(field->value)->map.sample(15.0 / 40, 10.0 / 40), 0.6f) << name;
     }

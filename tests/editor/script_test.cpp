@@ -369,9 +369,9 @@ TEST(Script, UiCallsReachTheDriver) {
         expect.equal({ui.rect('Brush/Radius')}, {10, 20, 30.5, 40})
         expect.truthy(ui.exists('Brush/Radius')) expect.truthy(not ui.exists('Brush/Smell')))"),
               "");
-    EXPECT_EQ(ui.calls,
-              (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
-                                        "key ctrl+z", "drag 1 2 3.5 4", "drag 1 2 3 4 ctrl+shift", "wait 5", "wait 1", "screenshot shot.png"}));
+    EXPECT_EQ(ui.calls, (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
+                                                  "key ctrl+z", "drag 1 2 3.5 4", "drag 1 2 3 4 ctrl+shift", "wait 5",
+                                                  "wait 1", "screenshot shot.png"}));
     EXPECT_FAULT(r, "ui.get('Brush/Smell')", "no widget Brush/Smell");
     EXPECT_FAULT(r, "ui.rect('Brush/Smell')", "no widget Brush/Smell");
     EXPECT_FAULT(r, "ui.wait(1e9)", "frames");
@@ -400,9 +400,11 @@ TEST(Script, DirectionsAreCombedAndLaidTowardsAnAngle) {
         expect.near(x, 0.5, 1e-3) expect.near(z, 0.75, 1e-3)
         edit.undo() edit.undo() expect.equal(map.hash('orientation'), empty))"),
               "");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}", "does not paint amounts");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+                 "does not paint amounts");
     EXPECT_FAULT(Stage(),
-                 "project.new() map.create{path = 'orientation', width = 8, height = 8} brush.select{map = 'orientation'} brush.stroke{{1, 1}}",
+                 "project.new() map.create{path = 'orientation', width = 8, height = 8} brush.select{map = "
+                 "'orientation'} brush.stroke{{1, 1}}",
                  "does not paint directions");
 }
 

@@ -65,7 +65,8 @@ TEST(Tiers, TypingAnOrderedListInAnyOrderGivesIt) {
 TEST(Tiers, OrderingSortsAndParts) {
     EXPECT_EQ(orderedTiers({40, 4, 25, 12}), kUsual);
     const TierDistances parted = orderedTiers({5, 5, 5, 5});
-    for (size_t i = 0; i < kTierCount; ++i) EXPECT_NEAR(parted[i], 5 + kTierGap * static_cast<double>((i + 1) / 2), 1e-9);
+    for (size_t i = 0; i < kTierCount; ++i)
+        EXPECT_NEAR(parted[i], 5 + kTierGap * static_cast<double>((i + 1) / 2), 1e-9);
     EXPECT_TRUE(tiersInOrder(orderedTiers({kInf, 3, kInf, 1})));
 }
 

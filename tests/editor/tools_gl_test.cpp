@@ -12,7 +12,9 @@ constexpr const char* kOrientation = "lawn.GrassField.orientation";
 
 class EditorTools : public test::EditorFixture {
   protected:
-    TierDistances tiers() { return tiersOf(*doc.project().registry.get<GrassField>(findEntity(doc.project(), "lawn"))); }
+    TierDistances tiers() {
+        return tiersOf(*doc.project().registry.get<GrassField>(findEntity(doc.project(), "lawn")));
+    }
     std::array<double, 2> grip(const std::string& tier) {
         const auto r = ui->rect("Viewport/Ring " + tier);
         EXPECT_TRUE(r) << (r ? "" : r.error().text());
@@ -42,7 +44,8 @@ class EditorTools : public test::EditorFixture {
         ok(ui->wait(2));
         app->refineNow = false;
         std::vector<uint8_t> pixels(static_cast<size_t>(app->viewport.pictureWidth) * app->viewport.pictureHeight * 4);
-        glGetTextureImage(app->viewport.picture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()), pixels.data());
+        glGetTextureImage(app->viewport.picture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
+                          pixels.data());
         return pixels;
     }
 };
@@ -175,9 +178,10 @@ TEST_F(EditorTools, PinnedRingsStayWhereTheEyeWas) {
     ok(ui->wait(2));
     EXPECT_EQ(*app->tierView.pin, eye);
     const auto [x, y] = grip("maxGeom");
-    const auto ground = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(app->viewport.rect.w),
-                                   static_cast<int>(app->viewport.rect.h), x - static_cast<double>(app->viewport.rect.x),
-                                   y - static_cast<double>(app->viewport.rect.y));
+    const auto ground =
+        pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(app->viewport.rect.w),
+                   static_cast<int>(app->viewport.rect.h), x - static_cast<double>(app->viewport.rect.x),
+                   y - static_cast<double>(app->viewport.rect.y));
     ASSERT_TRUE(ground);
     EXPECT_NEAR(glm::length(*ground - eye), tiers()[1], 0.5);
     ok(ui->set("Tiers/Pin rings", "false"));
@@ -203,11 +207,11 @@ TEST_F(EditorTools, TheCombGoesToTheOrientationMapAndOffersToCreateIt) {
 TEST_F(EditorTools, CombingInTheViewportLaysTheGrassTheWayTheHandGoes) {
     ok(ui->click("Tools/Comb"));
     ok(ui->set("Brush/Strength", "1"));
-    paint();  // to the right on the screen
+    paint();                                     // to the right on the screen
     ASSERT_TRUE(mapOf(kOrientation).present());  // made with the stroke
     const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w), static_cast<int>(r.h),
-                               static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
+    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
+                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     const glm::dvec2 size = findGround(doc.project()).terrain->size;
     const Map& map = mapOf(kOrientation).map;

@@ -11,7 +11,9 @@ namespace {
 
 constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
 
-float stepOf(PixelType type) { return type == PixelType::U8 ? 2.f / 255 : type == PixelType::U16 ? 2.f / 65535 : 1e-6f; }
+float stepOf(PixelType type) {
+    return type == PixelType::U8 ? 2.f / 255 : type == PixelType::U16 ? 2.f / 65535 : 1e-6f;
+}
 
 glm::dvec2 leanAt(const Map& m, int x, int y) { return {m.at(x, y, 0) * 2 - 1, m.at(x, y, 1) * 2 - 1}; }
 
@@ -70,7 +72,8 @@ TEST(Comb, NoHeadingNoStrengthNoRadiusAndBrokenNumbersPaintNothing) {
 }
 
 TEST(Comb, AnglesGoClockwiseFromNorth) {
-    const std::pair<float, glm::dvec2> known[] = {{0.f, {0, -1}}, {90.f, {1, 0}}, {180.f, {0, 1}}, {-90.f, {-1, 0}}, {450.f, {1, 0}}};
+    const std::pair<float, glm::dvec2> known[] = {
+        {0.f, {0, -1}}, {90.f, {1, 0}}, {180.f, {0, 1}}, {-90.f, {-1, 0}}, {450.f, {1, 0}}};
     for (const auto& [angle, wanted] : known) {
         Map m = upright(64, PixelType::U16);
         BrushSettings b = brushOf(1, 0);
@@ -149,7 +152,8 @@ TEST(Comb, WhateverIsPaintedStaysFiniteAndNoLongerThanOne) {
             BrushSettings b = brushOf(static_cast<float>(any(0, 1)), static_cast<float>(any(0, 1)));
             b.angleDeg = static_cast<float>(any(-700, 700));
             const char* modes[] = {"comb", "direction", "smooth", "subtract"};
-            paint(m, modes[random() % 4], {any(0, 180), any(0, 180), any(0, 60), any(0, 60), i, any(-1, 1), any(-1, 1)}, b);
+            paint(m, modes[random() % 4], {any(0, 180), any(0, 180), any(0, 60), any(0, 60), i, any(-1, 1), any(-1, 1)},
+                  b);
         }
         for (int y = 0; y < 180; ++y)
             for (int x = 0; x < 180; ++x) ASSERT_LE(glm::length(leanAt(m, x, y)), 1 + 2 * stepOf(type));
@@ -167,7 +171,9 @@ Map combed(const std::vector<std::pair<double, double>>& points) {
     stroke.pump(m, 0);
     return m;
 }
-glm::dvec2 leanAtMetres(const Map& m, double x, double z) { return leanAt(m, static_cast<int>(x * 6.4), static_cast<int>(z * 6.4)); }
+glm::dvec2 leanAtMetres(const Map& m, double x, double z) {
+    return leanAt(m, static_cast<int>(x * 6.4), static_cast<int>(z * 6.4));
+}
 
 TEST(Comb, AStrokeLaysTheWayItGoesFromItsFirstPointOn) {
     const Map m = combed({{10, 20}, {30, 20}});
@@ -188,7 +194,8 @@ TEST(Comb, AStrokeCutIntoPiecesLaysTheSame) {
     std::vector<std::pair<double, double>> pieces;
     for (int i = 0; i <= 160; ++i) pieces.emplace_back(10 + i * 0.125, 20);
     const Map whole = combed({{10, 20}, {30, 20}}), cut = combed(pieces);
-    for (double x = 9; x < 31; x += 0.5) EXPECT_NEAR(glm::length(leanAtMetres(whole, x, 20) - leanAtMetres(cut, x, 20)), 0, 1e-3);
+    for (double x = 9; x < 31; x += 0.5)
+        EXPECT_NEAR(glm::length(leanAtMetres(whole, x, 20) - leanAtMetres(cut, x, 20)), 0, 1e-3);
 }
 
 TEST(Comb, WholePixelsOfThePointerDoNotShowInTheHeading) {
