@@ -152,8 +152,9 @@ void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
     runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
-    if (!app.queue.pending() && app.surface->takeCloseRequest()) requestQuit(app);  // what was typed before comes first
-    if (app.queue.pending()) app.framesWanted = 4;
+    const bool closing = !app.queue.pending() && app.surface->takeCloseRequest();  // what was typed before comes first
+    if (closing) requestQuit(app);
+    if (closing || app.queue.pending()) app.framesWanted = 4;  // a dialog is seen from its second frame on
     --app.framesWanted;
     app.in = app.queue.next();
     advanceTime(app);

@@ -10,6 +10,8 @@
 namespace sward {
 namespace {
 
+constexpr int kFirstFrame = 4;  // Dear ImGui's: a modal before the other windows are there stops it
+
 // "21 November, 18:04"
 std::string timeOf(const std::filesystem::path& file) {
     struct stat about {};
@@ -36,6 +38,10 @@ void recover(EditorApp& app, const std::filesystem::path& copy) {
 void drawRecoveryDialog(EditorApp& app) {
     Autosave& a = app.autosave;
     if (a.found.empty() || !app.doc.isOpen()) return;
+    if (a.opening && ImGui::GetFrameCount() < kFirstFrame) {
+        app.framesWanted = 4;
+        return;
+    }
     if (std::exchange(a.opening, false)) ImGui::OpenPopup("Recovery");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
