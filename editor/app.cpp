@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include "brush_target.h"
 #include "commands.h"
 #include "panels/panels.h"
 #include "panels/viewport_scene.h"
@@ -47,19 +48,9 @@ bool hasFreshLog(const EditorApp& app) {
     return !log.fresh.empty();
 }
 
-// The map that brushes paint must be one that the project has now.
-void keepMapValid(EditorApp& app) {
-    const std::vector<FieldRef> maps = paintableMaps(app);
-    const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
-    if (std::any_of(maps.begin(), maps.end(), named)) return;
-    const auto density =
-        std::find_if(maps.begin(), maps.end(), [](const FieldRef& f) { return f.path.ends_with(".density"); });
-    app.brushes.map = density != maps.end() ? density->path : maps.empty() ? "" : maps.front().path;
-}
-
 void followProject(EditorApp& app) {
     if (app.doc.isOpen() && app.doc.project().dir != app.shownProject) adoptProject(app);
-    keepMapValid(app);
+    keepTargetValid(app);
 }
 
 void runConsole(EditorApp& app) {
@@ -137,6 +128,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
         viewport.resolution.movingScale = viewport.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
+    brushes.shiftErases = layout.shiftErases;
     log.sink = addLogSink([this](LogLevel level, const std::string& text) {
         const std::lock_guard lock(log.mutex);
         log.fresh.push_back({level, text});
@@ -146,6 +138,7 @@ EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s,
 EditorApp::~EditorApp() {
     removeLogSink(log.sink);
     if (!holding.empty()) doc.endGroup();
+    layout.shiftErases = brushes.shiftErases;
     if (keepLayout)
         if (const auto file = layoutFile()) saveLayout(*file, layout);
     ImGui::SetCurrentContext(imgui);
@@ -159,8 +152,9 @@ void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
     runConsole(app);
     app.surface->poll(app.queue, waitSeconds);
-    if (!app.queue.pending() && app.surface->takeCloseRequest()) requestQuit(app);  // what was typed before comes first
-    if (app.queue.pending()) app.framesWanted = 4;
+    const bool closing = !app.queue.pending() && app.surface->takeCloseRequest();  // what was typed before comes first
+    if (closing) requestQuit(app);
+    if (closing || app.queue.pending()) app.framesWanted = 4;  // a dialog is seen from its second frame on
     --app.framesWanted;
     app.in = app.queue.next();
     advanceTime(app);
@@ -208,10 +202,12 @@ void runUntilQuit(EditorApp& app) {
     double lastLook = clockSeconds();
     while (!app.quit) {
         followShaders(app, lastLook);
+        tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
         if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
     }
+    endAutosave(app);
 }
 
 void showError(EditorApp& app, const Error& error) {
@@ -275,10 +271,6 @@ bool saveNow(EditorApp& app) {
     return true;
 }
 
-void selectTool(EditorApp& app, const std::string& tool) {
-    if (tool == kLookTool || findBrush(tool)) app.brushes.tool = tool;
-}
-
 void adoptProject(EditorApp& app) {
     app.shownProject = app.doc.project().dir;
     app.viewport.drawnRevision = ~uint64_t(0);
@@ -289,7 +281,7 @@ void adoptProject(EditorApp& app) {
     if (const Camera* camera = findCamera(app.doc.project(), "")) app.viewport.camera = flyFrom(viewOf(*camera));
     for (const auto& [name, entity] : app.doc.project().entities)
         if (app.doc.project().registry.get<GrassField>(entity)) app.selected = name;
-    keepMapValid(app);
+    keepTargetValid(app);
 }
 
 bool goToCamera(EditorApp& app, const std::string& name) {
@@ -297,13 +289,6 @@ bool goToCamera(EditorApp& app, const std::string& name) {
     const Camera* camera = e == kNoEntity ? nullptr : app.doc.project().registry.get<Camera>(e);
     if (camera) app.viewport.camera = flyFrom(viewOf(*camera));
     return camera != nullptr;
-}
-
-std::vector<FieldRef> paintableMaps(EditorApp& app) {
-    if (!app.doc.isOpen()) return {};
-    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
-    std::erase_if(maps, [](const FieldRef& f) { return f.row->mapChannels != 1 || f.row->isHeight; });
-    return maps;
 }
 
 }  // namespace sward

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "autosave.h"
 #include "brush_book.h"
 #include "camera_control.h"
 #include "core/log.h"
@@ -16,6 +17,7 @@
 #include "frame/renderer.h"
 #include "layout.h"
 #include "resolution.h"
+#include "tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
 
@@ -24,7 +26,7 @@ struct ImGuiContext;
 namespace sward {
 
 // What the left, right or middle button is doing in the viewport since it went down there.
-enum class Gesture { None, Look, Orbit, Pan, Paint };
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring };
 
 struct Viewport {
     FlyCamera camera;
@@ -101,6 +103,8 @@ struct EditorApp {
 
     Viewport viewport;
     BrushBook brushes;
+    int brushBarRows = 1;  // that the brush bar's widgets took in the last frame
+    TierView tierView;
     std::string selected;   // entity, by name
     std::string newEntity;  // being typed in the outliner
     bool measure = false;   // the profiler's
@@ -111,6 +115,7 @@ struct EditorApp {
     std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;
+    Autosave autosave;
     std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
@@ -143,12 +148,9 @@ void say(EditorApp& app, const std::string& message);  // status bar and console
 void requestQuit(EditorApp& app);                 // asks first if there is unsaved work
 void requestTask(EditorApp& app, FileTask task);  // opens the file dialog; Open and New ask first
 bool saveNow(EditorApp& app);  // asks where if the project was never saved; false then, or on an error
-void selectTool(EditorApp& app, const std::string& tool);
 // After the document holds another project: its first camera, its first paintable map, nothing selected.
 void adoptProject(EditorApp& app);
 // Moves the view to a camera of the project. False if there is none of this name.
 bool goToCamera(EditorApp& app, const std::string& name);
-// Maps that brushes paint on: one channel, no heights; absent ones included.
-std::vector<FieldRef> paintableMaps(EditorApp& app);
 
 }  // namespace sward

@@ -22,7 +22,7 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
     if (ctrl && shift) {
         brush.mode = "subtract";
     } else if (shift) {
-        brush.mode = "smooth";
+        brush.mode = book.shiftErases ? "subtract" : "smooth";
     } else if (ctrl) {
         if (brush.mode == "add")
             brush.mode = "subtract";
@@ -30,6 +30,8 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
             brush.mode = "add";
         else if (brush.mode == "set")
             brush.value = 0;
+        else if (brush.mode == "comb" || brush.mode == "direction")
+            brush.mode = "subtract";
     }
     return brush;
 }

@@ -15,12 +15,15 @@ struct BrushBook {
     std::string tool = "add";  // kLookTool or the name of a brush row
     std::string map;           // canonical PATH of the map painted on; empty: the project has none
     std::map<std::pair<std::string, std::string>, BrushSettings> settings;  // by tool and map
+    std::map<int, std::string> lastMap, lastTool;                           // by the number of channels that they paint
+    std::map<std::string, bool> overlays;                                   // by map: what the person chose
+    bool shiftErases = false;  // the preset of those who know Shift as eraser
 };
 
 // The present tool's settings for the present map; made from the defaults when first asked for.
 BrushSettings& currentBrush(BrushBook& book);
 // What a stroke begun with these modifiers paints: Ctrl inverts (add and subtract change places, set paints 0),
-// Shift smooths, Ctrl+Shift subtracts.
+// Shift smooths (or subtracts, with the preset), Ctrl+Shift subtracts; from what, brush_target.h says.
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
 // One press of a size or strength key.
 void growBrush(BrushSettings& brush, int steps);        // a fifth each, within 0.05 to 500 m

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "brush_target.h"
 #include "ui/keys.h"
 
 namespace sward {
@@ -40,7 +41,11 @@ void focusGround(EditorApp& app) {
     focus(v.camera, *v.ground,
           std::min(distance, std::max(3.0, 4.0 * static_cast<double>(currentBrush(app.brushes).radius))));
 }
-void lookTool(EditorApp& app) { selectTool(app, app.brushes.tool == kLookTool ? "add" : kLookTool); }
+
+void shiftErases(EditorApp& app) {
+    app.brushes.shiftErases = !app.brushes.shiftErases;
+    say(app, app.brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
+}
 
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
@@ -54,7 +59,10 @@ constexpr Command kCommands[] = {
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
-    {"Brush", "Look Without Painting", "v", "", lookTool, opened},
+    {"Brush", "Look Without Painting", "v", "", toggleLook, opened},
+    {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
+    {"Brush", "Shift Erases", "", "", shiftErases, always, true,
+     [](EditorApp& app) { return app.brushes.shiftErases; }},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
 
@@ -63,7 +71,9 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const EditorApp& app) { return app.files.task != FileTask::None || app.unsaved.then; }
+bool dialogOpen(const EditorApp& app) {
+    return app.files.task != FileTask::None || app.unsaved.then || !app.autosave.found.empty();
+}
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
 bool goesPastText(const Command& c) { return std::string(c.menu) == "File"; }

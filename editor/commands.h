@@ -14,7 +14,8 @@ struct Command {
     const char* chord2;  // another one, not shown; "" for none
     void (*run)(EditorApp&);
     bool (*enabled)(EditorApp&);
-    bool anywhere = true;  // false: only while the pointer is over the viewport
+    bool anywhere = true;                   // false: only while the pointer is over the viewport
+    bool (*checked)(EditorApp&) = nullptr;  // of what is switched on and off
 };
 std::span<const Command> commands();
 // Runs the commands of the keys that went down in this frame, unless a text line or a dialog has the keyboard.

@@ -1,8 +1,11 @@
 // The document: files · edits · strokes · undo and redo.
 #include "document.h"
 
+#include <set>
+
 #include "field_walk.h"
 #include "history.h"
+#include "new_map.h"
 #include "stroke.h"
 
 namespace fs = std::filesystem;
@@ -36,11 +39,17 @@ struct Document::Impl {
     int groupDepth = 0;
     UndoStep group;
 
-    struct ActiveStroke {
+    struct StrokePart {
         std::string path;  // canonical
-        Change change;     // `after` is filled in at the end
         Stroke work;
-        bool ended;
+    };
+    struct ActiveStroke {
+        std::vector<StrokePart> parts;  // one a map
+        std::vector<Change> changes;    // one a component; `after` is filled in at the end
+        bool ended = false;
+        bool idle() const {
+            return std::all_of(parts.begin(), parts.end(), [](const StrokePart& p) { return p.work.idle(); });
+        }
     };
     std::optional<ActiveStroke> stroke;
 
@@ -54,6 +63,7 @@ struct Document::Impl {
     void show(Project p);
     void record(const std::string& label, std::vector<Change> changes);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
+    Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
     void pump(double budgetMs);
     void finishStroke();
     bool step(bool forward);
@@ -121,6 +131,30 @@ Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
         if (!existed) fs::remove_all(dir, fault);
     }
     return written;
+}
+
+Status Document::takeOver(const fs::path& dir, const std::string& label) {
+    if (!isOpen()) return notOpen();
+    impl_->finishStroke();
+    const Result<Project> other = loadProject(dir, impl_->rows());
+    if (!other) return other.error();
+    std::set<std::string> names;
+    for (const auto& [name, entity] : project().entities) names.insert(name);
+    for (const auto& [name, entity] : other->entities) names.insert(name);
+    std::vector<Change> changes;
+    const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
+    for (const std::string& name : names) {
+        for (const ComponentRow& row : impl_->rows()) {
+            const void* after = componentOf(*other, name, row);
+            changes.push_back({name, &row, impl_->stateOf(name, row), after ? row.clone(after) : nullptr});
+        }
+        const bool before = project().entities.contains(name), after = other->entities.contains(name);
+        if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
+    }
+    dropEmptyChanges(changes);
+    applyChanges(project(), changes, true);
+    impl_->record(label, std::move(changes));
+    return {};
 }
 
 bool Document::isOpen() const { return impl_->project.has_value(); }
@@ -279,6 +313,15 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
     });
 }
 
+Status Document::createMap(const std::string& mapPath) {
+    if (!isOpen()) return notOpen();
+    const Result<FieldRef> field = findField(project(), impl_->rows(), mapPath);
+    if (!field) return field.error();
+    if (field->row->type != FieldType::Map) return usage(field->path + " is not a map");
+    if (static_cast<const MapField*>(field->value)->present()) return {};
+    return setMap(field->path, newMap(project(), *field), "new map " + field->path);
+}
+
 void Document::beginGroup(const std::string& label) {
     impl_->finishStroke();
     if (impl_->groupDepth++ == 0) impl_->group = {label, {}};
@@ -305,45 +348,84 @@ void Document::cancelGroup() {
 
 // --- strokes -----------------------------------------------------------------------------------------------------
 
-Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
-    if (!isOpen()) return notOpen();
-    impl_->finishStroke();
-    if (Status sound = checkBrush(brush); !sound) return sound;
-    const Result<FieldRef> field = findMap(project(), impl_->rows(), brush.map);
+namespace {
+
+Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool create) {
+    const auto& target = *static_cast<const MapField*>(field.value);
+    if (!target.present() && !create)
+        return usage(field.path + ": there is no map to paint on", "create or import one first");
+    const int channels = target.present() ? target.map.info().channels : field.row->mapChannels;
+    if (paints(*findBrush(brush.mode), channels)) return {};
+    if (channels > 2)
+        return usage(field.path + ": brushes paint on maps of one or two channels", "import or fill this map instead");
+    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode,
+                             channels == 2 ? "directions" : "amounts"),
+                 channels == 2 ? "use comb, direction, smooth or subtract" : "use another mode");
+}
+
+}  // namespace
+
+Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSettings& brush, bool create) {
+    if (Status sound = checkBrush(brush); !sound) return sound.error();
+    const Result<FieldRef> field = findMap(*project, rows(), brush.map);
     if (!field) return field.error();
-    const auto& target = *static_cast<const MapField*>(field->value);
-    if (!target.present()) return usage(field->path + ": there is no map to paint on", "create or import one first");
-    if (target.map.info().channels != 1)
-        return usage(field->path + ": brushes paint on maps of one channel", "import or fill this map instead");
-    const Result<MapScale> scale = mapScale(project(), *field);
+    if (Status fits = checkTarget(*field, brush, create); !fits) return fits.error();
+    const Result<MapScale> scale = mapScale(*project, *field);
     if (!scale) return scale.error();
+    const auto& target = *static_cast<const MapField*>(field->value);
+    const MapInfo info = target.present() ? target.map.info() : newMapInfo(*project, *field);
     BrushSettings settings = brush;
     settings.low = field->row->isHeight ? -1e5f : 0.0f;
     settings.high = field->row->isHeight ? 1e5f : 1.0f;
-    Change change{field->entity, field->component, impl_->stateOf(field->entity, *field->component), nullptr};
-    Stroke work(*findBrush(brush.mode), settings, *scale, target.map.info(), impl_->history.position());
-    impl_->stroke.emplace(Impl::ActiveStroke{field->path, std::move(change), std::move(work), false});
-    impl_->stroke->work.moveTo(x, z);
+    return StrokePart{field->path, Stroke(*findBrush(brush.mode), settings, *scale, info, history.position())};
+}
+
+Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
+    return beginStrokes({&brush, 1}, x, z, false);
+}
+
+Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create) {
+    if (!isOpen()) return notOpen();
+    impl_->finishStroke();
+    Impl::ActiveStroke stroke;
+    for (const BrushSettings& brush : brushes) {
+        Result<Impl::StrokePart> part = impl_->strokePart(brush, create);
+        if (!part) return part.error();
+        stroke.parts.push_back(std::move(*part));
+    }
+    for (Impl::StrokePart& part : stroke.parts) {
+        const Result<FieldRef> field = findField(project(), impl_->rows(), part.path);
+        mergeChange(stroke.changes,
+                    {field->entity, field->component, impl_->stateOf(field->entity, *field->component), nullptr});
+        auto& target = *static_cast<MapField*>(field->value);
+        if (target.present()) continue;
+        target.map = newMap(project(), *field);
+        target.file = mapFileFor(*field, target.map.info().type);
+    }
+    impl_->stroke = std::move(stroke);
+    strokeTo(x, z);
     return {};
 }
 
 void Document::strokeTo(double x, double z) {
-    if (impl_->stroke && !impl_->stroke->ended) impl_->stroke->work.moveTo(x, z);
+    if (!impl_->stroke || impl_->stroke->ended) return;
+    for (Impl::StrokePart& part : impl_->stroke->parts) part.work.moveTo(x, z);
 }
 
 void Document::Impl::pump(double budgetMs) {
     if (!stroke) return;
-    if (!stroke->work.idle()) {
-        const Result<FieldRef> field = findField(*project, rows(), stroke->path);
+    for (StrokePart& part : stroke->parts) {
+        if (part.work.idle()) continue;
+        const Result<FieldRef> field = findField(*project, rows(), part.path);
         CHECK(bool(field));  // nothing else is edited while a stroke is on
-        stroke->work.pump(static_cast<MapField*>(field->value)->map, budgetMs);
+        part.work.pump(static_cast<MapField*>(field->value)->map, budgetMs / static_cast<double>(stroke->parts.size()));
         ++revision;
     }
-    if (!stroke->ended || !stroke->work.idle()) return;
-    Change done = std::move(stroke->change);
+    if (!stroke->ended || !stroke->idle()) return;
+    std::vector<Change> done = std::move(stroke->changes);
     stroke.reset();
-    done.after = stateOf(done.entity, *done.row);
-    record("stroke", {std::move(done)});
+    for (Change& c : done) c.after = stateOf(c.entity, *c.row);
+    record("stroke", std::move(done));
 }
 
 void Document::Impl::finishStroke() {
@@ -353,13 +435,13 @@ void Document::Impl::finishStroke() {
 
 bool Document::pumpStroke(double budgetMs) {
     impl_->pump(budgetMs);
-    return impl_->stroke && !impl_->stroke->work.idle();
+    return impl_->stroke && !impl_->stroke->idle();
 }
 
 void Document::endStroke() {
     if (!impl_->stroke) return;
     impl_->stroke->ended = true;
-    if (impl_->stroke->work.idle()) impl_->pump(0);
+    if (impl_->stroke->idle()) impl_->pump(0);
 }
 
 bool Document::stroking() const { return impl_->stroke.has_value(); }

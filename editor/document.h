@@ -4,6 +4,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class Document {
     Status create(const std::filesystem::path& dir);
     Result<std::vector<std::string>> save();  // the files written
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
+    // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
+    Status takeOver(const std::filesystem::path& dir, const std::string& label);
     bool isOpen() const;
     bool dirty() const;  // differs from what is on disk
     Project& project();
@@ -48,6 +51,8 @@ class Document {
     Status removeComponent(const std::string& entity, const std::string& component);
     Status addListElement(const std::string& listPath);
     Status removeListElement(const std::string& elementPath);
+    // A map that is not there yet, as new_map.h makes it; nothing if it is there.
+    Status createMap(const std::string& mapPath);
     // Replaces a map's texels (imports, fills). A new map's file name follows the convention
     // "maps/entity.species.map.ext".
     Status setMap(const std::string& mapPath, Map map, const std::string& label);
@@ -58,10 +63,14 @@ class Document {
     void cancelGroup();
 
     // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
-    // Status fails if the map does not exist, has several channels, or a setting is not finite or names no brush.
+    // Status fails if the map does not exist, is not of a kind that the brush paints, or a setting is not finite or
+    // names no brush.
     // Large stamps are spread: strokeTo queues, pumpStroke works them off, tile by tile. Any other edit, undo, redo and
     // save first work off the whole stroke. Points far outside the terrain are pulled to it.
     Status beginStroke(const BrushSettings& brush, double x, double z);
+    // The same on several maps at once, a brush for each. `create`: maps that are not there yet are made first
+    // (new_map.h), within the step.
+    Status beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create);
     void strokeTo(double x, double z);
     // Works off queued stamps for at most budgetMs (0: all). True while work is left.
     bool pumpStroke(double budgetMs);

@@ -26,6 +26,7 @@ int editMain(const std::filesystem::path& project) {
     if (!project.empty())
         if (const Status opened = document.open(project); !opened) return failed(opened.error());
     EditorApp app(document, **gpu, std::move(*window), true);
+    app.autosave.on = true;
     ui::installClipboard(surface);
     const std::unique_ptr<UiDriver> driver = makeUiDriver(app);
     ScriptHost host{document, driver.get()};

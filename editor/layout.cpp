@@ -20,6 +20,14 @@ void readNumber(std::istringstream& line, float& value, float low, float high) {
 
 }  // namespace
 
+std::string openTab(const Layout& l) {
+    const auto shown = [&](const std::string& name) { return !l.hidden.count(name); };
+    const auto known = std::find(std::begin(kBottomPanels), std::end(kBottomPanels), l.tab);
+    if (known != std::end(kBottomPanels) && shown(l.tab)) return l.tab;
+    const auto first = std::find_if(std::begin(kBottomPanels), std::end(kBottomPanels), shown);
+    return first == std::end(kBottomPanels) ? "" : *first;
+}
+
 void clampLayout(Layout& l, float width, float height) {
     l.right = std::clamp(l.right, std::min(kLeastRight, width / 2), std::max(kLeastRight, width - 2 * kLeastViewport));
     l.bottom = std::clamp(l.bottom, kLeastBottom, std::max(kLeastBottom, height - 2 * kLeastViewport));
@@ -31,7 +39,7 @@ Areas areasOf(const Layout& given, float width, float height, float menuHeight, 
     Layout l = given;
     clampLayout(l, width, height);
     const bool outliner = !l.hidden.count("Outliner"), inspector = !l.hidden.count("Inspector");
-    const bool bottom = !(l.hidden.count("Console") && l.hidden.count("Profiler"));
+    const bool bottom = !openTab(l).empty();
     const float top = menuHeight + barHeight, middle = std::max(0.f, height - top - statusHeight);
     const float right = outliner || inspector ? std::min(l.right, std::max(0.f, width - toolsWidth)) : 0;
     const float left = std::min(toolsWidth, width), centre = std::max(0.f, width - left - right);
@@ -73,6 +81,7 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "bottom") readNumber(line, l.bottom, 50, 4000);
         if (name == "hidden" && line >> word) l.hidden.insert(word);
         if (name == "tab" && line >> word) l.tab = word;
+        if (name == "shift" && line >> word) l.shiftErases = word == "erases";
     }
     return l;
 }
@@ -82,6 +91,7 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
     std::filesystem::create_directories(file.parent_path(), error);
     std::ofstream out(file);
     out << fmt::format("right {}\noutliner {}\nbottom {}\ntab {}\n", l.right, l.outliner, l.bottom, l.tab);
+    if (l.shiftErases) out << "shift erases\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());
 }

@@ -19,7 +19,12 @@ struct Layout {
     float bottom = 170;            // height of the bottom panels
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
+    bool shiftErases = false;      // a habit of the hand, not of a project
 };
+// The panels that share the bottom as tabs.
+inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers"};
+// The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
+std::string openTab(const Layout& layout);
 
 // Where everything goes in a window of this size, once menu, brush bar and status bar took their heights.
 struct Areas {

@@ -6,6 +6,7 @@ namespace sward {
 namespace {
 
 constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change nothing that one sees
+constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
 
 Error usage(std::string message, std::string remedy) {
@@ -56,9 +57,33 @@ Status checkBrush(const BrushSettings& b) {
     if (!inside(b.falloff, 0, 1)) return usage("the brush's falloff is not between 0 and 1", "0 is a hard edge");
     if (!inside(b.spacing, 0, 100))
         return usage("the brush's spacing is not between 0 and 100", "it is a share of the diameter");
+    if (!inside(b.angleDeg, -1e6, 1e6))
+        return usage("the brush's angle is not between -1e6 and 1e6", "give degrees, clockwise from north");
     if (!inside(b.value, -1e6, 1e6))
         return usage("the brush's value is not between -1e6 and 1e6", "give a finite number");
     return {};
+}
+
+std::vector<BrushSettings> speciesBrushes(Project& p, std::span<const ComponentRow> rows, const BrushSettings& like) {
+    const auto grows = [&](const std::string& entity) { return p.registry.get<GrassField>(findEntity(p, entity)); };
+    std::string entity = like.map.substr(0, like.map.find('.'));
+    if (!p.entities.contains(entity) || !grows(entity)) entity.clear();
+    std::vector<BrushSettings> brushes;
+    for (const FieldRef& map : allMaps(p, rows, true)) {
+        if (std::string_view(map.row->name) != "density" || !grows(map.entity)) continue;
+        if (entity.empty()) entity = map.entity;
+        if (map.entity != entity) continue;
+        brushes.push_back(like);
+        brushes.back().map = map.path;
+    }
+    return brushes;
+}
+
+glm::dvec2 headingAfter(const glm::dvec2& before, double x, double z, double metres, double reach) {
+    const double length = std::hypot(x, z);
+    if (!(length > 0)) return before;
+    const double kept = std::exp(-metres / reach);
+    return before * kept + glm::dvec2(x, z) / length * (1 - kept);
 }
 
 Stroke::Stroke(const BrushRow& row, const BrushSettings& settings, const MapScale& scale, const MapInfo& info,
@@ -76,13 +101,25 @@ void Stroke::moveTo(double x, double z) {
         z = std::clamp(z, -reachZ, scale_.depth + reachZ);
     }
     points_.emplace_back(x, z);
-    for (const auto& [sx, sz] : stampsAlong(points_, step_, carry_)) queueStamp(sx, sz);
+    const auto [x0, z0] = points_.front();
+    const double dx = x - x0, dz = z - z0, length = std::hypot(dx, dz);
+    const double reach = std::max(kHeadingReach * static_cast<double>(settings_.radius), 1e-6);
+    const glm::dvec2 before = heading_;
+    heading_ = headingAfter(before, dx, dz, length, reach);
+    if (headless_ && length > 0) queueStamp(x0, z0, heading_), headless_ = false;
+    for (const auto& [sx, sz] : stampsAlong(points_, step_, carry_)) {
+        if (points_.size() == 1 && settings_.mode == "comb")
+            headless_ = true;
+        else
+            queueStamp(sx, sz, headingAfter(before, dx, dz, std::hypot(sx - x0, sz - z0), reach));
+    }
     points_.erase(points_.begin(), points_.end() - 1);
 }
 
-void Stroke::queueStamp(double x, double z) {
+void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
-    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++};
+    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++,
+            heading.x,   heading.y};
     if (!scale_.repeats) {
         queue_.push_back(s);
         return;

@@ -2,6 +2,7 @@
 // Does not: know undo; Document keeps the map as it was before.
 #pragma once
 #include <deque>
+#include <glm/glm.hpp>
 
 #include "brushes/brush.h"
 #include "scene/project.h"
@@ -17,6 +18,10 @@ struct MapScale {
 // Of the terrain that the map's entity has, or the first terrain by name. Fails if there is none.
 Result<MapScale> mapScale(const Project& p, const FieldRef& map);
 
+// Where a hand is heading after `metres` more towards (x, z): a vector mean that forgets what lies `reach` behind, so
+// that the pointer's whole pixels do not show. Starts at (0, 0): nowhere yet; turning back passes through it.
+glm::dvec2 headingAfter(const glm::dvec2& before, double x, double z, double metres, double reach);
+
 class Stroke {
   public:
     // Settings must have passed checkBrush; `firstTurn` is where the numbers of the stamps begin.
@@ -29,7 +34,7 @@ class Stroke {
     void pump(Map& map, double budgetMs);
 
   private:
-    void queueStamp(double x, double z);
+    void queueStamp(double x, double z, const glm::dvec2& heading);
     void beginStamp(const Map& map);
     void paintTiles(Map& map, size_t count);
     void endStamp(const Map& map);
@@ -40,6 +45,8 @@ class Stroke {
     MapInfo info_;
     uint32_t turn_;
     double step_, carry_ = 0;
+    glm::dvec2 heading_{0};                          // at the last point
+    bool headless_ = false;                          // the first stamp waits until the stroke goes somewhere
     std::vector<std::pair<double, double>> points_;  // the last one, from which the line goes on
     std::deque<Stamp> queue_;
     Map before_;  // as it was before the stamp that is being painted; empty between pumps that left nothing
@@ -47,6 +54,10 @@ class Stroke {
     TileRange tiles_;  // of the stamp that is being painted; none: between stamps
     size_t nextTile_ = 0;
 };
+
+// A brush like this one for each species that grows where its map lies, by the density maps' PATHs: painting with all
+// of them at once takes every kind of grass away. Of a map that is no field's: of the first field by name.
+std::vector<BrushSettings> speciesBrushes(Project& p, std::span<const ComponentRow> rows, const BrushSettings& like);
 
 // Usage error if a setting is not finite or out of its range, or the mode is no brush.
 Status checkBrush(const BrushSettings& brush);

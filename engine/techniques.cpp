@@ -3,6 +3,7 @@
 #include "grass/field.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
+#include "post/map_overlay.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/sky.h"
@@ -15,7 +16,7 @@ const Tables& tables() {
         sunEffect(), skyEffect(), hazeEffect(),   // light
         groundEffect(),                           // ground
         fieldEffect(), geometryEffect(), farEffect(), slicesEffect(),  // grass
-        tonemapEffect(), decalEffect(),           // the screen
+        tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};
     return all;

@@ -8,14 +8,18 @@ namespace sward {
 namespace {
 constexpr BrushRow kBrushes[] = {
     {"add", "Add", "Raises the map: more blades, higher ground", applyAdd},
-    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground", applySubtract},
+    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean", applySubtract, true, true},
     {"set", "Set", "Paints towards a value", applySet},
-    {"smooth", "Smooth", "Evens out what is painted", applySmooth},
+    {"smooth", "Smooth", "Evens out what is painted", applySmooth, true, true},
     {"noise", "Noise", "Roughens towards random values, the same for the same seed", applyNoise},
+    {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, false, true},
+    {"direction", "Direction", "Lays the grass towards an angle", applyDirection, false, true},
 };
 }  // namespace
 
 std::span<const BrushRow> brushRows() { return kBrushes; }
+
+bool paints(const BrushRow& row, int channels) { return channels == 1 ? row.amounts : channels == 2 && row.directions; }
 
 const BrushRow* findBrush(const std::string& name) {
     for (const BrushRow& row : kBrushes)

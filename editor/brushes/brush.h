@@ -21,6 +21,7 @@ struct BrushSettings {
     float falloff = 0.5f;         // 0: hard edge; 1: falls off from the centre
     float spacing = 0.1f;         // distance between stamps as a share of the diameter
     int seed = 0;                 // of noise
+    float angleDeg = 0;           // of direction: where blades lean, clockwise from north (-z) seen from above
     float low = 0, high = 1;      // limits of what is painted on float maps; integer maps keep [0,1]
 };
 
@@ -31,6 +32,7 @@ struct Stamp {
     // Number of the stamp: it turns the rounding of integer maps, so that changes smaller than one of their steps add
     // up over stamps to what they would be without rounding. 0 rounds to nearest.
     uint32_t turn = 0;
+    double headingX = 0, headingZ = 0;  // where the stroke goes, for the comb; any length; none: nowhere yet
 };
 
 // The tiles that a stamp may change: [x0, x1[ by [y0, y1[; empty if it misses the map or paints nothing.
@@ -45,11 +47,15 @@ struct BrushRow {
     const char* label;  // "Add"
     const char* help;
     // Reads `map` as it was before the stamp (smooth needs neighbours) and returns the new tile, or the old pointer if
-    // nothing changed. One-channel maps only: of others every tile is returned as it is. Settings that are not finite
-    // paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
+    // nothing changed. Of maps that the brush does not paint every tile is returned as it is. Settings that are not
+    // finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
     std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
                                          const BrushSettings& brush);
+    bool amounts = true;      // paints maps of one channel
+    bool directions = false;  // paints maps of two channels: direction x, z about 0.5, its length the strength
 };
+// True if the brush paints maps of so many channels.
+bool paints(const BrushRow& row, int channels);
 std::span<const BrushRow> brushRows();
 const BrushRow* findBrush(const std::string& name);
 

@@ -32,11 +32,11 @@ bool StampWeights::row(int y, float* weight) const {
     return true;
 }
 
-bool usableBrush(const MapInfo& info, const Stamp& stamp, const BrushSettings& b) {
+bool usableBrush(const Stamp& stamp, const BrushSettings& b) {
     const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
                         std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&
                         std::isfinite(b.falloff) && std::isfinite(b.low) && std::isfinite(b.high);
-    return finite && info.channels == 1 && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
+    return finite && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
 }
 
 }  // namespace sward

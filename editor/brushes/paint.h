@@ -1,6 +1,6 @@
 // What all brushes share: the weights of a stamp over a tile, and the loop that adds a change to its texels.
 // Values and changes are counted in steps of the map's type: 0 to 255, 0 to 65535, or the float itself.
-// Does not: know any mode; each brush gives its own change. One-channel maps only.
+// Does not: know any mode; each brush gives its own change. Maps of one channel, or of two that make a direction.
 #pragma once
 #include <limits>
 #include <type_traits>
@@ -20,8 +20,8 @@ struct PaintRow {
     int x0, y;            // first texel, in the map
     Real scale;           // steps in 1
     const float* weight;  // kTileSize: strength times falloff, in [0,1]; 0 beyond the map's edge
-    const Real* value;    // kTileSize: as before the stamp
-    Real* change;         // kTileSize: to be filled
+    const Real* value;    // kTileSize times channels, interleaved: as before the stamp
+    Real* change;         // as many: to be filled
 };
 
 // The falloff of a stamp, relative to a tile. With r the distance in radii and c = 1 - falloff the hard core:
@@ -51,10 +51,10 @@ R unitPart(R x) {
 }
 
 // Adds changes to integers: whole steps and, if the rest reaches the threshold, one more. Symmetric in sign.
-template <class T>
+template <int Values, class T>
 void addSteps(const T* in, const float* change, float threshold, T* __restrict out) {
     constexpr int most = std::numeric_limits<T>::max();
-    for (int i = 0; i < kTileSize; ++i) {
+    for (int i = 0; i < Values; ++i) {
         const int whole = static_cast<int>(change[i]);
         const float rest = change[i] - static_cast<float>(whole);
         const int up = rest >= threshold, down = rest <= -threshold;
@@ -62,8 +62,9 @@ void addSteps(const T* in, const float* change, float threshold, T* __restrict o
     }
 }
 // Texels without a change keep their value, even one outside [low, high].
-inline void addFloats(const float* in, const double* change, double low, double high, float* __restrict out) {
-    for (int i = 0; i < kTileSize; ++i) {
+template <int Values>
+void addFloats(const float* in, const double* change, double low, double high, float* __restrict out) {
+    for (int i = 0; i < Values; ++i) {
         const double next = in[i] + change[i];
         const double kept = next < low ? low : next > high ? high : next;
         out[i] = change[i] == 0 ? in[i] : static_cast<float>(kept);
@@ -74,28 +75,30 @@ inline float roundingThreshold(uint32_t turn) {
     const uint32_t t = 0x80000000u + turn * 0x9E3779B9u;
     return 1.0f - static_cast<float>(t >> 8) * 0x1p-24f;
 }
-bool usableBrush(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush);
+// False for settings that paint nothing, or that are not finite.
+bool usableBrush(const Stamp& stamp, const BrushSettings& brush);
 
-template <class T, class ChangeOf>
+template <int Channels, class T, class ChangeOf>
 std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
                                        const ChangeOf& changeOf) {
     using Real = typename PixelTraits<T>::Real;
+    constexpr int kValues = kTileSize * Channels;
     const std::shared_ptr<const Tile>& old = map.tile(tx, ty);
     const StampWeights weights(map.info(), stamp, brush, tx, ty);
     const float threshold = roundingThreshold(stamp.turn);
     std::shared_ptr<Tile> fresh;
     alignas(64) float weight[kTileSize];
-    alignas(64) Real value[kTileSize], change[kTileSize];
-    alignas(64) T next[kTileSize];
+    alignas(64) Real value[kValues], change[kValues];
+    alignas(64) T next[kValues];
     for (int y = 0; y < kTileSize; ++y) {
         if (!weights.row(y, weight)) continue;
-        const T* in = reinterpret_cast<const T*>(old->bytes.data()) + y * kTileSize;
-        for (int i = 0; i < kTileSize; ++i) value[i] = static_cast<Real>(in[i]);
+        const T* in = reinterpret_cast<const T*>(old->bytes.data()) + y * kValues;
+        for (int i = 0; i < kValues; ++i) value[i] = static_cast<Real>(in[i]);
         changeOf(PaintRow<Real>{tx * kTileSize, ty * kTileSize + y, PixelTraits<T>::scale, weight, value, change});
         if constexpr (std::is_same_v<T, float>)
-            addFloats(in, change, brush.low, brush.high, next);
+            addFloats<kValues>(in, change, brush.low, brush.high, next);
         else
-            addSteps(in, change, threshold, next);
+            addSteps<kValues>(in, change, threshold, next);
         if (std::memcmp(in, next, sizeof next) == 0) continue;
         if (!fresh) fresh = std::make_shared<Tile>(*old);
         std::memcpy(fresh->bytes.data() + size_t(y) * sizeof next, next, sizeof next);
@@ -103,18 +106,19 @@ std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Sta
     return fresh ? std::shared_ptr<const Tile>(std::move(fresh)) : old;
 }
 
-// Calls changeOf(PaintRow<float or double>) for each row that the stamp reaches, and adds what it filled in.
-template <class ChangeOf>
+// Calls changeOf(PaintRow<float or double>) for each row that the stamp reaches, and adds what it filled in. Maps of
+// another number of channels are left alone.
+template <int Channels = 1, class ChangeOf>
 std::shared_ptr<const Tile> paintTile(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
                                       const ChangeOf& changeOf) {
-    if (!usableBrush(map.info(), stamp, brush)) return map.tile(tx, ty);
+    if (!usableBrush(stamp, brush) || map.info().channels != Channels) return map.tile(tx, ty);
     switch (map.info().type) {
         case PixelType::U8:
-            return paintTyped<uint8_t>(map, tx, ty, stamp, brush, changeOf);
+            return paintTyped<Channels, uint8_t>(map, tx, ty, stamp, brush, changeOf);
         case PixelType::U16:
-            return paintTyped<uint16_t>(map, tx, ty, stamp, brush, changeOf);
+            return paintTyped<Channels, uint16_t>(map, tx, ty, stamp, brush, changeOf);
         case PixelType::F32:
-            return paintTyped<float>(map, tx, ty, stamp, brush, changeOf);
+            return paintTyped<Channels, float>(map, tx, ty, stamp, brush, changeOf);
     }
     return map.tile(tx, ty);
 }
@@ -124,9 +128,15 @@ template <class Real, class Target>
 void changeTowards(const PaintRow<Real>& row, const Target& target) {
     for (int i = 0; i < kTileSize; ++i) row.change[i] = (target(i) - row.value[i]) * static_cast<Real>(row.weight[i]);
 }
+// The same for directions: target(i, c), c 0 for x and 1 for z.
+template <class Real, class Target>
+void turnTowards(const PaintRow<Real>& row, const Target& target) {
+    for (int i = 0; i < 2 * kTileSize; ++i)
+        row.change[i] = (target(i / 2, i % 2) - row.value[i]) * static_cast<Real>(row.weight[i / 2]);
+}
 
 // The modes; one file each.
 using ApplyBrush = std::shared_ptr<const Tile>(const Map&, int, int, const Stamp&, const BrushSettings&);
-ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise;
+ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection;
 
 }  // namespace sward

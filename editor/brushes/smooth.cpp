@@ -1,5 +1,6 @@
 // Moves the map towards its own mean around each texel: a square that reaches an eighth of the brush's radius, at least
 // one texel and at most kMostReach. Reads the map as it was before the stamp; beyond the edge the map goes on as there.
+// Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel.
 // Cost: two running sums over the tile and its margin, whatever the radius.
 #include "brushes/paint.h"
 
@@ -17,17 +18,17 @@ int reachOf(double radius) {
 template <class T>
 using Sum = std::conditional_t<std::is_same_v<T, float>, double, int>;
 
-// n texels of a row of the map from x0 on; columns and rows beyond the edge repeat it.
-template <class T>
-void readRow(const Map& map, int x0, int y, int n, T* out) {
+// One channel of n texels of a row of the map from x0 on; columns and rows beyond the edge repeat it.
+template <class T, int Channels>
+void readRow(const Map& map, int channel, int x0, int y, int n, T* out) {
     const int width = map.info().width;
     y = std::clamp(y, 0, map.info().height - 1);
     const int from = std::clamp(-x0, 0, n - 1), to = std::clamp(width - x0, from + 1, n);
     for (int i = from; i < to;) {
         const int x = x0 + i, run = std::min(kTileSize - x % kTileSize, to - i);
-        const std::byte* row = map.tile(x / kTileSize, y / kTileSize)->bytes.data();
-        std::memcpy(out + i, row + size_t(y % kTileSize * kTileSize + x % kTileSize) * sizeof(T),
-                    size_t(run) * sizeof(T));
+        const T* in = reinterpret_cast<const T*>(map.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
+                      (y % kTileSize * kTileSize + x % kTileSize) * Channels + channel;
+        for (int k = 0; k < run; ++k) out[i + k] = in[k * Channels];
         i += run;
     }
     std::fill(out, out + from, out[from]);
@@ -53,8 +54,8 @@ void meansAcross(const Sum<T>* sums, int reach, double share, float* __restrict 
 }
 
 // The means around the tile's texels, kTileSize rows of kTileSize.
-template <class T>
-std::vector<float> blurredTile(const Map& map, int tx, int ty, int reachX, int reachY) {
+template <class T, int Channels>
+std::vector<float> blurredTile(const Map& map, int channel, int tx, int ty, int reachX, int reachY) {
     const int columns = kTileSize + 2 * reachX, rows = kTileSize + 2 * reachY;
     const double share = 1.0 / ((2 * reachX + 1) * (2 * reachY + 1));
     std::vector<T> texels(size_t(rows + 1) * kWide);  // the first row stays zero: nothing drops out at the start
@@ -62,7 +63,7 @@ std::vector<float> blurredTile(const Map& map, int tx, int ty, int reachX, int r
     alignas(64) Sum<T> sums[kWide] = {};
     const auto row = [&](int y) { return &texels[size_t(y + 1) * kWide]; };
     for (int y = 0; y < rows; ++y) {
-        readRow<T>(map, tx * kTileSize - reachX, ty * kTileSize - reachY + y, columns, row(y));
+        readRow<T, Channels>(map, channel, tx * kTileSize - reachX, ty * kTileSize - reachY + y, columns, row(y));
         const int top = y - 2 * reachY;  // of the tile's rows, the one whose square ends here
         slide<T>(row(y), row(std::max(top - 1, -1)), sums);
         if (top >= 0) meansAcross<T>(sums, reachX, share, &means[size_t(top) * kTileSize]);
@@ -70,25 +71,36 @@ std::vector<float> blurredTile(const Map& map, int tx, int ty, int reachX, int r
     return means;
 }
 
-std::vector<float> blurredTile(const Map& map, int tx, int ty, const Stamp& stamp) {
+template <int Channels>
+std::vector<float> blurredTile(const Map& map, int channel, int tx, int ty, const Stamp& stamp) {
     const int rx = reachOf(stamp.radiusX), ry = reachOf(stamp.radiusY);
     switch (map.info().type) {
         case PixelType::U8:
-            return blurredTile<uint8_t>(map, tx, ty, rx, ry);
+            return blurredTile<uint8_t, Channels>(map, channel, tx, ty, rx, ry);
         case PixelType::U16:
-            return blurredTile<uint16_t>(map, tx, ty, rx, ry);
+            return blurredTile<uint16_t, Channels>(map, channel, tx, ty, rx, ry);
         case PixelType::F32:
-            return blurredTile<float>(map, tx, ty, rx, ry);
+            return blurredTile<float, Channels>(map, channel, tx, ty, rx, ry);
     }
     return {};
+}
+
+std::shared_ptr<const Tile> smoothDirections(const Map& map, int tx, int ty, const Stamp& stamp,
+                                             const BrushSettings& brush) {
+    const std::vector<float> mean[2] = {blurredTile<2>(map, 0, tx, ty, stamp), blurredTile<2>(map, 1, tx, ty, stamp)};
+    return paintTile<2>(map, tx, ty, stamp, brush, [&](const auto& row) {
+        const size_t from = size_t(row.y - ty * kTileSize) * kTileSize;
+        turnTowards(row, [&](int i, int c) { return mean[c][from + size_t(i)]; });
+    });
 }
 
 }  // namespace
 
 std::shared_ptr<const Tile> applySmooth(const Map& map, int tx, int ty, const Stamp& stamp,
                                         const BrushSettings& brush) {
-    if (!usableBrush(map.info(), stamp, brush)) return map.tile(tx, ty);
-    const std::vector<float> mean = blurredTile(map, tx, ty, stamp);
+    if (!usableBrush(stamp, brush) || map.info().channels > 2) return map.tile(tx, ty);
+    if (map.info().channels == 2) return smoothDirections(map, tx, ty, stamp, brush);
+    const std::vector<float> mean = blurredTile<1>(map, 0, tx, ty, stamp);
     return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
         const float* of = &mean[size_t(row.y - ty * kTileSize) * kTileSize];
         changeTowards(row, [of](int i) { return of[i]; });

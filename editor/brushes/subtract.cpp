@@ -1,10 +1,14 @@
-// Lowers the map by the weight: 1 (one metre on heights) at full strength.
+// Lowers the map by the weight: 1 (one metre on heights) at full strength. Of a direction it takes the weight's share
+// away: the blades stand up again.
 #include "brushes/paint.h"
 
 namespace sward {
 
 std::shared_ptr<const Tile> applySubtract(const Map& map, int tx, int ty, const Stamp& stamp,
                                           const BrushSettings& brush) {
+    if (map.info().channels == 2)
+        return paintTile<2>(map, tx, ty, stamp, brush,
+                            [](const auto& row) { turnTowards(row, [&](int, int) { return row.scale / 2; }); });
     return paintTile(map, tx, ty, stamp, brush, [](const auto& row) {
         for (int i = 0; i < kTileSize; ++i) row.change[i] = -row.scale * row.weight[i];
     });

@@ -20,7 +20,13 @@ class LazyUi final : public UiDriver {
     }
     bool exists(const std::string& label) override { return make() && driver_->exists(label); }
     Status key(const std::string& chord) override { return with([&](UiDriver& d) { return d.key(chord); }); }
-    Status drag(double x1, double y1, double x2, double y2) override { return with([&](UiDriver& d) { return d.drag(x1, y1, x2, y2); }); }
+    Result<std::array<double, 4>> rect(const std::string& label) override {
+        if (Status s = make(); !s) return s.error();
+        return driver_->rect(label);
+    }
+    Status drag(double x1, double y1, double x2, double y2, const std::string& held) override {
+        return with([&](UiDriver& d) { return d.drag(x1, y1, x2, y2, held); });
+    }
     Status wait(int frames) override { return with([&](UiDriver& d) { return d.wait(frames); }); }
     Status screenshot(const std::filesystem::path& file) override { return with([&](UiDriver& d) { return d.screenshot(file); }); }
 

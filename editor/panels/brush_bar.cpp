@@ -1,6 +1,9 @@
 // The brush bar: what the brush paints on and how. Each tool and map has settings of its own.
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "brush_target.h"
+#include "new_map.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
 
@@ -13,22 +16,51 @@ void caption(const char* text) {
     ImGui::SameLine(0, 5);
 }
 
-void next() { ImGui::SameLine(0, 14); }
-
 float em(float ems) { return ImGui::GetFontSize() * ems; }
+
+// Beside the last widget, or on a new row if what follows does not fit.
+void next(EditorApp& app, const char* label, float width) {
+    const float needed = 14 + ImGui::CalcTextSize(label).x + 5 + width;
+    if (ImGui::GetItemRectMax().x + needed > app.areas.brushBar.x + app.areas.brushBar.w - 6)
+        ++app.brushBarRows;
+    else
+        ImGui::SameLine(0, 14);
+}
 
 void mapCombo(EditorApp& app) {
     std::vector<std::string> names, paths;
-    for (const FieldRef& map : paintableMaps(app)) {
+    for (const FieldRef& map : shownMaps(app)) {
         paths.push_back(map.path);
         names.push_back(static_cast<const MapField*>(map.value)->present() ? map.path : map.path + " (new)");
     }
     const auto it = std::find(paths.begin(), paths.end(), app.brushes.map);
     int chosen = it == paths.end() ? -1 : static_cast<int>(it - paths.begin());
+    next(app, "Map", em(21) + 80);
     caption("Map");
-    ImGui::SetNextItemWidth(em(22));
-    if (ui::combo("Map", names, chosen)) app.brushes.map = paths[static_cast<size_t>(chosen)];
-    ui::tooltip("The map that the brush paints: where this kind of grass grows.");
+    ImGui::SetNextItemWidth(em(21));
+    if (ui::combo("Map", names, chosen)) selectMap(app, paths[static_cast<size_t>(chosen)]);
+    const std::optional<FieldRef> map = chosenMap(app);
+    ui::tooltip("The map that the brush paints" + (map ? fmt::format(": {}.\n{}", map->row->help, map->path) : "."));
+    ImGui::SameLine(0, 5);
+    if (ui::button("Overlay", 0, overlayShown(app))) toggleOverlay(app);
+    ui::tooltip("Shows the map as a colour over the scene (O).");
+}
+
+// One click makes the map that is not there; without one there is nothing to see or paint.
+void createButton(EditorApp& app, const FieldRef& map) {
+    const std::string size = describeNewMap(app.doc.project(), map), path = map.path;
+    const std::string shortly = size.substr(0, size.find(" texels"));
+    next(app, shortly.c_str(), em(7));
+    if (ui::button("Create map", 0, true))
+        app.deferred.push_back([&app, path, size] {
+            if (accept(app, app.doc.createMap(path))) say(app, fmt::format("new map {}: {}", path, size));
+        });
+    ui::tooltip("The project has no " + path + " yet.\nMakes it: " + size +
+                ". The first stroke does so too; undo takes it back.");
+    ImGui::SameLine(0, 8);
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, shortly.c_str());
+    ui::record("New map", ui::Kind::Label, size);
 }
 
 void modeCombo(EditorApp& app) {
@@ -41,7 +73,9 @@ void modeCombo(EditorApp& app) {
     if (ui::combo("Mode", labels, chosen)) selectTool(app, tools[static_cast<size_t>(chosen)]);
 }
 
-void number(const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
+void number(EditorApp& app, const char* label, float& value, float width, const ui::NumberSpec& spec,
+            const char* help) {
+    next(app, label, width);
     caption(label);
     ImGui::SetNextItemWidth(width);
     ui::slider(label, value, spec);
@@ -59,25 +93,58 @@ ui::NumberSpec range(double softMin, double softMax, double hardMin, double hard
     return s;
 }
 
+// A compass that shows the angle as the eye sees it: up is away from the viewer. Pressed or dragged, it takes the
+// pointer's direction.
+void dial(EditorApp& app, float& angleDeg) {
+    const float side = ImGui::GetFrameHeight();
+    ImGui::InvisibleButton("dial", {side, side});
+    ui::record("Dial", ui::Kind::Area, ui::numberText(static_cast<double>(angleDeg)));
+    const ImVec2 low = ImGui::GetItemRectMin(), c{low.x + side / 2, low.y + side / 2}, mouse = ImGui::GetIO().MousePos;
+    const float yawDeg = static_cast<float>(glm::degrees(app.viewport.camera.yaw)), dx = mouse.x - c.x,
+                dy = mouse.y - c.y;
+    if (ImGui::IsItemActive() && std::hypot(dx, dy) > 2) {
+        const float turn = glm::degrees(std::atan2(dx, -dy)) + yawDeg;
+        angleDeg = std::round(turn - 360 * std::floor(turn / 360));
+    }
+    ui::tooltip("Where the blades will lean, as seen from here: up is away from you.");
+    const float a = glm::radians(angleDeg - yawDeg), r = side * 0.46f, x = std::sin(a), y = -std::cos(a);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircleFilled(c, r, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
+    list.AddCircle(c, r, ui::kDimText);
+    list.AddLine({c.x - x * r * 0.6f, c.y - y * r * 0.6f}, {c.x + x * r * 0.6f, c.y + y * r * 0.6f}, IM_COL32_WHITE, 2);
+    list.AddTriangleFilled({c.x + x * r, c.y + y * r},
+                           {c.x + (x * 0.2f - y * 0.5f) * r, c.y + (y * 0.2f + x * 0.5f) * r},
+                           {c.x + (x * 0.2f + y * 0.5f) * r, c.y + (y * 0.2f - x * 0.5f) * r}, IM_COL32_WHITE);
+}
+
+void angle(EditorApp& app, float& angleDeg) {
+    number(app, "Angle", angleDeg, em(5.5f), range(0, 360, -360, 360, "deg"),
+           "Where the blades lean, clockwise from north (-z) seen from above.");
+    ImGui::SameLine(0, 4);
+    dial(app, angleDeg);
+}
+
 }  // namespace
 
 void drawBrushBar(EditorApp& app) {
+    app.brushBarRows = 1;
     const ui::Disabled noProject(!app.doc.isOpen());
     modeCombo(app);
-    next();
     mapCombo(app);
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (map && !static_cast<const MapField*>(map->value)->present()) createButton(app, *map);
     const ui::Disabled looking(app.brushes.tool == kLookTool);
     BrushSettings& b = currentBrush(app.brushes);
-    next();
-    number("Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
-    next();
-    number("Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
-           "How much one pass over a place changes it: - and = change it.");
-    next();
-    number("Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
-    if (b.mode != "set") return;
-    next();
-    number("Value", b.value, em(5.5f), range(0, 1, 0, 1), "What the brush paints towards: 0 is bare, 1 is full.");
+    const bool lays = b.mode == "comb" || b.mode == "direction";
+    number(app, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
+    number(app, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
+           lays ? "How far the blades lean over: - and = change it."
+                : "How much one pass over a place changes it: - and = change it.");
+    number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
+    if (b.mode == "direction") angle(app, b.angleDeg);
+    if (b.mode == "set")
+        number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
+               "What the brush paints towards: 0 is bare, 1 is full.");
 }
 
 }  // namespace sward

@@ -5,53 +5,21 @@
 
 #include <cctype>
 
+#include "panels/field_edit.h"
 #include "ui/theme.h"
 
 namespace sward {
 namespace {
 
-// Under the field its path need not be said again.
-std::string refusal(const Error& error, const std::string& path) {
-    std::string text = error.message;
-    if (text.starts_with(path + ": ")) text.erase(0, path.size() + 2);
-    return error.remedy.empty() ? text : text + " (" + error.remedy + ")";
-}
-
 void set(EditorApp& app, const std::string& path, const std::string& text) {
-    app.deferred.push_back([&app, path, text] {
-        const Status status = app.doc.setField(path, text);
-        const std::string label = "Inspector/" + path;
-        if (status)
-            app.book.errors.erase(label);
-        else
-            app.book.errors[label] = refusal(status.error(), path);
-    });
-}
-
-// All that a slider does until it is let go is one undo step.
-void hold(EditorApp& app, const std::string& path) {
-    if (!app.holding.empty()) return;
-    app.holding = path;
-    app.deferred.push_back([&app, path] { app.doc.beginGroup("set " + path); });
-}
-
-ui::NumberSpec specOf(const FieldRow& row) {
-    ui::NumberSpec s;
-    s.softMin = row.softMin, s.softMax = row.softMax;
-    s.hardMin = row.hardMin, s.hardMax = row.hardMax;
-    s.unit = row.unit;
-    s.allowInf = row.allowInf;
-    s.integer = row.type == FieldType::Int;
-    return s;
+    setField(app, path, text, "Inspector/" + path);
 }
 
 void numberField(EditorApp& app, const FieldRef& f) {
-    const bool integer = f.row->type == FieldType::Int;
-    double value = integer ? static_cast<double>(*static_cast<const int*>(f.value))
-                           : static_cast<double>(*static_cast<const float*>(f.value));
-    const ui::NumberEdit edit = ui::number(f.path, value, specOf(*f.row));
-    if (edit.changed) hold(app, f.path), set(app, f.path, ui::numberText(value, integer));
-    if (edit.typed) set(app, f.path, *edit.typed);
+    double value = f.row->type == FieldType::Int ? static_cast<double>(*static_cast<const int*>(f.value))
+                                                 : static_cast<double>(*static_cast<const float*>(f.value));
+    const ui::NumberEdit edit = ui::number(f.path, value, numberSpec(*f.row));
+    takeEdit(app, f, edit, value, "Inspector/" + f.path);
 }
 
 std::string vectorText(const double* v, int n) {
@@ -64,7 +32,7 @@ void vectorField(EditorApp& app, const FieldRef& f) {
     const int n = f.row->type == FieldType::Vec2 ? 2 : 3;
     double v[3] = {};
     for (int i = 0; i < n; ++i) v[i] = static_cast<const double*>(f.value)[i];
-    ui::NumberSpec spec = specOf(*f.row);
+    ui::NumberSpec spec = numberSpec(*f.row);
     spec.softMin = spec.softMax = 0;
     spec.precise = true;
     spec.unit.clear();
@@ -75,7 +43,7 @@ void vectorField(EditorApp& app, const FieldRef& f) {
         ImGui::SetNextItemWidth(width);
         const std::string label = f.path + "." + (n == 2 ? "xz" : "xyz")[i];
         const ui::NumberEdit edit = ui::number(label, v[i], spec);
-        if (edit.changed) hold(app, f.path), set(app, f.path, vectorText(v, n));
+        if (edit.changed) holdEdit(app, f.path), set(app, f.path, vectorText(v, n));
         if (!edit.typed) continue;
         std::string error;
         if (const auto typed = ui::parseNumber(*edit.typed, spec, error))
@@ -94,7 +62,7 @@ void colorField(EditorApp& app, const FieldRef& f) {
     const glm::vec3 color = *static_cast<const glm::vec3*>(f.value);
     float v[3] = {color.x, color.y, color.z};
     if (ui::colorEdit(f.path + "/Swatch", v)) {
-        hold(app, f.path);
+        holdEdit(app, f.path);
         set(app, f.path, fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
     }
     ui::tooltip("Click to choose. The numbers are reflectances in linear light.");

@@ -16,9 +16,11 @@ constexpr PanelRow kPanels[] = {
     {"Inspector", Dock::Inspector, drawInspector, true},
     {"Console", Dock::Bottom, drawConsole, true},
     {"Profiler", Dock::Bottom, drawProfiler, true},
+    {"Tiers", Dock::Bottom, drawTiers, true, "Tiers Panel"},
     {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},
+    {"Recovery", Dock::Dialog, drawRecoveryDialog, false},
 };
 
 constexpr int kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -68,7 +70,7 @@ void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
 // The panels docked at the bottom share their place as tabs.
 void drawBottom(EditorApp& app) {
     if (!beginArea("Bottom", app.areas.bottom, ImGuiWindowFlags_NoScrollbar)) return;
-    if (app.layout.hidden.count(app.layout.tab)) app.layout.tab = app.layout.tab == "Console" ? "Profiler" : "Console";
+    app.layout.tab = openTab(app.layout);
     const PanelRow* open = nullptr;
     bool first = true;
     for (const PanelRow& row : panelRows()) {
@@ -130,15 +132,19 @@ void drawSplitters(EditorApp& app) {
 
 std::span<const PanelRow> panelRows() { return kPanels; }
 
-float brushBarHeight() { return ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y; }
+float brushBarHeight(int rows) {
+    const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    return static_cast<float>(rows) * (ImGui::GetFrameHeight() + spacing) - spacing +
+           2 * ImGui::GetStyle().WindowPadding.y;
+}
 float statusBarHeight() { return ImGui::GetTextLineHeight() + 10; }
 float toolStripWidth() { return ImGui::GetFontSize() * 2.2f + 2 * ImGui::GetStyle().WindowPadding.x; }
 
 void drawPanels(EditorApp& app) {
     const float width = static_cast<float>(app.surface->width()), height = static_cast<float>(app.surface->height());
     clampLayout(app.layout, width, height);
-    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(), statusBarHeight(),
-                        toolStripWidth());
+    app.areas = areasOf(app.layout, width, height, ImGui::GetFrameHeight(), brushBarHeight(app.brushBarRows),
+                        statusBarHeight(), toolStripWidth());
     for (const PanelRow& row : kPanels) {
         if (row.dock == Dock::Bottom) continue;
         const ui::Scope scope(row.name);

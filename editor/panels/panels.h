@@ -13,7 +13,8 @@ struct PanelRow {
     const char* name;  // the first part of its widgets' paths
     Dock dock;
     void (*draw)(EditorApp&);
-    bool hideable;  // listed in the View menu
+    bool hideable;               // listed in the View menu
+    const char* menu = nullptr;  // what it is called there, if not by its name
 };
 std::span<const PanelRow> panelRows();
 // All of them, each in its area, with the splitters between.
@@ -27,12 +28,17 @@ void drawOutliner(EditorApp& app);
 void drawInspector(EditorApp& app);
 void drawConsole(EditorApp& app);
 void drawProfiler(EditorApp& app);
+void drawTiers(EditorApp& app);
 void drawStatusBar(EditorApp& app);
 void drawFileDialog(EditorApp& app);
 void drawUnsavedDialog(EditorApp& app);
+void drawRecoveryDialog(EditorApp& app);
+
+// 627 M, 12.3 k
+std::string counted(uint64_t n);
 
 // Heights and widths of what does not follow from the layout, at the present font.
-float brushBarHeight();
+float brushBarHeight(int rows);
 float statusBarHeight();
 float toolStripWidth();
 

@@ -8,15 +8,6 @@
 namespace sward {
 namespace {
 
-// 627 M, 12.3 k
-std::string counted(uint64_t n) {
-    const double v = static_cast<double>(n);
-    if (v >= 1e9) return fmt::format("{:.3g} G", v / 1e9);
-    if (v >= 1e6) return fmt::format("{:.3g} M", v / 1e6);
-    if (v >= 1e4) return fmt::format("{:.3g} k", v / 1e3);
-    return fmt::format("{}", n);
-}
-
 void item(const char* label, const std::string& text, const char* help) {
     ui::coloredText(ui::kDimText, label);
     ImGui::SameLine(0, 5);
@@ -40,6 +31,14 @@ void savedDot(EditorApp& app) {
 }
 
 }  // namespace
+
+std::string counted(uint64_t n) {
+    const double v = static_cast<double>(n);
+    if (v >= 1e9) return fmt::format("{:.3g} G", v / 1e9);
+    if (v >= 1e6) return fmt::format("{:.3g} M", v / 1e6);
+    if (v >= 1e4) return fmt::format("{:.3g} k", v / 1e3);
+    return fmt::format("{}", n);
+}
 
 void drawStatusBar(EditorApp& app) {
     const FrameStats& s = app.viewport.stats;

@@ -1,6 +1,7 @@
 // The tools: looking without painting, then one a brush. Icons are drawn, so that no font must have them.
 #include <imgui.h>
 
+#include "brush_target.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
 
@@ -37,6 +38,19 @@ void specks(Draw d, ImVec2 c, float r, ImU32 color) {
     for (const auto& s : kSpecks) d.AddCircleFilled({c.x + s[0] * r, c.y + s[1] * r}, r * 0.18f, color);
 }
 
+// Three blades laid the same way.
+void comb(Draw d, ImVec2 c, float r, ImU32 color) {
+    for (const float x : {-0.9f, -0.2f, 0.5f})
+        d.AddBezierQuadratic({c.x + x * r, c.y + r}, {c.x + x * r, c.y - r * 0.4f},
+                             {c.x + (x + 0.8f) * r, c.y - r * 0.8f}, color, 1.8f);
+}
+
+void compass(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddCircle(c, r * 1.15f, color, 0, 1.4f);
+    d.AddTriangleFilled({c.x + r * 0.62f, c.y - r * 0.62f}, {c.x - r * 0.6f, c.y - r * 0.05f},
+                        {c.x + r * 0.05f, c.y + r * 0.6f}, color);
+}
+
 void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, ImU32 color) {
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
@@ -46,6 +60,8 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     if (tool == "set") return level(d, c, r, color);
     if (tool == "smooth") return wave(d, c, r, color);
     if (tool == "noise") return specks(d, c, r, color);
+    if (tool == "comb") return comb(d, c, r, color);
+    if (tool == "direction") return compass(d, c, r, color);
     const char first[2] = {label[0], 0};
     const ImVec2 size = ImGui::CalcTextSize(first);
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);

@@ -2,8 +2,10 @@
 #include <imgui.h>
 
 #include "frame/ground.h"
+#include "panels/overlay_legend.h"
 #include "panels/panels.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
@@ -86,7 +88,7 @@ void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, fl
 // the decal: drawn over the image, it follows the pointer at the speed of the interface.
 void brushRing(EditorApp& app) {
     const Viewport& v = app.viewport;
-    if (!v.ground || drawsDecal(app) || app.brushes.tool == kLookTool ||
+    if (!v.ground || app.tierView.hover || drawsDecal(app) || app.brushes.tool == kLookTool ||
         (v.gesture != Gesture::None && v.gesture != Gesture::Paint))
         return;
     const Ground ground = findGround(app.doc.project());
@@ -148,6 +150,8 @@ void drawViewport(EditorApp& app) {
         list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h},
                       {0, 1}, {1, 0});
         brushRing(app);
+        drawRings(app);
+        drawOverlayLegend(app);
     } else {
         list.AddRectFilled({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, IM_COL32(24, 25, 24, 255));
         emptyHint(v.rect);

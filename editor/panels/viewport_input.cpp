@@ -3,17 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "brush_target.h"
 #include "frame/ground.h"
+#include "panels/viewport_rings.h"
 
 namespace sward {
 namespace {
-
-std::optional<glm::dvec3> pick(EditorApp& app, double x, double y) {
-    const Viewport& v = app.viewport;
-    if (!app.doc.isOpen() || v.rect.w < 1 || v.rect.h < 1) return std::nullopt;
-    return pickGround(app.doc.project(), viewOf(v.camera), static_cast<int>(v.rect.w), static_cast<int>(v.rect.h),
-                      x - static_cast<double>(v.rect.x), y - static_cast<double>(v.rect.y));
-}
 
 // Orbits and pans turn about what lies in the middle of the view.
 void takePivot(EditorApp& app, std::optional<glm::dvec3> point) {
@@ -21,34 +16,18 @@ void takePivot(EditorApp& app, std::optional<glm::dvec3> point) {
     if (point) v.camera.distance = std::max(0.05, glm::dot(*point - v.camera.eye, forwardOf(v.camera)));
 }
 
-// A map that is not there yet means 1 everywhere, and starts so: eight texels a metre, at most 4096 a side.
-bool ensureMap(EditorApp& app, const FieldRef& field) {
-    if (static_cast<const MapField*>(field.value)->present()) return true;
-    const Ground ground = findGround(app.doc.project());
-    const double metres = ground.terrain ? std::max(ground.terrain->size.x, ground.terrain->size.y) : 100;
-    const int side = std::clamp(static_cast<int>(std::exp2(std::ceil(std::log2(metres * 8)))), 256, 4096);
-    Map map({side, side, 1, field.row->mapType});
-    const std::vector<float> ones(field.row->mapType == PixelType::F32 ? static_cast<size_t>(side) : 0, 1.f);
-    const std::vector<uint8_t> full(static_cast<size_t>(side) * map.texelBytes(), 0xff);
-    for (int y = 0; y < side; ++y)
-        map.writeRows(y, 1, ones.empty() ? static_cast<const void*>(full.data()) : ones.data());
-    return accept(app, app.doc.setMap(field.path, std::move(map), "new map " + field.path));
-}
-
 void beginPaint(EditorApp& app) {
     Viewport& v = app.viewport;
-    const std::optional<glm::dvec3> at = pick(app, app.in.x, app.in.y);
+    const std::optional<glm::dvec3> at = groundAt(app, app.in.x, app.in.y);
     if (!at) return;
-    const std::vector<FieldRef> maps = paintableMaps(app);
-    const auto map =
-        std::find_if(maps.begin(), maps.end(), [&](const FieldRef& f) { return f.path == app.brushes.map; });
-    if (map == maps.end())
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (!map)
         return showError(app,
                          {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
-    if (!ensureMap(app, *map)) return;
     const glm::dvec3 origin = findGround(app.doc.project()).origin;
-    const BrushSettings brush = strokeBrush(app.brushes, app.in.ctrl(), app.in.shift());
-    if (!accept(app, app.doc.beginStroke(brush, at->x - origin.x, at->z - origin.z))) return;
+    const std::vector<BrushSettings> brushes = strokeBrushes(app, app.in.ctrl(), app.in.shift());
+    if (brushes.empty()) return say(app, "there is no grass to erase");
+    if (!accept(app, app.doc.beginStrokes(brushes, at->x - origin.x, at->z - origin.z, true))) return;
     v.gesture = Gesture::Paint;
 }
 
@@ -58,12 +37,14 @@ void beginGesture(EditorApp& app) {
     if (app.in.pressed[1]) {
         v.gesture = Gesture::Look;
     } else if (app.in.pressed[2]) {
-        takePivot(app, pick(app, app.in.x, app.in.y));
+        takePivot(app, groundAt(app, app.in.x, app.in.y));
         v.gesture = Gesture::Pan;
     } else if (app.in.pressed[0] && app.in.alt()) {
-        takePivot(
-            app, pick(app, static_cast<double>(v.rect.x + v.rect.w / 2), static_cast<double>(v.rect.y + v.rect.h / 2)));
+        takePivot(app, groundAt(app, static_cast<double>(v.rect.x + v.rect.w / 2),
+                                static_cast<double>(v.rect.y + v.rect.h / 2)));
         v.gesture = Gesture::Orbit;
+    } else if (app.in.pressed[0] && grabRing(app)) {
+        v.gesture = Gesture::Ring;
     } else if (app.in.pressed[0] && app.doc.isOpen() && app.brushes.tool != kLookTool && !app.doc.stroking()) {
         beginPaint(app);
     }
@@ -78,8 +59,9 @@ void stepGesture(EditorApp& app) {
         if (v.gesture == Gesture::Look) look(v.camera, dx, dy);
         if (v.gesture == Gesture::Orbit) orbit(v.camera, dx, dy);
         if (v.gesture == Gesture::Pan) pan(v.camera, dx, dy, static_cast<double>(v.rect.h));
+        if (v.gesture == Gesture::Ring) dragRing(app, x, y);
         if (v.gesture != Gesture::Paint) continue;
-        if (const auto at = pick(app, x, y)) app.doc.strokeTo(at->x - origin.x, at->z - origin.z);
+        if (const auto at = groundAt(app, x, y)) app.doc.strokeTo(at->x - origin.x, at->z - origin.z);
     }
 }
 
@@ -131,7 +113,34 @@ void wheel(EditorApp& app) {
     }
 }
 
+// Escape lets a ring go where it was.
+void cancelByKey(EditorApp& app) {
+    const std::vector<int>& keys = app.in.pressedKeys;
+    if (app.viewport.gesture != Gesture::Ring || std::find(keys.begin(), keys.end(), GLFW_KEY_ESCAPE) == keys.end())
+        return;
+    cancelRing(app);
+    app.viewport.gesture = Gesture::None;
+}
+
+double focalPixels(const Viewport& v) {
+    return static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
+}
+
 }  // namespace
+
+std::optional<glm::dvec3> groundAt(const EditorApp& app, double x, double y) {
+    const Viewport& v = app.viewport;
+    if (!app.doc.isOpen() || v.rect.w < 1 || v.rect.h < 1) return std::nullopt;
+    return pickGround(app.doc.project(), viewOf(v.camera), static_cast<int>(v.rect.w), static_cast<int>(v.rect.h),
+                      x - static_cast<double>(v.rect.x), y - static_cast<double>(v.rect.y));
+}
+
+glm::dvec3 rayThrough(const Viewport& v, double x, double y) {
+    const glm::dvec3 forward = forwardOf(v.camera), right{std::cos(v.camera.yaw), 0, std::sin(v.camera.yaw)};
+    const double focal = focalPixels(v);
+    return glm::normalize(forward + right * ((x - static_cast<double>(v.rect.x + v.rect.w / 2)) / focal) -
+                          glm::cross(right, forward) * ((y - static_cast<double>(v.rect.y + v.rect.h / 2)) / focal));
+}
 
 std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
     const glm::dvec3 forward = forwardOf(v.camera);
@@ -139,8 +148,7 @@ std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
     const glm::dvec3 up = glm::cross(right, forward), d = p - v.camera.eye;
     const double depth = glm::dot(d, forward);
     if (depth < 0.05) return std::nullopt;
-    const double half =
-        static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
+    const double half = focalPixels(v);
     return glm::dvec2{static_cast<double>(v.rect.x + v.rect.w / 2) + glm::dot(d, right) / depth * half,
                       static_cast<double>(v.rect.y + v.rect.h / 2) - glm::dot(d, up) / depth * half};
 }
@@ -148,6 +156,8 @@ std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
 void viewportInput(EditorApp& app, bool over) {
     Viewport& v = app.viewport;
     v.hovered = over;
+    cancelByKey(app);
+    hoverRing(app, over);
     if (v.gesture == Gesture::None && over && app.in.pressed.any())
         beginGesture(app);
     else if (v.gesture != Gesture::None)
@@ -158,9 +168,10 @@ void viewportInput(EditorApp& app, bool over) {
     if (v.camera.eye != before || v.gesture == Gesture::Orbit || v.gesture == Gesture::Pan) stayAbove(app);
     if (v.gesture != Gesture::None && !buttonHeld(app)) {
         if (v.gesture == Gesture::Paint) app.doc.endStroke();
+        if (v.gesture == Gesture::Ring) releaseRing(app);
         v.gesture = Gesture::None;
     }
-    v.ground = over || v.gesture == Gesture::Paint ? pick(app, app.in.x, app.in.y) : std::nullopt;
+    v.ground = over || v.gesture == Gesture::Paint ? groundAt(app, app.in.x, app.in.y) : std::nullopt;
 }
 
 }  // namespace sward

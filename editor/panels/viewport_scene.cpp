@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include "brush_target.h"
 #include "frame/ground.h"
 #include "measure/frame_stats.h"
 
@@ -17,13 +18,13 @@ bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
 bool sameSettings(const ViewSettings& a, const ViewSettings& b) {
     return a.width == b.width && a.height == b.height && a.mode == b.mode && a.time == b.time &&
            a.measure == b.measure && a.decal.x == b.decal.x && a.decal.z == b.decal.z &&
-           a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff;
+           a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff && a.overlay == b.overlay;
 }
 
 BrushDecal decalOf(EditorApp& app) {
     Viewport& v = app.viewport;
     const bool painting = v.gesture == Gesture::Paint || v.gesture == Gesture::None;
-    if (!v.ground || app.brushes.tool == kLookTool || !painting || !drawsDecal(app)) return {};
+    if (!v.ground || app.brushes.tool == kLookTool || !painting || !drawsDecal(app) || app.tierView.hover) return {};
     const glm::dvec3 origin = findGround(app.doc.project()).origin;
     const BrushSettings& b = currentBrush(app.brushes);
     return {v.ground->x - origin.x, v.ground->z - origin.z, b.radius, b.falloff};
@@ -146,6 +147,7 @@ void drawScene(EditorApp& app) {
     settings.mode = v.mode;
     settings.measure = app.measure;
     settings.decal = decalOf(app);
+    settings.overlay = overlayOf(app);
     if (settings.width < 1 || settings.height < 1) return;
     const ViewCamera camera = viewOf(v.camera);
     const uint64_t revision = app.doc.revision();

@@ -1,11 +1,11 @@
-// brush.select and brush.stroke.
+// brush.select, brush.stroke and brush.erase.
 #include "script/state.h"
 #include "stroke.h"
 
 namespace sward::script {
 namespace {
 
-// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0}
+// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0}
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;
@@ -17,29 +17,46 @@ int select(lua_State* L, State& state) {
     brush.falloff = static_cast<float>(options.number("falloff", 0.5));
     brush.spacing = static_cast<float>(options.number("spacing", 0.1));
     brush.seed = static_cast<int>(std::clamp(options.number("seed", 0), -1e9, 1e9));
+    brush.angleDeg = static_cast<float>(options.number("angle", 0));
     options.finish();
     orRaise(L, checkBrush(brush));
     state.host.brush = brush;
     return 0;
 }
 
-// brush.stroke{{x, z}, …}: one undo step, done when the call returns.
-int stroke(lua_State* L, State& state) {
-    openProject(L);
+// One undo step, done when the call returns.
+int paint(lua_State* L, State& state, std::span<const BrushSettings> brushes, bool create) {
     const auto points = pointsArg(L, 1, "the stroke");
     if (points.empty()) raise(L, "the stroke must have a point");
     Document& document = state.document();
-    orRaise(L, document.beginStroke(state.host.brush, points[0].first, points[0].second));
+    orRaise(L, document.beginStrokes(brushes, points[0].first, points[0].second, create));
     for (const auto& [x, z] : points) document.strokeTo(x, z);
     document.endStroke();
     while (document.pumpStroke(50)) charge(L, 10'000'000);  // about what a script would do in that time
     return 0;
 }
 
+// brush.stroke{{x, z}, …}
+int stroke(lua_State* L, State& state) {
+    openProject(L);
+    return paint(L, state, {&state.host.brush, 1}, false);
+}
+
+// brush.erase{{x, z}, …}: every species of the field, whatever map is selected; with the brush's size and strength.
+int erase(lua_State* L, State& state) {
+    Project& p = openProject(L);
+    BrushSettings like = state.host.brush;
+    if (const Result<FieldRef> map = findMap(p, state.rows(), like.map)) like.map = map->path;
+    like.mode = "subtract";
+    const std::vector<BrushSettings> brushes = speciesBrushes(p, state.rows(), like);
+    if (brushes.empty()) raise(L, "there is no grass to erase");
+    return paint(L, state, brushes, true);
+}
+
 }  // namespace
 
 void openBrushCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"select", luaCall<select>}, {"stroke", luaCall<stroke>}};
+    constexpr NamedCall calls[] = {{"select", luaCall<select>}, {"stroke", luaCall<stroke>}, {"erase", luaCall<erase>}};
     registerCalls(L, "brush", calls);
 }
 

@@ -43,8 +43,14 @@ int key(lua_State* L, State& state) {
 }
 
 int drag(lua_State* L, State& state) {
-    orRaise(L, driver(L, state).drag(numberArg(L, 1), numberArg(L, 2), numberArg(L, 3), numberArg(L, 4)));
+    const std::string held = lua_isnoneornil(L, 5) ? "" : textArg(L, 5);
+    orRaise(L, driver(L, state).drag(numberArg(L, 1), numberArg(L, 2), numberArg(L, 3), numberArg(L, 4), held));
     return 0;
+}
+
+int rect(lua_State* L, State& state) {
+    for (const double edge : orRaise(L, driver(L, state).rect(textArg(L, 1)))) lua_pushnumber(L, edge);
+    return 4;
 }
 
 int wait(lua_State* L, State& state) {
@@ -63,10 +69,10 @@ int screenshot(lua_State* L, State& state) {
 }  // namespace
 
 void openUiCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"click", luaCall<click>}, {"set", luaCall<set>},
-                                   {"get", luaCall<get>},     {"exists", luaCall<exists>},
-                                   {"key", luaCall<key>},     {"drag", luaCall<drag>},
-                                   {"wait", luaCall<wait>},   {"screenshot", luaCall<screenshot>}};
+    constexpr NamedCall calls[] = {
+        {"click", luaCall<click>},   {"set", luaCall<set>},   {"get", luaCall<get>},
+        {"exists", luaCall<exists>}, {"key", luaCall<key>},   {"drag", luaCall<drag>},
+        {"rect", luaCall<rect>},     {"wait", luaCall<wait>}, {"screenshot", luaCall<screenshot>}};
     registerCalls(L, "ui", calls);
 }
 

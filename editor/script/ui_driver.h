@@ -3,6 +3,7 @@
 // Labels are paths ("Brush/Radius", "Menu/File/Save", "Viewport", "Inspector/lawn.GrassField.maxGeom").
 // What lies in a closed menu, another entity's inspector or a scrolled-away place is opened first, as a person would.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -22,8 +23,10 @@ class UiDriver {
     virtual bool exists(const std::string& label) = 0;
     // "ctrl+z", "f5", "[".
     virtual Status key(const std::string& chord) = 0;
-    // Window pixels from the top left, left button.
-    virtual Status drag(double x1, double y1, double x2, double y2) = 0;
+    // Where the widget is on the screen: left, top, right, bottom, in window pixels from the top left.
+    virtual Result<std::array<double, 4>> rect(const std::string& label) = 0;
+    // The left button, in window pixels; `held`: modifiers that are down meanwhile, as in "ctrl+shift", or "".
+    virtual Status drag(double x1, double y1, double x2, double y2, const std::string& held = "") = 0;
     virtual Status wait(int frames) = 0;
     // PNG of the whole window, the viewport refined.
     virtual Status screenshot(const std::filesystem::path& file) = 0;

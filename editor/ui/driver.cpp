@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include "scene/map_io.h"
+#include "ui/imgui_compat.h"
 #include "ui/keys.h"
 #include "ui/window.h"
 
@@ -46,7 +47,12 @@ class Driver : public UiDriver {
         return there;
     }
     Status key(const std::string& chord) override;
-    Status drag(double x1, double y1, double x2, double y2) override;
+    Result<std::array<double, 4>> rect(const std::string& label) override {
+        const Result<Widget> w = reveal(label);
+        if (!w) return w.error();
+        return std::array<double, 4>{w->x0, w->y0, w->x1, w->y1};
+    }
+    Status drag(double x1, double y1, double x2, double y2, const std::string& held) override;
     Status wait(int count) override {
         frames(std::max(count, 0));
         return {};
@@ -91,7 +97,7 @@ void Driver::clickAt(const Widget& w) {
     frames(1);
     push({InputKind::Button, 0, 0, 0, false});
     frames(2);
-    app_.now += 1;  // the next click is no double click
+    ui::forgetClicks();  // the next one is no double click
 }
 
 // Opens what hides the widget: its entity, a folded section, a menu or list, a panel's tab. True if something was
@@ -268,8 +274,14 @@ Status Driver::key(const std::string& text) {
     return {};
 }
 
-Status Driver::drag(double x1, double y1, double x2, double y2) {
+Status Driver::drag(double x1, double y1, double x2, double y2, const std::string& held) {
     constexpr int kSteps = 12;
+    const std::optional<Chord> chord = held.empty() ? Chord{} : parseChord(held + "+a");
+    if (!chord) return usage("'" + held + "' are no modifiers", "write ctrl, shift, alt or ctrl+shift");
+    const std::pair<bool, int> modifiers[] = {
+        {chord->ctrl, GLFW_KEY_LEFT_CONTROL}, {chord->shift, GLFW_KEY_LEFT_SHIFT}, {chord->alt, GLFW_KEY_LEFT_ALT}};
+    for (const auto& [down, code] : modifiers)
+        if (down) pushKey(code, true);
     moveTo(x1, y1);
     frames(2);
     push({InputKind::Button, 0, 0, 0, true});
@@ -279,8 +291,10 @@ Status Driver::drag(double x1, double y1, double x2, double y2) {
         frames(1);
     }
     push({InputKind::Button, 0, 0, 0, false});
+    for (const auto& [down, code] : modifiers)
+        if (down) pushKey(code, false);
     settle();
-    app_.now += 1;
+    ui::forgetClicks();
     return {};
 }
 
@@ -308,7 +322,10 @@ class OwningDriver final : public UiDriver {
     Result<std::string> get(const std::string& label) override { return driver_.get(label); }
     bool exists(const std::string& label) override { return driver_.exists(label); }
     Status key(const std::string& chord) override { return driver_.key(chord); }
-    Status drag(double x1, double y1, double x2, double y2) override { return driver_.drag(x1, y1, x2, y2); }
+    Result<std::array<double, 4>> rect(const std::string& label) override { return driver_.rect(label); }
+    Status drag(double x1, double y1, double x2, double y2, const std::string& held) override {
+        return driver_.drag(x1, y1, x2, y2, held);
+    }
     Status wait(int frames) override { return driver_.wait(frames); }
     Status screenshot(const std::filesystem::path& file) override { return driver_.screenshot(file); }
 

@@ -117,6 +117,10 @@ bool escapePressed() {
 #endif
 }
 
+void forgetClicks() {
+    for (double& time : ImGui::GetIO().MouseClickedTime) time = -1e9;
+}
+
 void setClipboardFunctions(const char* (*get)(void*), void (*set)(void*, const char*), void* user) {
     ImGuiIO& io = ImGui::GetIO();
     io.GetClipboardTextFn = get;

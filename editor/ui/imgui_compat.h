@@ -19,6 +19,8 @@ bool inputText(const char* id, const char* hint, std::string& text);
 // The key is pressed in this frame (not repeated).
 bool enterPressed();
 bool escapePressed();
+// The next press of a button is the first of a click, whenever it comes. After the context's last frame.
+void forgetClicks();
 void setClipboardFunctions(const char* (*get)(void*), void (*set)(void*, const char*), void* user);
 
 }  // namespace sward::ui

@@ -32,6 +32,13 @@ struct BrushDecal {
     float falloff = 0.5f;
 };
 
+// A painted map to show as a translucent colour (post/map_overlay.h); no PATH: none.
+struct MapOverlay {
+    std::string map;            // its PATH
+    double tiling = 1;          // how often it repeats over the terrain
+    bool operator==(const MapOverlay&) const = default;
+};
+
 // The part of a larger picture that one draw makes, so that a slow renderer's full picture may be drawn in pieces with
 // input taken between; pieces side by side equal the whole. wholeWidth 0: no part, all of it.
 struct ViewPart {
@@ -45,6 +52,7 @@ struct ViewSettings {
     ViewMode mode = ViewMode::Final;
     double time = 0;            // scene seconds
     BrushDecal decal;
+    MapOverlay overlay;
     float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
     ViewPart part;              // width and height are then the part's
     bool background = false;    // what must be made first is made beside, with a draft shown until it is there; else it is waited for

@@ -59,10 +59,18 @@ vec4 imagesOf(int axis, float side) {
     return vec4(side > 0.0 ? along.x : along.y, across, w.y);
 }
 
+// In slices, within ]-0.4, 0.4[: moves each end of a slice by a number of the cells' edge that it lies on, which the neighbour
+// shares. Without it the slices' straight tops, all at one distance, show as a weave.
+float jitter(int axis, int k, int end) {
+    ivec2 edge = axis == 0 ? cell + ivec2(0, end) : cell + ivec2(end, 0);
+    return 0.8 * (hashUnit(hash3(uint(edge.x), uint(edge.y), uint(axis * 64 + k))) - 0.5);
+}
+
 void main() {
     int n = int(slices.shape.z), quad = gl_VertexID / 4, corner = gl_VertexID % 4;
     int axis = quad / n, k = quad % n;
     float end = float(corner & 1), top = float(corner >> 1), at = (float(k) + 0.5) / float(n);
+    if (CONSERVING) at += jitter(axis, k, corner & 1) / float(n);
     vec2 local = axis == 0 ? vec2(at, end) : vec2(end, at);
     vec2 inCell = local * slices.shape.x;
     vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = ground * frame.terrain.zw;

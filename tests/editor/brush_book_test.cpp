@@ -37,6 +37,18 @@ TEST(BrushBook, ModifiersChangeTheStrokeAndNotTheSettings) {
     EXPECT_EQ(currentBrush(s).value, 1);
     BrushBook m = painting("subtract");
     EXPECT_EQ(strokeBrush(m, true, false).mode, "add");
+    for (const char* lays : {"comb", "direction"}) {
+        BrushBook c = painting(lays);
+        EXPECT_EQ(strokeBrush(c, true, false).mode, "subtract");
+        EXPECT_EQ(strokeBrush(c, false, true).mode, "smooth");
+    }
+}
+
+TEST(BrushBook, ThePresetMakesShiftAnEraser) {
+    BrushBook b = painting("add");
+    b.shiftErases = true;
+    EXPECT_EQ(strokeBrush(b, false, true).mode, "subtract");
+    EXPECT_EQ(strokeBrush(b, false, false).mode, "add");
 }
 
 TEST(BrushBook, SizeAndStrengthKeysStayWithinTheirRanges) {

@@ -7,6 +7,7 @@
 
 #include "field_walk.h"
 #include "history.h"
+#include "stroke.h"
 #include "support.h"
 #include "techniques.h"
 
@@ -127,7 +128,7 @@ TEST(Document, StrokesOnWhatCannotBePaintedAreRefusedAndSayWhy) {
     b.map = "vegetation";
     EXPECT_NE(refusal(b).find("no map to paint on"), std::string::npos) << refusal(b);
     ASSERT_TRUE(f.doc.setMap("vegetation", Map({64, 64, 4, PixelType::U8}), "fill"));
-    EXPECT_NE(refusal(b).find("one channel"), std::string::npos) << refusal(b);
+    EXPECT_NE(refusal(b).find("one or two channels"), std::string::npos) << refusal(b);
     b.map = "nonsense";
     EXPECT_NE(refusal(b).find("nonsense"), std::string::npos);
     b = subtract(1);
@@ -188,6 +189,58 @@ TEST(Document, AFailedEditChangesNothing) {
     EXPECT_TRUE(f.same(before));
     EXPECT_FALSE(f.doc.canUndo());
     EXPECT_EQ(f.doc.revision(), revision);
+}
+
+TEST(Document, AStrokeOnSeveralMapsIsOneStepAndMakesWhatIsMissing) {
+    Fixture f;
+    ASSERT_TRUE(f.doc.addListElement("lawn.GrassField.species"));
+    const Project before = f.copy();
+    BrushSettings like = subtract(3);
+    like.map = kDensity;
+    std::vector<BrushSettings> brushes = speciesBrushes(f.doc.project(), tables().components, like);
+    ASSERT_EQ(brushes.size(), 2u);
+    EXPECT_FALSE(f.doc.beginStrokes(brushes, 10, 10, false));  // one of them is not there
+    EXPECT_TRUE(f.same(before));
+    ASSERT_TRUE(f.doc.beginStrokes(brushes, 10, 10, true));
+    f.doc.strokeTo(20, 10);
+    f.doc.endStroke();
+    f.doc.pumpStroke(0);
+    for (const char* name : {"lawn", "grass"}) {
+        const auto field =
+            findField(f.doc.project(), tables().components, fmt::format("lawn.GrassField.species[{}].density", name));
+        ASSERT_TRUE(field);
+        EXPECT_LT(static_cast<const MapField*>(field->value)->map.sample(15.0 / 40, 10.0 / 40), 0.6f) << name;
+    }
+    const Project after = f.copy();
+    ASSERT_TRUE(f.doc.undo());
+    EXPECT_TRUE(f.same(before));
+    ASSERT_TRUE(f.doc.redo());
+    EXPECT_TRUE(f.same(after));
+    brushes[1].mode = "spray";
+    EXPECT_FALSE(f.doc.beginStrokes(brushes, 10, 10, true));
+    EXPECT_TRUE(f.same(after));
+}
+
+TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
+    Fixture f;
+    const auto value = [&](const char* name, int c) {
+        const auto field = findField(f.doc.project(), tables().components, std::string("lawn.GrassField.") + name);
+        return static_cast<const MapField*>(field->value)->map.at(3, 3, c);
+    };
+    for (const char* name : {"orientation", "ambientOcclusion", "vegetation"}) {
+        const Project before = f.copy();
+        ASSERT_TRUE(f.doc.createMap(std::string("lawn.GrassField.") + name));
+        EXPECT_FALSE(f.same(before)) << name;
+        ASSERT_TRUE(f.doc.createMap(std::string("lawn.GrassField.") + name));  // it is there: nothing
+        ASSERT_TRUE(f.doc.undo());
+        EXPECT_TRUE(f.same(before)) << name;
+        ASSERT_TRUE(f.doc.redo());
+    }
+    EXPECT_EQ(value("ambientOcclusion", 0), 1);
+    EXPECT_NEAR(value("orientation", 0), 0.5, 1e-4);
+    EXPECT_EQ(value("vegetation", 3), 0);
+    EXPECT_FALSE(f.doc.createMap("lawn.GrassField.maxGeom"));
+    EXPECT_FALSE(f.doc.createMap("nobody.GrassField.orientation"));
 }
 
 TEST(Document, AGroupIsOneStepAndMayNest) {

@@ -19,12 +19,24 @@ TEST(Layout, AreasFillTheWindow) {
 
 TEST(Layout, AHiddenPanelGivesItsPlaceAway) {
     Layout l;
-    l.hidden = {"Outliner", "Inspector", "Console", "Profiler"};
+    l.hidden = {"Outliner", "Inspector", "Console", "Profiler", "Tiers"};
     const Areas a = at(l);
     EXPECT_FLOAT_EQ(a.viewport.w, 1280 - 44);
     EXPECT_FLOAT_EQ(a.viewport.h, 800 - 22 - 36 - 24);
     l.hidden = {"Outliner"};
     EXPECT_FLOAT_EQ(at(l).inspector.h, 800 - 22 - 36 - 24);
+}
+
+TEST(Layout, TheTabInSightIsTheChosenOneOrTheFirstThatIsNotHidden) {
+    Layout l;
+    l.tab = "Tiers";
+    EXPECT_EQ(openTab(l), "Tiers");
+    l.hidden = {"Tiers", "Console"};
+    EXPECT_EQ(openTab(l), "Profiler");
+    l.tab = "nonsense";
+    EXPECT_EQ(openTab(l), "Profiler");
+    l.hidden = {"Tiers", "Console", "Profiler"};
+    EXPECT_EQ(openTab(l), "");
 }
 
 TEST(Layout, ATinyWindowHasNoNegativeSizes) {
@@ -40,7 +52,7 @@ TEST(Layout, ATinyWindowHasNoNegativeSizes) {
 TEST(Layout, WhatWasSavedIsLoaded) {
     const test::TempDir dir;
     Layout l;
-    l.right = 401, l.bottom = 99, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"};
+    l.right = 401, l.bottom = 99, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"}, l.shiftErases = true;
     ASSERT_TRUE(saveLayout(dir / "a/b/layout.txt", l));
     const Layout back = loadLayout(dir / "a/b/layout.txt");
     EXPECT_EQ(back.right, 401);
@@ -48,6 +60,7 @@ TEST(Layout, WhatWasSavedIsLoaded) {
     EXPECT_EQ(back.outliner, 0.5f);
     EXPECT_EQ(back.tab, "Profiler");
     EXPECT_EQ(back.hidden, l.hidden);
+    EXPECT_TRUE(back.shiftErases);
 }
 
 TEST(Layout, SenselessFilesGiveTheDefaults) {

@@ -341,8 +341,12 @@ struct RecordingUi : UiDriver {
     }
     bool exists(const std::string& label) override { return label == "Brush/Radius"; }
     Status key(const std::string& chord) override { return note("key " + chord); }
-    Status drag(double x1, double y1, double x2, double y2) override {
-        return note(fmt::format("drag {} {} {} {}", x1, y1, x2, y2));
+    Result<std::array<double, 4>> rect(const std::string& label) override {
+        if (label == "Brush/Radius") return std::array<double, 4>{10, 20, 30.5, 40};
+        return Error{ExitCode::Failed, "no widget " + label, "", 0, 0, ""};
+    }
+    Status drag(double x1, double y1, double x2, double y2, const std::string& held) override {
+        return note(fmt::format("drag {} {} {} {}{}{}", x1, y1, x2, y2, held.empty() ? "" : " ", held));
     }
     Status wait(int frames) override { return note(fmt::format("wait {}", frames)); }
     Status screenshot(const std::filesystem::path& file) override {
@@ -360,22 +364,67 @@ TEST(Script, UiCallsReachTheDriver) {
     r.host.ui = &ui;
     EXPECT_EQ(r.fault(R"(
         ui.click('Menu/File/Save') ui.set('Brush/Radius', 3) ui.set('Brush/Mode', 'add') ui.key('ctrl+z')
-        ui.drag(1, 2, 3.5, 4) ui.wait(5) ui.wait() ui.screenshot('shot.png')
+        ui.drag(1, 2, 3.5, 4) ui.drag(1, 2, 3, 4, 'ctrl+shift') ui.wait(5) ui.wait() ui.screenshot('shot.png')
         expect.equal(ui.get('Brush/Radius'), '2.5')
+        expect.equal({ui.rect('Brush/Radius')}, {10, 20, 30.5, 40})
         expect.truthy(ui.exists('Brush/Radius')) expect.truthy(not ui.exists('Brush/Smell')))"),
               "");
-    EXPECT_EQ(ui.calls,
-              (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
-                                        "key ctrl+z", "drag 1 2 3.5 4", "wait 5", "wait 1", "screenshot shot.png"}));
+    EXPECT_EQ(ui.calls, (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
+                                                  "key ctrl+z", "drag 1 2 3.5 4", "drag 1 2 3 4 ctrl+shift", "wait 5",
+                                                  "wait 1", "screenshot shot.png"}));
     EXPECT_FAULT(r, "ui.get('Brush/Smell')", "no widget Brush/Smell");
+    EXPECT_FAULT(r, "ui.rect('Brush/Smell')", "no widget Brush/Smell");
     EXPECT_FAULT(r, "ui.wait(1e9)", "frames");
     EXPECT_FAULT(r, "ui.screenshot('/shot.png')", "scripts reach only files");
 }
 
 TEST(Script, UiCallsWithoutAWindowSaySo) {
     for (const char* call : {"ui.click('x')", "ui.set('x', 1)", "ui.get('x')", "ui.exists('x')", "ui.key('a')",
-                             "ui.drag(1, 2, 3, 4)", "ui.wait(1)", "ui.screenshot('x.png')"})
+                             "ui.drag(1, 2, 3, 4)", "ui.rect('x')", "ui.wait(1)", "ui.screenshot('x.png')"})
         EXPECT_FAULT(Stage(), call, "test.lua:1: ui.* needs the editor's window");
+}
+
+TEST(Script, DirectionsAreCombedAndLaidTowardsAnAngle) {
+    EXPECT_EQ(Stage().fault(R"(
+        project.new()
+        map.create{path = 'orientation', width = 160, height = 160, type = 'u16', value = 0.5}
+        local empty = map.hash('orientation')
+        brush.select{map = 'orientation', mode = 'comb', radius = 2}
+        brush.stroke{{10, 10}} expect.equal(map.hash('orientation'), empty)
+        brush.stroke{{10, 10}, {30, 10}}
+        local x, z = map.at('orientation', 20, 10)
+        expect.near(x, 1, 1e-3) expect.near(z, 0.5, 1e-3)
+        brush.select{map = 'orientation', mode = 'direction', angle = 180, strength = 0.5, radius = 2}
+        brush.stroke{{20, 20}}
+        x, z = map.at('orientation', 20, 20)
+        expect.near(x, 0.5, 1e-3) expect.near(z, 0.75, 1e-3)
+        edit.undo() edit.undo() expect.equal(map.hash('orientation'), empty))"),
+              "");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+                 "does not paint amounts");
+    EXPECT_FAULT(Stage(),
+                 "project.new() map.create{path = 'orientation', width = 8, height = 8} brush.select{map = "
+                 "'orientation'} brush.stroke{{1, 1}}",
+                 "does not paint directions");
+}
+
+TEST(Script, EraseTakesEverySpeciesInOneStep) {
+    EXPECT_EQ(Stage().fault(R"(
+        project.new()
+        entity.set('lawn.GrassField.species', {{name = 'lawn'}, {name = 'clover'}})
+        map.create{path = 'species[lawn].density', width = 64, height = 64, value = 1}
+        brush.select{map = 'species[lawn].density', radius = 3, falloff = 0}
+        brush.erase{{20, 20}, {24, 20}}
+        for _, name in ipairs{'lawn', 'clover'} do
+            expect.near(map.at('species[' .. name .. '].density', 22, 20), 0, 1e-3)
+            expect.near(map.at('species[' .. name .. '].density', 5, 5), 1, 1e-3)
+        end
+        edit.undo()
+        expect.truthy(not map.exists('lawn.GrassField.species[clover].density'))
+        expect.near(map.at('species[lawn].density', 22, 20), 1, 1e-3)
+        entity.remove('lawn'))"),
+              "");
+    EXPECT_FAULT(Stage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
 }
 
 // --- the console -----------------------------------------------------------------------------------------------------

@@ -1,0 +1,117 @@
+#include "brush_target.h"
+
+#include "frame/ground.h"
+#include "stroke.h"
+
+namespace sward {
+namespace {
+
+bool present(const FieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
+
+// The map of this kind that a tool goes to: the last one painted, else the first.
+std::string mapOfKind(EditorApp& app, const BrushRow& row) {
+    std::string first;
+    for (const FieldRef& map : paintableMaps(app)) {
+        if (!paints(row, map.row->mapChannels)) continue;
+        const auto last = app.brushes.lastMap.find(map.row->mapChannels);
+        if (last != app.brushes.lastMap.end() && last->second == map.path) return map.path;
+        if (first.empty() || map.path.ends_with(".density") > first.ends_with(".density")) first = map.path;
+    }
+    return first;
+}
+
+std::string toolFor(const BrushBook& book, int channels) {
+    const auto last = book.lastTool.find(channels);
+    if (last != book.lastTool.end()) return last->second;
+    return channels == 1 ? "add" : channels == 2 ? "comb" : kLookTool;
+}
+
+void remember(BrushBook& book, int channels) {
+    book.lastMap[channels] = book.map;
+    if (book.tool != kLookTool) book.lastTool[channels] = book.tool;
+}
+
+}  // namespace
+
+std::vector<FieldRef> shownMaps(EditorApp& app) {
+    if (!app.doc.isOpen()) return {};
+    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+    std::erase_if(maps, [](const FieldRef& f) { return f.row->isHeight; });
+    return maps;
+}
+
+std::vector<FieldRef> paintableMaps(EditorApp& app) {
+    std::vector<FieldRef> maps = shownMaps(app);
+    std::erase_if(maps, [](const FieldRef& f) { return f.row->mapChannels > 2; });
+    return maps;
+}
+
+std::optional<FieldRef> chosenMap(EditorApp& app) {
+    if (!app.doc.isOpen() || app.brushes.map.empty()) return std::nullopt;
+    const Result<FieldRef> map = findField(app.doc.project(), app.doc.tables().components, app.brushes.map);
+    return map && map->row->type == FieldType::Map ? std::optional(*map) : std::nullopt;
+}
+
+void selectMap(EditorApp& app, const std::string& path) {
+    app.brushes.map = path;
+    keepTargetValid(app);
+}
+
+void selectTool(EditorApp& app, const std::string& tool) {
+    const BrushRow* row = findBrush(tool);
+    if (!row && tool != kLookTool) return;
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (row && (!map || !paints(*row, map->row->mapChannels))) {
+        const std::string other = mapOfKind(app, *row);
+        if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
+        app.brushes.map = other;
+    }
+    app.brushes.tool = tool;
+    keepTargetValid(app);
+}
+
+void toggleLook(EditorApp& app) {
+    const std::optional<FieldRef> map = chosenMap(app);
+    selectTool(app, app.brushes.tool != kLookTool ? kLookTool : toolFor(app.brushes, map ? map->row->mapChannels : 1));
+}
+
+void keepTargetValid(EditorApp& app) {
+    const std::vector<FieldRef> maps = shownMaps(app);
+    const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
+    if (std::none_of(maps.begin(), maps.end(), named)) {
+        const BrushRow* row = findBrush("add");
+        app.brushes.map = mapOfKind(app, *row);
+    }
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (!map) return;
+    const int channels = map->row->mapChannels;
+    const BrushRow* row = findBrush(app.brushes.tool);
+    if (row && !paints(*row, channels)) app.brushes.tool = toolFor(app.brushes, channels);
+    remember(app.brushes, channels);
+}
+
+std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) {
+    const BrushSettings brush = strokeBrush(app.brushes, ctrl, shift);
+    if (!(ctrl && shift)) return {brush};
+    return speciesBrushes(app.doc.project(), app.doc.tables().components, brush);
+}
+
+bool overlayShown(EditorApp& app) {
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (!map) return false;
+    const auto chosen = app.brushes.overlays.find(map->path);
+    return chosen != app.brushes.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
+}
+
+void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !overlayShown(app); }
+
+MapOverlay overlayOf(EditorApp& app) {
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (!map || !present(*map) || !overlayShown(app)) return {};
+    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
+    const Terrain* terrain = findGround(app.doc.project()).terrain;
+    if (!scale || !terrain) return {};
+    return {map->path, terrain->size.x / scale->width};
+}
+
+}  // namespace sward

@@ -1,0 +1,17 @@
+// Maps that are not there yet: how large a new one is and what it holds, so that making it changes nothing that is
+// seen. Does not: put it into a project; Document does.
+#pragma once
+#include <string>
+
+#include "scene/project.h"
+
+namespace sward {
+
+// Power-of-two sides, 256 to 4096: eight texels a metre for densities, four for what varies more slowly.
+MapInfo newMapInfo(const Project& p, const FieldRef& map);
+// One channel: 1 everywhere, what an absent density or openness means. Two: no direction. Four: transparent.
+Map newMap(const Project& p, const FieldRef& map);
+// "512 x 512 texels, 8 a metre, 0.5 MB"
+std::string describeNewMap(const Project& p, const FieldRef& map);
+
+}  // namespace sward

@@ -1,0 +1,87 @@
+#include "panels/overlay_legend.h"
+
+#include <imgui.h>
+
+#include "brush_target.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+constexpr float kPad = 8;
+// As in shaders/post/map_overlay.frag.glsl.
+constexpr ImU32 kNone = IM_COL32(61, 13, 107, 255), kHalf = IM_COL32(222, 77, 92, 255),
+                kFull = IM_COL32(255, 235, 64, 255);
+
+ImVec2 box(const Rect& r, float width, float height) {
+    const ImVec2 low{r.x + r.w - width - 10, r.y + 10};
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height}, IM_COL32(18, 20, 18, 205), 4);
+    return {low.x + kPad, low.y + kPad};
+}
+
+void text(ImVec2 at, const std::string& words, ImU32 color = IM_COL32_WHITE) {
+    ImGui::GetWindowDrawList()->AddText(at, color, words.c_str());
+}
+
+void amounts(const Rect& r, const std::string& title, const char* least, const char* most) {
+    const float line = ImGui::GetTextLineHeight(), bar = 150;
+    const float width = std::max(bar, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
+    ImVec2 at = box(r, width, 2 * kPad + 2 * line + 16);
+    text(at, title);
+    at.y += line + 4;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float half = at.x + bar / 2;
+    list.AddRectFilledMultiColor(at, {half, at.y + 10}, kNone, kHalf, kHalf, kNone);
+    list.AddRectFilledMultiColor({half, at.y}, {at.x + bar, at.y + 10}, kHalf, kFull, kFull, kHalf);
+    text({at.x, at.y + 12}, least, ui::kDimText);
+    text({at.x + bar - ImGui::CalcTextSize(most).x, at.y + 12}, most, ui::kDimText);
+}
+
+ImU32 hueOf(float turn) {
+    const auto part = [&](float shift) {
+        const float f = turn + shift - std::floor(turn + shift);
+        return std::clamp(std::abs(f * 6 - 3) - 1, 0.f, 1.f);
+    };
+    return ImGui::GetColorU32({part(0), part(2.f / 3), part(1.f / 3), 1});
+}
+
+// The wheel turns with the view: up on it is away from the viewer.
+void directions(const Rect& r, const std::string& title, double yaw) {
+    constexpr float kWheel = 30;
+    constexpr int kParts = 36;
+    const float line = ImGui::GetTextLineHeight();
+    constexpr const char* kHelp = "hue: where it leans";
+    const float beside = 2 * kWheel + 18 + ImGui::CalcTextSize(kHelp).x;
+    const float width = std::max(beside, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
+    const ImVec2 at = box(r, width, 2 * kPad + line + 2 * kWheel + 14);
+    text(at, title);
+    const ImVec2 c{at.x + kWheel + 6, at.y + line + kWheel + 8};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto place = [&](float turn, float radius) {
+        const float a = turn * 6.2831853f - static_cast<float>(yaw);
+        return ImVec2{c.x + std::sin(a) * radius, c.y - std::cos(a) * radius};
+    };
+    for (int i = 0; i < kParts; ++i) {
+        const float from = static_cast<float>(i) / kParts, to = static_cast<float>(i + 1) / kParts;
+        list.AddTriangleFilled(c, place(from, kWheel), place(to, kWheel), hueOf((from + to) / 2));
+    }
+    list.AddCircleFilled(c, kWheel * 0.3f, IM_COL32_WHITE);
+    const ImVec2 north = place(0, kWheel * 0.75f), half = ImGui::CalcTextSize("N");
+    text({north.x - half.x / 2, north.y - half.y / 2}, "N", IM_COL32_BLACK);
+    text({c.x + kWheel + 12, c.y - line - 2}, kHelp, ui::kDimText);
+    text({c.x + kWheel + 12, c.y + 2}, "white: upright", ui::kDimText);
+}
+
+}  // namespace
+
+void drawOverlayLegend(EditorApp& app) {
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (overlayOf(app).map.empty() || !map) return;
+    const std::string title = map->path;
+    const bool sky = std::string_view(map->row->name) == "ambientOcclusion";
+    if (map->row->mapChannels == 1)
+        amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
+    if (map->row->mapChannels == 2) directions(app.viewport.rect, title, app.viewport.camera.yaw);
+}
+
+}  // namespace sward

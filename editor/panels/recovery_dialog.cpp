@@ -1,0 +1,70 @@
+// Offers the copy of unsaved work that a run left which did not end in order.
+#include <fmt/chrono.h>
+#include <imgui.h>
+#include <sys/stat.h>
+
+#include "panels/panels.h"
+#include "ui/imgui_compat.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+constexpr int kFirstFrame = 4;  // Dear ImGui's: a modal before the other windows are there stops it
+
+// "21 November, 18:04"
+std::string timeOf(const std::filesystem::path& file) {
+    struct stat about {};
+    if (stat(file.c_str(), &about) != 0) return "an unknown time";
+    return fmt::format("{:%d %B, %H:%M}", fmt::localtime(about.st_mtime));
+}
+
+void close(EditorApp& app) {
+    app.autosave.found.clear();
+    ImGui::CloseCurrentPopup();
+}
+
+void recover(EditorApp& app, const std::filesystem::path& copy) {
+    app.deferred.push_back([&app, copy] {
+        if (!accept(app, app.doc.takeOver(copy, "recover unsaved work"))) return;
+        app.autosave.mine = true;  // they go once this is saved or given up
+        say(app, "unsaved work is back; undo shows what was saved");
+    });
+    close(app);
+}
+
+}  // namespace
+
+void drawRecoveryDialog(EditorApp& app) {
+    Autosave& a = app.autosave;
+    if (a.found.empty() || !app.doc.isOpen()) return;
+    if (a.opening && ImGui::GetFrameCount() < kFirstFrame) {
+        app.framesWanted = 4;
+        return;
+    }
+    if (std::exchange(a.opening, false)) ImGui::OpenPopup("Recovery");
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    const int flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+    if (!ImGui::BeginPopupModal("Recovery", nullptr, flags)) return;
+    const float width = ImGui::GetFontSize() * 8;
+    ImGui::Spacing();
+    ImGui::Text("%s was left without being saved.", app.doc.project().name.c_str());
+    ImGui::Text("A copy of the work from %s is there.", timeOf(a.found.front()).c_str());
+    ImGui::Dummy({3 * width + 16, 4});
+    const bool taken = ui::button("Recover", width, true);
+    ui::tooltip("Takes the copy over the saved project; undo goes back. Nothing is saved yet.");
+    ImGui::SameLine(0, 8);
+    const bool thrown = ui::button("Throw away", width);
+    ImGui::SameLine(0, 8);
+    const bool later = ui::button("Ask again later", width) || ui::escapePressed();
+    if (taken) {
+        recover(app, a.found.front());
+    } else if (thrown || later) {
+        if (thrown) forgetAutosaves(a.of);
+        close(app);
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace sward

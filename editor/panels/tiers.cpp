@@ -1,0 +1,218 @@
+// The hybrid field's distances, how its tiers look and what they cost; the rings in the viewport are viewport_rings.h.
+// A drag stops at the neighbouring distances; a typed one pushes them (tiers.h).
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "panels/field_edit.h"
+#include "panels/panels.h"
+#include "panels/viewport_rings.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+FieldRef fieldNamed(EditorApp& app, const char* name) {
+    const Result<FieldRef> f =
+        findField(app.doc.project(), app.doc.tables().components, tierEntity(app) + ".GrassField." + name);
+    CHECK(bool(f));
+    return *f;
+}
+
+void caption(const char* text, const char* help) {
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ui::tooltip(help);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
+}
+
+// A refusal has no line of its own here: the frame is red, and the tooltip says it.
+void showRefusal(const char* label, const char* help) {
+    const std::string* error = ui::errorAt(label);
+    ui::tooltip(error ? *error : help);
+    if (!error) return;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRect(low, high, ui::kErrorText, 3);
+}
+
+void setAll(EditorApp& app, const TierDistances& wanted) {
+    const TierDistances now = tiersOf(*tierField(app));
+    app.doc.beginGroup("set tiers of " + tierEntity(app));
+    for (size_t i = 0; i < kTierCount; ++i)
+        if (static_cast<float>(wanted[i]) != static_cast<float>(now[i]))
+            accept(app, app.doc.setField(tierPath(app, i), ui::numberText(wanted[i])));
+    app.doc.endGroup();
+}
+
+void typeDistance(EditorApp& app, size_t i, const std::string& text, const ui::NumberSpec& spec) {
+    std::string error;
+    const std::optional<double> value = ui::parseNumber(text, spec, error);
+    ui::setError(kTierFields[i], error);
+    if (!value) return;
+    app.deferred.push_back([&app, i, v = *value] { setAll(app, pushedTiers(tiersOf(*tierField(app)), i, v)); });
+}
+
+void distance(EditorApp& app, size_t i, const TierDistances& now) {
+    const char* name = kTierFields[i];
+    const FieldRef field = fieldNamed(app, name);
+    const std::string help =
+        fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = ImGui::GetTextLineHeight() * 0.7f, y = at.y + (ImGui::GetFrameHeight() - size) / 2;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + size, y + size}, kTierColors[i], 2);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + 6);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(kTierTitles[i]);
+    ui::tooltip(help);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
+    const ui::NumberSpec spec = numberSpec(*field.row);
+    double value = now[i];
+    ui::NumberEdit edit = ui::number(name, value, spec);
+    showRefusal(name, help.c_str());
+    if (edit.typed) return typeDistance(app, i, *edit.typed, spec);
+    if (edit.changed) takeEdit(app, field, edit, stoppedTier(now, i, value), std::string("Tiers/") + name);
+}
+
+bool beginForm(const char* id, float left) {
+    if (!ImGui::BeginTable(id, 2)) return false;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * left);
+    ImGui::TableSetupColumn("value");
+    return true;
+}
+
+void distances(EditorApp& app, const TierDistances& now) {
+    if (!beginForm("distances", 8.6f)) return;
+    for (size_t i = 0; i < kTierCount; ++i) distance(app, i, now);
+    ImGui::EndTable();
+}
+
+void chooseField(EditorApp& app) {
+    std::vector<std::string> names;
+    for (const auto& [name, entity] : app.doc.project().entities)
+        if (app.doc.project().registry.get<GrassField>(entity)) names.push_back(name);
+    if (names.size() < 2) return;
+    int chosen = static_cast<int>(std::find(names.begin(), names.end(), tierEntity(app)) - names.begin());
+    caption("Field", "Whose tiers these are.");
+    if (ui::combo("Field", names, chosen)) app.tierView.field = names[static_cast<size_t>(chosen)];
+}
+
+void numberOf(EditorApp& app, const char* name, const char* title) {
+    const FieldRef field = fieldNamed(app, name);
+    double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
+                                                     : static_cast<double>(*static_cast<const float*>(field.value));
+    caption(title, field.row->help);
+    const ui::NumberEdit edit = ui::number(name, value, numberSpec(*field.row));
+    showRefusal(name, field.row->help);
+    takeEdit(app, field, edit, value, std::string("Tiers/") + name);
+}
+
+void looks(EditorApp& app) {
+    if (!beginForm("looks", 5)) return;
+    chooseField(app);
+    const FieldRef technique = fieldNamed(app, "technique");
+    const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
+    int chosen = *static_cast<const int*>(technique.value);
+    caption("Technique", technique.row->help);
+    if (ui::combo("technique", items, chosen))
+        setField(app, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");
+    numberOf(app, "fade", "Fade");
+    numberOf(app, "slices", "Slices");
+    ImGui::EndTable();
+}
+
+void toggles(EditorApp& app) {
+    bool colours = app.viewport.mode == ViewMode::Tiers;
+    if (ui::checkbox("False colours", colours)) app.viewport.mode = colours ? ViewMode::Tiers : ViewMode::Final;
+    ui::tooltip(
+        "Red: blades by themselves. Blue: vertical slices. Green: the horizontal slice and the ground's colour.");
+    ImGui::SameLine(0, 14);
+    ui::checkbox("Rings", app.tierView.rings);
+    ui::tooltip("The distances as rings on the ground. Drag them with the mouse; Escape lets go.");
+    ImGui::SameLine(0, 14);
+    bool pinned = app.tierView.pin.has_value();
+    if (ui::checkbox("Pin rings", pinned))
+        app.tierView.pin = pinned ? std::optional(app.viewport.camera.eye) : std::nullopt;
+    ui::tooltip(
+        "Leaves the rings around where the eye is now, so that you can fly off and look at them.\n"
+        "The picture's own tiers stay around the eye.");
+}
+
+// Fields that only some renderers count.
+template <class Stats>
+std::vector<std::pair<const char*, uint64_t>> tierCounts(const Stats& s) {
+    std::vector<std::pair<const char*, uint64_t>> counts{{"Blades", s.bladesGeometry}};
+    if constexpr (requires { s.sliceQuads; }) counts.emplace_back("Slice quads", s.sliceQuads);
+    if constexpr (requires { s.macroCells; }) counts.emplace_back("Macro-cells", s.macroCells);
+    return counts;
+}
+
+void counts(const FrameStats& s) {
+    bool first = true;
+    for (const auto& [name, n] : tierCounts(s)) {
+        if (!first) ImGui::SameLine(0, 14);
+        first = false;
+        ui::coloredText(ui::kDimText, name);
+        ImGui::SameLine(0, 5);
+        ImGui::TextUnformatted(counted(n).c_str());
+        ui::record(name, ui::Kind::Label, fmt::format("{}", n));
+    }
+}
+
+// "geometry 3.10 ms   slices 1.20 ms", of the passes that draw grass.
+void costs(EditorApp& app) {
+    const bool measured = app.viewport.drawnSettings.measure;
+    std::string line;
+    for (const PassStats& p : app.viewport.stats.passes)
+        if (measured && p.name.starts_with("grass/"))
+            line +=
+                fmt::format("{}{} {:.2f} ms", line.empty() ? "" : "   ", p.name.substr(p.name.rfind('/') + 1), p.ms);
+    ui::checkbox("Measure", app.measure);
+    ui::tooltip("Times each pass, as in the profiler. A frame takes longer then.");
+    ImGui::SameLine(0, 10);
+    ui::coloredText(ui::kDimText, !app.measure   ? "ms of the grass passes"
+                                  : line.empty() ? "no grass pass ran"
+                                                 : line.c_str());
+    ui::record("Passes", ui::Kind::Label, line);
+}
+
+void orderHint(EditorApp& app, const TierDistances& now) {
+    if (tiersInOrder(now)) return;
+    if (ui::button("Put in order", 0, true))
+        app.deferred.push_back([&app] { setAll(app, orderedTiers(tiersOf(*tierField(app)))); });
+    ImGui::SameLine(0, 8);
+    ui::coloredText(ui::kWarningText, "near and far are swapped");
+}
+
+}  // namespace
+
+void drawTiers(EditorApp& app) {
+    const GrassField* field = tierField(app);
+    if (!field) {
+        ImGui::TextDisabled("No entity has a GrassField.");
+        return;
+    }
+    const TierDistances now = tiersOf(*field);
+    ImGui::BeginChild("tiers");
+    const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
+    const int columns = ems < 28 ? 1 : ems < 46 ? 2 : 3;  // what does not fit beside goes below
+    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
+        for (const float share : {1.25f, 0.85f, 1.2f})
+            if (columns == 3) ImGui::TableSetupColumn("", 0, share);
+        ImGui::TableNextColumn();
+        distances(app, now);
+        ImGui::TableNextColumn();
+        looks(app);
+        ImGui::TableNextColumn();
+        toggles(app);
+        counts(app.viewport.stats);
+        costs(app);
+        orderHint(app, now);
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace sward

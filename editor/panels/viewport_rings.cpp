@@ -1,0 +1,238 @@
+#include "panels/viewport_rings.h"
+
+#include <imgui.h>
+
+#include "frame/ground.h"
+#include "panels/viewport_input.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+constexpr int kPoints = 192;          // of a ring
+constexpr double kTolerance = 8;      // pixels from a ring at which the pointer is on it
+constexpr double kFirstMotion = 2;    // pixels until a click is a drag
+constexpr double kFarthest = 100000;  // metres that a hand can drag to over a plain
+
+bool ringsShown(EditorApp& app) {
+    return app.doc.isOpen() && app.tierView.rings && openTab(app.layout) == "Tiers" && tierField(app);
+}
+
+glm::dvec3 centreOf(const EditorApp& app) { return app.tierView.pin.value_or(app.viewport.camera.eye); }
+
+HeightAt heightsOf(const Ground& ground) {
+    return [ground](double x, double z) {
+        return ground.origin.y + terrainHeight(*ground.terrain, x - ground.origin.x, z - ground.origin.z);
+    };
+}
+
+bool onTerrain(const Ground& ground, const glm::dvec3& p) {
+    const double x = p.x - ground.origin.x, z = p.z - ground.origin.z;
+    return x >= 0 && z >= 0 && x <= ground.terrain->size.x && z <= ground.terrain->size.y;
+}
+
+// Where ring i is on the screen now, and where on it nothing is in the way.
+void layRing(EditorApp& app, const Ground& ground, size_t i, double distance) {
+    constexpr double kSlack = 0.15;  // metres: the ground's own bumps at a grazing angle
+    const HeightAt heightAt = heightsOf(ground);
+    const std::vector<std::optional<glm::dvec3>> points = ringPoints(heightAt, centreOf(app), distance, kPoints);
+    ScreenRing& screen = app.tierView.screen[i];
+    std::vector<bool>& clear = app.tierView.clear[i];
+    screen.assign(points.size(), std::nullopt);
+    clear.assign(points.size(), false);
+    for (size_t k = 0; k < points.size(); ++k) {
+        if (!points[k]) continue;
+        screen[k] = projectPoint(app.viewport, *points[k] + glm::dvec3(0, 0.02, 0));
+        clear[k] = screen[k] && onTerrain(ground, *points[k]) &&
+                   !(ground.terrain->height.present() &&
+                     hiddenByGround(heightAt, app.viewport.camera.eye, *points[k], kSlack));
+    }
+}
+
+ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+ImU32 faded(ImU32 color, float share) {
+    return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(255 * share) << IM_COL32_A_SHIFT;
+}
+
+void strokeRing(const ScreenRing& ring, const std::vector<bool>& clear, ImU32 color, float width, bool shadow) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (size_t i = 0; i < ring.size(); ++i) {
+        const size_t next = (i + 1) % ring.size();
+        if (!ring[i] || !ring[next]) continue;
+        const bool seen = clear[i] && clear[next];
+        if (shadow && seen) list.AddLine(vec(*ring[i]), vec(*ring[next]), IM_COL32(0, 0, 0, 130), width + 2.5f);
+        if (!shadow) list.AddLine(vec(*ring[i]), vec(*ring[next]), faded(color, seen ? 1 : 0.22f), seen ? width : 1.2f);
+    }
+}
+
+std::string metres(double distance) { return std::isinf(distance) ? "never" : ui::numberText(distance) + " m"; }
+
+bool highlighted(const TierView& t, size_t i) {
+    if (t.drag && t.drag->tier) return *t.drag->tier == i;
+    const std::optional<RingHit>& hit = t.hover;
+    return hit && std::find(hit->rings.begin(), hit->rings.end(), i) != hit->rings.end();
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+    return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+}
+
+// Room for a text above (or else below) a grip that no other name takes.
+Rect roomFor(const Rect& view, ImVec2 grip, ImVec2 size, const std::vector<Rect>& taken) {
+    const float x = std::clamp(grip.x - size.x / 2, view.x + 6, std::max(view.x + 6, view.x + view.w - size.x - 6));
+    for (const float step : {-1.f, 1.f, -2.f, 2.f, -3.f, 3.f}) {
+        const float y = grip.y + step * (size.y + 10) - size.y / 2 - (step < 0 ? 2 : -2);
+        const Rect room{x - 5, y - 2, size.x + 10, size.y + 4};
+        const bool inside = room.y > view.y && room.y + room.h < view.y + view.h;
+        if (inside && std::none_of(taken.begin(), taken.end(), [&](const Rect& r) { return overlap(r, room); }))
+            return room;
+    }
+    return {x - 5, grip.y - size.y - 16, size.x + 10, size.y + 4};
+}
+
+// A grip on the ring and its name beside it; scripts find the grip as "Viewport/Ring maxGeom".
+void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) {
+    const Rect& r = app.viewport.rect;
+    const TierView& t = app.tierView;
+    ScreenRing seen = t.screen[i];
+    for (size_t k = 0; k < seen.size(); ++k)
+        if (!t.clear[i][k]) seen[k].reset();
+    const double margin = 14,
+                 x = static_cast<double>(r.x) + static_cast<double>(r.w) * (0.26 + 0.14 * static_cast<double>(i));
+    const auto at = ringLabel(seen, {static_cast<double>(r.x) + margin, static_cast<double>(r.y) + margin},
+                              {static_cast<double>(r.x + r.w) - margin, static_cast<double>(r.y + r.h) - margin}, x);
+    if (!at) return;
+    const ImVec2 grip = vec(*at);
+    app.book.next[fmt::format("Viewport/Ring {}", kTierFields[i])] = {ui::Kind::Area, grip.x - 6, grip.y - 6,
+                                                                      grip.x + 6,     grip.y + 6, metres(distance)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float radius = highlighted(t, i) ? 7.5f : 5.5f;
+    list.AddCircleFilled(grip, radius + 1.5f, IM_COL32(0, 0, 0, 170));
+    list.AddCircleFilled(grip, radius, kTierColors[i]);
+    const std::string text = fmt::format("{} {}", kTierTitles[i], metres(distance));
+    const Rect room = roomFor(r, grip, ImGui::CalcTextSize(text.c_str()), taken);
+    taken.push_back(room);
+    list.AddRectFilled({room.x, room.y}, {room.x + room.w, room.y + room.h},
+                       IM_COL32(18, 20, 18, highlighted(t, i) ? 245 : 190), 3);
+    list.AddText({room.x + 5, room.y + 2}, kTierColors[i], text.c_str());
+}
+
+void drawPin(const EditorApp& app, const Ground& ground) {
+    if (!app.tierView.pin) return;
+    const glm::dvec3 pin = *app.tierView.pin;
+    const auto top = projectPoint(app.viewport, pin);
+    const auto foot = projectPoint(app.viewport, {pin.x, heightsOf(ground)(pin.x, pin.z), pin.z});
+    if (!top || !foot) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine(vec(*foot), vec(*top), IM_COL32(0, 0, 0, 160), 4);
+    list.AddLine(vec(*foot), vec(*top), IM_COL32_WHITE, 1.8f);
+    list.AddCircleFilled(vec(*top), 5, IM_COL32_WHITE);
+    list.AddText({vec(*top).x + 9, vec(*top).y - 8}, IM_COL32_WHITE, "pinned eye");
+}
+
+// Under the pointer; beyond the terrain on the level where the ring was taken.
+std::optional<glm::dvec3> groundTowards(const EditorApp& app, double x, double y, double level) {
+    if (const auto ground = groundAt(app, x, y)) return ground;
+    const glm::dvec3 ray = rayThrough(app.viewport, x, y), eye = app.viewport.camera.eye;
+    const double far = (level - eye.y) / ray.y;
+    if (!(far > 0) || !(far < kFarthest)) return std::nullopt;
+    return eye + ray * far;
+}
+
+}  // namespace
+
+std::string tierEntity(EditorApp& app) {
+    if (!app.doc.isOpen()) return "";
+    Project& p = app.doc.project();
+    const auto grows = [&](const std::string& name) {
+        return p.registry.get<GrassField>(findEntity(p, name)) != nullptr;
+    };
+    for (const std::string& name : {app.tierView.field, app.selected})
+        if (!name.empty() && p.entities.contains(name) && grows(name)) return name;
+    for (const auto& [name, entity] : p.entities)
+        if (p.registry.get<GrassField>(entity)) return name;
+    return "";
+}
+
+GrassField* tierField(EditorApp& app) {
+    const std::string entity = tierEntity(app);
+    if (entity.empty()) return nullptr;
+    return app.doc.project().registry.get<GrassField>(findEntity(app.doc.project(), entity));
+}
+
+std::string tierPath(EditorApp& app, size_t i) { return tierEntity(app) + ".GrassField." + kTierFields[i]; }
+
+void hoverRing(EditorApp& app, bool over) {
+    TierView& t = app.tierView;
+    t.hover.reset();
+    const bool free = app.viewport.gesture == Gesture::None && !app.in.ctrl() && !app.in.shift() && !app.in.alt();
+    if (!over || !free || !ringsShown(app)) return;
+    std::array<ScreenRing, kTierCount> seen = t.screen;
+    for (size_t i = 0; i < kTierCount; ++i)
+        for (size_t k = 0; k < seen[i].size(); ++k)
+            if (!t.clear[i][k]) seen[i][k].reset();
+    t.hover = pickRing(seen, {app.in.x, app.in.y}, kTolerance);
+}
+
+void drawRings(EditorApp& app) {
+    TierView& t = app.tierView;
+    for (ScreenRing& ring : t.screen) ring.clear();
+    const Ground ground = app.doc.isOpen() ? findGround(app.doc.project()) : Ground{};
+    if (!ground.terrain || !ringsShown(app)) return;
+    const TierDistances distances = tiersOf(*tierField(app));
+    for (size_t i = 0; i < kTierCount; ++i) layRing(app, ground, i, distances[i]);
+    for (const bool shadow : {true, false})
+        for (size_t i = 0; i < kTierCount; ++i)
+            strokeRing(t.screen[i], t.clear[i], kTierColors[i], highlighted(t, i) ? 4.5f : 2.2f, shadow);
+    drawPin(app, ground);
+    std::vector<Rect> taken;
+    for (size_t i = 0; i < kTierCount; ++i) label(app, i, distances[i], taken);
+    if (t.hover || t.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+}
+
+bool grabRing(EditorApp& app) {
+    TierView& t = app.tierView;
+    if (!t.hover) return false;
+    RingDrag drag;
+    drag.hit = *t.hover;
+    drag.offset = drag.hit.at - glm::dvec2(app.in.x, app.in.y);
+    const auto taken = groundAt(app, drag.hit.at.x, drag.hit.at.y);
+    drag.level = taken ? taken->y : 0;
+    if (drag.hit.rings.size() == 1) drag.tier = drag.hit.rings.front();
+    t.drag = drag;
+    const std::string path = tierPath(app, drag.hit.rings.front());
+    app.holding = path;
+    app.doc.beginGroup("drag ring of " + path);
+    return true;
+}
+
+void dragRing(EditorApp& app, double x, double y) {
+    TierView& t = app.tierView;
+    const GrassField* field = tierField(app);
+    if (!t.drag || !field) return;
+    RingDrag& d = *t.drag;
+    const glm::dvec2 at = glm::dvec2(x, y) + d.offset;
+    if (!d.moved && glm::length(at - d.hit.at) < kFirstMotion) return;
+    d.moved = true;
+    const auto ground = groundTowards(app, at.x, at.y, d.level);
+    if (!ground) return;
+    const double wanted = roundedTier(glm::length(*ground - centreOf(app)));
+    const TierDistances now = tiersOf(*field);
+    if (!d.tier) d.tier = ringMeant(d.hit, now[d.hit.rings.front()], wanted);
+    const double value = stoppedTier(now, *d.tier, wanted);
+    if (static_cast<float>(value) == static_cast<float>(now[*d.tier])) return;
+    accept(app, app.doc.setField(tierPath(app, *d.tier), ui::numberText(value)));
+}
+
+void releaseRing(EditorApp& app) { app.tierView.drag.reset(); }
+
+void cancelRing(EditorApp& app) {
+    app.tierView.drag.reset();
+    if (app.holding.empty()) return;
+    app.holding.clear();
+    app.doc.cancelGroup();
+    say(app, "the ring is back where it was");
+}
+
+}  // namespace sward

@@ -1,0 +1,56 @@
+#include "post/map_overlay.h"
+
+#include "frame/draw_context.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "post/map-overlay";
+
+// The texture that the grass reads, if it reads this map; else one of the overlay's own while it is shown.
+GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
+    const auto* wanted = static_cast<const MapField*>(field.value);
+    if (const GrassField* f = firstOf<GrassField>(ctx.project)) {
+        const SharedResources& r = ctx.shared;
+        if (wanted == &f->orientation && r.orientation) return r.orientation;
+        if (wanted == &f->vegetation && r.vegetation) return r.vegetation;
+        if (wanted == &f->ambientOcclusion && r.occlusion) return r.occlusion;
+        for (size_t i = 0; i < f->species.size() && i < r.densities.size(); ++i)
+            if (wanted == &f->species[i].density && r.densities[i]) return r.densities[i];
+    }
+    return ctx.maps.get(kOwner, field.path, wanted->map, true, true);
+}
+
+void draw(DrawContext& ctx) {
+    const MapOverlay& overlay = ctx.settings.overlay;
+    if (overlay.map.empty()) return;
+    const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
+    if (!field || field->row->type != FieldType::Map) return;
+    const Map& map = static_cast<const MapField*>(field->value)->map;
+    if (map.empty() || !ctx.use()) return;
+    glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
+    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
+    const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
+    const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling / ctx.shared.ground.terrain->size.x);
+    glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
+}
+
+const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
+                                        featureSet(Feature::TerrainHeights)}};
+const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& mapOverlayEffect() {
+    static const EffectRow row{"post/map-overlay", featureSet(Feature::Terrain), {}, kPasses, nullptr, "shows the painted map that the editor asks for"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,10 @@
+// Shows a painted map as a translucent colour over whatever stands on the terrain, seen from above: amounts from violet
+// (0) to yellow (1), directions as hues with arrows, colours as themselves.
+// Does not: light it, nor write depth. Nothing without a map in ViewSettings::overlay, or where that is absent.
+// Cost: one full-screen fragment each pixel with two to three texel fetches.
+#pragma once
+#include "scene/rows.h"
+
+namespace sward {
+const EffectRow& mapOverlayEffect();
+}  // namespace sward
