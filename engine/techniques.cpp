@@ -1,17 +1,21 @@
 #include "techniques.h"
 
 #include "grass/geometry.h"
+#include "objects/mesh.h"
+#include "objects/shadow.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/sky.h"
 #include "terrain/ground.h"
+#include "terrain/shade.h"
 
 namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(),   // light
-        groundEffect(),                           // ground
+        groundEffect(), shadeEffect(),            // ground
+        meshEffect(), shadowEffect(),             // objects
         geometryEffect(),                         // grass
         tonemapEffect(), decalEffect(),           // the screen
     };

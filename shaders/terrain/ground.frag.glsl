@@ -8,6 +8,7 @@
 #include "numerics/lod.h"
 #include "numerics/clump.h"
 #include "lib/light.glsl"
+#include "lib/shadow.glsl"
 #include "lib/cover.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
@@ -17,6 +18,7 @@ in vec3 position;
 in vec2 place;
 in vec3 normal;
 out vec4 color;
+float sunShare = 1.0;  // of the sun that reaches here
 
 // Densities of all species here, filtered for the pixel.
 vec4 densities(vec2 uv) {
@@ -45,7 +47,7 @@ vec3 sunOnBlades(CoverSpecies s, vec2 away) {
     float across = length(frame.sunDirection.xz);
     float c = -dot(frame.sunDirection.xz, away) / max(across, 1e-4);
     float facing = 0.25 + c * (0.39 + c * 0.145);
-    return frame.sunLight.rgb * (s.shape.z * across * facing + s.shape.w * 0.5 * frame.sunDirection.y);
+    return frame.sunLight.rgb * sunShare * (s.shape.z * across * facing + s.shape.w * 0.5 * frame.sunDirection.y);
 }
 
 // Lightness of the clumps that the blades have too, and a mottle for single tufts, as long as pixels are small enough to
@@ -103,7 +105,8 @@ void main() {
     float distance = length(position);
     vec3 toEye = -position / max(distance, 1e-4);
     vec3 n = normalize(normal);
-    vec3 light = (sunLight(n) + ambientLight(n)) * soil(uv);
+    sunShare = sunVisible(position, vec3(0.0));
+    vec3 light = (sunLight(n) * sunShare + ambientLight(n) * skyShare(uv)) * soil(uv);
     float far = 0.0;
     Grass g;
     if (GRASS) {
