@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bakes.h"
 #include "brush_book.h"
 #include "camera_control.h"
 #include "core/log.h"
@@ -111,6 +112,7 @@ struct EditorApp {
     std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;
+    std::optional<OcclusionBake> occlusion;  // being baked
     std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows

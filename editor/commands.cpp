@@ -42,6 +42,14 @@ void focusGround(EditorApp& app) {
 }
 void lookTool(EditorApp& app) { selectTool(app, app.brushes.tool == kLookTool ? "add" : kLookTool); }
 
+bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.occlusion && app.holding.empty(); }
+void bakeOcclusion(EditorApp& app) {
+    Result<OcclusionBake> bake = startOcclusion(app.doc, {});
+    if (!bake) return showError(app, bake.error());
+    app.occlusion = std::move(*bake);
+    say(app, "baking ambient occlusion");
+}
+
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
@@ -55,6 +63,7 @@ constexpr Command kCommands[] = {
     {"Brush", "Stronger", "=", "", strength<1>, opened},
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
     {"Brush", "Look Without Painting", "v", "", lookTool, opened},
+    {"Bake", "Ambient Occlusion", "", "", bakeOcclusion, canBake},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
 

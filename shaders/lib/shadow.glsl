@@ -8,8 +8,8 @@ layout(binding = TEX_SHADE) uniform sampler2D shadeMap;
 float sunInMap(int map, vec3 position, vec3 normal) {
     float texel = shadow.texel[map];
     float facing = clamp(dot(normal, frame.sunDirection.xyz), 0.0, 1.0);
-    // Raised over its own surface by as much as the surface rises under the taps, and a third of a texel for rounding.
-    vec3 p = position + normal * (texel * (1.8 * sqrt(1.0 - facing * facing) + 0.3));
+    // Raised over its own surface by as much as the surface rises under the taps, and for facets under smooth normals.
+    vec3 p = position + normal * (texel * (2.2 * sqrt(1.0 - facing * facing) + 0.8));
     vec3 at = (shadow.toMap[map] * vec4(p, 1.0)).xyz;
     vec2 d = vec2(0.75 * shadow.texel.w);
     return 0.25 * (texture(shadowMap, vec4(at.xy + d, map, at.z)) + texture(shadowMap, vec4(at.xy - d, map, at.z)) +
