@@ -178,7 +178,7 @@ void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
 
 void draw(DrawContext& ctx) {
     const MeshState& s = ctx.own<MeshState>();
-    if (std::none_of(s.groups.begin(), s.groups.end(), [](const Group& g) { return g.seen > 0; }) || !ctx.use()) return;
+    if (!ctx.use()) return;  // also while none is seen: no halt when the first comes into view
     for (const Group& g : s.groups)
         if (g.seen > 0) drawGroup(ctx, s, g);
 }

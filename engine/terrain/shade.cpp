@@ -21,6 +21,7 @@ struct ShadeState : EffectState {
 }  // namespace
 
 HeightGrid shadeHeights(const Terrain& t) {
+    if (!t.height.present()) return {1, 1, {0}};
     const MapInfo& info = t.height.map.info();
     HeightGrid g{std::min(info.width, kMaxSide), std::min(info.height, kMaxSide), {}};
     g.metres.resize(static_cast<size_t>(g.width) * static_cast<size_t>(g.height));
@@ -93,7 +94,7 @@ HeightGrid hiddenHeights(const HeightGrid& heights, const glm::dvec2& size, cons
 namespace {
 
 void updateHeights(ShadeState& s, const Terrain& t) {
-    if (s.of.sameTiles(t.height.map) && s.range == t.heightRange && s.size == t.size) return;
+    if (!s.heights.metres.empty() && s.of.sameTiles(t.height.map) && s.range == t.heightRange && s.size == t.size) return;
     s.of = t.height.map, s.range = t.heightRange, s.size = t.size;
     s.heights = shadeHeights(t);
     s.sun = glm::vec3(0);

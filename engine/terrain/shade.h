@@ -20,7 +20,7 @@ struct HeightGrid {
     int width = 0, height = 0;
     std::vector<float> metres;
 };
-// The terrain's heights at most 1024 a side.
+// The terrain's heights, at most 1024 a side; one of 0 m without a height map.
 HeightGrid shadeHeights(const Terrain& t);
 // Below which height the sun is hidden; far below the ground where nothing hides it. sun: unit, y above 0.
 HeightGrid hiddenHeights(const HeightGrid& heights, const glm::dvec2& size, const glm::vec3& sun);
