@@ -1,6 +1,5 @@
 #include "objects/shadow.h"
 
-#include "core/hash.h"
 #include "frame/draw_context.h"
 
 namespace sward {
@@ -9,16 +8,21 @@ namespace {
 constexpr const char* kOwner = "objects/shadow";
 constexpr int kSide = 2048;                                          // texels of a map
 constexpr double kReach[SHADOW_CASCADES] = {14, 60, 256};            // metres from the eye
-constexpr double kMargin = 1.02;                                     // for taps and snapping
+constexpr double kSlack = 0.1;                                       // share of the reach that the eye may move before a map is drawn anew
+constexpr double kHalf = 1.02 + kSlack;                              // half a map's side, as a share of the reach: and room for taps
 
+struct ShadowMap {
+    Framebuffer target;
+    glm::dvec3 centre{0};  // in the world
+    uint64_t drawn = 0;    // hash of what it shows; 0: nothing yet
+};
 struct ShadowState : EffectState {
     GlName<TextureKind> maps;  // an array of SHADOW_CASCADES
     Tally tally;
-    Framebuffer targets[SHADOW_CASCADES];
+    ShadowMap map[SHADOW_CASCADES];
     Buffer globals;
     ShadowGlobals values;
     glm::vec3 right{0}, up{0}, sun{0};  // the sun's axes
-    uint64_t drawn = 0;                 // hash of what the maps show; 0: nothing
 };
 
 void makeMaps(Gpu& gpu, ShadowState& s) {
@@ -45,7 +49,7 @@ std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
         glNamedFramebufferTextureLayer(id, GL_DEPTH_ATTACHMENT, s->maps.id(), 0, i);
         glNamedFramebufferDrawBuffer(id, GL_NONE);
         glObjectLabel(GL_FRAMEBUFFER, id, -1, kOwner);
-        s->targets[i] = Framebuffer(id);
+        s->map[i].target = Framebuffer(id);
     }
     s->globals = makeBuffer(ctx.gpu, kOwner, sizeof(ShadowGlobals), nullptr);
     return s;
@@ -58,29 +62,38 @@ void setAxes(ShadowState& s, const glm::vec3& sun) {
     s.up = glm::cross(sun, s.right);
 }
 
-// From eye-relative positions to the map whose middle is the texel nearest to the eye.
-glm::mat4 toMap(const ShadowState& s, const glm::dvec3& eye, double half) {
+// From eye-relative positions to a map around `centre`, its texels at the same places of the world whatever the centre.
+glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3& eye, double half) {
     const double texel = 2 * half / kSide;
-    const auto offset = [&](const glm::dvec3& axis) {
-        const double e = glm::dot(eye, axis);
-        return std::round(e / texel) * texel - e;
-    };
-    const float scale = static_cast<float>(0.5 / half);
+    const auto middle = [&](const glm::dvec3& axis) { return std::round(glm::dot(centre, axis) / texel) * texel - glm::dot(eye, axis); };
+    const double scale = 0.5 / half;
     glm::mat4 m(0);
-    for (int c = 0; c < 3; ++c) m[c] = glm::vec4(s.right[c], s.up[c], s.sun[c], 0) * scale;
-    m[3] = glm::vec4(0.5f - static_cast<float>(offset(s.right)) * scale, 0.5f - static_cast<float>(offset(s.up)) * scale, 0.5f, 1);
+    for (int c = 0; c < 3; ++c) m[c] = glm::vec4(s.right[c], s.up[c], s.sun[c], 0) * static_cast<float>(scale);
+    m[3] = glm::vec4(glm::dvec4(0.5 - middle(s.right) * scale, 0.5 - middle(s.up) * scale, 0.5 - glm::dot(centre - eye, glm::dvec3(s.sun)) * scale, 1));
     return m;
+}
+
+void aimMap(ShadowState& s, int i, const glm::dvec3& eye) {
+    ShadowMap& map = s.map[i];
+    if (map.drawn == 0 || glm::distance(map.centre, eye) > kSlack * kReach[i]) {
+        map.centre = eye;
+        map.drawn = 0;
+    }
+    const double half = kReach[i] * kHalf;
+    s.values.toMap[i] = toMap(s, map.centre, eye, half);
+    s.values.reach[i] = static_cast<float>(kReach[i]);
+    s.values.texel[i] = static_cast<float>(2 * half / kSide);
 }
 
 void aim(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
+    const glm::vec3 sun(ctx.globals.sunDirection);
     if (ctx.globals.sunDirection.w > 0) {
-        setAxes(s, glm::vec3(ctx.globals.sunDirection));
-        for (int i = 0; i < SHADOW_CASCADES; ++i) {
-            s.values.toMap[i] = toMap(s, ctx.camera.eye, kReach[i] * kMargin);
-            s.values.reach[i] = static_cast<float>(kReach[i]);
-            s.values.texel[i] = static_cast<float>(2 * kReach[i] * kMargin / kSide);
+        if (s.sun != sun) {
+            setAxes(s, sun);
+            for (ShadowMap& map : s.map) map.drawn = 0;
         }
+        for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, i, ctx.camera.eye);
         s.values.texel.w = 1.0f / kSide;
         glNamedBufferSubData(s.globals.id(), 0, sizeof(ShadowGlobals), &s.values);
     }
@@ -96,8 +109,9 @@ bool reaches(const ShadowState& s, const ShadowCaster& c, float reach) {
 
 void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
     const float farthest = 0;
-    glBindFramebuffer(GL_FRAMEBUFFER, s.targets[map].id());
-    glClearNamedFramebufferfv(s.targets[map].id(), GL_DEPTH, 0, &farthest);
+    const GLuint target = s.map[map].target.id();
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
     glUniform1i(1, map);
     for (const ShadowCaster& c : ctx.shared.casters) {
         if (!reaches(s, c, static_cast<float>(kReach[map]))) continue;
@@ -110,19 +124,18 @@ void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
     }
 }
 
-uint64_t hashOf(const DrawContext& ctx) {
-    const double parts[] = {ctx.camera.eye.x, ctx.camera.eye.y, ctx.camera.eye.z, ctx.globals.sunDirection.x, ctx.globals.sunDirection.y, ctx.globals.sunDirection.z};
-    return hashBytes(parts, sizeof(parts)) ^ ctx.shared.castersHash;
-}
-
 void draw(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
-    const uint64_t wanted = hashOf(ctx);
-    if (ctx.globals.sunDirection.w <= 0 || s.drawn == wanted || !ctx.use()) return;
-    s.drawn = wanted;
+    const uint64_t wanted = ctx.shared.castersHash | 1;
+    const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted; };
+    if (ctx.globals.sunDirection.w <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use()) return;
     glViewport(0, 0, kSide, kSide);
     glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map still shades
-    for (int i = 0; i < SHADOW_CASCADES; ++i) drawMap(ctx, s, i);
+    for (int i = 0; i < SHADOW_CASCADES; ++i) {
+        if (!stale(s.map[i])) continue;
+        drawMap(ctx, s, i);
+        s.map[i].drawn = wanted;
+    }
     glDisable(GL_DEPTH_CLAMP);
     glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
     glViewport(0, 0, ctx.targets.width, ctx.targets.height);

@@ -106,9 +106,16 @@ TEST(Shadows, MapsAreDrawnOnlyWhenSomethingMoved) {
     turned.target.x += 1;
     ASSERT_TRUE(renderer.draw(p, turned, large()));
     EXPECT_EQ(shadowDraws(renderer), 0u) << "turning the view moves nothing";
+    turned.eye.x += 1;
+    ASSERT_TRUE(renderer.draw(p, turned, large()));
+    EXPECT_EQ(shadowDraws(renderer), 0u) << "nor does a step within the maps";
+    turned.eye.x += 2;
+    ASSERT_TRUE(renderer.draw(p, turned, large()));
+    EXPECT_EQ(shadowDraws(renderer), 1u) << "a longer one leaves the nearest alone";
     p.registry.get<Transform>(findEntity(p, "cube"))->position.x += 1;
     ASSERT_TRUE(renderer.draw(p, turned, large()));
     EXPECT_GT(shadowDraws(renderer), 0u);
+    EXPECT_EQ(shadowDraws(renderer), 3u);
     EXPECT_LT(lightAt(renderer, turned, large(), {11.7, 0, 8}).y, 0.6f * lightAt(renderer, turned, large(), {9, 0, 8}).y);
 }
 
