@@ -75,6 +75,15 @@ void releaseGroup(EditorApp& app) {
     app.doc.endGroup();
 }
 
+void followBake(EditorApp& app) {
+    if (!app.occlusion) return;
+    const std::optional<Status> end = finishOcclusion(app.doc, *app.occlusion);
+    if (!end) return;
+    app.occlusion.reset();
+    app.framesWanted = 4;
+    if (accept(app, *end)) say(app, "ambient occlusion is baked");
+}
+
 void updateTitle(EditorApp& app) {
     std::string title = "Sward";
     if (app.doc.isOpen()) title = (app.doc.dirty() ? "\xE2\x97\x8F " : "") + app.doc.project().name + " - Sward";
@@ -160,6 +169,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     advanceTime(app);
     takeLog(app);
     followProject(app);
+    followBake(app);
     ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(),
                   app.surface->pixelWidth(), app.surface->pixelHeight());
     ImGui_ImplOpenGL3_NewFrame();
@@ -181,7 +191,7 @@ double idleSeconds(const EditorApp& app) {
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen()
                               ? -1
                               : secondsToRefine(app.viewport.resolution, clockSeconds());
-    const double idle = app.book.tooltipDue ? 0.1 : kIdleSeconds;
+    const double idle = app.book.tooltipDue || app.occlusion ? 0.1 : kIdleSeconds;
     return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
@@ -205,7 +215,7 @@ void runUntilQuit(EditorApp& app) {
         tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.book.tooltipDue || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || app.occlusion || app.surface->closeRequested()) runFrame(app);
     }
     endAutosave(app);
 }

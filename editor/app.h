@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "autosave.h"
+#include "bakes.h"
 #include "brush_book.h"
 #include "camera_control.h"
 #include "core/log.h"
@@ -116,6 +117,7 @@ struct EditorApp {
     FileDialog files;
     UnsavedDialog unsaved;
     Autosave autosave;
+    std::optional<OcclusionBake> occlusion;  // being baked
     std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows

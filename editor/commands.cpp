@@ -47,6 +47,14 @@ void shiftErases(EditorApp& app) {
     say(app, app.brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
 }
 
+bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.occlusion && app.holding.empty(); }
+void bakeOcclusion(EditorApp& app) {
+    Result<OcclusionBake> bake = startOcclusion(app.doc, {});
+    if (!bake) return showError(app, bake.error());
+    app.occlusion = std::move(*bake);
+    say(app, "baking ambient occlusion");
+}
+
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
@@ -63,6 +71,7 @@ constexpr Command kCommands[] = {
     {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
     {"Brush", "Shift Erases", "", "", shiftErases, always, true,
      [](EditorApp& app) { return app.brushes.shiftErases; }},
+    {"Bake", "Ambient Occlusion", "", "", bakeOcclusion, canBake},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
 

@@ -1,6 +1,7 @@
 #include "edit_main.h"
 
 #include "app.h"
+#include "bakes.h"
 #include "script/script.h"
 #include "techniques.h"
 #include "ui/driver.h"
@@ -32,6 +33,7 @@ int editMain(const std::filesystem::path& project) {
     ScriptHost host{document, driver.get()};
     host.print = [](const std::string& line) { logInfo(line); };
     host.useCamera = [&app](const std::string& name) { goToCamera(app, name); };
+    offerBakes(host);
     ScriptConsole console(host);
     app.runLua = [&console](const std::string& line) { return console.run(line); };
     runUntilQuit(app);

@@ -4,17 +4,21 @@
 #include "grass/geometry.h"
 #include "grass/slices.h"
 #include "post/map_overlay.h"
+#include "objects/mesh.h"
+#include "objects/shadow.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/sky.h"
 #include "terrain/ground.h"
+#include "terrain/shade.h"
 
 namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(),   // light
-        groundEffect(),                           // ground
+        groundEffect(), shadeEffect(),            // ground
+        meshEffect(), shadowEffect(),             // objects
         fieldEffect(), geometryEffect(), farEffect(), slicesEffect(),  // grass
         tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };

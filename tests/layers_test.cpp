@@ -15,7 +15,7 @@ const std::vector<std::vector<std::string>> kLayers = {
     {"engine/gpu"},
     {"engine/scene"},
     {"engine/frame"},
-    {"engine/terrain", "engine/grass", "engine/forest", "engine/sky", "engine/water", "engine/post"},
+    {"engine/terrain", "engine/grass", "engine/objects", "engine/forest", "engine/sky", "engine/water", "engine/post"},
     {"engine/reference"},
     {"engine/measure"},
     {"engine/."},  // techniques.cpp, the table of contents

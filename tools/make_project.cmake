@@ -5,9 +5,9 @@ get_filename_component(folder "${SCRIPT}" DIRECTORY)
 file(SHA1 "${SCRIPT}" recipe)
 set(note "${folder}/.made")  # the hash of the script, then of what it made
 
-# One hash over project.json and maps/.
+# One hash over project.json, maps/ and models/.
 function(hash_project out)
-  file(GLOB files "${folder}/project.json" "${folder}/maps/*")
+  file(GLOB files "${folder}/project.json" "${folder}/maps/*" "${folder}/models/*")
   set(hashes "")
   foreach(f IN LISTS files)
     file(SHA1 "${f}" h)

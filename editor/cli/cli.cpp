@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "bakes.h"
 #include "core/log.h"
 
 namespace sward {
@@ -16,6 +17,7 @@ struct Verbs {
     CompareOptions compare;
     ImportCommand import;
     ExportCommand exported;
+    BakeCommand bake;
     ScriptOptions script;
     std::string project = "projects/football", dir;
     bool strict = false, json = false, verbose = false;
@@ -65,6 +67,13 @@ struct Verbs {
         out->add_option("--out", exported.out, "EXR, PNG, TIFF or R16 file")->required();
         out->add_flag("--flip", exported.flip, "write the far edge first");
     }
+    void addBakes() {
+        CLI::App* v = verb("bake", "Make what is made ahead, and save the project (default: all of it)", [this] { return bakeVerb(bake); });
+        v->add_option("project", bake.project, "folder of the project")->required();
+        for (const BakeRow& row : bakeRows()) v->add_flag_callback(std::string("--") + row.flag, [this, &row] { bake.only.push_back(row.flag); }, row.help);
+        v->add_option("--samples", bake.samples, "rays a texel (default: 64)");
+        v->add_option("--size", bake.size, "texels along the longer side (default: as it is, else 512)");
+    }
     void addProjects() {
         verb("edit", "Open the editor (default)", [this] { return editVerb(project); })->add_option("project", project, "folder of the project");
         verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
@@ -88,6 +97,7 @@ struct Verbs {
         addRender();
         addCompare();
         addMaps();
+        addBakes();
         app.require_subcommand(0, 1);
     }
 };

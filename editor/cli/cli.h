@@ -48,6 +48,12 @@ struct ExportCommand {
     bool flip = false;
 };
 int exportVerb(const ExportCommand& options);
+struct BakeCommand {
+    std::string project;
+    std::vector<std::string> only;       // flags of the bakes wanted; none: all
+    int samples = 64, size = 0;
+};
+int bakeVerb(const BakeCommand& options);
 int explainVerb(const std::string& project, bool json);
 int hardcasesVerb(bool json);
 struct ScriptOptions {

@@ -1,3 +1,4 @@
+#include "bakes.h"
 #include "cli/cli.h"
 #include "core/log.h"
 #include "document.h"
@@ -67,6 +68,7 @@ int scriptVerb(const ScriptOptions& o) {
     std::unique_ptr<UiDriver> window;
     ScriptHost host{document};
     host.ui = &lazy;
+    offerBakes(host);
     host.useCamera = [&](const std::string& name) { lazy.useCamera(name); };
     if (o.window) {
         auto made = makeWindowUi(document, 1440, 900);

@@ -30,6 +30,16 @@ void savedDot(EditorApp& app) {
     ImGui::SameLine(0, 18);
 }
 
+void bakeProgress(EditorApp& app) {
+    if (!app.occlusion) return;
+    const float share = static_cast<float>(app.occlusion->job.progress());
+    item("Baking", fmt::format("{:.0f} %", 100 * share), "Rays are cast from the ground to see how much of the sky is open; the map comes as one undo step.");
+    ImGui::ProgressBar(share, {120, ImGui::GetTextLineHeight()}, "");
+    ImGui::SameLine(0, 5);
+    if (ui::button("Cancel")) app.occlusion->job.cancel();
+    ImGui::SameLine(0, 18);
+}
+
 }  // namespace
 
 std::string counted(uint64_t n) {
@@ -55,6 +65,7 @@ void drawStatusBar(EditorApp& app) {
     item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, app.viewport.resolution.drawnScale + 0.001)),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
     savedDot(app);
+    bakeProgress(app);
     ui::coloredText(ui::kDimText, app.status.c_str());
     ui::record("Message", ui::Kind::Label, app.status);
     ui::tooltip(app.status);

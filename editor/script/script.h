@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -27,6 +28,8 @@ struct ScriptHost {
     std::filesystem::path folder{};  // of the console: where relative paths begin; runScript takes the script's
     std::function<void(const std::string&)> print{};      // a line from print(); none: standard output
     std::function<void(const std::string&)> useCamera{};  // camera.use: shows the view of this entity
+    // bake.NAME: bakes with so many samples, at this size (0: its own choice); see bakes.h.
+    std::map<std::string, std::function<Status(int samples, int size)>> bakes{};
     std::string camera{};                                 // the last that camera.use named
     BrushSettings brush{};                                // the last that brush.select chose
     ScriptLimits limits{};

@@ -104,6 +104,8 @@ void openEntityCalls(lua_State* L);
 void openCameraCalls(lua_State* L);
 void openMapCalls(lua_State* L);
 void openMapShapeCalls(lua_State* L);  // adds to the table map
+void openMeshCalls(lua_State* L);
+void openBakeCalls(lua_State* L);
 void openBrushCalls(lua_State* L);
 void openEditCalls(lua_State* L);
 void openUiCalls(lua_State* L);

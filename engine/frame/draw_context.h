@@ -19,6 +19,17 @@ struct Frustum {
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 
+// Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3 to 5
+// the rows of a matrix to eye-relative positions, one an instance.
+struct ShadowCaster {
+    GLuint vertexArray = 0, instance = 0;
+    uint32_t firstIndex = 0, indices = 0;  // of 32 bits
+    GLuint image = 0;                      // what is cut out by its alpha below `cutoff`; 0: nothing
+    float cutoff = 0;
+    glm::vec3 centre{0};                   // of a ball around it, relative to the eye
+    float radius = 0;
+};
+
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
 struct GroundMesh {
     GLuint mesh = 0;                            // vertex array: 17 x 17 corners, triangles as unsigned shorts
@@ -40,6 +51,8 @@ struct SharedResources {
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
     GLuint orientation = 0, vegetation = 0, occlusion = 0;
+    std::vector<ShadowCaster> casters;  // of this frame
+    uint64_t castersHash = 0;           // equal: the same triangles at the same places
 };
 
 // The targets of one view.

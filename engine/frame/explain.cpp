@@ -22,6 +22,9 @@ const char* whyAbsent(Feature f) {
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";
         case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
         case Feature::GrassClumps: return "no species has both clumpSize and clumpStrength above 0";
+        case Feature::Objects: return "no StaticMesh has a file";
+        case Feature::ObjectShadows: return "no StaticMesh casts shadows, or no Light shines";
+        case Feature::TerrainShadows: return "no Terrain with a height map has castShadows, or no Light shines";
         case Feature::Sun: return "no Light shines";
         case Feature::Sky: return "no Sky has an intensity above 0";
         case Feature::Fog: return "no Fog has a finite visibility";

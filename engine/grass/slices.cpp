@@ -279,7 +279,7 @@ void drawFar(DrawContext& ctx) {
 // --- rows ------------------------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::Sun, Feature::Sky, Feature::Fog);
+                      Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog);
 };
 const System kFarSystems[] = {{"grass/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices", selectSlices}};

@@ -40,6 +40,14 @@ constexpr FieldRow imageFile(const char* name, size_t offset, const char* help) 
     row.isFile = true;
     return row;
 }
+constexpr FieldRow meshFile(const char* name, size_t offset, const char* help) {
+    FieldRow row = imageFile(name, offset, help);
+    row.isMesh = true;
+    return row;
+}
+constexpr FieldRow flag(const char* name, size_t offset, const char* help) {
+    return number(FieldType::Bool, name, offset, "", {}, help);
+}
 constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType type, const char* help) {
     FieldRow row = number(FieldType::Map, name, offset, "", {}, help);
     row.mapChannels = channels;
@@ -80,12 +88,14 @@ constexpr FieldRow kTerrainFields[] = {
          "length that one tile of the texture covers"),
     color("groundColor", offsetof(Terrain, groundColor), {0, 4, 0, 1},
           "mean reflectance of the soil, or factor of the texture"),
+    flag("castShadows", offsetof(Terrain, castShadows), "hills shade what lies behind them"),
 };
 FeatureSet terrainFeatures(const void* component) {
     const auto& t = *static_cast<const Terrain*>(component);
     FeatureSet s = featureSet(Feature::Terrain);
     if (t.height.present()) s |= featureSet(Feature::TerrainHeights);
     if (t.terrainMap.present()) s |= featureSet(Feature::TerrainMap);
+    if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows);
     return s;
 }
 
@@ -246,6 +256,21 @@ FeatureSet fogFeatures(const void* component) {
     return static_cast<const Fog*>(component)->visibility < kInf ? featureSet(Feature::Fog) : FeatureSet{};
 }
 
+// --- StaticMesh --------------------------------------------------------------------------------------------------
+constexpr FieldRow kStaticMeshFields[] = {
+    meshFile("file", offsetof(StaticMesh, file), "object to show: .glb or .gltf in the project's folder"),
+    number(FieldType::Vec3, "rotationDeg", offsetof(StaticMesh, rotationDeg), "deg", {-36000, 36000, -180, 180},
+           "turn about x, then z, then y"),
+    real("scale", offsetof(StaticMesh, scale), "", {0.001, 1000, 0.1, 10}, "factor of its size"),
+    flag("onGround", offsetof(StaticMesh, onGround), "its Transform's height counts from the ground below it"),
+    flag("castShadows", offsetof(StaticMesh, castShadows), "it shades the ground, the grass and other objects"),
+};
+FeatureSet staticMeshFeatures(const void* component) {
+    const auto& m = *static_cast<const StaticMesh*>(component);
+    if (m.file.empty()) return {};
+    return m.castShadows ? featureSet(Feature::Objects, Feature::ObjectShadows) : featureSet(Feature::Objects);
+}
+
 // --- Camera ------------------------------------------------------------------------------------------------------
 constexpr FieldRow kCameraFields[] = {
     number(FieldType::Vec3, "eye", offsetof(Camera, eye), "m", kPosition, "where the camera stands"),
@@ -266,6 +291,7 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Light>("Light", "The sun.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
+        componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),
     };
     return kRows;
@@ -285,6 +311,7 @@ FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow
 FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows) {
     FeatureSet all;
     registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e); });
+    if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
     return all;
 }
 

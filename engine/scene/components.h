@@ -34,6 +34,7 @@ struct Terrain {
     std::string groundTexture;             // PNG tiled over the ground; empty: soil made by the program
     float tileSize = 2;                    // metres a tile of it covers
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
+    bool castShadows = false;              // hills shade what lies behind them
 };
 
 // One kind of blade. Shapes: scene/population.h.
@@ -127,6 +128,15 @@ struct Sky {
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {
     float visibility = 4000;              // metres at which contrast has fallen to 2% (Koschmieder)
+};
+
+// An object standing where its Transform says: bench, stone, house. Files: scene/mesh_io.h.
+struct StaticMesh {
+    std::string file;                     // .glb or .gltf; empty: nothing to see
+    glm::dvec3 rotationDeg{0};            // about x, then z, then y (heading, counter-clockwise from above)
+    float scale = 1;
+    bool onGround = true;                 // the Transform's y counts from the ground below; else from the world's origin
+    bool castShadows = true;
 };
 
 struct Camera {

@@ -20,6 +20,9 @@ enum class Feature : uint8_t {
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
+    Objects,           // meshes stand in the scene
+    ObjectShadows,     // objects shade what lies behind them, and there is a sun
+    TerrainShadows,    // hills shade what lies behind them, and there is a sun
     Sun,               // a directional light
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance

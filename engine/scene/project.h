@@ -79,8 +79,8 @@ Result<size_t> findElement(const FieldRef& list, const std::string& selector);
 Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const std::string& name);
 // All map fields with their canonical paths, sorted; absent ones included if asked.
 std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bool absentToo = false);
-// All fields that name an image file (FieldRow::isFile) and are not empty.
-std::vector<FieldRef> allImageFiles(Project& p, std::span<const ComponentRow> rows);
+// All fields that name a file (FieldRow::isFile: images and objects) and are not empty.
+std::vector<FieldRef> allFiles(Project& p, std::span<const ComponentRow> rows);
 // Where a map is saved that has no file yet or whose file's format cannot hold `type`: "maps/entity.species.map.ext",
 // ext png, or exr for F32. Keeps the folder and stem of the file it has.
 std::string mapFileFor(const FieldRef& map, PixelType type);

@@ -2,6 +2,7 @@
 #include "core/jobs.h"
 #include "core/log.h"
 #include "scene/map_io.h"
+#include "scene/mesh_io.h"
 #include "scene/project_json.h"
 #include "scene/save_folder.h"
 
@@ -113,7 +114,7 @@ void loadMaps(Loading& l) {
     }
 }
 
-void collectImages(std::span<const FieldRow> rows, void* base, const FieldRef& parent, std::vector<FieldRef>& out) {
+void collectFiles(std::span<const FieldRow> rows, void* base, const FieldRef& parent, std::vector<FieldRef>& out) {
     for (const FieldRow& row : rows) {
         FieldRef ref = parent;
         ref.row = &row;
@@ -125,21 +126,31 @@ void collectImages(std::span<const FieldRow> rows, void* base, const FieldRef& p
         for (size_t i = 0; i < selectors.size(); ++i) {
             FieldRef element = ref;
             element.path += "[" + selectors[i] + "]";
-            collectImages(row.list->fields, row.list->at(ref.value, i), element, out);
+            collectFiles(row.list->fields, row.list->at(ref.value, i), element, out);
         }
     }
 }
 
-// The renderer reads the images that fields name; what it could not read is refused here.
-void checkImages(Loading& l) {
-    for (const FieldRef& f : allImageFiles(l.reader.project, l.reader.rows)) {
+Status checkFile(const fs::path& dir, const FieldRow& row, const std::string& name) {
+    if (row.isMesh) {
+        const Result<Mesh> mesh = readMesh(dir, name);
+        return mesh ? Status() : Status(mesh.error());
+    }
+    const Result<fs::path> file = currentFile(dir, name);
+    return file ? checkImage(*file) : Status(file.error());
+}
+
+// The renderer reads the images and objects that fields name; what it could not read is refused here, once a file.
+void checkFiles(Loading& l) {
+    std::set<std::string> seen;
+    for (const FieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
         const std::string& name = *static_cast<const std::string*>(f.value);
-        const Result<fs::path> file = currentFile(l.dir, name);
-        const Status s = file ? checkImage(*file) : Status(file.error());
+        if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second) continue;
+        const Status s = checkFile(l.dir, *f.row, name);
         if (s) continue;
         Error e = s.error();
         e.message = f.path + ": " + e.message;
-        e.file = (l.dir / name).string();
+        if (e.line == 0) e.file = (l.dir / name).string();
         l.reader.refused.push_back(std::move(e));
     }
 }
@@ -159,18 +170,18 @@ Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool eve
     l.reader.project.dir = l.dir;
     if (!l.reader.refused.empty() && !(everything && l.soundJson)) return l;
     loadMaps(l);
-    checkImages(l);
+    checkFiles(l);
     return l;
 }
 
 }  // namespace
 
-std::vector<FieldRef> allImageFiles(Project& p, std::span<const ComponentRow> rows) {
+std::vector<FieldRef> allFiles(Project& p, std::span<const ComponentRow> rows) {
     std::vector<FieldRef> out;
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows)
             if (void* component = row.get(p.registry, entity))
-                collectImages(row.fields, component, {nullptr, nullptr, &row, name, name + "." + row.name}, out);
+                collectFiles(row.fields, component, {nullptr, nullptr, &row, name, name + "." + row.name}, out);
     return out;
 }
 

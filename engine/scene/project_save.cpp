@@ -1,5 +1,6 @@
 #include "core/file.h"
 #include "scene/map_io.h"
+#include "scene/mesh_io.h"
 #include "scene/project_json.h"
 #include "scene/save_folder.h"
 
@@ -116,10 +117,20 @@ Status addMaps(Saving& s) {
     return {};
 }
 
-// Image files that a "save as" finds missing come along from the old folder.
-Status addImages(Saving& s, const fs::path& from) {
-    for (const FieldRef& f : allImageFiles(listable(s.p), s.rows)) {
-        const std::string name = *static_cast<const std::string*>(f.value);
+// The files that a field names: one image, or an object with what it refers to.
+std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
+    const std::string& name = *static_cast<const std::string*>(f.value);
+    if (f.row->isMesh)
+        if (const Result<Mesh> mesh = readMesh(dir, name)) return mesh->files;
+    return {name};
+}
+
+// Images and objects that a "save as" finds missing come along from the old folder.
+Status addFiles(Saving& s, const fs::path& from) {
+    std::set<std::string> names;
+    for (const FieldRef& f : allFiles(listable(s.p), s.rows))
+        for (std::string& name : filesOf(from, f)) names.insert(std::move(name));
+    for (const std::string& name : names) {
         const Result<fs::path> place = resolveInside(s.p.dir, name), source = currentFile(from, name);
         if (!place) return place.error();
         if (!source) return source.error();
@@ -173,7 +184,7 @@ Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
     readOnDisk(s);
     if (Status ok = addMaps(s); !ok) return ok.error();
     if (!from.empty())
-        if (Status ok = addImages(s, from); !ok) return ok.error();
+        if (Status ok = addFiles(s, from); !ok) return ok.error();
     addProjectJson(s);
     addRemoved(s);
     std::vector<std::string> written;

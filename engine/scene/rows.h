@@ -54,7 +54,8 @@ struct FieldRow {
     PixelType mapType = PixelType::U16;         // Map: type of a new one
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isHeight = false;                      // Map: heights, never 8-bit
-    bool isFile = false;                        // String: an image file in the project's folder, or empty
+    bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
+    bool isMesh = false;                        // ... or an object (glTF)
 };
 
 struct ComponentRow {

@@ -10,6 +10,7 @@
 #include "numerics/correction.h"
 #include "numerics/clump.h"
 #include "lib/light.glsl"
+#include "lib/shadow.glsl"
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 
@@ -41,7 +42,7 @@ Repeated repeated() {
 vec3 radiance(Repeated r, vec3 reflectance, vec2 above, vec2 uv) {
     vec3 ambient = slices.farAmbient.rgb * skyShare(uv) * reflectance;
     if (!SUN) return ambient;
-    vec3 sun = frame.sunLight.rgb * frame.sunDirection.w;
+    vec3 sun = frame.sunLight.rgb * frame.sunDirection.w * sunVisible(position, vec3(0.0));
     vec4 w = slices.sunWeights;
     float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
     vec4 images = vec4(r.mirror.x > 0.0 ? w.xw : w.wx, r.mirror.y > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z));

@@ -12,6 +12,7 @@
 #include "numerics/population.h"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
+#include "lib/shadow.glsl"
 #include "lib/cover.glsl"
 
 struct Blade {
@@ -83,7 +84,7 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));
-    vec3 light = (sunLight(n) + ambientLight(n) * skyShare(uv)) * open;
+    vec3 light = (sunLight(n) * sunVisible(position, vec3(0.0)) + ambientLight(n) * skyShare(uv)) * open;
     lit = vec4(colorHere(b, v, lighter, uv) * light, share);
     if (FOG) lit.rgb = mix(lit.rgb, horizonColor(position.xz), share);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;

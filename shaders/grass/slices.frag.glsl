@@ -8,6 +8,7 @@
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 #include "lib/light.glsl"
+#include "lib/shadow.glsl"
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
@@ -31,6 +32,7 @@ uint grain(float level) {
 
 vec3 radiance(vec3 reflectance, vec4 stored) {
     bool front = !(lightLayer > 0.0);
+    float visible = sunVisible(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), vec3(0.0));
     if (STORAGE == FULL_STORAGE) {
         float layers = float(textureSize(sliceReflectance, 0).z), first = texel.z + (front ? 0.0 : 5.0 * layers);
         vec3 sum = vec3(0.0);
@@ -38,12 +40,12 @@ vec3 radiance(vec3 reflectance, vec4 stored) {
             float image = i == 0 ? 0.0 : float(i + 1);
             sum += images[i] * textureLod(sliceLight, vec3(texel.xy, first + image * layers), level).rgb;
         }
-        return ambient.rgb * reflectance + gain * sum;
+        return ambient.rgb * reflectance + gain * visible * sum;
     }
     vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), level);
     float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
     float sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz, level) : dot(images, vec4(lit.xzw, above));
-    return reflectance * (ambient.rgb + gain * sun);
+    return reflectance * (ambient.rgb + gain * visible * sun);
 }
 
 void main() {

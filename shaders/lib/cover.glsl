@@ -1,9 +1,8 @@
 // Painted maps that say how grass stands and looks.
-// Needs: const bool GRASS_ORIENTATION, GRASS_VEGETATION, GRASS_OCCLUSION; frame.glsl.
+// Needs: const bool GRASS_ORIENTATION, GRASS_VEGETATION; frame.glsl.
 #include "lib/density.glsl"
 layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
 layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
-layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionMap;
 
 // Painted direction (x, z), its length the strength in [0, 1]; 0 where nothing is painted.
 vec2 paintedLean(vec2 uv) {
@@ -11,8 +10,4 @@ vec2 paintedLean(vec2 uv) {
     vec2 d = (textureLod(orientationMap, uv * cover.tiling.x, 0.0).rg - 0.5) * 2.0;
     float l = length(d);
     return l < 1.0 / 255.0 ? vec2(0.0) : d / max(l, 1.0);
-}
-float skyShare(vec2 uv) {
-    if (!GRASS_OCCLUSION) return 1.0;
-    return textureLod(occlusionMap, uv * cover.tiling.z, 0.0).r;
 }

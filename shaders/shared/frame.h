@@ -67,6 +67,19 @@ struct SpeciesGlobals {
     SHARED_VEC4 counts;        // x: segments; y: seed; z: fade (omega); w: species index
 };
 
+// An object that stands somewhere: rows of the matrix to eye-relative positions.
+struct ObjectInstance {
+    SHARED_VEC4 row[3];
+};
+
+// Shadow maps around the eye, each farther and coarser than the last.
+#define SHADOW_CASCADES 3
+struct ShadowGlobals {
+    SHARED_MAT4 toMap[SHADOW_CASCADES];  // eye-relative to the map: x, y in [0, 1], z depth (1: nearest to the sun)
+    SHARED_VEC4 reach;         // distance from the eye to which each map serves; w: 0
+    SHARED_VEC4 texel;         // metres a texel of each; w: width and height of a texel as a share of the map
+};
+
 // A piece of ground to draw: 16 x 16 quads.
 struct TerrainNode {
     SHARED_VEC4 place;         // corner relative to the eye x, z; corner relative to the terrain's corner x, z
@@ -85,6 +98,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define UBO_SPECIES 2
 #define UBO_NODES 3
 #define UBO_SLICES 4
+#define UBO_SHADOW 6
 // Storage buffers
 #define SSBO_BLADES 0
 // Textures
@@ -101,5 +115,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define TEX_SLICE_REFLECTANCE 16
 #define TEX_SLICE_THRESHOLD 17
 #define TEX_SLICE_LIGHT 18
+#define TEX_SHADOW 12      // bound by who makes them, for the whole frame
+#define TEX_SHADE 13
+#define TEX_OBJECT 14
 // Limits
 #define MAX_SPECIES 4

@@ -5,6 +5,7 @@
 #include "numerics/bilinear.h"
 #include "lib/light.glsl"
 #include "lib/density.glsl"
+#include "lib/shadow.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
@@ -44,7 +45,7 @@ void main() {
     vec2 uv = place * frame.terrain.zw;
     float distance = length(position);
     vec3 n = normalize(normal);
-    vec3 light = (sunLight(n) + ambientLight(n)) * soil(uv);
+    vec3 light = (sunLight(n) * sunVisible(position, vec3(0.0)) + ambientLight(n) * skyShare(uv)) * soil(uv);
     vec4 density = GRASS ? densities(uv) : vec4(0.0);
     if (GRASS) light *= lightLeft(density);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));

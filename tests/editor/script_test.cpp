@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/mesh_io.h"
 #include "support.h"
 #include "techniques.h"
 
@@ -49,6 +50,21 @@ TEST(Script, AFailureNamesFileAndLineAndEndsWithOne) {
     EXPECT_EQ(s.error().code, ExitCode::Failed);
     EXPECT_EQ(s.error().line, 3);
     EXPECT_EQ(s.error().text(), (r.dir / "test.lua").string() + ":3: the count: expected 1 to equal 2");
+}
+
+TEST(Script, MeshWriteMakesAnObjectOfSolids) {
+    Stage r;
+    EXPECT_EQ(r.fault(R"(
+        expect.equal(mesh.write("models/a.glb", {{shape = "box", size = {1, 2, 3}}, {shape = "cylinder", radius = 0.5, height = 1, top = 0, sides = 4, at = {2, 0, 0}}}), 12 + 8 + 4)
+        expect.equal(mesh.write("b.glb", {{shape = "leaves", size = {1, 1, 1}, count = 10, leaf = 0.2}}), 20))"), "");
+    EXPECT_TRUE(readMesh(r.dir.path, "models/a.glb"));
+    EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "cone"}}))", "there are box, cylinder");
+    EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "box", size = {1, 0, 1}}}))", "size must be above 0");
+    EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "box", color = {2, 0, 1}}}))", "between 0 and 1");
+    EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "box", sizes = {1, 1, 1}}}))", "no option is called sizes");
+    EXPECT_FAULT(r, R"(mesh.write("c.txt", {{shape = "box"}}))", ".glb");
+    EXPECT_FAULT(r, R"(mesh.write("../c.glb", {{shape = "box"}}))", "c.glb");
+    EXPECT_FAULT(r, R"(mesh.write("c.glb", {}))", "no shape");
 }
 
 TEST(Script, SyntaxErrorsNameFileAndLine) {

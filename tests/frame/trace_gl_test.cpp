@@ -1,7 +1,7 @@
 // What a scene lacks is not run, not compiled, not in memory: adding and removing each component and each map leaves plan,
 // programs and bytes as before.
 #include "core/json.h"
-#include "scenes.h"
+#include "objects.h"
 
 namespace sward::test {
 namespace {
@@ -34,6 +34,10 @@ void expectSame(const Trace& a, const Trace& b, const std::string& what) {
 }
 
 // A scene in which every feature is there.
+const std::filesystem::path& objectsFolder() {
+    static const TempDir dir;
+    return dir.path;
+}
 Project everything() {
     Project p = lawn();
     GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
@@ -44,6 +48,9 @@ Project everything() {
     f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
     t.height = field(filled({32, 32, 1, PixelType::F32}, 0.5f));
     t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
+    t.castShadows = true;
+    p.dir = objectsFolder();
+    putObject(p, "cube", {{}}, {6, 0, 6});
     return p;
 }
 

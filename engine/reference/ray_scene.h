@@ -1,0 +1,34 @@
+// Triangles that rays are cast against, by Embree; the one place that knows it, and in which its versions 3 and 4 differ.
+// Does not: know projects (see scene_rays.h), shade, or instance.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/error.h"
+
+namespace sward {
+
+struct Triangles {
+    std::vector<glm::vec3> positions;
+    std::vector<uint32_t> indices;  // three a triangle, each below positions.size()
+};
+
+class RayScene {
+  public:
+    // Takes some 100 bytes a triangle and a second for two million. Failed without memory.
+    static Result<RayScene> make(const std::vector<Triangles>& meshes);
+    RayScene(RayScene&&) = default;
+    RayScene& operator=(RayScene&&) = default;
+    // Whether anything lies on origin + t way, 0 < t < far. Two-sided. From any thread.
+    bool hits(const glm::vec3& origin, const glm::vec3& way, float far = std::numeric_limits<float>::infinity()) const;
+
+  private:
+    struct Device;
+    explicit RayScene(std::shared_ptr<Device> device) : device_(std::move(device)) {}
+    std::shared_ptr<Device> device_;
+};
+
+}  // namespace sward

@@ -1,0 +1,112 @@
+#include "reference/scene_rays.h"
+
+#include "core/hash.h"
+#include "frame/ground.h"
+#include "frame/placement.h"
+#include "scene/mesh_io.h"
+#include "scene/save_folder.h"
+
+namespace sward {
+namespace {
+
+constexpr int kMaxQuads = 1024;
+
+size_t vertexAt(const TerrainSurface& s, int x, int z) { return static_cast<size_t>(z) * static_cast<size_t>(s.quadsX + 1) + static_cast<size_t>(x); }
+
+Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm::dvec3& origin) {
+    Triangles out;
+    out.positions.reserve(mesh.vertices.size());
+    const glm::dvec3 at = placed.at - origin;
+    for (const MeshVertex& v : mesh.vertices) out.positions.push_back(glm::vec3(at + placed.turn * (glm::dvec3(v.position) * static_cast<double>(placed.mesh->scale))));
+    out.indices = mesh.indices;
+    return out;
+}
+
+}  // namespace
+
+TerrainSurface terrainSurface(const Terrain& t) {
+    TerrainSurface s;
+    s.size = t.size;
+    if (t.height.present()) {
+        s.quadsX = std::clamp(t.height.map.info().width, 1, kMaxQuads);
+        s.quadsZ = std::clamp(t.height.map.info().height, 1, kMaxQuads);
+    }
+    s.heights.resize(static_cast<size_t>(s.quadsX + 1) * static_cast<size_t>(s.quadsZ + 1));
+    parallelFor(static_cast<size_t>(s.quadsZ + 1), [&](size_t z) {
+        for (int x = 0; x <= s.quadsX; ++x)
+            s.heights[vertexAt(s, x, static_cast<int>(z))] = static_cast<float>(terrainHeight(t, t.size.x * x / s.quadsX, t.size.y * static_cast<double>(z) / s.quadsZ));
+    });
+    return s;
+}
+
+// A square's diagonal runs from (1, 0) to (0, 1).
+glm::vec3 TerrainSurface::at(double x, double z) const {
+    x = std::clamp(x, 0.0, size.x), z = std::clamp(z, 0.0, size.y);
+    const double u = x / size.x * quadsX, v = z / size.y * quadsZ;
+    const int i = std::min(static_cast<int>(u), quadsX - 1), j = std::min(static_cast<int>(v), quadsZ - 1);
+    const double a = u - i, b = v - j;
+    const double h10 = heights[vertexAt(*this, i + 1, j)], h01 = heights[vertexAt(*this, i, j + 1)];
+    const double h00 = heights[vertexAt(*this, i, j)], h11 = heights[vertexAt(*this, i + 1, j + 1)];
+    const double h = a + b <= 1 ? h00 + (h10 - h00) * a + (h01 - h00) * b : h11 + (h01 - h11) * (1 - a) + (h10 - h11) * (1 - b);
+    return {static_cast<float>(x), static_cast<float>(h), static_cast<float>(z)};
+}
+
+glm::vec3 TerrainSurface::normalAt(double x, double z) const {
+    const double dx = size.x / quadsX, dz = size.y / quadsZ;
+    const glm::vec3 e = at(x + dx, z), w = at(x - dx, z), s = at(x, z + dz), n = at(x, z - dz);
+    return glm::normalize(glm::vec3(-(e.y - w.y) / std::max(e.x - w.x, 1e-6f), 1, -(s.y - n.y) / std::max(s.z - n.z, 1e-6f)));
+}
+
+Triangles TerrainSurface::triangles() const {
+    Triangles t;
+    for (int z = 0; z <= quadsZ; ++z)
+        for (int x = 0; x <= quadsX; ++x)
+            t.positions.push_back({static_cast<float>(size.x * x / quadsX), heights[vertexAt(*this, x, z)], static_cast<float>(size.y * z / quadsZ)});
+    for (int z = 0; z < quadsZ; ++z)
+        for (int x = 0; x < quadsX; ++x) {
+            const auto v = [&](int i, int j) { return static_cast<uint32_t>(vertexAt(*this, x + i, z + j)); };
+            t.indices.insert(t.indices.end(), {v(0, 0), v(0, 1), v(1, 0), v(1, 1), v(1, 0), v(0, 1)});
+        }
+    return t;
+}
+
+Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl& control) {
+    const Ground ground = findGround(p);
+    std::vector<Triangles> out;
+    if (ground.terrain && ground.terrain->height.present()) out.push_back(terrainSurface(*ground.terrain).triangles());
+    std::map<std::string, Mesh> read;
+    for (const PlacedMesh& placed : placedMeshes(p)) {
+        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (!placed.mesh->castShadows) continue;
+        const std::string& file = placed.mesh->file;
+        if (!read.contains(file)) {
+            Result<Mesh> mesh = readMesh(p.dir, file);
+            if (!mesh) return mesh.error();
+            read[file] = std::move(*mesh);
+        }
+        out.push_back(placedTriangles(read[file], placed, ground.origin));
+    }
+    return out;
+}
+
+uint64_t sceneTrianglesHash(const Project& p) {
+    Hasher h;
+    const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
+    const Ground ground = findGround(p);
+    if (ground.terrain) {
+        add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin);
+        if (ground.terrain->height.present()) add(ground.terrain->height.map.hash());
+    }
+    for (const PlacedMesh& placed : placedMeshes(p)) {
+        if (!placed.mesh->castShadows) continue;
+        add(placed.at), add(placed.turn), add(placed.mesh->scale);
+        std::error_code fault;
+        const auto file = currentFile(p.dir, placed.mesh->file);
+        const auto time = file ? std::filesystem::last_write_time(*file, fault) : std::filesystem::file_time_type{};
+        add(time.time_since_epoch().count());
+        h.add(placed.mesh->file.data(), placed.mesh->file.size());
+    }
+    return h.value();
+}
+
+}  // namespace sward

@@ -1,0 +1,30 @@
+// A project as triangles for rays: its terrain and the objects that cast shadows.
+// Does not: grass; what an image's alpha cuts out of an object counts as there.
+// Positions are relative to the terrain's corner (to the world's origin without a terrain).
+#pragma once
+#include "core/jobs.h"
+#include "reference/ray_scene.h"
+#include "scene/project.h"
+
+namespace sward {
+
+// The terrain in squares of two triangles, at most 1024 a side: the surface that rays meet, and on which points lie exactly.
+struct TerrainSurface {
+    glm::dvec2 size{1};
+    int quadsX = 1, quadsZ = 1;
+    std::vector<float> heights;  // (quadsX + 1) x (quadsZ + 1), z rows
+    // The point of the triangles at terrain-relative metres, clamped to the terrain.
+    glm::vec3 at(double x, double z) const;
+    glm::vec3 normalAt(double x, double z) const;  // by central differences over a square; upward
+    Triangles triangles() const;
+};
+TerrainSurface terrainSurface(const Terrain& t);
+
+// The terrain (if it is not level) and every object. An object's file is read from the project's folder.
+// Errors: a file that cannot be read; Failed when cancelled.
+Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl& control);
+
+// Names what sceneTriangles would make, by content: terrain, objects' places and the times of their files.
+uint64_t sceneTrianglesHash(const Project& p);
+
+}  // namespace sward

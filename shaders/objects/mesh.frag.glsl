@@ -1,0 +1,24 @@
+// An object's colour, diffuse, lit by sun and sky, in the haze. Faces are lit on the side that is seen.
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+
+layout(binding = TEX_OBJECT) uniform sampler2D image;
+layout(location = 0) uniform vec4 part;  // reflectance; w: cut-off of alpha
+
+in vec3 position;
+in vec3 normal;
+in vec2 uv;
+out vec4 color;
+
+void main() {
+    vec4 texel = texture(image, uv);
+    if (texel.a < part.w) discard;
+    vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+    float distance = length(position);
+    vec3 light = (sunLight(n) * sunVisible(position, n) + ambientLight(n)) * texel.rgb * part.rgb;
+    color = vec4(mix(light, horizonColor(position.xz), hazeShare(distance)), 1.0);
+    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_DENSITY) color.rgb = vec3(0.25);
+    if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
+    if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
+}
