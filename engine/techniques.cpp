@@ -3,6 +3,7 @@
 #include "grass/geometry.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
+#include "sky/lamps.h"
 #include "sky/sky.h"
 #include "terrain/ground.h"
 
@@ -10,7 +11,7 @@ namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
-        sunEffect(), skyEffect(), hazeEffect(),   // light
+        sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         groundEffect(),                           // ground
         geometryEffect(),                         // grass
         tonemapEffect(), decalEffect(),           // the screen

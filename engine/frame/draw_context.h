@@ -27,6 +27,7 @@ struct SharedResources {
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
     GLuint orientation = 0, vegetation = 0, occlusion = 0;
+    LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
 };
 
 // The targets of one view.

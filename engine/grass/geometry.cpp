@@ -191,7 +191,7 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog)}};
+                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

@@ -23,6 +23,7 @@ constexpr FeatureNames kNames[] = {
     {"grass-occlusion", "GRASS_OCCLUSION"},
     {"grass-clumps", "GRASS_CLUMPS"},
     {"sun", "SUN"},
+    {"lamps", "LAMPS"},
     {"sky", "SKY"},
     {"fog", "FOG"},
 };

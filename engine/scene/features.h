@@ -20,7 +20,8 @@ enum class Feature : uint8_t {
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
-    Sun,               // a directional light
+    Sun,               // the first directional light
+    Lamps,             // any other light
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
     Count

@@ -13,7 +13,7 @@ void main() {
     if (!(alpha >= 0.02)) discard;
     // Coverage is the ceiling of alpha times the samples: a blade's own offset makes the mean right.
     alpha = clamp(alpha + (strip.w - 1.0) / frame.mode.z, 0.0, 1.0);
-    color = vec4(lit.rgb * mix(t.rgb * 2.0, vec3(1.0), lit.w), alpha);
+    color = vec4(clamp(lit.rgb * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
     if (viewMode() == VIEW_NORMALS) color.rgb = lit.rgb;
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);

@@ -10,8 +10,10 @@
 #include "numerics/blade.h"
 #include "numerics/clump.h"
 #include "numerics/population.h"
+#include "numerics/weights.h"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
+#include "lib/lamps.glsl"
 #include "lib/cover.glsl"
 
 struct Blade {
@@ -83,7 +85,7 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));
-    vec3 light = (sunLight(n) + ambientLight(n) * skyShare(uv)) * open;
+    vec3 light = (sunLight(n) + lampLight(position, n) + ambientLight(n) * skyShare(uv)) * open;
     lit = vec4(colorHere(b, v, lighter, uv) * light, share);
     if (FOG) lit.rgb = mix(lit.rgb, horizonColor(position.xz), share);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;

@@ -17,7 +17,7 @@ struct FrameGlobals {
     SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: height above the highest ground (m)
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
-    SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi
+    SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi; w: 1 if it casts shadows
     SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
     SHARED_VEC4 skyGain;       // factor of numerics/sky.h radiances: exposure and white balance
     SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity
@@ -28,6 +28,17 @@ struct FrameGlobals {
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
     SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: factor of widths where fewer blades are drawn
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
+};
+
+// A light beside the sun.
+struct LightGlobals {
+    SHARED_VEC4 place;         // w 0: unit vector towards it; w 1: where it is, relative to the eye
+    SHARED_VEC4 color;         // irradiance on a surface that faces it, divided by pi, before attenuation; w: beta (1/m2)
+    SHARED_VEC4 weights;       // of a directional one: xPos, yPos, zPos, xNeg of numerics/weights.h; zNeg is what is left of 1
+};
+struct LightsGlobals {
+    SHARED_VEC4 count;         // x: lights; y: how many of them, the first ones, cast shadows
+    LightGlobals lights[8];    // MAX_LIGHTS
 };
 
 // How grass looks from where it is not drawn as blades; one a species, written by the grass domain for the ground.
@@ -70,6 +81,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define UBO_COVER 1
 #define UBO_SPECIES 2
 #define UBO_NODES 3
+#define UBO_LIGHTS 7
 // Storage buffers
 #define SSBO_BLADES 0
 // Textures
@@ -85,3 +97,4 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define TEX_DEPTH 9
 // Limits
 #define MAX_SPECIES 4
+#define MAX_LIGHTS 8

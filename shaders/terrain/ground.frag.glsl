@@ -7,7 +7,9 @@
 #include "numerics/hash.h"
 #include "numerics/lod.h"
 #include "numerics/clump.h"
+#include "numerics/weights.h"
 #include "lib/light.glsl"
+#include "lib/lamps.glsl"
 #include "lib/cover.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
@@ -37,15 +39,23 @@ struct Grass {
     float total;   // sum of densities, for the views
 };
 
-// Sun on upright blades of all azimuths, of which the eye sees the faces turned towards it: the mean of max(n.L, 0) over
-// normals n weighted by n.E is ((pi - x) cos x + sin x) / 4 of the sun's horizontal part, x the angle between sun and eye
+// Light on upright blades of all azimuths, of which the eye sees the faces turned towards it: the mean of max(n.L, 0) over
+// normals n weighted by n.E is ((pi - x) cos x + sin x) / 4 of the light's horizontal part, x the angle between light and eye
 // from above; here as a polynomial in cos x (error 0.005).
-vec3 sunOnBlades(CoverSpecies s, vec2 away) {
-    if (!SUN) return vec3(0.0);
-    float across = length(frame.sunDirection.xz);
-    float c = -dot(frame.sunDirection.xz, away) / max(across, 1e-4);
+float shareOnBlades(CoverSpecies s, vec2 away, vec3 towards) {
+    float across = length(towards.xz);
+    float c = -dot(towards.xz, away) / max(across, 1e-4);
     float facing = 0.25 + c * (0.39 + c * 0.145);
-    return frame.sunLight.rgb * (s.shape.z * across * facing + s.shape.w * 0.5 * frame.sunDirection.y);
+    return s.shape.z * across * facing + s.shape.w * 0.5 * max(towards.y, 0.0);
+}
+vec3 lightOnBlades(CoverSpecies s, vec2 away) {
+    vec3 sum = vec3(0.0);
+    if (SUN) sum = frame.sunLight.rgb * shareOnBlades(s, away, frame.sunDirection.xyz);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, position);
+        sum += l.light * shareOnBlades(s, away, l.direction);
+    }
+    return sum;
 }
 
 // Lightness of the clumps that the blades have too, and a mottle for single tufts, as long as pixels are small enough to
@@ -81,7 +91,7 @@ Grass grassHere(vec2 uv, vec3 toEye) {
             albedo = mix(albedo, v.rgb, v.a);
         }
         float stripe = 1.0 + 0.55 * s.shape.x * dot(lean, away) * (1.0 - toEye.y * toEye.y);
-        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + sunOnBlades(s, away)) * stripe * variation(s, pixel);
+        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + lightOnBlades(s, away)) * stripe * variation(s, pixel);
         g.shades *= mix(1.0, s.shape.y, density[i]);
         area += a;
         g.total += density[i];
@@ -103,7 +113,7 @@ void main() {
     float distance = length(position);
     vec3 toEye = -position / max(distance, 1e-4);
     vec3 n = normalize(normal);
-    vec3 light = (sunLight(n) + ambientLight(n)) * soil(uv);
+    vec3 light = (sunLight(n) + lampLight(position, n) + ambientLight(n)) * soil(uv);
     float far = 0.0;
     Grass g;
     if (GRASS) {
@@ -112,7 +122,7 @@ void main() {
         light = mix(light * g.shades, g.light, far);
     }
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
-    color = vec4(light, 1.0);
+    color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     if (viewMode() == VIEW_TIERS) color.rgb = mix(vec3(0.25), vec3(0.05, 0.75, 0.1), far);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
     if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);

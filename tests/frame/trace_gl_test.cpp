@@ -44,6 +44,10 @@ Project everything() {
     f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
     t.height = field(filled({32, 32, 1, PixelType::F32}, 0.5f));
     t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
+    Light lamp;
+    lamp.type = static_cast<int>(LightType::Point);
+    put(p, "lamp", lamp);
+    put(p, "lamp", Transform{{6, 1, 6}});
     return p;
 }
 
