@@ -22,6 +22,8 @@ const char* whyAbsent(Feature f) {
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";
         case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
         case Feature::GrassClumps: return "no species has both clumpSize and clumpStrength above 0";
+        case Feature::Translucency: return "no species has a translucency above 0";
+        case Feature::Gloss: return "no species has a gloss above 0";
         case Feature::Sun: return "no directional Light shines";
         case Feature::Lamps: return "no Light shines beside the first directional one";
         case Feature::Sky: return "no Sky has an intensity above 0";

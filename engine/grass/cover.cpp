@@ -37,7 +37,7 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
     out.albedo = glm::vec4(albedo / std::max(lit, 1e-6f), area / static_cast<float>(n) * species.bladesPerM2);
     out.ambient = glm::vec4(ambient / weight, height / static_cast<float>(n));
     const float clumps = species.clumpSize > 0 ? 0.2f * species.clumpStrength : 0;
-    out.clumps = {species.clumpSize, clumps, 0, 0};
+    out.clumps = {species.clumpSize, clumps, species.translucency, species.gloss};
     out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), 0.35f, upright / weight, level / weight};
     return out;
 }

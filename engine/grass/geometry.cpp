@@ -90,6 +90,7 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
     const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
     g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
     g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
+    g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
@@ -191,7 +192,7 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

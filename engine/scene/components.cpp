@@ -202,17 +202,21 @@ FeatureSet tierFeatures(const GrassField& g) {
 }
 FeatureSet grassFeatures(const void* component) {
     const auto& g = *static_cast<const GrassField*>(component);
-    bool grows = false, density = false, clumps = false;
+    bool grows = false, density = false, clumps = false, translucency = false, gloss = false;
     for (const Species& s : g.species) {
         if (!(s.bladesPerM2 > 0)) continue;
         grows = true;
         density |= s.density.present();
         clumps |= s.clumpSize > 0 && s.clumpStrength > 0;
+        translucency |= s.translucency > 0;
+        gloss |= s.gloss > 0;
     }
     if (!grows) return {};
     FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
     if (density) s |= featureSet(Feature::GrassDensity);
     if (clumps) s |= featureSet(Feature::GrassClumps);
+    if (translucency) s |= featureSet(Feature::Translucency);
+    if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
     if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
     if (g.ambientOcclusion.present()) s |= featureSet(Feature::GrassOcclusion);

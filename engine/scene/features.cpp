@@ -22,6 +22,8 @@ constexpr FeatureNames kNames[] = {
     {"grass-vegetation", "GRASS_VEGETATION"},
     {"grass-occlusion", "GRASS_OCCLUSION"},
     {"grass-clumps", "GRASS_CLUMPS"},
+    {"translucency", "TRANSLUCENCY"},
+    {"gloss", "GLOSS"},
     {"sun", "SUN"},
     {"lamps", "LAMPS"},
     {"sky", "SKY"},

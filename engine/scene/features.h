@@ -20,6 +20,8 @@ enum class Feature : uint8_t {
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
+    Translucency,      // light shines through leaves
+    Gloss,             // leaves have a waxy highlight
     Sun,               // the first directional light
     Lamps,             // any other light
     Sky,               // a sky drawn and lighting by a published model

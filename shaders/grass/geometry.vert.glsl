@@ -10,10 +10,12 @@
 #include "numerics/blade.h"
 #include "numerics/clump.h"
 #include "numerics/population.h"
+#include "numerics/leaf.h"
 #include "numerics/weights.h"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/lamps.glsl"
+#include "lib/leaf.glsl"
 #include "lib/cover.glsl"
 
 struct Blade {
@@ -61,6 +63,18 @@ vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
     return mix(c, paint.rgb, paint.a);
 }
 
+// Direct light that a vertex of reflectance c sends to the eye.
+vec3 directLight(vec3 c, vec3 n, vec3 position) {
+    vec3 toEye = unitOr(-position, 1e-6, n);
+    vec3 sum = vec3(0.0);
+    if (SUN) sum = leafLight(c, species.looks.xyz, n, toEye, frame.sunDirection.xyz, frame.sunLight.rgb);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, position);
+        sum += leafLight(c, species.looks.xyz, n, toEye, l.direction, l.light);
+    }
+    return sum;
+}
+
 void main() {
     int perBlade = 2 * (int(species.counts.x) + 1);
     Blade b = blades[gl_VertexID / perBlade];
@@ -85,8 +99,8 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     float open = mix(species.rootColor.w, 1.0, v);
     float share = hazeShare(length(position));
-    vec3 light = (sunLight(n) + lampLight(position, n) + ambientLight(n) * skyShare(uv)) * open;
-    lit = vec4(colorHere(b, v, lighter, uv) * light, share);
+    vec3 c = colorHere(b, v, lighter, uv);
+    lit = vec4((directLight(c, n, position) + c * ambientLight(n) * skyShare(uv)) * open, share);
     if (FOG) lit.rgb = mix(lit.rgb, horizonColor(position.xz), share);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec4(across + 0.5, v, opacity, b.facing.z);

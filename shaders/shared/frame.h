@@ -47,7 +47,7 @@ struct CoverSpecies {
     SHARED_VEC4 ambient;       // mean ambient light on what is seen, darkened towards the root; w: mean height (m)
     SHARED_VEC4 shape;         // x: tangent of the mean lean; y: share of light left at the soil under full density;
                                // z, w: horizontal and vertical part of the normals of what is seen, darkened likewise
-    SHARED_VEC4 clumps;        // x: clump size (m); y: share of lightness; z, w: 0
+    SHARED_VEC4 clumps;        // x: clump size (m); y: share of lightness; z: translucency; w: gloss
 };
 struct CoverGlobals {
     CoverSpecies species[4];   // MAX_SPECIES
@@ -62,6 +62,7 @@ struct SpeciesGlobals {
     SHARED_VEC4 tipColor;      // w: clump size (m)
     SHARED_VEC4 clumps;        // x: lean (m per m) at full clump value; y: share of height; z: share of lightness; w: cell size (m)
     SHARED_VEC4 counts;        // x: segments; y: seed; z: fade (omega); w: species index
+    SHARED_VEC4 looks;         // x: translucency; y: gloss; z: its roughness; w: 0
 };
 
 // A piece of ground to draw: 16 x 16 quads.
@@ -72,7 +73,7 @@ struct TerrainNode {
 #define NODES_PER_DRAW 256
 
 #ifdef __cplusplus
-static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
+static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 96);
 }
 #endif
 

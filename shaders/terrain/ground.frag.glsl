@@ -7,6 +7,7 @@
 #include "numerics/hash.h"
 #include "numerics/lod.h"
 #include "numerics/clump.h"
+#include "numerics/leaf.h"
 #include "numerics/weights.h"
 #include "lib/light.glsl"
 #include "lib/lamps.glsl"
@@ -41,19 +42,31 @@ struct Grass {
 
 // Light on upright blades of all azimuths, of which the eye sees the faces turned towards it: the mean of max(n.L, 0) over
 // normals n weighted by n.E is ((pi - x) cos x + sin x) / 4 of the light's horizontal part, x the angle between light and eye
-// from above; here as a polynomial in cos x (error 0.005).
+// from above; here as a polynomial in c = cos x (error 0.005).
+float azimuthMean(float c) { return 0.25 + c * (0.39 + c * 0.145); }
 float shareOnBlades(CoverSpecies s, vec2 away, vec3 towards) {
     float across = length(towards.xz);
     float c = -dot(towards.xz, away) / max(across, 1e-4);
-    float facing = 0.25 + c * (0.39 + c * 0.145);
-    return s.shape.z * across * facing + s.shape.w * 0.5 * max(towards.y, 0.0);
+    return s.shape.z * across * azimuthMean(c) + s.shape.w * 0.5 * max(towards.y, 0.0);
 }
-vec3 lightOnBlades(CoverSpecies s, vec2 away) {
+// The same of light that falls on the faces turned from the eye.
+float shareThroughBlades(CoverSpecies s, vec2 away, vec3 towards) {
+    float across = length(towards.xz);
+    return s.shape.z * across * azimuthMean(dot(towards.xz, away) / max(across, 1e-4));
+}
+// What blades of reflectance c send to the eye of light from `towards`.
+vec3 lightOnBlades(CoverSpecies s, vec3 c, vec3 toEye, vec2 away, vec3 towards, vec3 light) {
+    vec3 sent = c * shareOnBlades(s, away, towards);
+    if (TRANSLUCENCY) sent += leafThrough(c) * (s.clumps.z * shareThroughBlades(s, away, towards));
+    if (GLOSS) sent += vec3(s.clumps.w * waxyMean(dot(towards, toEye)) * (s.shape.z + s.shape.w));
+    return sent * light;
+}
+vec3 directOnBlades(CoverSpecies s, vec3 c, vec3 toEye, vec2 away) {
     vec3 sum = vec3(0.0);
-    if (SUN) sum = frame.sunLight.rgb * shareOnBlades(s, away, frame.sunDirection.xyz);
+    if (SUN) sum = lightOnBlades(s, c, toEye, away, frame.sunDirection.xyz, frame.sunLight.rgb);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, position);
-        sum += l.light * shareOnBlades(s, away, l.direction);
+        sum += lightOnBlades(s, c, toEye, away, l.direction, l.light);
     }
     return sum;
 }
@@ -91,7 +104,7 @@ Grass grassHere(vec2 uv, vec3 toEye) {
             albedo = mix(albedo, v.rgb, v.a);
         }
         float stripe = 1.0 + 0.55 * s.shape.x * dot(lean, away) * (1.0 - toEye.y * toEye.y);
-        g.light += a * albedo * (s.ambient.rgb * skyShare(uv) + lightOnBlades(s, away)) * stripe * variation(s, pixel);
+        g.light += a * (albedo * s.ambient.rgb * skyShare(uv) + directOnBlades(s, albedo, toEye, away)) * stripe * variation(s, pixel);
         g.shades *= mix(1.0, s.shape.y, density[i]);
         area += a;
         g.total += density[i];

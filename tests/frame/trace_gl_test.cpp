@@ -44,6 +44,8 @@ Project everything() {
     f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
     t.height = field(filled({32, 32, 1, PixelType::F32}, 0.5f));
     t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
+    f.species[0].translucency = 0.5f;
+    f.species[0].gloss = 1;
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
