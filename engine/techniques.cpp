@@ -1,6 +1,7 @@
 #include "techniques.h"
 
 #include "grass/geometry.h"
+#include "grass/mask.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/lamps.h"
@@ -13,7 +14,7 @@ const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         groundEffect(),                           // ground
-        geometryEffect(),                         // grass
+        maskEffect(), geometryEffect(),                         // grass
         tonemapEffect(), decalEffect(),           // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

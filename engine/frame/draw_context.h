@@ -19,6 +19,13 @@ struct Frustum {
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 
+// How a species' blades shade each other, made by grass/mask. Texture 0: they do not.
+struct BladeShade {
+    GLuint texture = 0;
+    float radius = 0, top = 0;  // of the mask's cylinder, metres
+    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
+};
+
 // What effects hand to effects of other domains, which never include each other.
 struct SharedResources {
     Ground ground;             // the terrain; null without one
@@ -27,6 +34,7 @@ struct SharedResources {
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
     GLuint orientation = 0, vegetation = 0, occlusion = 0;
+    std::array<BladeShade, MAX_SPECIES> shades{};
     LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
 };
 

@@ -10,9 +10,17 @@ constexpr int kBlades = 64, kPoints = 4;
 // Share of a blade's point at v that other blades leave visible, seen from above eye height: tips hide roots.
 float seen(float v) { return std::exp(-2.4f * (1 - v)); }
 
+// Share of the sun's light that reaches a blade at a height among its neighbours.
+float sunShare(const BladeShade& shade, const glm::vec4& sun, float height, float open) {
+    if (!shade.texture || shade.rows.empty()) return open;
+    const f32::MaskPoint p = f32::maskPointOf({0, height, 0}, {1, 0}, glm::vec3(sun), shade.radius, shade.top);
+    const size_t row = static_cast<size_t>(std::min(p.height, 1.0f) * static_cast<float>(shade.rows.size()));
+    return shade.rows[std::min(row, shade.rows.size() - 1)];
+}
+
 }  // namespace
 
-CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGlobals& frame) {
+CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGlobals& frame, const BladeShade& shade) {
     CoverSpecies out{};
     glm::vec3 albedo(0), ambient(0);
     float weight = 0, lit = 0, upright = 0, level = 0, area = 0, height = 0;
@@ -22,12 +30,13 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
         for (int p = 0; p < kPoints; ++p) {
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, w = seen(v);
             const f32::BladeFrame f = f32::bladeFrameFacing(b.control, b.tip, b.facing, v);
-            const float left = glm::mix(species.rootOcclusion, 1.0f, v) * w;
+            const float open = glm::mix(species.rootOcclusion, 1.0f, v), left = open * w;
+            const float direct = sunShare(shade, frame.sunDirection, f.position.y, open) * w;
             albedo += f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), b.hue, b.lightness) * left;
             lit += left;
             ambient += glm::mix(glm::vec3(frame.groundLight), glm::vec3(frame.skyLight), 0.5f + 0.5f * std::abs(f.normal.y)) * left;
-            upright += std::sqrt(std::max(1 - f.normal.y * f.normal.y, 0.0f)) * left;
-            level += std::abs(f.normal.y) * left;
+            upright += std::sqrt(std::max(1 - f.normal.y * f.normal.y, 0.0f)) * direct;
+            level += std::abs(f.normal.y) * direct;
             weight += w;
         }
         area += b.width * glm::length(b.tip) * 0.7f;  // 0.7: the share of the strip that the blade's alpha fills

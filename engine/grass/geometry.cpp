@@ -91,6 +91,8 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
     g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
     g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
     g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
+    const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
+    g.mask = {shade.radius, shade.top, 0, 0};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
@@ -143,7 +145,7 @@ void cull(DrawContext& ctx) {
         updateTexture(ctx, s, f.species[i]);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
         s.selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.patch, ctx.eye, ctx.frustum, pixels));
-        cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals);
+        cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals, ctx.shared.shades[i]);
     }
     ctx.stats.cpuCullMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i]);
@@ -175,6 +177,7 @@ void draw(DrawContext& ctx) {
         SpeciesState& s = *state.species[i];
         if (s.selected.empty()) continue;
         glBindTextureUnit(TEX_BLADE, s.texture.id());
+        if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, s.globals.id());
@@ -192,7 +195,7 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

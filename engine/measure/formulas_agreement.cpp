@@ -150,6 +150,12 @@ void addLeafRows(std::vector<FormulaRow>& rows) {
                                          return in;
                                      }),
                     .tolerance = 5e-4, .low = 0, .high = 3.2e5, .error = relativeError});
+    rows.push_back({.name = "what a shadow mask lets through, by density", .inputs = 5, .outputs = 1,
+                    .ours = BODY(y[0] = maskVisibility(vec4(x[0], x[1], x[2], x[3]), x[4]);),
+                    .samples = listed({{0.5, 0.25, 0.125, 0, 0}, {0.5, 0.25, 0.125, 0, 0.125}, {0.5, 0.25, 0.125, 0, 0.25},
+                                       {0.5, 0.25, 0.125, 0, 0.875}, {0.5, 0.25, 0.125, 0, 1}, {0, 0, 0, 0, 2}, {1, 1, 1, 1, 0.3}},
+                                      {{1}, {0.75}, {0.5}, {0.0625}, {0}, {0}, {1}}),
+                    .tolerance = 1e-6, .low = 0, .high = 1});
     rows.push_back({.name = "colour of light through a leaf", .inputs = 3, .outputs = 3,
                     .ours = BODY(vec3 c = leafThrough(vec3(x[0], x[1], x[2])); y[0] = c.x; y[1] = c.y; y[2] = c.z;),
                     .samples = listed({{0, 0, 0}, {1, 1, 1}, {0.05, 0.12, 0.03}}), .tolerance = 1e-6, .low = 0, .high = 1.2});

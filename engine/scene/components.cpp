@@ -215,6 +215,8 @@ FeatureSet grassFeatures(const void* component) {
     FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
     if (density) s |= featureSet(Feature::GrassDensity);
     if (clumps) s |= featureSet(Feature::GrassClumps);
+    const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
+    if (stands && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
     if (translucency) s |= featureSet(Feature::Translucency);
     if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
@@ -243,7 +245,8 @@ constexpr FieldRow kLightFields[] = {
 FeatureSet lightFeatures(const void* component) {
     const auto& l = *static_cast<const Light*>(component);
     if (!shines(l)) return {};
-    return featureSet(l.type == static_cast<int>(LightType::Point) ? Feature::Lamps : Feature::Sun);
+    const FeatureSet s = featureSet(l.type == static_cast<int>(LightType::Point) ? Feature::Lamps : Feature::Sun);
+    return l.castShadows ? s | featureSet(Feature::CastingLights) : s;
 }
 
 constexpr FieldRow kSkyFields[] = {

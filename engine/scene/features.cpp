@@ -24,8 +24,10 @@ constexpr FeatureNames kNames[] = {
     {"grass-clumps", "GRASS_CLUMPS"},
     {"translucency", "TRANSLUCENCY"},
     {"gloss", "GLOSS"},
+    {"blade-shadows", "BLADE_SHADOWS"},
     {"sun", "SUN"},
     {"lamps", "LAMPS"},
+    {"casting-lights", "CASTING_LIGHTS"},
     {"sky", "SKY"},
     {"fog", "FOG"},
 };

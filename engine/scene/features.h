@@ -22,8 +22,10 @@ enum class Feature : uint8_t {
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
     Translucency,      // light shines through leaves
     Gloss,             // leaves have a waxy highlight
+    BladeShadows,      // blades shade blades
     Sun,               // the first directional light
     Lamps,             // any other light
+    CastingLights,     // a light casts shadows
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
     Count

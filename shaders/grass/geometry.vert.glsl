@@ -12,10 +12,12 @@
 #include "numerics/population.h"
 #include "numerics/leaf.h"
 #include "numerics/weights.h"
+#include "numerics/shadow.h"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/lamps.glsl"
 #include "lib/leaf.glsl"
+#include "lib/mask.glsl"
 #include "lib/cover.glsl"
 
 struct Blade {
@@ -32,6 +34,8 @@ layout(location = 2) in vec2 mirror;      // +1 or -1
 
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
 centroid out vec4 lit;   // radiance; w: share of it that is haze
+centroid out vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
+centroid out vec2 maskAt;    // where in their shadow mask
 centroid out vec4 strip;         // across, along; opacity; dither
 
 float density(vec2 uv) {
@@ -63,16 +67,41 @@ vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
     return mix(c, paint.rgb, paint.a);
 }
 
-// Direct light that a vertex of reflectance c sends to the eye.
-vec3 directLight(vec3 c, vec3 n, vec3 position) {
-    vec3 toEye = unitOr(-position, 1e-6, n);
+// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what of
+// the light is left so near to the root, where no mask says it.
+struct Lit {
+    vec3 color, normal, toEye, position, fromRoot;
+    vec2 facing;
+    float open, density;
+};
+vec3 sunOn(Lit p) {
+    if (!SUN) return vec3(0.0);
+    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb);
+}
+// Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
+vec3 lampsOn(Lit p) {
     vec3 sum = vec3(0.0);
-    if (SUN) sum = leafLight(c, species.looks.xyz, n, toEye, frame.sunDirection.xyz, frame.sunLight.rgb);
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, position);
-        sum += leafLight(c, species.looks.xyz, n, toEye, l.direction, l.light);
+        LampHere l = lampAt(i, p.position);
+        float share = p.open;
+        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskPoint(p.fromRoot, p.facing, l.direction, species.mask.xy).xy, p.density);
+        sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
+}
+// Light on a blade: what no mask holds back into lit, what it may into sunned.
+void lightBlade(Lit p, vec2 uv) {
+    float share = hazeShare(length(p.position));
+    vec3 sun = sunOn(p);
+    vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {
+        sunned = vec4(sun * (1.0 - share), p.density);
+        maskAt = maskPoint(p.fromRoot, p.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+    } else {
+        rest += sun * p.open;
+    }
+    lit = vec4(rest, share);
+    if (FOG) lit.rgb = mix(lit.rgb, horizonColor(p.position.xz), share);
 }
 
 void main() {
@@ -85,8 +114,11 @@ void main() {
     vec2 uv = ground * frame.terrain.zw;
     vec3 at = vec3(cellCorner.x + root.x, groundHeight(ground), cellCorner.y + root.y);
     float weight = lodRamp(length(at), cover.tiers.y, cover.tiers.z);
-    float opacity = geometryOpacity(density(uv), weight, b.place.w, species.counts.z);
+    float here = density(uv);
+    float opacity = geometryOpacity(here, weight, b.place.w, species.counts.z);
     lit = vec4(0.0);
+    sunned = vec4(0.0);
+    maskAt = vec2(0.0);
     strip = vec4(0.0);
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
     if (!(opacity > 0.0) || uv.x > 1.0 || uv.y > 1.0) return;
@@ -97,11 +129,7 @@ void main() {
     float across = float(corner & 1) - 0.5;
     vec3 position = at + f.position + f.side * (across * b.place.z * frame.mode.w);
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    float open = mix(species.rootColor.w, 1.0, v);
-    float share = hazeShare(length(position));
-    vec3 c = colorHere(b, v, lighter, uv);
-    lit = vec4((directLight(c, n, position) + c * ambientLight(n) * skyShare(uv)) * open, share);
-    if (FOG) lit.rgb = mix(lit.rgb, horizonColor(position.xz), share);
+    lightBlade(Lit(colorHere(b, v, lighter, uv), n, unitOr(-position, 1e-6, n), position, position - at, pose.facing, mix(species.rootColor.w, 1.0, v), here), uv);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec4(across + 0.5, v, opacity, b.facing.z);
     gl_Position = frame.viewProj * vec4(position, 1.0);

@@ -63,6 +63,7 @@ struct SpeciesGlobals {
     SHARED_VEC4 clumps;        // x: lean (m per m) at full clump value; y: share of height; z: share of lightness; w: cell size (m)
     SHARED_VEC4 counts;        // x: segments; y: seed; z: fade (omega); w: species index
     SHARED_VEC4 looks;         // x: translucency; y: gloss; z: its roughness; w: 0
+    SHARED_VEC4 mask;          // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
 // A piece of ground to draw: 16 x 16 quads.
@@ -73,7 +74,7 @@ struct TerrainNode {
 #define NODES_PER_DRAW 256
 
 #ifdef __cplusplus
-static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 96);
+static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 }
 #endif
 
@@ -96,6 +97,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 96);
 #define TEX_DENSITY 8      // and the MAX_SPECIES - 1 that follow
 #define TEX_SCENE 8        // post passes: nothing of the above is bound for them
 #define TEX_DEPTH 9
+#define TEX_MASK 14
 // Limits
 #define MAX_SPECIES 4
 #define MAX_LIGHTS 8

@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "measure/frame_stats.h"
 #include "scenes.h"
 
@@ -167,6 +169,28 @@ TEST(GrassPicture, AgainstTheSunTranslucentAndWaxyBladesShineMore) {
     EXPECT_GT(brightness(r, waxy, against), 1.1 * before);
     EXPECT_GT(brightness(r, thin, against) / before, brightness(r, thin, behind) / with);
     EXPECT_GT(brightness(r, waxy, against) / before, brightness(r, waxy, behind) / with);
+}
+
+TEST(GrassPicture, BladesShadeBladesByDensityAndOnlyInLightThatCasts) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const auto light = [&](float perM2, bool casts, int texels) {
+        Project p = lawn();
+        Species& s = grassOf(p).species[0];
+        s.bladesPerM2 = perM2;
+        s.rootOcclusion = 1;  // so that only the mask darkens
+        grassOf(p).groundShadows = false;
+        grassOf(p).shadowMask = texels;
+        p.registry.get<Light>(findEntity(p, "sun"))->castShadows = casts;
+        EXPECT_TRUE(r.draw(p, above(), small()));
+        return r.readLinear();
+    };
+    const auto sum = [](const std::vector<float>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    EXPECT_EQ(light(2000, false, 64), light(2000, true, 0)) << "without a mask, and without light that casts, the picture is the same";
+    const double sparse = sum(light(50, true, 64)) / sum(light(50, true, 0)), dense = sum(light(2000, true, 64)) / sum(light(2000, true, 0));
+    EXPECT_LT(dense, 0.9);
+    EXPECT_LT(dense, sparse - 0.05);
+    EXPECT_LE(sparse, 1.0);
 }
 
 TEST(GrassPicture, OverdrawCountsFragments) {
