@@ -1,6 +1,7 @@
 #include "techniques.h"
 
 #include "grass/geometry.h"
+#include "grass/ground_shadow.h"
 #include "grass/mask.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
@@ -14,7 +15,7 @@ const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         groundEffect(),                           // ground
-        maskEffect(), geometryEffect(),                         // grass
+        maskEffect(), geometryEffect(), groundShadowEffect(),                         // grass
         tonemapEffect(), decalEffect(),           // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

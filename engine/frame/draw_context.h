@@ -26,6 +26,16 @@ struct BladeShade {
     std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
 };
 
+struct CellDraw;  // grass/cells.h
+// A species' blades as they are drawn this frame, for passes that draw them once more. Nothing selected: count 0.
+struct BladeDraws {
+    GLuint mesh = 0, buffer = 0, globals = 0;  // vertex array with cells and indices; SSBO_BLADES; UBO_SPECIES
+    const CellDraw* cells = nullptr;
+    size_t count = 0;
+    uint32_t inPatch = 0;  // blades in the patch
+    int segments = 0;
+};
+
 // What effects hand to effects of other domains, which never include each other.
 struct SharedResources {
     Ground ground;             // the terrain; null without one
@@ -34,6 +44,7 @@ struct SharedResources {
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
     GLuint orientation = 0, vegetation = 0, occlusion = 0;
+    std::array<BladeDraws, MAX_SPECIES> blades{};
     std::array<BladeShade, MAX_SPECIES> shades{};
     LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
 };
@@ -43,6 +54,7 @@ struct ViewTargets {
     Texture color, depth, resolved, image;  // RGBA16F and D32F multisampled; RGBA16F; RGBA8
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
+    bool stencil = false;      // whether depth has one: D32F_S8
 };
 
 struct DrawContext {

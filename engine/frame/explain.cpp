@@ -25,6 +25,7 @@ const char* whyAbsent(Feature f) {
         case Feature::Translucency: return "no species has a translucency above 0";
         case Feature::Gloss: return "no species has a gloss above 0";
         case Feature::BladeShadows: return "no grass of blades or slices has a shadowMask above 0";
+        case Feature::GroundShadows: return "no grass of blades or slices has groundShadows on";
         case Feature::Sun: return "no directional Light shines";
         case Feature::Lamps: return "no Light shines beside the first directional one";
         case Feature::CastingLights: return "no Light that shines casts shadows";

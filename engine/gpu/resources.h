@@ -88,6 +88,7 @@ struct Texture {
 // levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
 Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1, bool repeat = false);
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
+// depth may be of a format with a stencil; 0: none.
 Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
 VertexArray makeVertexArray(const char* label);
 

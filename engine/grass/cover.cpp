@@ -47,7 +47,9 @@ CoverSpecies meanCover(const Species& species, const Patch& patch, const FrameGl
     out.ambient = glm::vec4(ambient / weight, height / static_cast<float>(n));
     const float clumps = species.clumpSize > 0 ? 0.2f * species.clumpStrength : 0;
     out.clumps = {species.clumpSize, clumps, species.translucency, species.gloss};
-    out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), 0.35f, upright / weight, level / weight};
+    // Blades of no more area than the ground's leave it most of its light.
+    const float soil = std::max(0.35f, std::exp(-out.albedo.w));
+    out.shape = {std::tan(glm::radians(std::min(species.leanDeg, 80.0f))), soil, upright / weight, level / weight};
     return out;
 }
 

@@ -5,18 +5,12 @@
 #include "frame/tiles.h"
 #include "grass/cells.h"
 #include "grass/cover.h"
+#include "grass/ground_shadow.h"
 
 namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/geometry";
-
-// As OpenGL's DrawElementsIndirectCommand.
-struct Command {
-    uint32_t count, instances, firstIndex;
-    int32_t baseVertex;
-    uint32_t baseInstance;
-};
 
 struct SpeciesState {
     uint64_t key = 0;
@@ -31,9 +25,6 @@ struct GeometryState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
     Buffer cover;
 };
-
-// Where the indices of strips with n segments begin, per blade: those with fewer stand before.
-uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
 
 // For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1) vertices a
 // blade: coarse strips skip rows, and rows that no strip uses cost nothing.
@@ -97,19 +88,14 @@ void writeGlobals(DrawContext& ctx, SpeciesState& s, const Species& sp, const Gr
 }
 
 void uploadCells(DrawContext& ctx, SpeciesState& s) {
-    const float detail = std::clamp(ctx.settings.detail, 0.01f, 1.0f);
-    std::vector<Command> commands;
+    std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
-        const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
-        const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(s.patch.blades.size()) + c.first * each;
-        // In the order of thresholds, a prefix is an even choice.
-        const uint32_t blades = static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * detail));
-        commands.push_back({blades * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
-        ctx.stats.bladesGeometry += blades;
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(s.patch.blades.size()), ctx.settings.detail, static_cast<uint32_t>(commands.size())));
+        ctx.stats.bladesGeometry += bladesDrawn(c, ctx.settings.detail);
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
-    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(Command), commands.data());
+    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     describeCells(s);
     ctx.stats.cells += s.selected.size();
 }
@@ -144,11 +130,18 @@ void cull(DrawContext& ctx) {
         updatePatch(ctx, s, f.species[i], f);
         updateTexture(ctx, s, f.species[i]);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        s.selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.patch, ctx.eye, ctx.frustum, pixels));
         cover.species[i] = meanCover(f.species[i], s.patch, ctx.globals, ctx.shared.shades[i]);
+        CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.patch, ctx.eye, ctx.frustum, pixels);
+        if (has(ctx.plan.features, Feature::GroundShadows)) query.reach += groundShadowReach(cover.species[i].ambient.w);
+        s.selected = selectCells(query);
     }
     ctx.stats.cpuCullMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    for (size_t i = 0; i < n; ++i) uploadCells(ctx, *state.species[i]);
+    ctx.shared.blades = {};
+    for (size_t i = 0; i < n; ++i) {
+        SpeciesState& s = *state.species[i];
+        uploadCells(ctx, s);
+        ctx.shared.blades[i] = {s.mesh.id(), s.blades.id(), s.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(s.patch.blades.size()), f.species[i].segments};
+    }
     writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
     ctx.shared.cover = state.cover.id();
 }

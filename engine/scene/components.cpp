@@ -217,6 +217,7 @@ FeatureSet grassFeatures(const void* component) {
     if (clumps) s |= featureSet(Feature::GrassClumps);
     const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
     if (stands && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (stands && g.groundShadows) s |= featureSet(Feature::GroundShadows);
     if (translucency) s |= featureSet(Feature::Translucency);
     if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);

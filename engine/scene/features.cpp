@@ -25,6 +25,7 @@ constexpr FeatureNames kNames[] = {
     {"translucency", "TRANSLUCENCY"},
     {"gloss", "GLOSS"},
     {"blade-shadows", "BLADE_SHADOWS"},
+    {"ground-shadows", "GROUND_SHADOWS"},
     {"sun", "SUN"},
     {"lamps", "LAMPS"},
     {"casting-lights", "CASTING_LIGHTS"},

@@ -23,6 +23,7 @@ enum class Feature : uint8_t {
     Translucency,      // light shines through leaves
     Gloss,             // leaves have a waxy highlight
     BladeShadows,      // blades shade blades
+    GroundShadows,     // blades shade the ground
     Sun,               // the first directional light
     Lamps,             // any other light
     CastingLights,     // a light casts shadows

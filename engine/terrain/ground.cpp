@@ -108,7 +108,7 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"terrain/select", select}};
 const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation,
-                                            Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+                                            Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::GroundShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

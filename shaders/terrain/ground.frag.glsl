@@ -12,6 +12,7 @@
 #include "lib/light.glsl"
 #include "lib/lamps.glsl"
 #include "lib/cover.glsl"
+#include "lib/ground_light.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
@@ -126,13 +127,16 @@ void main() {
     float distance = length(position);
     vec3 toEye = -position / max(distance, 1e-4);
     vec3 n = normalize(normal);
-    vec3 light = (sunLight(n) + lampLight(position, n) + ambientLight(n)) * soil(uv);
+    vec3 light;
     float far = 0.0;
     Grass g;
     if (GRASS) {
         g = grassHere(uv, toEye);
-        far = lodRamp(distance, cover.tiers.y, cover.tiers.z) * g.hides;
-        light = mix(light * g.shades, g.light, far);
+        float ramp = lodRamp(distance, cover.tiers.y, cover.tiers.z);
+        far = ramp * g.hides;
+        light = mix(soilLight(position, n, g.shades, 1.0 - ramp) * soil(uv), g.light, far);
+    } else {
+        light = soilLight(position, n, 1.0, 1.0) * soil(uv);
     }
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
