@@ -6,8 +6,11 @@
 #include "post/map_overlay.h"
 #include "objects/mesh.h"
 #include "objects/shadow.h"
+#include "grass/ground_shadow.h"
+#include "grass/mask.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
+#include "sky/lamps.h"
 #include "sky/sky.h"
 #include "terrain/ground.h"
 #include "terrain/shade.h"
@@ -16,10 +19,9 @@ namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
-        sunEffect(), skyEffect(), hazeEffect(),   // light
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        fieldEffect(), geometryEffect(), farEffect(), slicesEffect(),  // grass
+        maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass
         tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

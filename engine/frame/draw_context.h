@@ -19,6 +19,23 @@ struct Frustum {
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 
+// How a species' blades shade each other, made by grass/mask. Texture 0: they do not.
+struct BladeShade {
+    GLuint texture = 0;
+    float radius = 0, top = 0;  // of the mask's cylinder, metres
+    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
+};
+
+struct CellDraw;  // grass/cells.h
+// A species' blades as they are drawn this frame, for passes that draw them once more. Nothing selected: count 0.
+struct BladeDraws {
+    GLuint mesh = 0, buffer = 0, globals = 0;  // vertex array with cells and indices; SSBO_BLADES; UBO_SPECIES
+    const CellDraw* cells = nullptr;
+    size_t count = 0;
+    uint32_t inPatch = 0;  // blades in the patch
+    int segments = 0;
+};
+
 // Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3 to 5
 // the rows of a matrix to eye-relative positions, one an instance.
 struct ShadowCaster {
@@ -53,6 +70,9 @@ struct SharedResources {
     GLuint orientation = 0, vegetation = 0, occlusion = 0;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
+    std::array<BladeDraws, MAX_SPECIES> blades{};
+    std::array<BladeShade, MAX_SPECIES> shades{};
+    LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
 };
 
 // The targets of one view.
@@ -60,6 +80,7 @@ struct ViewTargets {
     Texture color, depth, resolved, image;  // RGBA16F and D32F multisampled; RGBA16F; RGBA8
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
+    bool stencil = false;      // whether depth has one: D32F_S8
 };
 
 struct DrawContext {

@@ -25,7 +25,13 @@ const char* whyAbsent(Feature f) {
         case Feature::Objects: return "no StaticMesh has a file";
         case Feature::ObjectShadows: return "no StaticMesh casts shadows, or no Light shines";
         case Feature::TerrainShadows: return "no Terrain with a height map has castShadows, or no Light shines";
-        case Feature::Sun: return "no Light shines";
+        case Feature::Translucency: return "no species has a translucency above 0";
+        case Feature::Gloss: return "no species has a gloss above 0";
+        case Feature::BladeShadows: return "no grass of blades or slices has a shadowMask above 0";
+        case Feature::GroundShadows: return "no grass of blades or slices has groundShadows on";
+        case Feature::Sun: return "no directional Light shines";
+        case Feature::Lamps: return "no Light shines beside the first directional one";
+        case Feature::CastingLights: return "no Light that shines casts shadows";
         case Feature::Sky: return "no Sky has an intensity above 0";
         case Feature::Fog: return "no Fog has a finite visibility";
         case Feature::Count: break;

@@ -45,19 +45,21 @@ glm::mat4 partProjection(const ViewSettings& s) {
     return m;
 }
 
-void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa) {
+// With a stencil only where a pass asks for it: ground shadows do.
+void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
-    if (t.width == width && t.height == height && t.samples == samples) return;
+    if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
     t = {};
     const char* owner = "frame/targets";
     t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
-    t.depth = makeTexture2DMultisample(gpu, owner, GL_DEPTH_COMPONENT32F, width, height, samples);
+    t.depth = makeTexture2DMultisample(gpu, owner, stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, width, height, samples);
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height);
     t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
     t.scene = makeFramebuffer(t.color.id(), t.depth.id(), "frame/scene");
     t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
     t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
     t.width = width, t.height = height, t.samples = samples;
+    t.stencil = stencil;
 }
 
 // The fixed state that every pass may rely on; a pass that changes more restores it.
@@ -75,7 +77,8 @@ void beginScene(const ViewTargets& t) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glClearDepth(0.0);
     glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearStencil(0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 }  // namespace
@@ -255,7 +258,7 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
     r.replan(project);
-    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa);
+    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, has(r.plan.features, Feature::GroundShadows));
     FrameGlobals globals;
     r.fillGlobals(globals, camera, settings);
     DrawContext ctx = r.context(project, camera, settings, globals);

@@ -9,7 +9,7 @@ size_t formatBytes(GLenum format) {
         case GL_R8: return 1;
         case GL_RG8: case GL_R16: case GL_R16F: return 2;
         case GL_RGBA8: case GL_SRGB8_ALPHA8: case GL_RG16: case GL_R32F: case GL_DEPTH_COMPONENT32F: case GL_R11F_G11F_B10F: return 4;
-        case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: return 8;
+        case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: case GL_DEPTH32F_STENCIL8: return 8;
         case GL_RGB8: return 3;
         case GL_RGB16: return 6;
         case GL_RGB32F: return 12;
@@ -93,7 +93,9 @@ Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label) {
     GLuint id = 0;
     glCreateFramebuffers(1, &id);
     if (color) glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, color, 0);
-    if (depth) glNamedFramebufferTexture(id, GL_DEPTH_ATTACHMENT, depth, 0);
+    GLint format = 0;
+    if (depth) glGetTextureLevelParameteriv(depth, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    if (depth) glNamedFramebufferTexture(id, format == GL_DEPTH32F_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, 0);
     glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
     CHECK_EQ(static_cast<unsigned>(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER)), static_cast<unsigned>(GL_FRAMEBUFFER_COMPLETE));
     return Framebuffer(id);

@@ -90,6 +90,7 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
 // Layers of one size, with their full chain of levels; trilinear, clamped.
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
+// depth may be of a format with a stencil; 0: none.
 Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
 VertexArray makeVertexArray(const char* label);
 

@@ -34,7 +34,7 @@ float lengthOf(const Blade& b) {
 // A point as it stands in a cell: mirrored, leant by paint.
 struct Posed {
     glm::vec3 color, normal;
-    float height, area;
+    float height, area, open;
 };
 // `clumps`: by how much clumps lean them, each another way.
 std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps) {
@@ -47,7 +47,7 @@ std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps) 
             const glm::vec2 along = lean + most * glm::vec2(std::cos(turn), std::sin(turn));
             const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, {m & 1 ? -1.0f : 1.0f, m & 2 ? -1.0f : 1.0f}, along, 1);
             const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, p.along);
-            out.push_back({p.color, f.normal, f.position.y, p.area / 4});
+            out.push_back({p.color, f.normal, f.position.y, p.area / 4, p.open});
         }
     std::sort(out.begin(), out.end(), [](const Posed& a, const Posed& b) { return a.height > b.height; });
     return out;
@@ -59,12 +59,6 @@ float areaTowards(const std::vector<Posed>& points, const glm::vec3& e) {
     return sum;
 }
 
-// Light of the five images of a slice on a face, interpolated.
-float interpolated(const glm::vec3& n, const glm::vec4& w) {
-    const float zNeg = 1 - (w.x + w.y + w.z + w.w);
-    return w.x * std::max(n.x, 0.0f) + w.y * std::max(n.y, 0.0f) + w.z * std::max(n.z, 0.0f) + w.w * std::max(-n.x, 0.0f) + zNeg * std::max(-n.z, 0.0f);
-}
-
 glm::vec3 facing(const glm::vec3& n, const glm::vec3& e) { return glm::dot(n, e) < 0 ? -n : n; }
 
 // Mean radiance of what is seen along e, the direction towards the eye.
@@ -74,16 +68,49 @@ struct Mean {
     glm::vec3 value() const { return radiance / std::max(weight, 1e-9f); }
 };
 
-glm::vec3 bladeLight(const glm::vec3& n, const FieldLight& l) {
-    glm::vec3 sum = glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y);
-    for (const auto& [direction, color] : l.suns) sum += color * std::max(glm::dot(n, direction), 0.0f);
+// Share of light from a direction that reaches a point among its neighbours.
+float passes(const Posed& p, const FieldLight& l, const glm::vec3& light) {
+    if (!l.shade || l.shade->rows.empty()) return p.open;
+    const f32::MaskPoint at = f32::maskPointOf({0, p.height, 0}, {1, 0}, light, l.shade->radius, l.shade->top);
+    const size_t n = l.shade->rows.size();
+    return l.shade->rows[std::min(static_cast<size_t>(at.height * static_cast<float>(n)), n - 1)];
+}
+
+glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
+    const glm::vec3 n = facing(p.normal, e);
+    glm::vec3 sum = p.color * glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y) * p.open;
+    for (const auto& [direction, color] : l.suns) {
+        const float toward = glm::dot(n, direction);
+        glm::vec3 sent = p.color * std::max(toward, 0.0f) + f32::leafThrough(p.color) * (l.translucency * std::max(-toward, 0.0f));
+        if (l.gloss > 0) sent += glm::vec3(l.gloss * f32::waxyLobe(n, direction, e, l.roughness));
+        sum += color * sent * passes(p, l, direction);
+    }
     return sum;
 }
-glm::vec3 sliceLight(const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
-    glm::vec3 sum = ambient;
-    const bool cosine = l.weighting == static_cast<int>(LightWeighting::Cosine);
-    for (size_t i = 0; i < weights.size(); ++i)
-        sum += l.suns[i].second * (cosine ? std::max(glm::dot(n, l.suns[i].first), 0.0f) : interpolated(n, weights[i]));
+
+// What a slice that faces `way` stores of a point: its normal's parts along the axes and against them, each with what of that
+// light passes.
+struct Stored {
+    glm::vec3 plus, minus;
+};
+Stored stored(const Posed& p, const glm::vec3& n, const FieldLight& l) {
+    const float side = passes(p, l, {0.8191520f, 0.5735764f, 0}), above = passes(p, l, {0, 1, 0});
+    const glm::vec3 share(side, above, side);
+    return {glm::max(n, glm::vec3(0)) * share, glm::max(-n, glm::vec3(0)) * share};
+}
+glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+    glm::vec3 sum = p.color * ambient * p.open;
+    const Stored s = stored(p, n, l);
+    for (size_t i = 0; i < weights.size(); ++i) {
+        glm::vec3 plus = glm::max(l.suns[i].first, glm::vec3(0)), minus = glm::max(-l.suns[i].first, glm::vec3(0));
+        if (l.weighting != static_cast<int>(LightWeighting::Cosine)) {
+            const glm::vec4& w = weights[i];
+            plus = {w.x, w.y, w.z}, minus = {w.w, 0, 1 - (w.x + w.y + w.z + w.w)};
+        }
+        float toward = glm::dot(s.plus, plus) + glm::dot(s.minus, minus), away = glm::dot(s.plus, minus) + glm::dot(s.minus, plus);
+        if (l.weighting == static_cast<int>(LightWeighting::Cosine)) std::tie(toward, away) = std::pair{std::max(toward - away, 0.0f), std::max(away - toward, 0.0f)};
+        sum += l.suns[i].second * (p.color * toward + f32::leafThrough(p.color) * (l.translucency * away));
+    }
     return sum;
 }
 
@@ -103,7 +130,7 @@ Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
     Mean m;
     eachSeen(points, e, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(glm::dot(p.normal, e)) * seen;
-        m.radiance += p.color * bladeLight(facing(p.normal, e), l) * w;
+        m.radiance += bladeLight(p, e, l) * w;
         m.weight += w;
     });
     return m;
@@ -116,7 +143,7 @@ Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
             glm::vec3 way(0);
             way[axis] = e[axis] < 0 ? -1.0f : 1.0f;
             const float w = p.area * std::abs(p.normal[axis]) * e[axis] * e[axis] * seen;
-            m.radiance += p.color * sliceLight(facing(p.normal, way), l, ambient, weights) * w;
+            m.radiance += sliceLight(p, facing(p.normal, way), l, ambient, weights) * w;
             m.weight += w;
         }
     });
@@ -127,7 +154,7 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
     const glm::vec3 up(0, 1, 0);
     eachSeen(points, up, [&](const Posed& p, float seen) {
         const float w = p.area * std::abs(p.normal.y) * seen;
-        m.radiance += p.color * sliceLight(facing(p.normal, up), l, ambient, weights) * w;
+        m.radiance += sliceLight(p, facing(p.normal, up), l, ambient, weights) * w;
         m.weight += w;
     });
     return m;
@@ -155,10 +182,11 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     for (size_t i = 0; i < n; ++i) {
         const Blade& b = patch.blades[i * patch.blades.size() / n];
         const float length = lengthOf(b);
+        look.height += b.tip.y / static_cast<float>(n);
         for (int p = 0; p < kPoints; ++p) {
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, open = glm::mix(s.rootOcclusion, 1.0f, v);
             const glm::vec3 color = f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
-            look.points.push_back({color * open, b.control, b.tip, b.facing, v, b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
+            look.points.push_back({color, b.control, b.tip, b.facing, v, b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
         }
     }
     // Values of clumps are noise in [-1, 1] of deviation 0.4.

@@ -11,6 +11,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "frame/draw_context.h"
 #include "frame/tiles.h"
 #include "scene/population.h"
 #include "shared/frame.h"
@@ -19,7 +20,7 @@ namespace sward {
 
 // A point of a blade that stands for others.
 struct LookPoint {
-    glm::vec3 color;    // reflectance, darkened towards the root
+    glm::vec3 color;    // reflectance
     glm::vec3 control, tip;
     glm::vec2 facing;
     float along;
@@ -30,6 +31,7 @@ struct Look {
     std::vector<LookPoint> points;
     float across = 0;   // area towards a level view, m2 a m2 of ground, mean over azimuths
     float above = 0;    // area towards a view from the zenith
+    float height = 0;   // mean, metres
     float clumpLean = 0;  // metres a metre by which clumps lean blades, one standard deviation; slices do not know it
 };
 // Made anew if the species or its patch (patchKey) differ from what it was made from.
@@ -42,6 +44,8 @@ float lightLeft(const Look& look, float sinElevation);
 struct FieldLight {
     glm::vec3 sky, ground;                            // as FrameGlobals
     std::vector<std::pair<glm::vec3, glm::vec3>> suns;  // towards the light (unit), colour
+    float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
+    const BladeShade* shade = nullptr;                // how blades shade blades in direct light; null: depth below the tips does
     int weighting = 0;                                // LightWeighting: how slices weigh their images
     float lean = 0;                                   // tangent of the lean that full paint gives; 0: nothing is painted
 };

@@ -179,4 +179,13 @@ uint64_t countVisible(const CellQuery& q) {
     return sum;
 }
 
+uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
+
+uint32_t bladesDrawn(const CellDraw& c, float detail) { return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f))); }
+
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t bladesInPatch, float detail, uint32_t instance) {
+    const uint32_t each = static_cast<uint32_t>(quads) * 6;
+    return {bladesDrawn(c, detail) * each, 1, firstStrip(quads) * bladesInPatch + c.first * each, 0, instance};
+}
+
 }  // namespace sward

@@ -19,6 +19,19 @@ struct CellDraw {
 };
 inline constexpr float kChordPixels = 0.5f;
 
+// As OpenGL's DrawElementsIndirectCommand.
+struct DrawCommand {
+    uint32_t count, instances, firstIndex;
+    int32_t baseVertex;
+    uint32_t baseInstance;
+};
+// Where the indices of strips with n quads begin, per blade of the patch: those with fewer stand before.
+uint32_t firstStrip(int n);
+// How many of a cell's blades are drawn at a detail in ]0, 1]: in the order of thresholds, a prefix is an even choice.
+uint32_t bladesDrawn(const CellDraw& c, float detail);
+// Draws a cell's blades with strips of n quads; `instance` is its place among the cells.
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t bladesInPatch, float detail, uint32_t instance);
+
 // Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
 struct GeometryRange {
     float min, inv, max;

@@ -31,6 +31,9 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
     const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
     g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
     g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
+    g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
+    const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
+    g.mask = {shade.radius, shade.top, 0, 0};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
@@ -45,12 +48,28 @@ void publishMaps(DrawContext& ctx, const GrassField& f) {
     publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
 }
 
+// Where blades and slices stop shading the soil one by one: as far as vertical slices are seen.
+std::pair<float, float> shadowRange(const GrassField& f) {
+    const float inf = std::numeric_limits<float>::infinity();
+    switch (static_cast<Technique>(f.technique)) {
+        case Technique::Geometry: return {inf, inf};
+        case Technique::Slices:
+        case Technique::Flat: return {f.minBTF, f.maxBTF};
+        default: return {std::max(f.minBTF, f.maxGeom), std::max(f.maxBTF, f.maxGeom)};
+    }
+}
+
 void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     const GeometryRange range = geometryRange(f);
     CoverGlobals cover{};
     cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
-    for (size_t i = 0; i < state.species.size(); ++i) cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
+        cover.height[static_cast<int>(i)] = state.species[i]->look.height;
+    }
+    const auto [from, upTo] = shadowRange(f);
+    cover.shadows = {from, f32::lodInverse(from, upTo), 0, 0};
     writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
     ctx.shared.cover = state.cover.id();
 }

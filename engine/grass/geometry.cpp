@@ -4,18 +4,12 @@
 #include "frame/draw_context.h"
 #include "grass/cells.h"
 #include "grass/field.h"
+#include "grass/ground_shadow.h"
 
 namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/geometry";
-
-// As OpenGL's DrawElementsIndirectCommand.
-struct Command {
-    uint32_t count, instances, firstIndex;
-    int32_t baseVertex;
-    uint32_t baseInstance;
-};
 
 struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
@@ -27,9 +21,6 @@ struct SpeciesState {
 struct GeometryState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
 };
-
-// Where the indices of strips with n segments begin, per blade: those with fewer stand before.
-uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
 
 // For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1) vertices a
 // blade: coarse strips skip rows, and rows that no strip uses cost nothing.
@@ -71,19 +62,14 @@ void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int se
 }
 
 void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
-    const float detail = std::clamp(ctx.settings.detail, 0.01f, 1.0f);
-    std::vector<Command> commands;
+    std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) {
-        const uint32_t each = static_cast<uint32_t>(c.segments) * 6;
-        const uint32_t first = firstStrip(c.segments) * static_cast<uint32_t>(patchBlades) + c.first * each;
-        // In the order of thresholds, a prefix is an even choice.
-        const uint32_t blades = static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * detail));
-        commands.push_back({blades * each, 1, first, 0, static_cast<uint32_t>(commands.size())});
-        ctx.stats.bladesGeometry += blades;
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(commands.size())));
+        ctx.stats.bladesGeometry += bladesDrawn(c, ctx.settings.detail);
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
-    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(Command), commands.data());
+    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     describeCells(s);
     ctx.stats.cells += s.selected.size();
 }
@@ -99,10 +85,18 @@ void cull(DrawContext& ctx) {
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
-        state.species[i]->selected = selectCells(cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels));
+        CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels);
+        if (has(ctx.plan.features, Feature::GroundShadows)) query.reach += groundShadowReach(field.species[i]->look.height);
+        state.species[i]->selected = selectCells(query);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    for (size_t i = 0; i < state.species.size(); ++i) uploadCells(ctx, *state.species[i], field.species[i]->patch.blades.size());
+    ctx.shared.blades = {};
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        SpeciesState& s = *state.species[i];
+        const FieldSpecies& own = *field.species[i];
+        uploadCells(ctx, s, own.patch.blades.size());
+        ctx.shared.blades[i] = {s.mesh.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments};
+    }
 }
 
 void draw(DrawContext& ctx) {
@@ -117,6 +111,7 @@ void draw(DrawContext& ctx) {
         const FieldSpecies& shared = *ctx.shared.grass->species[i];
         if (s.selected.empty()) continue;
         glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
+        if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
@@ -133,7 +128,8 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog)}};
+                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
+                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

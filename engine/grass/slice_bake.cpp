@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/hash.h"
+#include "grass/mask.h"
 #include "core/numerics.h"
 
 namespace sward {
@@ -130,19 +131,21 @@ std::vector<Copy> copiesNear(const Patch& patch, float cellSize) {
 
 // --- light on a sample ------------------------------------------------------------------------------------------------
 struct Shaded {
-    glm::vec3 color{0};       // reflectance, darkened towards the root
-    float alpha = 0, threshold = 0;
+    glm::vec3 color{0};       // reflectance
+    float alpha = 0, threshold = 0, open = 0;
     float front[kLights] = {}, back[kLights] = {};
     void add(const Shaded& s) {
         color += s.color;
         alpha += s.alpha;
         threshold += s.threshold;
+        open += s.open;
         for (int i = 0; i < kLights; ++i) front[i] += s.front[i], back[i] += s.back[i];
     }
     void scale(float k) {
         color *= k;
         alpha *= k;
         threshold *= k;
+        open *= k;
         for (int i = 0; i < kLights; ++i) front[i] *= k, back[i] *= k;
     }
 };
@@ -169,6 +172,16 @@ struct Shader {
     const SliceSpec& spec;
     const Patch& patch;
     std::vector<glm::vec3> veins = linearVeins(spec.blade);
+    BladeMask mask = spec.shadowMask > 0 ? makeBladeMask(spec.species, patch, spec.cellSize, spec.shadowMask) : BladeMask{};
+
+    // Share of light that passes the neighbours to a point of a blade.
+    float passes(const Blade& b, const f32::BladeFrame& f, const glm::vec3& light, float open) const {
+        if (mask.pixels.empty()) return open;
+        const glm::vec3 raised = light.y > 0 ? light : glm::vec3(0.8191520f * light.x, 0.5735764f, 0.8191520f * light.z);
+        const f32::MaskPoint p = f32::maskPointOf(f.position, b.facing, raised, mask.radius, mask.top);
+        const int x = static_cast<int>(std::floor(p.turn * mask.width)), y = std::min(static_cast<int>(p.height * mask.height), mask.height - 1);
+        return mask.pixels[static_cast<size_t>((y * mask.width + (x % mask.width + mask.width) % mask.width) * 4 + 3)] / 255.0f;
+    }
 
     Shaded shade(const Slab& slab, const std::array<glm::vec3, kLights>& lights, const Sample& s) const {
         Shaded out;
@@ -179,11 +192,13 @@ struct Shader {
         const int x = std::clamp(static_cast<int>(s.across * spec.blade.width), 0, spec.blade.width - 1), y = std::clamp(static_cast<int>(s.along * spec.blade.height), 0, spec.blade.height - 1);
         const float open = glm::mix(spec.species.rootOcclusion, 1.0f, s.along);
         out.color = f32::bladeTint(f32::bladeGradient(spec.species.rootColor, spec.species.midColor, spec.species.tipColor, s.along), b.hue, b.lightness) *
-                    veins[static_cast<size_t>(y) * spec.blade.width + x] * open;
+                    veins[static_cast<size_t>(y) * spec.blade.width + x];
+        out.open = open;
         out.alpha = 1;
         out.threshold = b.threshold;
         for (int i = 0; i < kLights; ++i) {
-            const float toward = glm::dot(n, lights[static_cast<size_t>(i)]);
+            const glm::vec3& light = lights[static_cast<size_t>(i)];
+            const float toward = glm::dot(n, light) * passes(b, f, light, open);
             out.front[i] = std::max(toward, 0.0f);
             out.back[i] = std::max(-toward, 0.0f);
         }
@@ -239,7 +254,7 @@ void quantise(const Layer& l, float reflectScale, size_t layer, SliceLevel& out)
         const size_t to = base + i;
         const float k = t.alpha > 0 ? 1 / t.alpha : 0;
         for (int c = 0; c < 3; ++c) out.reflectance[4 * to + c] = byteOf(t.color[c] * k / reflectScale);
-        out.reflectance[4 * to + 3] = byteOf(t.alpha);
+        out.reflectance[4 * to + 3] = byteOf(t.open * k);
         out.threshold[4 * to] = byteOf(t.threshold);
         out.threshold[4 * to + 1] = byteOf(t.alpha);
         out.threshold[4 * to + 2] = byteOf(t.front[4] * k);

@@ -9,6 +9,8 @@
 // and view. Seen along an axis, a blade never reflects light that comes from straight behind it: 4 numbers a view are left.
 // The numbers of the other view at the same texel are those of the light that shines through the blade; the difference of
 // the numbers of opposite lights is a component of the normal.
+// Shadows of blades on blades are in these numbers (section 3.5). Light from the side is let in as at 35 degrees: on the
+// horizon, where the images' lights stand, dense grass would let none in, and no weighting could bring it back.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -36,10 +38,11 @@ uint64_t sliceKey(const SliceSpec& spec);
 // One mip level of all layers, layer after layer, rows from the ground up (vertical) or from z = 0 (horizontal).
 struct SliceLevel {
     int width = 0, height = 0;
-    std::vector<uint8_t> reflectance;  // RGBA: reflectance / reflectScale, not premultiplied; opacity
+    std::vector<uint8_t> reflectance;  // RGBA: reflectance / reflectScale, not premultiplied; share of ambient light that reaches it
     std::vector<uint8_t> threshold;    // RGBA: threshold * opacity, opacity, light from above on the front and on the back
     std::vector<uint8_t> front;        // RGBA: vertical: light that faces it, 0, from the side's + and -; horizontal: x+, x-, z+, z-
     std::vector<uint8_t> back;         // the same for the other view
+    // Light's numbers hold what is left of it: by the blades' shadow mask if there is one, else by the depth below the tips.
 };
 struct SliceImages {
     int slices = 0;

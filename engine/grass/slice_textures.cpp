@@ -31,7 +31,7 @@ void fillFull(const Texture& t, const std::vector<SliceLevel>& levels, int layer
             for (size_t i = 0; i < n; ++i) {
                 const uint8_t k = light == 4 ? level.threshold[4 * i + 2 + view] : (view ? level.back : level.front)[4 * i + light];
                 for (size_t c = 0; c < 3; ++c) out[4 * i + c] = static_cast<uint8_t>((level.reflectance[4 * i + c] * k + 127) / 255);
-                out[4 * i + 3] = level.reflectance[4 * i + 3];
+                out[4 * i + 3] = level.threshold[4 * i + 1];
             }
             glTextureSubImage3D(t.id(), l, 0, 0, static_cast<GLint>(image) * layers, level.width, level.height, layers, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
         }

@@ -20,6 +20,9 @@ struct FarState : EffectState {
     Buffer nodes;
     std::vector<TerrainNode> selected;
 };
+struct FarShadowState : EffectState {
+    Buffer nodes;
+};
 
 void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
     const bool vertical = has(ctx.plan.features, Feature::GrassSlices);
@@ -45,7 +48,8 @@ uint64_t textureKey(const DrawContext& ctx, const GrassField& f, uint64_t slices
 
 // Where one may wait, waits. Else shows drafts while the slices are made beside.
 void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
-    const SliceSpec spec = sliceSpec(f, species, s.bladeImage);
+    const bool shaded = has(ctx.plan.features, Feature::BladeShadows) && has(ctx.plan.features, Feature::CastingLights);
+    const SliceSpec spec = sliceSpec(f, species, s.bladeImage, shaded);
     const uint64_t made = sliceKey(spec), wanted = textureKey(ctx, f, made);
     if (s.sliceKey == wanted) return;
     if (!ctx.settings.background) return upload(ctx, f, s, wanted, slicesNow(spec));
@@ -55,7 +59,7 @@ void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species,
     if (s.bake.active() && s.bakeOf == made) return;
     if (std::filesystem::exists(sliceFile(cacheDir(), made))) return upload(ctx, f, s, wanted, slicesNow(spec));
     JobControl control;
-    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(f, species, s.bladeImage, true), control));
+    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(f, species, s.bladeImage, shaded, true), control));
     s.bakeOf = made;
     s.bake = Job<SliceImages>("slices of " + species.name, made, [spec](JobControl& c) {
         Result<SliceImages> images = bakeSlices(spec, c);
@@ -65,18 +69,21 @@ void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species,
 }
 
 // --- uniforms ------------------------------------------------------------------------------------------------------------
-FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s) {
+FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s, size_t index) {
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
     if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0) l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
     l.weighting = f.lightWeights;
+    l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
+    if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? std::tan(glm::radians(std::min(s.leanDeg, 80.0f))) : 0.0f;
     return l;
 }
 
 void updateGains(FieldSpecies& s, const FieldLight& l) {
-    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean};
+    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean, l.translucency, l.gloss, l.roughness};
+    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
     if (s.gainKey == key) return;
@@ -101,7 +108,7 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     g.ambient = glm::vec4(gains.sliceAmbient, 0);
     g.farAmbient = glm::vec4(gains.farAmbient, 0);
     g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, sp.clumpSize};
-    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), 0, f.sharpness, std::exp2(-f.sharpness)};
+    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), sp.translucency, f.sharpness, std::exp2(-f.sharpness)};
     const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
@@ -220,16 +227,17 @@ void drawSlices(DrawContext& ctx) {
 }
 
 // --- the horizontal slice ------------------------------------------------------------------------------------------------
-// Nodes that reach beyond the distance where blades are all there.
-void selectFarNodes(DrawContext& ctx, FarState& state, float near) {
-    state.selected.clear();
+// Nodes that reach beyond the distance where blades are all there and begin before `far`.
+std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, float far) {
+    std::vector<TerrainNode> out;
+    const float near = static_cast<Technique>(f.technique) == Technique::Hybrid ? f.minGeom : -1;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
         const float side = 16 * n.level.x;
         const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
         const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low), std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
-        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near) state.selected.push_back(n);
+        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near && glm::length(glm::max(glm::max(low, -high), glm::vec2(0))) < far) out.push_back(n);
     }
-    ctx.stats.macroCells += state.selected.size();
+    return out;
 }
 
 void updateFar(DrawContext& ctx) {
@@ -241,12 +249,13 @@ void updateFar(DrawContext& ctx) {
     for (size_t i = 0; i < field.species.size(); ++i) {
         FieldSpecies& s = *field.species[i];
         ensureSlices(ctx, f, f.species[i], s);
-        updateGains(s, fieldLight(ctx, f, f.species[i]));
-        const SliceGlobals g = globalsOf(ctx, f, f.species[i], s);
+        updateGains(s, fieldLight(ctx, f, f.species[i], i));
+        SliceGlobals g = globalsOf(ctx, f, f.species[i], s);
+        g.ambient.w = static_cast<float>(i);
         writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
     }
-    const bool blades = static_cast<Technique>(f.technique) == Technique::Hybrid;
-    selectFarNodes(ctx, state, blades ? f.minGeom : -1);
+    state.selected = farNodes(ctx, f, std::numeric_limits<float>::infinity());
+    ctx.stats.macroCells += state.selected.size();
 }
 
 void filterFar(GLuint texture, const GrassField& f) {
@@ -276,21 +285,54 @@ void drawFar(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
+// Its shadow on the ground, for each light that casts shadows.
+void drawFarShadow(DrawContext& ctx) {
+    FarShadowState& state = ctx.own<FarShadowState>();
+    if (ctx.settings.mode != ViewMode::Final || !ctx.shared.grass) return;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    const std::vector<TerrainNode> shaded = farNodes(ctx, f, std::max(f.maxBTF, f.maxGeom));
+    if (shaded.empty() || !ctx.use(0, fieldConstants(f))) return;
+    if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    bindField(ctx);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
+    const int lamps = static_cast<int>(ctx.shared.lights.count.y);
+    for (int light = sun ? 0 : 1; light <= lamps; ++light)
+        for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
+            const FieldSpecies& s = *ctx.shared.grass->species[i];
+            glUniform1i(0, light);
+            if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+            bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
+            ctx.pass->draws += drawNodes(ctx.shared.groundMesh, shaded, state.nodes);
+            ctx.pass->instances += shaded.size();
+        }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
 // --- rows ------------------------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog);
+                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
+};
+constexpr auto kShadow = [] {
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
+                      Feature::GroundShadows, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
 };
 const System kFarSystems[] = {{"grass/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices", selectSlices}};
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook()}};
 const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook()}};
 const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
+const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "grass/far_shadow.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow()}};
+const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
 
 }  // namespace
 
-SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& blade, bool draft) {
+SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& blade, bool shaded, bool draft) {
     SliceSpec s;
     s.species = species;
     s.species.density = {};
@@ -300,7 +342,7 @@ SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& bl
     s.slices = f.slices;
     s.width = f.sliceWidth / share, s.height = f.sliceHeight / share, s.farSize = f.farSize / share;
     s.blade = blade;
-    s.shadowMask = f.shadowMask;
+    s.shadowMask = shaded ? f.shadowMask : 0;
     return s;
 }
 
@@ -308,6 +350,11 @@ const EffectRow& farEffect() {
     static const EffectRow row{"grass/far", featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain), kFarSystems, kFarPasses,
                                [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarState>(); },
                                "far grass is one slice over the ground"};
+    return row;
+}
+const EffectRow& farShadowEffect() {
+    static const EffectRow row{"grass/far-shadow", featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights), {},
+                               kFarShadowPasses, [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarShadowState>(); }, "slices shade the ground"};
     return row;
 }
 const EffectRow& slicesEffect() {

@@ -5,6 +5,7 @@
 //   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does, so each
 //     family shows the share |cos| of its blades by which it is turned to the eye: cos^2 + sin^2 = 1.
 //   - the horizontal slice is opaque by Beer's law along the slanted ray, less what vertical slices already cover.
+//   - each end of a vertical slice is moved a little along the cells' edge that it lies on.
 //   - every tier is scaled to the mean radiance of the blades it stands for (appearance.h).
 // Does not: bake (slice_bake.h).
 #pragma once
@@ -16,8 +17,10 @@ namespace sward {
 
 const EffectRow& slicesEffect();  // vertical
 const EffectRow& farEffect();     // horizontal; makes and holds the slices of both
+const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 
-// What a species' slices are made from. draft: an eighth of the resolution, made while one waits.
-SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool draft = false);
+// What a species' slices are made from. shaded: with the blades' shadows on each other; draft: an eighth of the resolution,
+// made while one waits.
+SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool shaded, bool draft = false);
 
 }  // namespace sward

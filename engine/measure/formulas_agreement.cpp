@@ -136,12 +136,38 @@ void addDisplayRows(std::vector<FormulaRow>& rows) {
                     .tolerance = 1e-6, .gpuTolerance = 2e-5, .methodTolerance = 1e-7, .low = 0, .high = 1.0000002});
 }
 
+void addLeafRows(std::vector<FormulaRow>& rows) {
+    rows.push_back({.name = "waxy highlight of a leaf, light and eye behind it and against each other too", .inputs = 10, .outputs = 2,
+                    .ours = BODY(vec3 n = vec3(x[0], x[1], x[2]); vec3 l = vec3(x[3], x[4], x[5]); vec3 v = vec3(x[6], x[7], x[8]);
+                                 y[0] = waxyLobe(n, l, v, x[9]); y[1] = waxyMean(dot(l, v));),
+                    .samples = sweep(2000,
+                                     [](Sweep& s, int i) {
+                                         std::vector<double> in = s.direction();
+                                         const auto l = s.direction(), v = i % 5 ? s.direction() : std::vector<double>{-l[0], -l[1], -l[2]};
+                                         in.insert(in.end(), l.begin(), l.end());
+                                         in.insert(in.end(), v.begin(), v.end());
+                                         in.push_back(s.in(0.3, 1));
+                                         return in;
+                                     }),
+                    .tolerance = 5e-4, .low = 0, .high = 3.2e5, .error = relativeError});
+    rows.push_back({.name = "what a shadow mask lets through, by density", .inputs = 5, .outputs = 1,
+                    .ours = BODY(y[0] = maskVisibility(vec4(x[0], x[1], x[2], x[3]), x[4]);),
+                    .samples = listed({{0.5, 0.25, 0.125, 0, 0}, {0.5, 0.25, 0.125, 0, 0.125}, {0.5, 0.25, 0.125, 0, 0.25},
+                                       {0.5, 0.25, 0.125, 0, 0.875}, {0.5, 0.25, 0.125, 0, 1}, {0, 0, 0, 0, 2}, {1, 1, 1, 1, 0.3}},
+                                      {{1}, {0.75}, {0.5}, {0.0625}, {0}, {0}, {1}}),
+                    .tolerance = 1e-6, .low = 0, .high = 1});
+    rows.push_back({.name = "colour of light through a leaf", .inputs = 3, .outputs = 3,
+                    .ours = BODY(vec3 c = leafThrough(vec3(x[0], x[1], x[2])); y[0] = c.x; y[1] = c.y; y[2] = c.z;),
+                    .samples = listed({{0, 0, 0}, {1, 1, 1}, {0.05, 0.12, 0.03}}), .tolerance = 1e-6, .low = 0, .high = 1.2});
+}
+
 }  // namespace
 
 void addAgreementRows(std::vector<FormulaRow>& rows) {
     addPlacementRows(rows);
     addLightRows(rows);
     addDisplayRows(rows);
+    addLeafRows(rows);
 }
 
 }  // namespace sward

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "scene/lights.h"
+
 namespace sward {
 namespace {
 
@@ -212,17 +214,24 @@ FeatureSet tierFeatures(const GrassField& g) {
 }
 FeatureSet grassFeatures(const void* component) {
     const auto& g = *static_cast<const GrassField*>(component);
-    bool grows = false, density = false, clumps = false;
+    bool grows = false, density = false, clumps = false, translucency = false, gloss = false;
     for (const Species& s : g.species) {
         if (!(s.bladesPerM2 > 0)) continue;
         grows = true;
         density |= s.density.present();
         clumps |= s.clumpSize > 0 && s.clumpStrength > 0;
+        translucency |= s.translucency > 0;
+        gloss |= s.gloss > 0;
     }
     if (!grows) return {};
     FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
     if (density) s |= featureSet(Feature::GrassDensity);
     if (clumps) s |= featureSet(Feature::GrassClumps);
+    const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
+    if (stands && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (stands && g.groundShadows) s |= featureSet(Feature::GroundShadows);
+    if (translucency) s |= featureSet(Feature::Translucency);
+    if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
     if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
     if (g.ambientOcclusion.present()) s |= featureSet(Feature::GrassOcclusion);
@@ -231,13 +240,26 @@ FeatureSet grassFeatures(const void* component) {
 
 // --- Light, Sky, Fog ---------------------------------------------------------------------------------------------
 constexpr FieldRow kLightFields[] = {
+    choice("type", offsetof(Light, type), kLightTypes,
+           "directional: from so far that all of it comes from one side, the first of them the sun; point: a lamp"),
     real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360},
-         "where the sun stands, clockwise from north (-z)"),
-    real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90}, "height of the sun over the horizon"),
-    real("intensity", offsetof(Light, intensity), "", {0, kBrightest, 0, 4}, "factor of the sun's light; 0: no sun"),
+         "where it stands, clockwise from north (-z); where on its circle a point light starts"),
+    real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90}, "height of a directional light over the horizon"),
+    real("intensity", offsetof(Light, intensity), "", {0, kBrightest, 0, 4}, "factor of its light; 0: it is off"),
+    color("color", offsetof(Light, color), {0, kBrightest, 0, 1}, "factor of its colour"),
+    real("attenuation", offsetof(Light, attenuation), "1/m2", {0, 1e6, 0, 4},
+         "how fast a point light fades: intensity / (1 + attenuation * distance^2)"),
+    number(FieldType::Bool, "castShadows", offsetof(Light, castShadows), "", {}, "what stands in its light throws a shadow"),
+    real("orbitRadius", offsetof(Light, orbitRadius), "m", {0, 1e6, 0, 20}, "radius of a point light's circle around its place"),
+    real("orbitSeconds", offsetof(Light, orbitSeconds), "s", {0, 1e9, 0, 120},
+         "time of a turn of a point light's circle or of a directional light's azimuth; 0: it stands still"),
 };
+// As if it were the only light; which directional light is the sun, the scene decides (see entityFeatures).
 FeatureSet lightFeatures(const void* component) {
-    return static_cast<const Light*>(component)->intensity > 0 ? featureSet(Feature::Sun) : FeatureSet{};
+    const auto& l = *static_cast<const Light*>(component);
+    if (!shines(l)) return {};
+    const FeatureSet s = featureSet(l.type == static_cast<int>(LightType::Point) ? Feature::Lamps : Feature::Sun);
+    return l.castShadows ? s | featureSet(Feature::CastingLights) : s;
 }
 
 constexpr FieldRow kSkyFields[] = {
@@ -288,7 +310,7 @@ std::span<const ComponentRow> sharedComponentRows() {
                                 transformFeatures),
         componentRow<Terrain>("Terrain", "The ground: heights and colour.", kTerrainFields, terrainFeatures),
         componentRow<GrassField>("GrassField", "Grass over the whole terrain.", kGrassFieldFields, grassFeatures),
-        componentRow<Light>("Light", "The sun.", kLightFields, lightFeatures),
+        componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
@@ -300,25 +322,28 @@ std::span<const ComponentRow> sharedComponentRows() {
 // --- features of a scene -----------------------------------------------------------------------------------------
 namespace {
 // What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
-FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e) {
+FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
     FeatureSet all;
     for (const ComponentRow& row : rows)
         if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
+    if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;
 }
 }  // namespace
 
 FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows) {
     FeatureSet all;
-    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e); });
+    const Entity sun = sunEntity(registry);
+    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e, sun); });
     if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
     return all;
 }
 
 std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f) {
     std::vector<std::string> names;
+    const Entity sun = sunEntity(registry);
     registry.each<Name>([&](Entity e, const Name& name) {
-        if (has(entityFeatures(registry, rows, e), f)) names.push_back(name.value);
+        if (has(entityFeatures(registry, rows, e, sun), f)) names.push_back(name.value);
     });
     std::sort(names.begin(), names.end());
     return names;

@@ -112,12 +112,23 @@ enum class Transparency { Coverage, Both, Test, Blend };
 inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
 enum class Filtering { Trilinear, Anisotropic };
 
-// The sun. Its colour and strength follow from its elevation and the sky's turbidity (sky/sky.h).
+// A light. The first directional one, in the order of names, is the sun: its strength and colour follow from its elevation and
+// the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h): intensity 1 is 45 klx, half
+// of a noon sun, at a point light's own place or from a directional light; so a point light of attenuation 1 gives 22 klx at
+// one metre, which shows beside the sun at the exposure of day. Where lights are at a time: scene/lights.h.
 struct Light {
-    float azimuthDeg = 135;               // clockwise from -z (north)
-    float elevationDeg = 42;
+    int type = 0;                         // index into kLightTypes
+    float azimuthDeg = 135;               // clockwise from -z (north); of a point light: where on its circle it starts
+    float elevationDeg = 42;              // of a directional light
     float intensity = 1;                  // factor
+    glm::vec3 color{1};                   // factor
+    float attenuation = 1;                // beta of a point light, 1/m2: intensity / (1 + beta d^2)
+    bool castShadows = true;
+    float orbitRadius = 0;                // metres of the circle of a point light around its Transform's position
+    float orbitSeconds = 0;               // for one turn, of a directional light's azimuth too; 0: it stands still
 };
+inline constexpr const char* kLightTypes[] = {"directional", "point"};
+enum class LightType { Directional, Point };
 
 // The sky. Model: Preetham, Shirley and Smits 1999.
 struct Sky {

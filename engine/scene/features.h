@@ -20,10 +20,16 @@ enum class Feature : uint8_t {
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
+    Translucency,      // light shines through leaves
+    Gloss,             // leaves have a waxy highlight
+    BladeShadows,      // blades shade blades
+    GroundShadows,     // blades shade the ground
     Objects,           // meshes stand in the scene
     ObjectShadows,     // objects shade what lies behind them, and there is a sun
     TerrainShadows,    // hills shade what lies behind them, and there is a sun
-    Sun,               // a directional light
+    Sun,               // the first directional light
+    Lamps,             // any other light
+    CastingLights,     // a light casts shadows
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
     Count

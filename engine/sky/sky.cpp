@@ -2,20 +2,13 @@
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
+#include "scene/lights.h"
+#include "sky/exposure.h"
 
 namespace sward {
 namespace {
 
-constexpr float kPi = 3.14159265358979f;
-// From kcd/m2 to the renderer's unit at exposure 0: level white ground under a clear 45-degree sun comes out near 3.5,
-// which puts a sunlit lawn in the middle of the screen's range, as a camera's meter would.
-constexpr float kExposure = 0.14f;
 constexpr glm::vec3 kGroundAlbedo{0.07f, 0.10f, 0.045f};
-
-glm::vec3 sunVector(const Light& l) {
-    const float a = glm::radians(l.azimuthDeg), e = glm::radians(l.elevationDeg);
-    return {std::sin(a) * std::cos(e), std::sin(e), -std::cos(a) * std::cos(e)};
-}
 
 float turbidityOf(Project& p) {
     const Sky* sky = firstOf<Sky>(p);
@@ -23,19 +16,19 @@ float turbidityOf(Project& p) {
 }
 
 // Without a light component the sky has its sun at the zenith.
-glm::vec3 sunOf(Project& p) {
-    const Light* light = firstOf<Light>(p);
-    return light ? sunVector(*light) : glm::vec3(0, 1, 0);
+glm::vec3 sunOf(DrawContext& ctx) {
+    const Light* light = sunLight(ctx.project);
+    return light ? directionTo(*light, ctx.settings.time) : glm::vec3(0, 1, 0);
 }
 
 void runSun(DrawContext& ctx) {
-    const Light& light = *firstOf<Light>(ctx.project);
+    const Light& light = *sunLight(ctx.project);
     FrameGlobals& g = ctx.globals;
-    const glm::vec3 sun = sunVector(light);
+    const glm::vec3 sun = directionTo(light, ctx.settings.time);
     const float up = sun.y > 0 ? 1.0f : 0.0f;
-    const glm::vec3 irradiance = f32::sunIlluminance(sun, turbidityOf(ctx.project)) * (light.intensity * kExposure / kPi * g.mode.y * up);
+    const glm::vec3 irradiance = f32::sunIlluminance(sun, turbidityOf(ctx.project)) * light.color * (light.intensity * kExposure / kPi * g.mode.y * up);
     g.sunDirection = glm::vec4(sun, up);
-    g.sunLight = glm::vec4(irradiance, 0);
+    g.sunLight = glm::vec4(f32::soundLight(irradiance), light.castShadows ? 1 : 0);
     g.groundLight += glm::vec4(irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo, 0);
 }
 
@@ -79,7 +72,7 @@ glm::vec3 whiteBalance(const glm::vec3& onGround) {
 void runSky(DrawContext& ctx) {
     SkyState& s = ctx.own<SkyState>();
     FrameGlobals& g = ctx.globals;
-    const glm::vec3 sun = sunOf(ctx.project);
+    const glm::vec3 sun = sunOf(ctx);
     const float turbidity = turbidityOf(ctx.project);
     integrateSky(s, sun, turbidity);
     const float scale = firstOf<Sky>(ctx.project)->intensity * kExposure * g.mode.y;
@@ -87,7 +80,7 @@ void runSky(DrawContext& ctx) {
     const glm::vec3 gain = balance * scale;
     g.skySun = glm::vec4(sun, turbidity);
     g.skyGain = glm::vec4(gain, 0);
-    g.sunLight *= glm::vec4(balance, 0);
+    g.sunLight *= glm::vec4(balance, 1);
     g.skyLight = glm::vec4(s.level * gain, 0);
     g.groundLight = glm::vec4(glm::vec3(g.groundLight) * balance + s.level * gain * kGroundAlbedo, 0);
     for (int i = 0; i < 3; ++i) g.horizon[i] = glm::vec4(s.horizon[i] * gain, 0);

@@ -23,7 +23,7 @@ entity.add("turf", { GrassField = {
     species = { {
         name = "ryegrass", bladesPerM2 = blades / (pitch.x * pitch.z),
         height = 0.0315, heightVariation = 0.2, width = 0.003, bend = 0.25, segments = 2,
-        leanDeg = 24, leanVariationDeg = 9, clumpSize = 0.3, clumpStrength = 0.25,
+        leanDeg = 24, leanVariationDeg = 9, clumpSize = 0.3, clumpStrength = 0.25, translucency = 0.5, gloss = 0.45,
         rootColor = { 0.04, 0.06, 0.018 }, midColor = { 0.05, 0.12, 0.028 }, tipColor = { 0.075, 0.15, 0.04 },
     } },
 } })

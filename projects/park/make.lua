@@ -16,9 +16,11 @@ entity.add("grass", { GrassField = {
     cellSize = 1, minGeom = 3, maxGeom = 8,
     species = {
         { name = "lawn", bladesPerM2 = 12000, height = 0.075, heightVariation = 0.25, width = 0.0035, bend = 0.45,
-          leanDeg = 10, leanVariationDeg = 12, segments = 2, clumpSize = 0.35, clumpStrength = 0.5 },
+          leanDeg = 10, leanVariationDeg = 12, segments = 2, clumpSize = 0.35, clumpStrength = 0.5,
+          translucency = 0.6, gloss = 0.6 },
         { name = "meadow", bladesPerM2 = 1500, height = 0.32, heightVariation = 0.25, width = 0.005, bend = 0.7,
           leanDeg = 12, leanVariationDeg = 14, segments = 4, clumpSize = 0.4, clumpStrength = 0.6,
+          translucency = 0.8, gloss = 0.4,
           rootColor = { 0.05, 0.06, 0.02 }, midColor = { 0.08, 0.125, 0.035 }, tipColor = { 0.16, 0.17, 0.06 } },
     },
 } })

@@ -2,11 +2,16 @@
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/hash.h"
+#include "numerics/basics.h"
+#include "numerics/shadow.h"
+#include "lib/mask.glsl"
 #include "lib/transparency.glsl"
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
 centroid in vec4 lit;
+centroid in vec4 sunned;
+centroid in vec2 maskAt;
 centroid in vec4 strip;
 out vec4 color;
 
@@ -14,7 +19,9 @@ void main() {
     vec4 t = texture(bladeTexture, strip.xy);
     float alpha = coveredAlpha(t.a * strip.z, floatBitsToUint(strip.w));
     if (!(alpha > 0.0)) discard;
-    color = vec4(lit.rgb * mix(t.rgb * 2.0, vec3(1.0), lit.w), alpha);
+    vec3 light = lit.rgb;
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
+    color = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
     if (viewMode() == VIEW_NORMALS) color.rgb = lit.rgb;
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);

@@ -7,7 +7,10 @@
 #include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
+#include "numerics/weights.h"
+#include "numerics/leaf.h"
 #include "lib/light.glsl"
+#include "lib/lamps.glsl"
 #include "lib/shadow.glsl"
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
@@ -16,8 +19,11 @@
 in vec3 texel;
 in vec3 foot;
 flat in vec4 images;
+flat in vec4 axes;
 flat in float lightLayer;
 in vec3 gain;
+in vec3 brighter;
+in vec4 lamp[3];
 in vec4 ambient;
 in float turned;
 out vec4 color;
@@ -30,22 +36,35 @@ uint grain(float level) {
     return hash3(uint(at.x), uint(at.y), uint(texel.z) + 64u * uint(level));
 }
 
-vec3 radiance(vec3 reflectance, vec4 stored) {
+// Lamps on the images: facing, side +, side -, above.
+vec3 lampsSend(vec3 reflectance, vec4 lit, float above) {
+    if (!LAMPS) return vec3(0.0);
+    vec4 sum[3] = lamp;
+    if (WEIGHTS_PER_PIXEL) lampsOn(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), axes, sum);
+    vec4 numbers = vec4(lit.xzw, above);
+    return reflectance * brighter * vec3(dot(sum[0], numbers), dot(sum[1], numbers), dot(sum[2], numbers));
+}
+
+vec3 radiance(vec3 reflectance, float open, vec4 stored) {
     bool front = !(lightLayer > 0.0);
     float visible = sunVisible(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), vec3(0.0));
+    float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
+    vec3 light = ambient.rgb * reflectance * open;
     if (STORAGE == FULL_STORAGE) {
         float layers = float(textureSize(sliceReflectance, 0).z), first = texel.z + (front ? 0.0 : 5.0 * layers);
         vec3 sum = vec3(0.0);
         for (int i = 0; i < 4; ++i) {  // facing, side +, side -, above: images 0, 2, 3, 4
             float image = i == 0 ? 0.0 : float(i + 1);
-            sum += images[i] * textureLod(sliceLight, vec3(texel.xy, first + image * layers), level).rgb;
+            vec3 weight = vec3(images[i]) * gain * visible;
+            if (LAMPS) weight += brighter * vec3(lamp[0][i], lamp[1][i], lamp[2][i]);
+            sum += weight * textureLod(sliceLight, vec3(texel.xy, first + image * layers), level).rgb;
         }
-        return ambient.rgb * reflectance + gain * visible * sum;
+        return light + sum;
     }
     vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), level);
-    float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
-    float sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz, level) : dot(images, vec4(lit.xzw, above));
-    return reflectance * (ambient.rgb + gain * visible * sun);
+    vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz, level)
+                            : vec2(dot(images, vec4(lit.xzw, above)), dot(images, vec4(0.0, lit.wz, below)) + (1.0 - dot(images, vec4(1.0))) * lit.x);
+    return light + leavesSend(reflectance, sun) * gain * visible + lampsSend(reflectance, lit, above);
 }
 
 void main() {
@@ -57,8 +76,10 @@ void main() {
     density *= (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) * turned;
     float alpha = coveredAlpha(texelOpacity(stored.xy, density, level), grain(level));
     if (!(alpha > 0.0)) discard;
-    vec3 reflectance = paintedOver(textureLod(sliceReflectance, texel, level).rgb, uv, mix(slices.areas.w, 1.0, texel.y) / slices.shape.w);
-    color = vec4(mix(radiance(reflectance, stored), horizonColor(foot.xz), ambient.w), alpha);
+    vec4 leaf = textureLod(sliceReflectance, texel, level);
+    leaf.rgb = paintedOver(leaf.rgb, uv);
+    vec3 light = clamp(radiance(leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
+    color = vec4(mix(light, horizonColor(foot.xz), ambient.w), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.15, 0.9) * (0.4 + 0.6 * texel.y);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 0.5, 1.0);
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);

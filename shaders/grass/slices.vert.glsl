@@ -10,7 +10,10 @@
 #include "numerics/opacity.h"
 #include "numerics/clump.h"
 #include "lib/heights.glsl"
+#include "numerics/weights.h"
+#include "numerics/leaf.h"
 #include "lib/light.glsl"
+#include "lib/lamps.glsl"
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 
@@ -20,10 +23,13 @@ layout(location = 2) in vec2 mirror;      // +1 or -1
 
 out vec3 texel;       // across, up, layer
 out vec3 foot;        // the ground below, relative to the eye
-flat out vec4 images; // sun: weights of the view's images: facing, side +, side -, above; with LIGHT_COSINE its direction: facing,
-                      // side, above
+flat out vec4 images; // sun: weights of the view's images: facing, side +, side -, above (behind is what is left); with
+                      // LIGHT_COSINE its direction: facing, side, above
+flat out vec4 axes;   // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
 flat out float lightLayer;
 out vec3 gain;        // of light from the sun
+out vec3 brighter;    // of any light
+out vec4 lamp[3];     // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
 out vec4 ambient;     // w: share that is haze
 out float turned;     // share of its blades that this family shows
 
@@ -47,16 +53,10 @@ Place placeHere(vec2 inCell, vec2 painted) {
 }
 
 // The sun as a slice sees it, in the patch's own axes.
-vec4 imagesOf(int axis, float side) {
-    if (LIGHT_COSINE) {
-        vec3 l = frame.sunDirection.xyz * vec3(mirror.x, 1.0, mirror.y);
-        return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
-    }
-    vec4 w = slices.sunWeights;
-    float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
-    vec2 x = mirror.x > 0.0 ? vec2(w.x, w.w) : vec2(w.w, w.x), z = mirror.y > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z);
-    vec2 along = axis == 0 ? x : z, across = axis == 0 ? z : x;
-    return vec4(side > 0.0 ? along.x : along.y, across, w.y);
+vec4 sunImages(int axis, float side) {
+    if (!LIGHT_COSINE) return imagesOf(slices.sunWeights, vec4(side, mirror, float(axis)));
+    vec3 l = frame.sunDirection.xyz * vec3(mirror.x, 1.0, mirror.y);
+    return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
 }
 
 // In slices, within ]-0.4, 0.4[: moves each end of a slice by a number of the cells' edge that it lies on, which the neighbour
@@ -87,10 +87,13 @@ void main() {
     float level = max(length(foot.xz), 1e-4);
     turned = CONSERVING ? abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
 
-    vec3 brighter = p.lighter * slices.shape.w * sliceGain(-foot / max(length(foot), 1e-4), painted, false);
-    images = imagesOf(axis, side > 0.0 ? 1.0 : -1.0);
+    brighter = p.lighter * slices.shape.w * sliceGain(-foot / max(length(foot), 1e-4), painted, false);
+    axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
+    images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);
     ambient = vec4(brighter * slices.ambient.rgb * skyShare(uv), hazeShare(length(position)));
+    for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
+    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

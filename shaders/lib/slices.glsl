@@ -1,5 +1,6 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
-// Needs: frame.glsl; numerics opacity, lod; cover.glsl, light.glsl; const int STORAGE; const bool CONSERVING.
+// Needs: frame.glsl; numerics opacity, lod, weights, leaf; cover.glsl, light.glsl, lamps.glsl; const bool TRANSLUCENCY, CONSERVING;
+// const int STORAGE.
 layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; };
 layout(binding = TEX_SLICE_REFLECTANCE) uniform sampler2DArray sliceReflectance;
 layout(binding = TEX_SLICE_THRESHOLD) uniform sampler2DArray sliceThreshold;
@@ -45,17 +46,50 @@ float fieldDensity(vec2 uv) {
     return texture(densityMap[0], uv).r;
 }
 
-vec3 paintedOver(vec3 reflectance, vec2 uv, float open) {
+// Reflectance (as a share of full scale) with the field's colour over it.
+vec3 paintedOver(vec3 reflectance, vec2 uv) {
     if (!GRASS_VEGETATION) return reflectance;
     vec4 paint = texture(vegetationMap, uv * cover.tiling.y);
-    return mix(reflectance, paint.rgb * open, paint.a);
+    return mix(reflectance, paint.rgb / slices.shape.w, paint.a);
 }
 
-// Lambert's cosine towards the sun from what a texel stores: `plus` and `minus` are the parts of normals along each axis and
-// against it, `sun` its direction. One blade: the difference of what faces the sun and what turns away, if positive. Several
-// blades, mixed by filtering: the mean of that over exponential shares.
-float cosineOf(vec3 plus, vec3 minus, vec3 sun, float level) {
-    vec3 s = max(sun, 0.0), t = max(-sun, 0.0);
-    float toward = dot(plus, s) + dot(minus, t), away = dot(plus, t) + dot(minus, s);
-    return mix(max(toward - away, 0.0), toward * toward / max(toward + away, 1e-4), clamp(0.5 + 0.5 * level, 0.0, 1.0));
+// Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of normals
+// along each axis and against it, `towards` the light. One blade: the difference of what faces the light and what turns away.
+// Several blades, mixed by filtering: the mean of that over exponential shares.
+vec2 cosineOf(vec3 plus, vec3 minus, vec3 towards, float level) {
+    vec3 s = max(towards, 0.0), t = max(-towards, 0.0);
+    float toward = dot(plus, s) + dot(minus, t), away = dot(plus, t) + dot(minus, s), sum = max(toward + away, 1e-4);
+    vec2 one = max(vec2(toward - away, away - toward), 0.0), mixed = vec2(toward * toward, away * away) / sum;
+    return mix(one, mixed, clamp(0.5 + 0.5 * level, 0.0, 1.0));
+}
+
+// What leaves send of light on this side (x) and through them from the other (y).
+vec3 leavesSend(vec3 reflectance, vec2 light) {
+    vec3 sent = reflectance * light.x;
+    if (TRANSLUCENCY) sent += leafThrough(reflectance) * (slices.lean.y * light.y);
+    return sent;
+}
+
+// Five weights (x+, y, z+, x-; z- is what is left) of a lamp here, faded at the horizon (B-4).
+vec4 lampWeights(vec3 direction) {
+    LightWeights w = lightWeightsFast(direction);
+    return vec4(w.xPos, w.yPos, w.zPos, w.xNeg);
+}
+float lampFade(vec3 direction) { return horizonFade(direction.y, 0.052); }
+
+// Five weights as weights of a vertical slice's images: facing, side +, side -, above. axes: side that is seen, mirror x, z,
+// and 0 for slices across x, 1 across z.
+vec4 imagesOf(vec4 w, vec4 axes) {
+    float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
+    vec2 x = axes.y > 0.0 ? vec2(w.x, w.w) : vec2(w.w, w.x), z = axes.z > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z);
+    vec2 along = axes.w < 0.5 ? x : z, across = axes.w < 0.5 ? z : x;
+    return vec4(axes.x > 0.0 ? along.x : along.y, across, w.y);
+}
+// Light of all lamps on the images of a vertical slice at a point.
+void lampsOn(vec3 at, vec4 axes, inout vec4 sum[3]) {
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, at);
+        vec4 w = imagesOf(lampWeights(l.direction), axes) * lampFade(l.direction);
+        for (int c = 0; c < 3; ++c) sum[c] += l.light[c] * w;
+    }
 }

@@ -8,6 +8,7 @@
 #include "numerics/blade.h"
 #include "numerics/clump.h"
 #include "numerics/population.h"
+#include "numerics/leaf.h"
 #include "numerics/sky.h"
 #include "numerics/tonemap.h"
 #include "numerics/weights.h"

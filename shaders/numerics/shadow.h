@@ -24,6 +24,32 @@ FN real maskTurns(real x, real z) {
 // through the mask's seam.
 FN real unwrapTurns(real turn, real reference) { return turn - round(turn - reference); }
 
+// Where the ray from a point of a blade to a light leaves the blade's cylinder, as coordinates of its mask: turns from where
+// the blade faces, within half a turn of the light's own so that a blade's vertices interpolate, and height as a share of the
+// mask's, in [0, 2]. Light from straight above leaves over the top: unshadowed. Light from below comes out at 0.
+struct MaskPoint {
+    real turn;
+    real height;
+};
+// fromRoot: the point relative to the blade's root; facing: unit, where the blade leans; l: towards the light, unit.
+FN MaskPoint maskPointOf(vec3 fromRoot, vec2 facing, vec3 l, real radius, real top) {
+    vec3 o = vec3(fromRoot.x * facing.x + fromRoot.z * facing.y, fromRoot.y, fromRoot.z * facing.x - fromRoot.x * facing.y);
+    vec3 d = vec3(l.x * facing.x + l.z * facing.y, l.y, l.z * facing.x - l.x * facing.y);
+    real t = min(cylinderExit(o, d, radius), real(1e6));
+    MaskPoint p;
+    p.turn = unwrapTurns(maskTurns(o.x + d.x * t, o.z + d.z * t), maskTurns(d.x, d.z));
+    p.height = clamp((o.y + d.y * t) / max(top, real(1e-6)), real(0.0), real(2.0));
+    return p;
+}
+
+// What a mask lets through at a density in [0, 1]; quarters: at densities 1/4, 2/4, 3/4 and 1. Nothing grows at 0: all.
+FN real maskVisibility(vec4 quarters, real density) {
+    real d = 4.0f * clamp(density, real(0.0), real(1.0));
+    return max(1.0f - d, real(0.0)) + quarters.x * max(1.0f - abs(d - 1.0f), real(0.0)) +
+           quarters.y * max(1.0f - abs(d - 2.0f), real(0.0)) + quarters.z * max(1.0f - abs(d - 3.0f), real(0.0)) +
+           quarters.w * max(d - 3.0f, real(0.0));
+}
+
 struct GroundShadow {
     vec2 offset;  // (x, z) from the foot of the point to its shadow
     real alpha;   // 1, falling to 0 where the shadow would be longer than the limit

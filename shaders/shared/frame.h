@@ -17,7 +17,7 @@ struct FrameGlobals {
     SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: height above the highest ground (m)
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
-    SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi
+    SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi; w: 1 if it casts shadows
     SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
     SHARED_VEC4 skyGain;       // factor of numerics/sky.h radiances: exposure and white balance
     SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity
@@ -30,11 +30,24 @@ struct FrameGlobals {
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
+// A light beside the sun.
+struct LightGlobals {
+    SHARED_VEC4 place;         // w 0: unit vector towards it; w 1: where it is, relative to the eye
+    SHARED_VEC4 color;         // irradiance on a surface that faces it, divided by pi, before attenuation; w: beta (1/m2)
+    SHARED_VEC4 weights;       // of a directional one: xPos, yPos, zPos, xNeg of numerics/weights.h; zNeg is what is left of 1
+};
+struct LightsGlobals {
+    SHARED_VEC4 count;         // x: lights; y: how many of them, the first ones, cast shadows
+    LightGlobals lights[8];    // MAX_LIGHTS
+};
+
 // What shaders of all of a field's species read.
 struct CoverGlobals {
     SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
     SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion; w: seed
     SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
+    SHARED_VEC4 height;        // by species: mean height (m)
+    SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone
 };
 
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine = (i/(n-1))^2).
@@ -50,10 +63,10 @@ struct SliceGlobals {
     SHARED_VEC4 eyeCell;       // x, z of the cell that the eye is over; where in it, in cells (B-17)
     SHARED_VEC4 counts;        // x: fade (omega); y: seed; z, w: texels of the horizontal slice, and of a vertical one's width
     SHARED_VEC4 sunWeights;    // of the images x+, y, z+, x-; z- is what is left to 1
-    SHARED_VEC4 ambient;       // that vertical slices receive
+    SHARED_VEC4 ambient;       // that vertical slices receive; w: species index
     SHARED_VEC4 farAmbient;    // that the horizontal slice receives
     SHARED_VEC4 clumps;        // x: lean (m per m); y: share of height; z: share of lightness; w: clump size (m)
-    SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: light that shines through, as a share; z: levels finer than a pixel; w: 2^-z
+    SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: translucency; z: levels finer than a pixel; w: 2^-z
     SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by paint towards +x
     SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by paint towards +z
 };
@@ -65,6 +78,8 @@ struct SpeciesGlobals {
     SHARED_VEC4 tipColor;      // w: clump size (m)
     SHARED_VEC4 clumps;        // x: lean (m per m) at full clump value; y: share of height; z: share of lightness; w: cell size (m)
     SHARED_VEC4 counts;        // x: segments; y: seed; z: fade (omega); w: species index
+    SHARED_VEC4 looks;         // x: translucency; y: gloss; z: its roughness; w: 0
+    SHARED_VEC4 mask;          // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
 // An object that stands somewhere: rows of the matrix to eye-relative positions.
@@ -88,7 +103,7 @@ struct TerrainNode {
 #define NODES_PER_DRAW 256
 
 #ifdef __cplusplus
-static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
+static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 }
 #endif
 
@@ -99,6 +114,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define UBO_NODES 3
 #define UBO_SLICES 4
 #define UBO_SHADOW 6
+#define UBO_LIGHTS 7
 // Storage buffers
 #define SSBO_BLADES 0
 // Textures
@@ -117,6 +133,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define TEX_SLICE_LIGHT 18
 #define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
-#define TEX_OBJECT 14
+#define TEX_OBJECT 7       // as blades: bound for each draw
+#define TEX_MASK 14
 // Limits
 #define MAX_SPECIES 4
+#define MAX_LIGHTS 8

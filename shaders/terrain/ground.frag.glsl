@@ -3,9 +3,14 @@
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
+#include "numerics/hash.h"
+#include "numerics/lod.h"
+#include "numerics/weights.h"
 #include "lib/light.glsl"
+#include "lib/lamps.glsl"
 #include "lib/density.glsl"
 #include "lib/shadow.glsl"
+#include "lib/ground_light.glsl"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
@@ -45,11 +50,11 @@ void main() {
     vec2 uv = place * frame.terrain.zw;
     float distance = length(position);
     vec3 n = normalize(normal);
-    vec3 light = (sunLight(n) * sunVisible(position, vec3(0.0)) + ambientLight(n) * skyShare(uv)) * soil(uv);
     vec4 density = GRASS ? densities(uv) : vec4(0.0);
-    if (GRASS) light *= lightLeft(density);
+    float shades = GRASS ? lightLeft(density) : 1.0, near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
+    vec3 light = soilLight(position, uv, n, shades, near) * soil(uv);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
-    color = vec4(light, 1.0);
+    color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     float total = clamp(dot(density, vec4(1.0)), 0.0, 1.0);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;

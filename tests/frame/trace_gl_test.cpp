@@ -51,6 +51,12 @@ Project everything() {
     t.castShadows = true;
     p.dir = objectsFolder();
     putObject(p, "cube", {{}}, {6, 0, 6});
+    f.species[0].translucency = 0.5f;
+    f.species[0].gloss = 1;
+    Light lamp;
+    lamp.type = static_cast<int>(LightType::Point);
+    put(p, "lamp", lamp);
+    put(p, "lamp", Transform{{6, 1, 6}});
     return p;
 }
 

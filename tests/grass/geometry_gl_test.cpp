@@ -1,3 +1,5 @@
+#include <numeric>
+
 #include "measure/frame_stats.h"
 #include "scenes.h"
 
@@ -140,6 +142,55 @@ TEST(GrassPicture, PaintedLeanTurnsTheBlades) {
         for (float v : r.readLinear()) mean[i] += v;
     }
     EXPECT_GT(std::abs(mean[0] - mean[1]) / std::max(mean[0], mean[1]), 0.03) << "lean towards and away from the eye look alike";
+}
+
+// Light of the lower half of the picture, without sky, with the sun at an azimuth; the camera looks along +x and +z.
+double brightness(Renderer& r, Project& p, float azimuthDeg) {
+    Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+    sun.azimuthDeg = azimuthDeg;
+    sun.elevationDeg = 20;
+    EXPECT_TRUE(r.draw(p, eyeHeight(), small()));
+    const auto light = r.readLinear();
+    double sum = 0;
+    for (size_t i = light.size() * 2 / 3; i < light.size(); ++i) sum += light[i];
+    return sum;
+}
+
+TEST(GrassPicture, AgainstTheSunTranslucentAndWaxyBladesShineMore) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    Project plain = lawn(), thin = lawn(), waxy = lawn();
+    for (Project* p : {&plain, &thin, &waxy}) grassOf(*p).species[0].bladesPerM2 = 2000;
+    grassOf(thin).species[0].translucency = 1;
+    grassOf(waxy).species[0].gloss = 1;
+    const float against = 135, behind = 315;
+    const double before = brightness(r, plain, against), with = brightness(r, plain, behind);
+    EXPECT_GT(brightness(r, thin, against), 1.1 * before);
+    EXPECT_GT(brightness(r, waxy, against), 1.1 * before);
+    EXPECT_GT(brightness(r, thin, against) / before, brightness(r, thin, behind) / with);
+    EXPECT_GT(brightness(r, waxy, against) / before, brightness(r, waxy, behind) / with);
+}
+
+TEST(GrassPicture, BladesShadeBladesByDensityAndOnlyInLightThatCasts) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const auto light = [&](float perM2, bool casts, int texels) {
+        Project p = lawn();
+        Species& s = grassOf(p).species[0];
+        s.bladesPerM2 = perM2;
+        s.rootOcclusion = 1;  // so that only the mask darkens
+        grassOf(p).groundShadows = false;
+        grassOf(p).shadowMask = texels;
+        p.registry.get<Light>(findEntity(p, "sun"))->castShadows = casts;
+        EXPECT_TRUE(r.draw(p, above(), small()));
+        return r.readLinear();
+    };
+    const auto sum = [](const std::vector<float>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+    EXPECT_EQ(light(2000, false, 64), light(2000, true, 0)) << "without a mask, and without light that casts, the picture is the same";
+    const double sparse = sum(light(50, true, 64)) / sum(light(50, true, 0)), dense = sum(light(2000, true, 64)) / sum(light(2000, true, 0));
+    EXPECT_LT(dense, 0.9);
+    EXPECT_LT(dense, sparse - 0.05);
+    EXPECT_LE(sparse, 1.0);
 }
 
 TEST(GrassPicture, OverdrawCountsFragments) {

@@ -192,18 +192,29 @@ TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_EQ(featuresOf("Terrain", &terrain),
               featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
     GrassField grass;
-    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass, Feature::GrassClumps));
+    const FeatureSet drawn = featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
+    EXPECT_EQ(featuresOf("GrassField", &grass), drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
+    grass.shadowMask = 0;
+    grass.groundShadows = false;
     grass.species[0].clumpSize = 0;
-    EXPECT_EQ(featuresOf("GrassField", &grass), featureSet(Feature::Grass));
+    EXPECT_EQ(featuresOf("GrassField", &grass), drawn);
     grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
         Map({2, 2, 1, PixelType::U8});
     EXPECT_EQ(featuresOf("GrassField", &grass),
-              featureSet(Feature::Grass, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                         Feature::GrassOcclusion));
+              drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion));
+    grass.species[0].translucency = grass.species[0].gloss = 1;
+    EXPECT_TRUE((featuresOf("GrassField", &grass) & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
+    grass.technique = static_cast<int>(Technique::Flat);
+    grass.shadowMask = 64;
+    EXPECT_FALSE(has(featuresOf("GrassField", &grass), Feature::BladeShadows)) << "no blade is drawn";
     grass.species[0].bladesPerM2 = 0;
     EXPECT_TRUE(featuresOf("GrassField", &grass).none()) << "nothing grows";
     Light light;
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun, Feature::CastingLights));
+    light.castShadows = false;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun));
+    light.type = static_cast<int>(LightType::Point);
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Lamps));
     light.intensity = 0;
     EXPECT_TRUE(featuresOf("Light", &light).none());
     Sky sky;
@@ -243,6 +254,6 @@ TEST(Features, KnowWhichEntitiesAskForThem) {
     Project p;
     for (const char* name : {"b", "a", "c"}) p.registry.add<Light>(*addEntity(p, name));
     p.registry.get<Light>(findEntity(p, "c"))->intensity = 0;
-    EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::Sun), (std::vector<std::string>{"a", "b"}));
+    EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::CastingLights), (std::vector<std::string>{"a", "b"}));
     EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Fog).empty());
 }

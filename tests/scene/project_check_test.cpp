@@ -136,6 +136,7 @@ TEST(RefusedProjects, ParametersWithTheirPlace) {
         {"\"Camera\": {\"fovDeg\": 1e39}", 3, 22, "e.Camera.fovDeg: 1e39 is out of range"},
         {"\"Camera\": {\"fovDeg\": true}", 3, 22, "e.Camera.fovDeg: must be a number, not true or false"},
         {"\"Terrain\": {\"size\": [0, 10]}", 3, 22, "e.Terrain.size: 0 is out of range"},
+        {"\"Light\": {\"attenuation\": -1}", 3, 26, "e.Light.attenuation: -1 must not be negative"},
         {"\"Light\": {\"intensity\": 70000}", 3, 24, "e.Light.intensity: 70000 is out of range"},
         {"\"GrassField\": {\"seed\": 1.5}", 3, 24, "e.GrassField.seed: 1.5 is not a whole number"},
         {"\"GrassField\": {\"technique\": \"magic\"}", 3, 29,

@@ -47,7 +47,8 @@ TEST(Project, ANewOneHasGroundGrassSunSkyHazeAndACamera) {
     EXPECT_EQ(found, names);
     EXPECT_DOUBLE_EQ(virtualBlades(p), 2000.0 * 40 * 40);
     const FeatureSet expected = featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity,
-                                           Feature::GrassClumps, Feature::Sun, Feature::Sky, Feature::Fog);
+                                           Feature::GrassClumps, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar,
+                                           Feature::BladeShadows, Feature::GroundShadows, Feature::Sun, Feature::CastingLights, Feature::Sky, Feature::Fog);
     EXPECT_EQ(sceneFeatures(p.registry, rows()), expected);
 }
 

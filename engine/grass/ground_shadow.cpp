@@ -1,0 +1,96 @@
+#include "grass/ground_shadow.h"
+
+#include "frame/draw_context.h"
+#include "grass/cells.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/ground-shadow";
+constexpr float kLongest = 4;   // as in the shader
+constexpr int kMostQuads = 2;   // a blade
+constexpr int kStencilBits = 8;
+
+struct ShadowState : EffectState {
+    struct One {
+        Buffer commands;
+        GLsizei count = 0;
+    };
+    std::array<One, MAX_SPECIES> species;
+};
+
+void makeCommands(DrawContext& ctx, ShadowState::One& one, const BladeDraws& blades) {
+    std::vector<DrawCommand> commands;
+    commands.reserve(blades.count);
+    const int quads = std::min(blades.segments, kMostQuads);
+    for (size_t i = 0; i < blades.count; ++i)
+        commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, ctx.settings.detail, static_cast<uint32_t>(i)));
+    one.count = static_cast<GLsizei>(commands.size());
+    if (one.count > 0) writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
+    else one.commands = {};
+}
+
+void prepare(DrawContext& ctx) {
+    ShadowState& state = ctx.own<ShadowState>();
+    for (size_t i = 0; i < MAX_SPECIES; ++i) makeCommands(ctx, state.species[i], ctx.shared.blades[i]);
+}
+
+void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
+    const BladeDraws& blades = ctx.shared.blades[i];
+    if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, blades.buffer);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, blades.globals);
+    glBindVertexArray(blades.mesh);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, one.commands.id());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, one.count, 0);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += static_cast<uint64_t>(one.count);
+}
+
+void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
+    glUniform1i(0, light);
+    glStencilMask(1u << light);
+    glStencilFunc(GL_NOTEQUAL, 0xff, 1u << light);
+    for (size_t i = 0; i < MAX_SPECIES; ++i)
+        if (state.species[i].count > 0) drawSpecies(ctx, i, state.species[i]);
+}
+
+void draw(DrawContext& ctx) {
+    const ShadowState& state = ctx.own<ShadowState>();
+    if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
+    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
+    if (ctx.shared.orientation) glBindTextureUnit(TEX_ORIENTATION, ctx.shared.orientation);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
+    const int lamps = std::min(static_cast<int>(ctx.shared.lights.count.y), kStencilBits - 1);
+    for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, state, light);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glStencilMask(0xff);
+    glDisable(GL_STENCIL_TEST);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
+const ProgramRow kPrograms[] = {{"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
+                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
+                                            Feature::GrassClumps, Feature::GroundShadows, Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+const Pass kPasses[] = {{"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+
+}  // namespace
+
+float groundShadowReach(float meanHeight) { return kLongest * meanHeight; }
+
+const EffectRow& groundShadowEffect() {
+    static const EffectRow row{"grass/ground-shadow", featureSet(Feature::Grass, Feature::GrassGeometry, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights),
+                               kSystems, kPasses, [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowState>(); },
+                               "near blades shade the ground"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,41 @@
+// Shadow of the horizontal slice on the ground, by one light: what is left of its light, multiplied onto the picture. The slice is
+// followed down the light's ray (Boulanger, Pattanaik and Bouatouch 2006, section 3.5). It takes over from the blades' own
+// shadows, and gives way to the mean.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/correction.h"
+#include "numerics/weights.h"
+#include "numerics/leaf.h"
+#include "lib/light.glsl"
+#include "lib/lamps.glsl"
+#include "lib/shadow.glsl"
+#include "lib/cover.glsl"
+#include "lib/ground_light.glsl"
+#include "lib/slices.glsl"
+#include "lib/far.glsl"
+
+layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
+
+in vec3 position;
+in vec2 place;
+in vec3 normal;
+out vec4 color;
+
+void main() {
+    float d = length(position);
+    vec3 towards = light == 0 ? frame.sunDirection.xyz : lampAt(light - 1, position).direction;
+    float here = lodRamp(d, slices.tiers.x, slices.tiers.y), near = 1.0 - lodRamp(d, cover.shadows.x, cover.shadows.y);
+    vec2 uv = place * frame.terrain.zw;
+    float grown = fieldDensity(uv), density = sliceDensity(grown, here);
+    if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
+    float high = max(towards.y, 0.2);  // lower light throws no longer shadows
+    vec4 stored;
+    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, high, 0.0, stored);
+    vec3 takes = shadowShare(light, position, uv, normalize(normal), mix(1.0, cover.shade[int(slices.ambient.w)], grown), near);
+    color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
+}

@@ -1,0 +1,57 @@
+// One vertex of the shadow that one light throws of one blade: the blade's vertex, followed down its ray to the plane of the
+// ground at its root and laid onto the ground there. Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/blade.h"
+#include "numerics/clump.h"
+#include "numerics/population.h"
+#include "numerics/weights.h"
+#include "numerics/shadow.h"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/lamps.glsl"
+#include "lib/shadow.glsl"
+#include "lib/cover.glsl"
+#include "lib/blade.glsl"
+#include "lib/ground_light.glsl"
+
+layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
+
+out vec3 left;  // share of the ground's light that is left
+
+const float kLongest = 4.0;     // blade heights: shadows get no longer (numerics/shadow.h fades them instead)
+const float kNearer = 0.06;     // metres by which depth is let off: the ground's triangles are not quite the heights
+const float kNormalStep = 0.1;  // metres over which the ground's slope is taken
+
+vec3 towardsLight(vec3 at) { return light == 0 ? frame.sunDirection.xyz : lampAt(light - 1, at).direction; }
+
+void main() {
+    Blade b = bladeHere();
+    Stand s = standHere(b);
+    left = vec3(1.0);
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
+    if (!exists(s)) return;
+    vec3 n = groundNormal(s.ground, kNormalStep);
+    int kind = int(species.counts.w);
+    float near = 1.0 - lodRamp(length(s.root), cover.shadows.x, cover.shadows.y);
+    vec3 takes = shadowShare(light, s.root, s.uv, n, mix(1.0, cover.shade[kind], s.density), near) * s.opacity;
+    if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
+
+    float lighter;
+    BladePose pose = poseHere(b, s, lighter);
+    BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
+    vec3 p = f.position + f.side * (s.across * b.place.z * frame.mode.w * (1.0 - s.v * s.v));
+    vec3 l = towardsLight(s.root + p);
+    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.height[kind]);
+    vec2 land = p.xz + shadow.offset;
+    vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
+    left = vec3(1.0) - takes * shadow.alpha;
+    gl_Position = frame.viewProj * vec4(at, 1.0);
+    float distance = length(at);
+    gl_Position.z *= distance / max(distance - kNearer, 0.5 * distance);
+}

@@ -1,0 +1,62 @@
+// The blade that a vertex belongs to: which one (gl_VertexID), whether it exists there (density, distance), how it is posed
+// (mirror, paint, clumps). Vertex shaders only. Needs: const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl;
+// frame.glsl, heights.glsl, cover.glsl; numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
+struct Blade {
+    vec4 place;      // root x, z; width; threshold
+    vec4 control;    // w: hue
+    vec4 tip;        // w: lightness
+    vec4 facing;     // z: dither
+};
+layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
+layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
+layout(location = 0) in ivec2 cell;
+layout(location = 1) in vec2 cellCorner;  // relative to the eye
+layout(location = 2) in vec2 mirror;      // +1 or -1
+
+// Where a vertex's blade stands.
+struct Stand {
+    vec2 inCell, ground, uv;  // its root in the cell, relative to the terrain's corner (m), and as a share of the terrain
+    vec3 root;                // relative to the eye
+    float v, across;          // along the blade, 0 to 1; across it, -1/2 or 1/2
+    float density, opacity;
+};
+
+float density(vec2 uv) {
+    if (!GRASS_DENSITY) return 1.0;
+    ivec2 size = textureSize(densityMap[0], 0);
+    BilinearTap t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+}
+
+Blade bladeHere() { return blades[gl_VertexID / (2 * (int(species.counts.x) + 1))]; }
+
+Stand standHere(Blade b) {
+    Stand s;
+    int corner = gl_VertexID % (2 * (int(species.counts.x) + 1));
+    s.v = float(corner / 2) / species.counts.x;
+    s.across = float(corner & 1) - 0.5;
+    s.inCell = mix(vec2(species.clumps.w) - b.place.xy, b.place.xy, step(vec2(0.0), mirror));
+    s.ground = vec2(cell) * species.clumps.w + s.inCell;
+    s.uv = s.ground * frame.terrain.zw;
+    s.root = vec3(cellCorner.x + s.inCell.x, groundHeight(s.ground), cellCorner.y + s.inCell.y);
+    s.density = density(s.uv);
+    float weight = lodRamp(length(s.root), cover.tiers.y, cover.tiers.z);
+    s.opacity = geometryOpacity(s.density, weight, b.place.w, species.counts.z);
+    return s;
+}
+bool exists(Stand s) { return s.opacity > 0.0 && s.uv.x <= 1.0 && s.uv.y <= 1.0; }
+
+// Lean and scale that the place adds to the patch's blade.
+BladePose poseHere(Blade b, Stand s, out float lighter) {
+    vec2 lean = paintedLean(s.uv) * species.midColor.w;
+    float scale = 1.0;
+    lighter = 1.0;
+    if (GRASS_CLUMPS && species.tipColor.w > 0.0) {
+        vec3 c = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
+        lean += c.xy * species.clumps.x;
+        scale += c.z * species.clumps.y;
+        lighter += c.z * species.clumps.z;
+    }
+    return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, lean, scale);
+}

@@ -1,0 +1,40 @@
+// The horizontal slice over the ground: the patch repeated by integer cell, mirrored by each cell's hash (Boulanger, Pattanaik
+// and Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash, correction.
+struct Repeated {
+    vec3 texel;
+    vec2 dx, dy;    // gradients of the coordinate before it was wrapped, as fine as is wanted
+    ivec2 cell;
+    vec2 inCell;    // metres
+    vec2 mirror;
+};
+// at: x, z relative to the eye.
+Repeated repeated(vec2 at) {
+    vec2 c = at / slices.shape.x + slices.eyeCell.zw;
+    vec2 whole = floor(c);
+    Repeated r;
+    r.cell = ivec2(slices.eyeCell.xy) + ivec2(whole);
+    r.mirror = cellMirror(cellHash(r.cell.x, r.cell.y, uint(slices.counts.y)));
+    vec2 local = c - whole;
+    r.inCell = local * slices.shape.x;
+    r.texel = vec3(mix(1.0 - local, local, step(0.0, r.mirror)), 0.0);
+    r.dx = dFdx(c) * r.mirror * slices.lean.w;
+    r.dy = dFdy(c) * r.mirror * slices.lean.w;
+    return r;
+}
+
+// How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.
+float depthFactor(float sine, float vertical) {
+    if (!CONSERVING) return 1.0;
+    float y = clamp(sine, 0.03, 1.0), across = slices.areas.x * sqrt(1.0 - y * y) / y, above = max(slices.areas.y, 1e-6);
+    return max((sqrt(across * across + above * above) - vertical * across) / above, 0.0);
+}
+
+// Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. vertical: share of the
+// vertical slices that are drawn. stored: the texel's thresholds and light from above.
+float farOpacity(Repeated r, float density, float sine, float vertical, out vec4 stored) {
+    // Over the whole pixel, since it is corrected for the slant; colour and light are taken as sharp as is wanted.
+    vec2 dx = r.dx / slices.lean.w, dy = r.dy / slices.lean.w;
+    stored = textureGrad(sliceThreshold, r.texel, dx, dy);
+    float level = max(log2(max(length(dx), length(dy)) * slices.counts.z), 0.0);
+    return correctionPow(texelOpacity(stored.xy, density, level), depthFactor(sine, vertical));
+}

@@ -1,0 +1,30 @@
+// Lights beside the sun. Needs: const bool LAMPS; frame.glsl; numerics/glsl.h, basics.h, weights.h.
+layout(std140, binding = UBO_LIGHTS) uniform LightsBlock { LightsGlobals lamps; };
+
+int lampCount() { return LAMPS ? int(lamps.count.x) : 0; }
+int castingLamps() { return LAMPS ? int(lamps.count.y) : 0; }
+
+// Lamp i as a point (relative to the eye) sees it: unit direction towards it, and irradiance on what faces it over pi.
+struct LampHere {
+    vec3 direction;
+    vec3 light;
+};
+LampHere lampAt(int i, vec3 at) {
+    LightGlobals l = lamps.lights[i];
+    PointLight p = pointLight(l.place.xyz - at * l.place.w, l.color.w);
+    LampHere here;
+    here.direction = p.direction;
+    here.light = l.color.rgb * p.attenuation;
+    return here;
+}
+
+// Diffuse light of all lamps on a surface at `at` that faces n.
+vec3 lampLight(vec3 at, vec3 n) {
+    vec3 sum = vec3(0.0);
+    if (!LAMPS) return sum;
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, at);
+        sum += l.light * max(dot(n, l.direction), 0.0);
+    }
+    return sum;
+}

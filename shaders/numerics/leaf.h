@@ -1,0 +1,37 @@
+// What a leaf sends back of light that falls on it, beside the two-sided Lambert reflection of the papers: light that shines
+// through, and a waxy highlight. Factors are of (irradiance on a surface that faces the light) / pi, as lights are given.
+
+// Reflectance of normal incidence of leaf wax, refractive index 1.5.
+const real kLeafFresnel = real(0.04);
+
+// Colour of light that has passed a leaf which reflects `color`: about as much, a little yellower, because chlorophyll takes
+// blue and red twice on the longer way (leaves measured by Woolley, "Reflectance and Transmittance of Light by Leaves", 1971).
+FN vec3 leafThrough(vec3 color) { return vec3(color.x * real(1.1), color.y * real(1.05), color.z * real(0.55)); }
+
+// Fresnel's reflectance by Schlick 1994; cosine: between light and half vector, in [0, 1].
+FN real leafFresnel(real cosine) {
+    real m = 1.0f - clamp(cosine, real(0.0), real(1.0));
+    real m2 = m * m;
+    return kLeafFresnel + (1.0f - kLeafFresnel) * (m2 * m2 * m);
+}
+
+// Highlight of a leaf that faces n, seen along v (unit, towards the eye) in light from l (unit): the GGX lobe of Walter,
+// Marschner, Li and Torrance 2007 (equation 33) with alpha = roughness^2 and Smith's shadowing as approximated by Hammon
+// 2017, times n.l and pi. 0 where light or eye lie behind the leaf. roughness below 0.05 counts as 0.05; at most 3.2e5.
+FN real waxyLobe(vec3 n, vec3 l, vec3 v, real roughness) {
+    real nl = dot(n, l);
+    real nv = dot(n, v);
+    if (!(nl > 0.0f) || !(nv > 0.0f)) return real(0.0);
+    vec3 h = unitOr(l + v, real(1e-6), n);
+    real r = max(roughness, real(0.05));
+    real a = r * r;
+    real nh = clamp(dot(n, h), real(0.0), real(1.0));
+    real spread = nh * nh * (a * a - 1.0f) + 1.0f;
+    real peak = a / max(spread, a * a);
+    real visible = real(0.5) / max(mix(2.0f * nl * nv, nl + nv, a), real(1e-4));
+    return peak * peak * leafFresnel(dot(l, h)) * visible * nl;
+}
+
+// Its mean over leaves that face all ways, weighted by how much of each is seen: such leaves are mirrors of every direction,
+// so that only Fresnel's part is left. lv: cosine between light and eye. A grass field far away sends this.
+FN real waxyMean(real lv) { return real(0.25) * leafFresnel(sqrt(max(real(0.5) + real(0.5) * lv, real(0.0)))); }
