@@ -99,6 +99,6 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 80);
 #define TEX_DEPTH 9
 #define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
-#define TEX_OBJECT 14
+#define TEX_OBJECT 7       // as blades: bound for each draw
 // Limits
 #define MAX_SPECIES 4
