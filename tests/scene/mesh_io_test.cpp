@@ -207,6 +207,18 @@ TEST(MeshIo, FilesThatAreNotThereEmptyTooLongOrOutsideAreRefused) {
     EXPECT_NE(says("text.glb").find("text.glb"), std::string::npos);
 }
 
+TEST(MeshIo, MoreTrianglesThanTheLimitAreRefusedHoweverTheyComeAbout) {
+    Parts p;
+    p.bin.resize(36 + 3 * (kMaxMeshTriangles / 2 + 1));
+    p.views = fmt::format(R"([{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": {}}}])", p.bin.size() - 36);
+    p.accessors = fmt::format(R"([{}, {{"bufferView": 1, "componentType": 5121, "count": {}, "type": "SCALAR"}}])", kPositions, p.bin.size() - 36);
+    EXPECT_TRUE(readParts(p));
+    p.nodes = R"([{"mesh": 0, "children": [1]}, {"mesh": 0}])";
+    const Result<Mesh> twice = readParts(p);
+    ASSERT_FALSE(twice);
+    EXPECT_NE(twice.error().text().find("more than 2000000 triangles"), std::string::npos) << twice.error().text();
+}
+
 // Deterministic damage of every kind: the reader refuses, or reads something sound.
 void expectNoCrash(const fs::path& dir, const std::string& file, const std::string& good, int rounds) {
     std::mt19937 random(7);
