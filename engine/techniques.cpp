@@ -19,6 +19,7 @@ namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
+        sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
         maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass

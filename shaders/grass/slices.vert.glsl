@@ -59,11 +59,11 @@ vec4 sunImages(int axis, float side) {
     return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
 }
 
-// In slices, within ]-0.4, 0.4[: moves each end of a slice by a number of the cells' edge that it lies on, which the neighbour
+// In slices, within ]-0.15, 0.15[: moves each end of a slice by a number of the cells' edge that it lies on, which the neighbour
 // shares. Without it the slices' straight tops, all at one distance, show as a weave.
 float jitter(int axis, int k, int end) {
     ivec2 edge = axis == 0 ? cell + ivec2(0, end) : cell + ivec2(end, 0);
-    return 0.8 * (hashUnit(hash3(uint(edge.x), uint(edge.y), uint(axis * 64 + k))) - 0.5);
+    return 0.3 * (hashUnit(hash3(uint(edge.x), uint(edge.y), uint(axis * 64 + k))) - 0.5);
 }
 
 void main() {
