@@ -82,7 +82,9 @@ void main() {
     vec4 stored;
     float alpha = farOpacity(r, density, toEye.y, vertical, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
-    alpha = TRANSPARENCY == 0 ? coveredAlpha(alpha, grain(r)) : alpha;
+    // Else it is blended: it lies alone, and needs no order.
+    gl_SampleMask[0] = -1;
+    if (TRANSPARENCY == 0) alpha = coveredAlpha(alpha, grain(r));
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);

@@ -8,6 +8,7 @@
 // Covers the fragment's samples; returns the alpha to write, 0: discard. `seed`: a random number of what is drawn, fixed to it.
 float coveredAlpha(float alpha, uint seed) {
     const int COVERAGE = 0, BOTH = 1, TEST = 2;
+    gl_SampleMask[0] = -1;  // a shader that writes it anywhere must write it everywhere
     if (!(alpha >= 0.004)) return 0.0;
     if (TRANSPARENCY == COVERAGE) {
         if (alpha >= 1.0) return 1.0;
