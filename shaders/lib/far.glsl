@@ -36,5 +36,5 @@ float farOpacity(Repeated r, float density, float sine, float vertical, out vec4
     vec2 dx = r.dx / slices.lean.w, dy = r.dy / slices.lean.w;
     stored = textureGrad(sliceThreshold, r.texel, dx, dy);
     float level = max(log2(max(length(dx), length(dy)) * slices.counts.z), 0.0);
-    return correctionPow(texelOpacity(stored.xy, density, level), depthFactor(sine, vertical));
+    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical));
 }
