@@ -34,6 +34,7 @@ struct BladeDraws {
     size_t count = 0;
     uint32_t inPatch = 0;  // blades in the patch
     int segments = 0;
+    float shading = 1;     // share of them that is enough to shade the soil as all of them would
 };
 
 // Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3 to 5

@@ -74,6 +74,9 @@ void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
     ctx.stats.cells += s.selected.size();
 }
 
+// Where grass is dense, a part of its blades leaves the soil a twentieth of the light: the others would not be seen to.
+float shadingShare(const Look& look, float sinElevation) { return std::min(1.0f, 3.0f / std::max(-std::log(lightLeft(look, sinElevation)), 1e-3f)); }
+
 void cull(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     const auto start = std::chrono::steady_clock::now();
@@ -95,7 +98,7 @@ void cull(DrawContext& ctx) {
         SpeciesState& s = *state.species[i];
         const FieldSpecies& own = *field.species[i];
         uploadCells(ctx, s, own.patch.blades.size());
-        ctx.shared.blades[i] = {s.mesh.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments};
+        ctx.shared.blades[i] = {s.mesh.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments, shadingShare(own.look, ctx.globals.sunDirection.y)};
     }
 }
 

@@ -24,7 +24,7 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, const BladeDraws& bla
     commands.reserve(blades.count);
     const int quads = std::min(blades.segments, kMostQuads);
     for (size_t i = 0; i < blades.count; ++i)
-        commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, ctx.settings.detail, static_cast<uint32_t>(i)));
+        commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, ctx.settings.detail * blades.shading, static_cast<uint32_t>(i)));
     one.count = static_cast<GLsizei>(commands.size());
     if (one.count > 0) writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     else one.commands = {};

@@ -107,9 +107,9 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width), static_cast<float>(s.slices.reflectance.width)};
     g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
     g.ambient = glm::vec4(gains.sliceAmbient, 0);
-    g.farAmbient = glm::vec4(gains.farAmbient, 0);
+    g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
     g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, sp.clumpSize};
-    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), sp.translucency, f.sharpness, std::exp2(-f.sharpness)};
+    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
     const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);

@@ -5,6 +5,7 @@
 //   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does, so each
 //     family shows the share |cos| of its blades by which it is turned to the eye: cos^2 + sin^2 = 1.
 //   - the horizontal slice is opaque by Beer's law along the slanted ray, less what vertical slices already cover.
+//   - from steeply above, where one would look between them, vertical slices give way to the horizontal one.
 //   - each end of a vertical slice is moved a little along the cells' edge that it lies on.
 //   - every tier is scaled to the mean radiance of the blades it stands for (appearance.h).
 // Does not: bake (slice_bake.h).

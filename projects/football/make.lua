@@ -19,7 +19,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = size, gridSpacing = 0.5, groundColor = { 0.09, 0.075, 0.045 } } })
 entity.add("turf", { GrassField = {
-    cellSize = 0.5, minGeom = 1.5, maxGeom = 4, minBTF = 10, maxBTF = 16, sliceWidth = 512, farSize = 512,
+    cellSize = 0.5, minGeom = 1.5, maxGeom = 3.5, minBTF = 8, maxBTF = 13, slices = 20,
     species = { {
         name = "ryegrass", bladesPerM2 = blades / (pitch.x * pitch.z),
         height = 0.0315, heightVariation = 0.2, width = 0.003, bend = 0.25, segments = 2,
@@ -28,6 +28,10 @@ entity.add("turf", { GrassField = {
     } },
 } })
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
+-- A lamp on a stick that someone carries around, before the camera "low".
+entity.add("lantern", { Transform = { position = { 55.7, 0.4, 25 } },
+                        Light = { type = "point", color = { 1, 0.72, 0.4 }, intensity = 12, attenuation = 4, castShadows = false,
+                                  orbitRadius = 0.7, orbitSeconds = 8 } })
 entity.add("sky", { Sky = { turbidity = 3 } })
 entity.add("haze", { Fog = { visibility = 4000 } })
 entity.add("whole", { Camera = { eye = { 62.5, 40, -60 }, target = { 62.5, 0, 36 }, fovDeg = 55 } })

@@ -13,7 +13,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
-    cellSize = 1, minGeom = 3, maxGeom = 8,
+    cellSize = 1, minGeom = 2.5, maxGeom = 6, minBTF = 14, maxBTF = 24, slices = 20, sliceWidth = 512, farSize = 512,
     species = {
         { name = "lawn", bladesPerM2 = 12000, height = 0.075, heightVariation = 0.25, width = 0.0035, bend = 0.45,
           leanDeg = 10, leanVariationDeg = 12, segments = 2, clumpSize = 0.35, clumpStrength = 0.5,
@@ -270,6 +270,10 @@ end
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
 entity.add("whole", { Camera = { eye = { 60, 56, -78 }, target = { 60, 0, 44 }, fovDeg = 55 } })
 entity.add("human", { Camera = { eye = above(46.5, 67.5, 1.7), target = above(41, 53, 0.3), fovDeg = 55 } })
+-- A lantern that someone swings around over the lawn.
+entity.add("lantern", { Transform = { position = above(44.4, 64.2, 0.5) },
+                        Light = { type = "point", color = { 1, 0.7, 0.38 }, intensity = 10, attenuation = 3,
+                                  orbitRadius = 0.8, orbitSeconds = 6 } })
 entity.add("low", { Camera = { eye = above(111, 40, 0.28), target = above(100, 30, 0.45), fovDeg = 55 } })
 
 project.saveAs(".")

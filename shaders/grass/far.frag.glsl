@@ -17,9 +17,11 @@
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 #include "lib/far.glsl"
+#include "lib/transparency.glsl"
 
 in vec3 position;
 in vec2 place;
+in vec3 gain;
 out vec4 color;
 
 // Five weights as weights of a cell's images: x+, x-, z+, z-.
@@ -57,6 +59,13 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
     return LAMPS ? light + lampsSend(r, leaf.rgb, lit, above) : light;
 }
 
+// A random number fixed to the ground, its grains about a pixel.
+uint grain(Repeated r) {
+    float size = slices.counts.z, level = clamp(floor(log2(max(length(r.dx), length(r.dy)) / slices.lean.w * size)), 0.0, 16.0);
+    ivec2 at = ivec2(r.texel.xy * size * exp2(-level));
+    return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
+}
+
 float lighterHere(Repeated r, float pixel) {
     if (!GRASS_CLUMPS || slices.clumps.w <= 0.0 || pixel > slices.clumps.w) return 1.0;
     vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
@@ -69,15 +78,16 @@ void main() {
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
-    float vertical = GRASS_SLICES ? 1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w) : 0.0;
+    float vertical = GRASS_SLICES ? verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
     vec4 stored;
     float alpha = farOpacity(r, density, toEye.y, vertical, stored);
+    // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
+    alpha = TRANSPARENCY == 0 ? coveredAlpha(alpha, grain(r)) : alpha;
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
-    vec3 gain = slices.shape.w * lighterHere(r, pixel) * sliceGain(toEye, paintedLean(uv), true);
-    vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
+    vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain * lighterHere(r, pixel), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 1.0, 0.5);

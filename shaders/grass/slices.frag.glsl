@@ -68,7 +68,7 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
 }
 
 void main() {
-    level = max(textureQueryLod(sliceThreshold, texel.xy).y - slices.lean.z, 0.0);
+    level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
     float d = length(foot);

@@ -85,9 +85,10 @@ void main() {
     texel = vec3(signs.y > 0.0 ? end : 1.0 - end, top, float(axis * n + (signs.x > 0.0 ? k : n - 1 - k)));
     lightLayer = float(side > 0.0 ? 0 : 2 * n);
     float level = max(length(foot.xz), 1e-4);
-    turned = CONSERVING ? abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
+    float far = max(length(foot), 1e-4);
+    turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
 
-    brighter = p.lighter * slices.shape.w * sliceGain(-foot / max(length(foot), 1e-4), painted, false);
+    brighter = p.lighter * slices.shape.w * sliceGain(-foot / far, painted, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);

@@ -32,9 +32,11 @@ float depthFactor(float sine, float vertical) {
 // Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. vertical: share of the
 // vertical slices that are drawn. stored: the texel's thresholds and light from above.
 float farOpacity(Repeated r, float density, float sine, float vertical, out vec4 stored) {
-    // Over the whole pixel, since it is corrected for the slant; colour and light are taken as sharp as is wanted.
-    vec2 dx = r.dx / slices.lean.w, dy = r.dy / slices.lean.w;
-    stored = textureGrad(sliceThreshold, r.texel, dx, dy);
-    float level = max(log2(max(length(dx), length(dy)) * slices.counts.z), 0.0);
+    // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected for the
+    // slant. Colour and light are taken as sharp as is wanted.
+    float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.lean.z * sqrt(1.0 - y * y) / y : 0.0;
+    float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w, wide = max(pixel, crossed);
+    float level = clamp(log2(wide * slices.counts.z), 0.0, 16.0);
+    stored = textureLod(sliceThreshold, r.texel, level);
     return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical));
 }

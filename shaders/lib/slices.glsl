@@ -33,6 +33,13 @@ vec3 sliceGain(vec3 toEye, vec2 lean, bool far) {
     return (far ? above.rgb : across.rgb) * leant;
 }
 
+// Share of vertical slices that is drawn for a view of this sine: from steeply above one would look between them.
+float verticalShare(float sine) {
+    if (!CONSERVING) return 1.0;
+    float y = clamp(sine, 1e-3, 1.0);
+    return min(slices.farAmbient.w * sqrt(1.0 - y * y) / y, 1.0);
+}
+
 // Filtered density of the species at a point of the terrain.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;

@@ -64,9 +64,9 @@ struct SliceGlobals {
     SHARED_VEC4 counts;        // x: fade (omega); y: seed; z, w: texels of the horizontal slice, and of a vertical one's width
     SHARED_VEC4 sunWeights;    // of the images x+, y, z+, x-; z- is what is left to 1
     SHARED_VEC4 ambient;       // that vertical slices receive; w: species index
-    SHARED_VEC4 farAmbient;    // that the horizontal slice receives
+    SHARED_VEC4 farAmbient;    // that the horizontal slice receives; w: tangent of the elevation above which vertical slices give way
     SHARED_VEC4 clumps;        // x: lean (m per m); y: share of height; z: share of lightness; w: clump size (m)
-    SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: translucency; z: levels finer than a pixel; w: 2^-z
+    SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: translucency; z: mean height (cells); w: 2^-(levels finer than a pixel)
     SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by paint towards +x
     SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by paint towards +z
 };
