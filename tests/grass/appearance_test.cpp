@@ -55,7 +55,9 @@ TEST(Appearance, GainsAreOneWhereSlicesAreExact) {
             }
         }
     const Gains ambient = gainsOf(look, {.sky = glm::vec3(1), .ground = glm::vec3(1)});
-    for (int azimuth = 0; azimuth < LOOK_AZIMUTHS; ++azimuth) EXPECT_NEAR(ambient.slices[static_cast<size_t>(azimuth)].y, 1, 0.03f) << azimuth;
+    for (int azimuth = 0; azimuth < LOOK_AZIMUTHS; ++azimuth)
+        if (azimuth % (LOOK_AZIMUTHS / 2) != LOOK_AZIMUTHS / 4)  // edge-on nothing is seen
+            EXPECT_NEAR(ambient.slices[static_cast<size_t>(azimuth)].y, 1, 0.03f) << azimuth;
 }
 
 TEST(Appearance, CosineFormIsExactForLightFromAnywhereOnOneBlade) {
@@ -147,18 +149,18 @@ float fifth(const glm::vec4& w) { return 1 - (w.x + w.y + w.z + w.w); }
 TEST(LightWeighting, EveryFormIsFiniteAndSharesOutOneAtHardPoints) {
     for (const LightWeighting form : kForms)
         for (const glm::vec3& light : kHard) {
-            if (form == LightWeighting::Published && !(std::min({std::abs(light.x), light.y, std::abs(light.z)}) > 1e-3f)) continue;  // 0/0 there, as published (B-1)
+            const float noise = form == LightWeighting::Published ? 5e-4f : 3e-7f;
             const glm::vec4 w = imageWeights(light, static_cast<int>(form));
             for (const float share : {w.x, w.y, w.z, w.w, fifth(w)}) {
-                EXPECT_GE(share, -3e-7f) << static_cast<int>(form) << ": " << light.x << " " << light.y << " " << light.z;
-                EXPECT_LE(share, 1 + 3e-7f);
+                EXPECT_GE(share, -noise) << static_cast<int>(form) << ": " << light.x << " " << light.y << " " << light.z;
+                EXPECT_LE(share, 1 + noise);
             }
         }
 }
 
 TEST(LightWeighting, FormsAgreeWithinWhatTheyCost) {
     const std::pair<LightWeighting, float> errors[] = {{LightWeighting::Cosine, 1e-6f}, {LightWeighting::Poly9, 4e-5f}, {LightWeighting::Poly7, 3e-4f}, {LightWeighting::Poly5, 2e-3f},
-                                                       {LightWeighting::Poly3, 1.5e-2f}, {LightWeighting::Linear, 6e-2f}, {LightWeighting::Squares, 0.18f}, {LightWeighting::Published, 4e-4f}};
+                                                       {LightWeighting::Poly3, 1.7e-2f}, {LightWeighting::Linear, 6e-2f}, {LightWeighting::Squares, 0.18f}, {LightWeighting::Published, 4e-4f}};
     for (int i = 0; i < 600; ++i) {
         const float turn = 2.399963f * static_cast<float>(i), y = (static_cast<float>(i) + 0.5f) / 600, r = std::sqrt(1 - y * y);
         const glm::vec3 light(r * std::cos(turn), y, r * std::sin(turn));
@@ -173,7 +175,6 @@ TEST(LightWeighting, FormsAgreeWithinWhatTheyCost) {
 
 TEST(LightWeighting, LightOnAnAxisIsThatAxisAlone) {
     for (const LightWeighting form : kForms) {
-        if (form == LightWeighting::Published) continue;
         EXPECT_NEAR(imageWeights({1, 0, 0}, static_cast<int>(form)).x, 1, 1e-6f);
         EXPECT_NEAR(imageWeights({0, 1, 0}, static_cast<int>(form)).y, 1, 1e-6f);
         EXPECT_NEAR(imageWeights({0, 0, 1}, static_cast<int>(form)).z, 1, 1e-6f);
