@@ -84,6 +84,14 @@ void followBake(EditorApp& app) {
     if (accept(app, *end)) say(app, "ambient occlusion is baked");
 }
 
+// What the renderer makes beside is shown once it is there; strips drawn with its draft are drawn anew.
+void followRenderer(EditorApp& app) {
+    std::vector<JobNews> jobs = app.renderer->jobs();
+    const bool done = std::any_of(jobs.begin(), jobs.end(), [](const JobNews& j) { return j.finished; });
+    if (app.doc.isOpen() && (done || jobs.size() < app.making.size())) app.viewport.drawnRevision = ~uint64_t(0);
+    app.making = std::move(jobs);
+}
+
 void updateTitle(EditorApp& app) {
     std::string title = "Sward";
     if (app.doc.isOpen()) title = (app.doc.dirty() ? "\xE2\x97\x8F " : "") + app.doc.project().name + " - Sward";
@@ -181,6 +189,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     runDeferred(app);
     releaseGroup(app);
     if (app.doc.stroking()) app.doc.pumpStroke(kStrokeMs);
+    followRenderer(app);
     updateTitle(app);
     showCursor(app);
     present(app);
@@ -191,7 +200,7 @@ double idleSeconds(const EditorApp& app) {
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen()
                               ? -1
                               : secondsToRefine(app.viewport.resolution, clockSeconds());
-    const double idle = app.book.tooltipDue || app.occlusion ? 0.1 : kIdleSeconds;
+    const double idle = app.book.tooltipDue || app.occlusion || !app.making.empty() ? 0.1 : kIdleSeconds;
     return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
@@ -215,7 +224,7 @@ void runUntilQuit(EditorApp& app) {
         tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.book.tooltipDue || app.occlusion || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || app.occlusion || !app.making.empty() || app.surface->closeRequested()) runFrame(app);
     }
     endAutosave(app);
 }

@@ -118,6 +118,7 @@ struct EditorApp {
     UnsavedDialog unsaved;
     Autosave autosave;
     std::optional<OcclusionBake> occlusion;  // being baked
+    std::vector<JobNews> making;             // what the renderer makes beside, as of the last frame
     std::string holding;  // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows

@@ -1,11 +1,15 @@
 #include "bakes.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <filesystem>
 #include <thread>
 
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "grass/slices.h"
 #include "reference/occlusion.h"
 #include "scene/map_io.h"
 #include "script/script.h"
@@ -44,20 +48,50 @@ Status useOcclusion(Document& document, Map map) {
     return done;
 }
 
-Status runOcclusion(Document& document, const BakeSettings& settings, const BakeProgress& progress) {
-    Result<OcclusionBake> bake = startOcclusion(document, settings);
-    if (!bake) return bake.error();
-    for (;;) {
-        if (!progress(bake->job.progress())) bake->job.cancel();
-        if (const auto end = finishOcclusion(document, *bake)) {
-            progress(1);
-            return *end;
-        }
+// Until the job has ended; cancels it when told to.
+template <class T>
+void await(Job<T>& job, const BakeProgress& progress) {
+    while (!job.finished()) {
+        if (!progress(job.progress())) job.cancel();
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
 }
 
+Result<std::string> runOcclusion(Document& document, const BakeSettings& settings, const BakeProgress& progress) {
+    Result<OcclusionBake> bake = startOcclusion(document, settings);
+    if (!bake) return bake.error();
+    await(bake->job, progress);
+    const auto end = finishOcclusion(document, *bake);
+    if (!*end) return end->error();
+    progress(1);
+    return std::string("made for the project's first field");
+}
+
+Result<std::string> keepSlices(const SliceSpec& spec, const BakeProgress& progress) {
+    const auto cached = std::make_shared<bool>(false);
+    Job<SliceImages> job("slices of " + spec.species.name, 0, [spec, cached](JobControl& control) { return slicesOf(cacheDir(), spec, control, cached.get()); });
+    await(job, progress);
+    const std::optional<Result<SliceImages>> made = job.take(0);
+    if (!made) return Error{ExitCode::Interrupted, "slices of " + spec.species.name + " were not baked: it was cancelled", "", 0, 0, "bake again"};
+    if (!*made) return made->error();
+    return fmt::format("{}: {:.1f} MB{}", spec.species.name, static_cast<double>((*made)->bytes()) / 1e6, *cached ? ", cached already" : "");
+}
+
+Result<std::string> runSlices(Document& document, const BakeSettings&, const BakeProgress& progress) {
+    if (!document.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
+    const std::vector<SliceSpec> specs = projectSlices(document.project(), document.tables());
+    std::vector<std::string> said;
+    for (const SliceSpec& spec : specs) {
+        const Result<std::string> kept = keepSlices(spec, [&](double share) { return progress((static_cast<double>(said.size()) + share) / static_cast<double>(specs.size())); });
+        if (!kept) return kept.error();
+        said.push_back(*kept);
+    }
+    progress(1);
+    return said.empty() ? std::string("nothing is drawn as slices") : fmt::format("{}", fmt::join(said, "; "));
+}
+
 constexpr BakeRow kRows[] = {
+    {"slices", "slices", "images of blades for grass that is drawn as slices, into the cache", runSlices},
     {"ambientOcclusion", "ao", "which share of the sky objects and hills leave the ground to see, into GrassField.ambientOcclusion", runOcclusion},
 };
 
@@ -67,7 +101,10 @@ std::span<const BakeRow> bakeRows() { return kRows; }
 
 void offerBakes(ScriptHost& host) {
     for (const BakeRow& row : bakeRows())
-        host.bakes[row.name] = [&host, &row](int samples, int size) { return row.run(host.document, {samples, size}, [](double) { return true; }); };
+        host.bakes[row.name] = [&host, &row](int samples, int size) {
+            const Result<std::string> made = row.run(host.document, {samples, size}, [](double) { return true; });
+            return made ? Status{} : Status{made.error()};
+        };
 }
 
 Status checkBakeSettings(const BakeSettings& s) {

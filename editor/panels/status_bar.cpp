@@ -40,6 +40,11 @@ void bakeProgress(EditorApp& app) {
     ImGui::SameLine(0, 18);
 }
 
+// Slices of changed blades: drafts are on the screen until they are there.
+void making(EditorApp& app) {
+    for (const JobNews& j : app.making) item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
+}
+
 }  // namespace
 
 std::string counted(uint64_t n) {
@@ -66,6 +71,7 @@ void drawStatusBar(EditorApp& app) {
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
     savedDot(app);
     bakeProgress(app);
+    making(app);
     ui::coloredText(ui::kDimText, app.status.c_str());
     ui::record("Message", ui::Kind::Label, app.status);
     ui::tooltip(app.status);

@@ -146,6 +146,7 @@ void drawScene(EditorApp& app) {
     settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
     settings.mode = v.mode;
     settings.measure = app.measure;
+    settings.background = app.surface->fixedStep() == 0 && !app.refineNow;  // scripts and screenshots wait: the same picture each time
     settings.decal = decalOf(app);
     settings.overlay = overlayOf(app);
     if (settings.width < 1 || settings.height < 1) return;

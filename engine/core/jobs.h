@@ -45,6 +45,13 @@ class JobControl {
 // the running job is cancelled and waited for, those that wait are dropped.
 void runInBackground(std::shared_ptr<JobControl> control, std::function<void()> work);
 
+// What a person waits for, or need not: a job that runs beside.
+struct JobNews {
+    std::string label;
+    double progress = 0;    // share done
+    bool finished = false;  // its result is there, and not taken yet
+};
+
 // A result that is being made. Destroying it cancels the work; the result is then dropped.
 template <class T>
 class Job {
@@ -73,6 +80,7 @@ class Job {
     bool active() const { return slot_ != nullptr; }  // started, and its result not taken
     double progress() const { return slot_ ? slot_->progress() : 0; }
     bool finished() const { return slot_ && slot_->finished(); }
+    JobNews news() const { return {label_, progress(), finished()}; }
     void cancel() {
         if (slot_) slot_->cancel();
     }

@@ -279,6 +279,12 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
 
 unsigned Renderer::image() const { return impl_->targets.image.id(); }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
+std::vector<JobNews> Renderer::jobs() const {
+    std::vector<JobNews> out;
+    for (const auto& [row, state] : impl_->states)
+        if (state) state->jobs(out);
+    return out;
+}
 void Renderer::finish() { glFinish(); }
 std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/jobs.h"
 #include "gpu/gpu.h"
 #include "gpu/program.h"
 #include "scene/project.h"
@@ -89,6 +90,8 @@ class Renderer {
     std::vector<uint8_t> readImage() const;      // RGB8, first row on top
     std::vector<float> readLinear() const;       // RGB floats before tone mapping, first row on top
     const FrameStats& stats() const;
+    // What is made beside the pictures since a draw with `background`; the next draw shows what is finished.
+    std::vector<JobNews> jobs() const;
     // Waits for the GPU; for measuring.
     void finish();
     // Recompiles programs whose sources changed; keeps the last good ones. Failures are logged too.

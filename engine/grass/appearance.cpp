@@ -211,7 +211,10 @@ glm::vec4 imageWeights(const glm::vec3& l, int weighting) {
         case LightWeighting::Poly3: w = f32::weightsPoly3(o); break;
         case LightWeighting::Linear: w = f32::weightsLinear(o); break;
         case LightWeighting::Squares: w = f32::weightsSquares(o); break;
-        case LightWeighting::Published: w = f32::weightsPublished(l); break;
+        case LightWeighting::Published:
+            w = f32::weightsPublished(l);
+            if (!(std::abs(w.x + w.y + w.z - 1) < 0.01f)) w = f32::weightsThreeAtan(o);  // no number on axes, too much below the horizon
+            break;
         default: w = f32::weightsThreeAtan(o); break;
     }
     const f32::LightWeights five = f32::spreadWeights(l, w);

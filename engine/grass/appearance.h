@@ -57,7 +57,8 @@ struct Gains {
     glm::vec3 sliceAmbient, farAmbient;        // ambient light that their texels are taken to receive
 };
 Gains gainsOf(const Look& look, const FieldLight& light);
-// Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one.
+// Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
+// so is the published one where it has no value (B-1, B-4).
 glm::vec4 imageWeights(const glm::vec3& towardsLight, int weighting);
 
 }  // namespace sward

@@ -18,8 +18,7 @@ void updatePatch(FieldSpecies& s, const Species& species, const GrassField& fiel
 void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
     if (s.textureOf == species.texture) return;
     s.textureOf = species.texture;
-    s.bladeImage = species.texture.empty() ? Rgba8{} : loadTile(ctx.project.dir / species.texture);
-    if (s.bladeImage.pixels.empty()) s.bladeImage = makeBladeImage(32, 128);
+    s.bladeImage = bladeImage(ctx.project, species);
     s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
 }
 
@@ -120,9 +119,37 @@ void beginTransparency(const DrawContext& ctx, const GrassField& field) {
 }
 void endTransparency() { glDisable(GL_BLEND); }
 
+Rgba8 bladeImage(const Project& project, const Species& species) {
+    Rgba8 image = species.texture.empty() ? Rgba8{} : loadTile(project.dir / species.texture);
+    return image.pixels.empty() ? makeBladeImage(32, 128) : image;
+}
+
 std::string fieldConstants(const GrassField& f) {
     return fmt::format("const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
                        f.transparency, f.storage, f.lightWeights == static_cast<int>(LightWeighting::Cosine), f.weightsAt == static_cast<int>(WeightsAt::Pixel), f.sliceCover == static_cast<int>(SliceCover::Conserving));
+}
+
+std::vector<std::string> fieldVariants() {
+    std::vector<std::string> out;
+    GrassField f;
+    const auto add = [&](int& field, int value) {
+        field = value;
+        out.push_back(fieldConstants(f));
+    };
+    for (const Storage storage : {Storage::Factored, Storage::Compressed, Storage::Full})
+        for (const LightWeighting weights : {LightWeighting::Atan, LightWeighting::Cosine})
+            for (const WeightsAt at : {WeightsAt::Vertex, WeightsAt::Pixel}) {
+                f.storage = static_cast<int>(storage), f.lightWeights = static_cast<int>(weights);
+                add(f.weightsAt, static_cast<int>(at));
+            }
+    for (const Transparency way : {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend}) add(f.transparency, static_cast<int>(way));
+    add(f.sliceCover, static_cast<int>(SliceCover::Published));
+    return out;
+}
+
+void FieldState::jobs(std::vector<JobNews>& out) const {
+    for (const auto& s : species)
+        if (s && s->bake.active()) out.push_back(s->bake.news());
 }
 
 const EffectRow& fieldEffect() {

@@ -30,6 +30,7 @@ struct FieldSpecies {
 struct FieldState : EffectState {
     std::vector<std::unique_ptr<FieldSpecies>> species;  // the field's first MAX_SPECIES
     Buffer cover;
+    void jobs(std::vector<JobNews>& out) const override;
 };
 
 const EffectRow& fieldEffect();
@@ -39,7 +40,11 @@ void bindField(DrawContext& ctx);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
 void beginTransparency(const DrawContext& ctx, const GrassField& field);
 void endTransparency();
+// Shape and veins of a species' blades: its texture, or one that is made.
+Rgba8 bladeImage(const Project& project, const Species& species);
 // What shaders of this field know at compile time beside features.
 std::string fieldConstants(const GrassField& field);
+// One of these texts for each value of each constant, and all ways to light slices (ProgramRow::variants).
+std::vector<std::string> fieldVariants();
 
 }  // namespace sward

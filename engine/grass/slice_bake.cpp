@@ -320,13 +320,6 @@ uint64_t sliceKey(const SliceSpec& s) {
     return hashBytes(parts, sizeof(parts));
 }
 
-size_t SliceImages::bytes() const {
-    size_t n = 0;
-    for (const auto* levels : {&vertical, &far})
-        for (const SliceLevel& l : *levels) n += l.reflectance.size() + l.threshold.size() + l.front.size() + l.back.size();
-    return n;
-}
-
 Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
     const Patch patch = makePatch(spec.species, spec.cellSize, spec.seed);
     const std::vector<Copy> copies = copiesNear(patch, spec.cellSize);
@@ -359,6 +352,7 @@ Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
         drawSlab({2 - axis, 1, axis, spec.cellSize, out.top, width * kOver, height * kOver, layer % n, n, spec.cellSize}, static_cast<size_t>(layer), out.vertical);
     });
     if (control.cancelled()) return Error{ExitCode::Interrupted, "the slices were cancelled", "", 0, 0, ""};
+    control.setProgress(1);  // threads may have told theirs out of order
     return out;
 }
 

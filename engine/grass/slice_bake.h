@@ -50,7 +50,12 @@ struct SliceImages {
     float reflectScale = 1;
     std::vector<SliceLevel> vertical;  // layers 0..slices-1 cut x, the others z; level 0 first
     std::vector<SliceLevel> far;       // one layer
-    size_t bytes() const;
+    size_t bytes() const {
+        size_t n = 0;
+        for (const auto* levels : {&vertical, &far})
+            for (const SliceLevel& l : *levels) n += l.reflectance.size() + l.threshold.size() + l.front.size() + l.back.size();
+        return n;
+    }
 };
 
 // Failed only if cancelled. A species without blades gives slices of opacity 0.

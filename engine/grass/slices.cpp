@@ -24,20 +24,12 @@ struct FarShadowState : EffectState {
     Buffer nodes;
 };
 
+bool slicesAreShaded(const FeatureSet& features) { return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights); }
+
 void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
     const bool vertical = has(ctx.plan.features, Feature::GrassSlices);
     s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, static_cast<Storage>(f.storage));
     s.sliceKey = key;
-}
-
-// Slices at once, from the cache or made.
-SliceImages slicesNow(const SliceSpec& spec) {
-    const uint64_t key = sliceKey(spec);
-    if (auto cached = loadCachedSlices(cacheDir(), key)) return std::move(*cached);
-    JobControl control;
-    SliceImages made = std::move(*bakeSlices(spec, control));
-    cacheSlices(cacheDir(), key, made);
-    return made;
 }
 
 // Which textures the species should have: what they are made from, and how they are stored.
@@ -46,26 +38,35 @@ uint64_t textureKey(const DrawContext& ctx, const GrassField& f, uint64_t slices
     return hashBytes(parts, sizeof(parts));
 }
 
-// Where one may wait, waits. Else shows drafts while the slices are made beside.
-void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
-    const bool shaded = has(ctx.plan.features, Feature::BladeShadows) && has(ctx.plan.features, Feature::CastingLights);
-    const SliceSpec spec = sliceSpec(f, species, s.bladeImage, shaded);
-    const uint64_t made = sliceKey(spec), wanted = textureKey(ctx, f, made);
-    if (s.sliceKey == wanted) return;
-    if (!ctx.settings.background) return upload(ctx, f, s, wanted, slicesNow(spec));
-    if (auto result = s.bake.take(made)) {
-        if (*result) return upload(ctx, f, s, wanted, **result);
+// Slices that can be shown now. Where one may wait, waits for them.
+std::optional<SliceImages> slicesThere(const DrawContext& ctx, FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
+    if (!ctx.settings.background) {
+        s.bake = {};
+        JobControl control;
+        return std::move(*slicesOf(cacheDir(), spec, control));
     }
-    if (s.bake.active() && s.bakeOf == made) return;
-    if (std::filesystem::exists(sliceFile(cacheDir(), made))) return upload(ctx, f, s, wanted, slicesNow(spec));
+    if (auto made = s.bake.take(key); made && *made) return std::move(**made);
+    if (s.bake.active()) return std::nullopt;
+    return loadCachedSlices(cacheDir(), key);
+}
+
+void startBake(FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
+    s.bakeOf = key;
+    s.bake = Job<SliceImages>("slices of " + spec.species.name, key, [spec](JobControl& c) { return slicesOf(cacheDir(), spec, c); });
+}
+
+// What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
+void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
+    const bool shaded = slicesAreShaded(ctx.plan.features);
+    const SliceSpec spec = sliceSpec(f, species, s.bladeImage, shaded);
+    const uint64_t key = sliceKey(spec), wanted = textureKey(ctx, f, key);
+    if (s.sliceKey == wanted) return;
+    if (s.bakeOf != key) s.bake = {};
+    if (const auto there = slicesThere(ctx, s, spec, key)) return upload(ctx, f, s, wanted, *there);
+    if (s.bake.active()) return;
     JobControl control;
     upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(f, species, s.bladeImage, shaded, true), control));
-    s.bakeOf = made;
-    s.bake = Job<SliceImages>("slices of " + species.name, made, [spec](JobControl& c) {
-        Result<SliceImages> images = bakeSlices(spec, c);
-        if (images) cacheSlices(cacheDir(), sliceKey(spec), *images);
-        return images;
-    });
+    startBake(s, spec, key);
 }
 
 // --- uniforms ------------------------------------------------------------------------------------------------------------
@@ -321,12 +322,12 @@ constexpr auto kShadow = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
                       Feature::GroundShadows, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
 };
-const System kFarSystems[] = {{"grass/bake", updateFar}};
-const System kSliceSystems[] = {{"grass/slices", selectSlices}};
-const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook()}};
-const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook()}};
+const System kFarSystems[] = {{"grass/far/bake", updateFar}};
+const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
+const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
+const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
 const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
-const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "grass/far_shadow.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow()}};
+const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "grass/far_shadow.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
 const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
 
@@ -344,6 +345,26 @@ SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& bl
     s.blade = blade;
     s.shadowMask = shaded ? f.shadowMask : 0;
     return s;
+}
+
+Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control, bool* cached) {
+    const uint64_t key = sliceKey(spec);
+    auto kept = loadCachedSlices(folder, key);
+    if (cached) *cached = kept.has_value();
+    if (kept) return std::move(*kept);
+    Result<SliceImages> made = bakeSlices(spec, control);
+    if (made) cacheSlices(folder, key, *made);
+    return made;
+}
+
+std::vector<SliceSpec> projectSlices(const Project& project, const Tables& tables) {
+    std::vector<SliceSpec> out;
+    const FeatureSet features = sceneFeatures(project.registry, tables.components);
+    if (!has(features, Feature::GrassFar)) return out;
+    for (const auto& [name, e] : project.entities)
+        if (const GrassField* f = project.registry.get<GrassField>(e))
+            for (size_t i = 0; i < f->species.size() && i < MAX_SPECIES; ++i) out.push_back(sliceSpec(*f, f->species[i], bladeImage(project, f->species[i]), slicesAreShaded(features)));
+    return out;
 }
 
 const EffectRow& farEffect() {

@@ -12,6 +12,7 @@
 #pragma once
 #include "grass/slice_bake.h"
 #include "scene/components.h"
+#include "scene/project.h"
 #include "scene/rows.h"
 
 namespace sward {
@@ -23,5 +24,9 @@ const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 // What a species' slices are made from. shaded: with the blades' shadows on each other; draft: an eighth of the resolution,
 // made while one waits.
 SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool shaded, bool draft = false);
+// The slices of a spec: from a cache folder, or made and put there. Failed only if cancelled. `cached`, if given: they were there.
+Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control, bool* cached = nullptr);
+// Of every species of every field; none where no tier wants them.
+std::vector<SliceSpec> projectSlices(const Project& project, const Tables& tables);
 
 }  // namespace sward

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/jobs.h"
 #include "ecs/registry.h"
 #include "scene/features.h"
 #include "scene/map.h"
@@ -108,6 +109,8 @@ struct DrawContext;  // frame/draw_context.h
 // What an effect keeps while its features are there. One per project; freed when they go.
 struct EffectState {
     virtual ~EffectState() = default;
+    // Adds what the effect is making beside the pictures (ViewSettings.background).
+    virtual void jobs(std::vector<JobNews>&) const {}
 };
 
 // A program that a pass draws with. `features`: those that its sources declare, and so its key.
@@ -117,6 +120,8 @@ struct ProgramRow {
     const char* fragment;
     const char* compute;
     FeatureSet features;
+    // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are none.
+    std::vector<std::string> (*variants)() = nullptr;
 };
 
 struct Pass {

@@ -12,12 +12,13 @@ layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 centroid in vec4 lit;
 centroid in vec4 sunned;
 centroid in vec2 maskAt;
-centroid in vec4 strip;
+centroid in vec3 strip;
+flat in uint grain;
 out vec4 color;
 
 void main() {
     vec4 t = texture(bladeTexture, strip.xy);
-    float alpha = coveredAlpha(t.a * strip.z, floatBitsToUint(strip.w));
+    float alpha = coveredAlpha(t.a * strip.z, grain);
     if (!(alpha > 0.0)) discard;
     vec3 light = lit.rgb;
     if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);

@@ -26,7 +26,8 @@
 centroid out vec4 lit;   // radiance; w: share of it that is haze
 centroid out vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
 centroid out vec2 maskAt;    // where in their shadow mask
-centroid out vec4 strip;         // across, along; opacity; dither
+centroid out vec3 strip;         // across, along; opacity
+flat out uint grain;             // a random number of the blade
 
 vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
     vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), b.control.w, b.tip.w * lighter);
@@ -78,7 +79,8 @@ void main() {
     lit = vec4(0.0);
     sunned = vec4(0.0);
     maskAt = vec2(0.0);
-    strip = vec4(0.0);
+    strip = vec3(0.0);
+    grain = 0u;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
     if (!exists(s)) return;
 
@@ -90,6 +92,7 @@ void main() {
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     lightBlade(Lit(colorHere(b, s.v, lighter, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
-    strip = vec4(s.across + 0.5, s.v, s.opacity, b.facing.z);
+    strip = vec3(s.across + 0.5, s.v, s.opacity);
+    grain = floatBitsToUint(b.facing.z);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -74,7 +74,7 @@ void main() {
     float d = length(foot);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
     density *= (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) * turned;
-    float alpha = coveredAlpha(texelOpacity(stored.xy, density, level), grain(level));
+    float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), grain(level));
     if (!(alpha > 0.0)) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, level);
     leaf.rgb = paintedOver(leaf.rgb, uv);

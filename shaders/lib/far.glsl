@@ -38,5 +38,5 @@ float farOpacity(Repeated r, float density, float sine, float vertical, out vec4
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w, wide = max(pixel, crossed);
     float level = clamp(log2(wide * slices.counts.z), 0.0, 16.0);
     stored = textureLod(sliceThreshold, r.texel, level);
-    return correctionPow(texelOpacity(stored.xy, density, level), depthFactor(sine, vertical));
+    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical));
 }

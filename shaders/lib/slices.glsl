@@ -40,13 +40,6 @@ float verticalShare(float sine) {
     return min(slices.farAmbient.w * sqrt(1.0 - y * y) / y, 1.0);
 }
 
-// Opacity of a texel: thresholds are compared with the density, and filtered ones by the exact prefilter of that (B-14).
-float texelOpacity(vec2 stored, float density, float level) {
-    float threshold = stored.x / max(stored.y, 1.0 / 512.0);
-    float sharp = opacityConserving(density, threshold, slices.counts.x);
-    return stored.y * mix(sharp, density, clamp(level / 3.0, 0.0, 1.0));
-}
-
 // Filtered density of the species at a point of the terrain.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;

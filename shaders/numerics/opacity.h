@@ -62,3 +62,12 @@ FN real highestThresholdDrawn(real density, real omega) {
 FN real lowestThresholdDrawn(real densityTimesWs, real omega) {
     return max(densityTimesWs - conservingWidth(densityTimesWs, omega), real(0.0));
 }
+
+// Opacity of a slice's texel that stores `alpha`, the share that blades cover, and thresholdAlpha, the mean of their thresholds
+// times what each covers. The quotient is the blades' own threshold wherever the texel shows one blade, however little of it,
+// so that no outline is left of a hidden one (B-14). Texels of many blades (level: of detail) cannot be compared: there, the mean
+// over uniform thresholds is the density itself.
+FN real texelOpacity(real thresholdAlpha, real alpha, real density, real omega, real level) {
+    real threshold = thresholdAlpha / max(alpha, real(1.0 / 512.0));
+    return alpha * mix(opacityConserving(density, threshold, omega), density, clamp(level / 3.0f, real(0.0), real(1.0)));
+}

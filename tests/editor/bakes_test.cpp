@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "cli/cli.h"
 #include "scene/mesh_io.h"
 #include "scene/mesh_shapes.h"
@@ -37,12 +39,15 @@ struct Bench {
 const BakeProgress kGoOn = [](double) { return true; };
 const BakeSettings kSmall{16, 40};
 
+const BakeRow& rowOf(const std::string& name) {
+    return *std::find_if(bakeRows().begin(), bakeRows().end(), [&](const BakeRow& r) { return r.name == name; });
+}
+
 TEST(Bakes, AmbientOcclusionIsOneUndoStepAndTheSameEachTime) {
     Bench b;
     ASSERT_TRUE(b.doc.setField(b.field + ".GrassField.ambientOcclusionTiling", "3"));
     std::vector<double> told;
-    const BakeRow& row = bakeRows()[0];
-    ASSERT_STREQ(row.name, "ambientOcclusion");
+    const BakeRow& row = rowOf("ambientOcclusion");
     ASSERT_TRUE(row.run(b.doc, kSmall, [&](double share) { told.push_back(share); return true; }));
     ASSERT_FALSE(b.map().empty());
     EXPECT_EQ(b.map().info().width, 40);
@@ -64,8 +69,8 @@ TEST(Bakes, AmbientOcclusionIsOneUndoStepAndTheSameEachTime) {
 
 TEST(Bakes, CancelledOrOvertakenBakesChangeNothing) {
     Bench b;
-    const BakeRow& row = bakeRows()[0];
-    const Status cancelled = row.run(b.doc, {256, 400}, [](double) { return false; });
+    const BakeRow& row = rowOf("ambientOcclusion");
+    const auto cancelled = row.run(b.doc, {256, 400}, [](double) { return false; });
     ASSERT_FALSE(cancelled);
     EXPECT_NE(cancelled.error().text().find("cancelled"), std::string::npos);
     EXPECT_TRUE(b.map().empty());
@@ -101,6 +106,42 @@ TEST(Bakes, ScriptsAndTheCommandLineBakeTheSameMap) {
     Document other(tables());
     ASSERT_TRUE(other.open(folder));
     EXPECT_EQ(other.project().registry.get<GrassField>(findEntity(other.project(), b.field))->ambientOcclusion.map.hash(), b.map().hash());
+}
+
+// Ten times fewer texels than a project's own.
+void smallSlices(Bench& b) {
+    for (const char* set : {"sliceWidth=32", "sliceHeight=16", "farSize=32"}) {
+        const std::string text = set;
+        const size_t at = text.find('=');
+        ASSERT_TRUE(b.doc.setField(b.field + ".GrassField." + text.substr(0, at), text.substr(at + 1)));
+    }
+}
+
+TEST(Bakes, SlicesLieInTheCacheAndThoseThatAreThereAreNotMadeAgain) {
+    Bench b;
+    smallSlices(b);
+    const auto made = rowOf("slices").run(b.doc, kSmall, kGoOn);
+    ASSERT_TRUE(made) << made.error().text();
+    EXPECT_NE(made->find("MB"), std::string::npos) << *made;
+    EXPECT_EQ(made->find("cached"), std::string::npos) << *made;
+    const std::filesystem::path folder = b.dir / "cache/sward/slices";
+    const auto files = [&] { return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()); };
+    EXPECT_EQ(files(), 1);
+    const auto again = rowOf("slices").run(b.doc, kSmall, kGoOn);
+    ASSERT_TRUE(again);
+    EXPECT_NE(again->find("cached already"), std::string::npos) << *again;
+    EXPECT_EQ(files(), 1);
+    ASSERT_TRUE(b.doc.setField(b.field + ".GrassField.technique", "geometry"));
+    EXPECT_EQ(*rowOf("slices").run(b.doc, kSmall, kGoOn), "nothing is drawn as slices");
+}
+
+TEST(Bakes, CancelledSlicesLeaveNoFile) {
+    Bench b;
+    const auto cancelled = rowOf("slices").run(b.doc, kSmall, [](double) { return false; });
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().code, ExitCode::Interrupted);
+    std::error_code none;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(b.dir / "cache", none)) EXPECT_FALSE(file.is_regular_file()) << file.path();
 }
 
 }  // namespace

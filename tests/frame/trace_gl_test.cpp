@@ -53,6 +53,7 @@ Project everything() {
     putObject(p, "cube", {{}}, {6, 0, 6});
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;
+    f.sliceWidth = f.sliceHeight = f.farSize = 32;
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
@@ -116,6 +117,39 @@ TEST(Trace, RemovingEachMapLeavesTheSceneThatNeverHadIt) {
         expectSame(never, traceOf(renderer, p), "without " + map.path);
         EXPECT_TRUE(with.plan != never.plan) << map.path;
         EXPECT_GT(with.ledger.size(), never.ledger.size()) << map.path << " holds no memory of its own";
+    }
+}
+
+// What ends a tier or a kind of shadow without any component or map going.
+TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
+    NoGlErrors errors;
+    const auto grass = [](Project& p) -> GrassField& { return *p.registry.get<GrassField>(findEntity(p, "grass")); };
+    const auto technique = [&](Technique t) { return [&grass, t](Project& p) { grass(p).technique = static_cast<int>(t); }; };
+    const std::pair<const char*, std::function<void(Project&)>> changes[] = {
+        {"blades alone", technique(Technique::Geometry)},
+        {"slices alone", technique(Technique::Slices)},
+        {"the horizontal slice alone", technique(Technique::Flat)},
+        {"no vertical slices", [&](Project& p) { grass(p).minBTF = grass(p).maxBTF = 0; }},
+        {"no slices at all", [&](Project& p) { grass(p).minGeom = grass(p).maxGeom = std::numeric_limits<float>::infinity(); }},
+        {"blades that do not shade blades", [&](Project& p) { grass(p).shadowMask = 0; }},
+        {"blades that do not shade the ground", [&](Project& p) { grass(p).groundShadows = false; }},
+        {"lights that cast no shadows", [](Project& p) { for (const auto& [name, e] : p.entities) if (Light* l = p.registry.get<Light>(e)) l->castShadows = false; }},
+        {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
+    };
+    for (const auto& [what, change] : changes) {
+        Project without = everything();
+        change(without);
+        Trace never;
+        {
+            Renderer fresh(gpu(), tables());
+            never = traceOf(fresh, without);
+        }
+        Renderer renderer(gpu(), tables());
+        Project p = everything();
+        const Trace with = traceOf(renderer, p);
+        change(p);
+        expectSame(never, traceOf(renderer, p), what);
+        EXPECT_TRUE(with.plan != never.plan) << what;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "gpu/program.h"
 
+#include "frame/plan.h"
 #include "scenes.h"
 #include "support.h"
 
@@ -86,20 +87,21 @@ TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
     EXPECT_TRUE(programs.get(s.sources, ""));
 }
 
+void expectCompiles(Programs& programs, const ProgramRow& p, const FeatureSet& scene) {
+    const std::vector<std::string> variants = p.variants ? p.variants() : std::vector<std::string>{""};
+    for (const std::string& constants : variants) {
+        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, scene) + constants);
+        EXPECT_TRUE(program) << (program ? "" : program.error().text()) << " with " << constants;
+    }
+}
+
 TEST(Program, EveryProgramOfTheTableCompilesForEveryFeatureSet) {
     NoGlErrors errors;
     Programs programs;
     for (const EffectRow& e : tables().effects)
         for (const Pass& pass : e.passes)
             for (const ProgramRow& p : pass.programs)
-                for (const FeatureSet& scene : {FeatureSet{}, ~FeatureSet{}}) {
-                    std::string constants;
-                    for (size_t f = 0; f < p.features.size(); ++f)
-                        if (p.features.test(f))
-                            constants += std::string("const bool ") + featureConstant(static_cast<Feature>(f)) + (scene.test(f) ? " = true;\n" : " = false;\n");
-                    const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, constants);
-                    EXPECT_TRUE(program) << (program ? "" : program.error().text());
-                }
+                for (const FeatureSet& scene : {FeatureSet{}, ~FeatureSet{}}) expectCompiles(programs, p, scene);
 }
 
 }  // namespace

@@ -1,0 +1,244 @@
+// Grass as slices against grass as blades: how much it covers, how bright it is, and what settings may change of that.
+#include <numeric>
+#include <thread>
+
+#include "core/file.h"
+#include "frame/draw_context.h"
+#include "scenes.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+// A dense lawn with small slices, soil that is not green.
+Project meadow(Technique technique) {
+    Project p = lawn();
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    f.technique = static_cast<int>(technique);
+    f.species[0].bladesPerM2 = 600;
+    f.sliceWidth = f.farSize = 64, f.sliceHeight = 32;
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
+    return p;
+}
+GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+
+ViewSettings sized(int msaa = 4) {
+    ViewSettings s = small();
+    s.msaa = msaa;
+    return s;
+}
+// Across the lawn, steep enough that only ground and grass are seen.
+ViewCamera across() { return {{10, 2.5, 1}, {10, 0, 7}, 40, 0}; }
+
+std::vector<float> picture(Project& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) {
+    Renderer r(gpu(), tables());
+    const Status drawn = r.draw(p, camera, settings);
+    EXPECT_TRUE(drawn) << drawn.error().text();
+    return r.readLinear();
+}
+std::vector<float> picture(Project&& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) { return picture(p, camera, settings); }
+double luminance(const std::vector<float>& pixels, size_t i) { return 0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]; }
+double brightness(const std::vector<float>& pixels) {
+    double sum = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3) sum += luminance(pixels, i);
+    return 3 * sum / static_cast<double>(pixels.size());
+}
+// Share of pixels in which green beats the soil's red.
+double covered(const std::vector<float>& pixels) {
+    size_t n = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
+    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
+}
+double rmse(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
+    NoGlErrors errors;
+    for (const Technique technique : {Technique::Slices, Technique::Flat}) {
+        Project p = meadow(technique);
+        grassOf(p).lightWeights = static_cast<int>(LightWeighting::Atan);
+        const auto factored = picture(p);
+        for (const Storage storage : {Storage::Full, Storage::Compressed}) {
+            grassOf(p).storage = static_cast<int>(storage);
+            EXPECT_LT(rmse(picture(p), factored), 0.04 * brightness(factored)) << kStorages[static_cast<int>(storage)] << ", technique " << static_cast<int>(technique);
+        }
+    }
+}
+
+TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
+    NoGlErrors errors;
+    const auto blades = picture(meadow(Technique::Geometry));
+    for (const Technique technique : {Technique::Slices, Technique::Flat}) {
+        const auto slices = picture(meadow(technique));
+        EXPECT_NEAR(covered(slices), covered(blades), 0.12) << static_cast<int>(technique);
+        EXPECT_NEAR(brightness(slices), brightness(blades), 0.12 * brightness(blades)) << static_cast<int>(technique);
+    }
+}
+
+TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
+    NoGlErrors errors;
+    Project bare = meadow(Technique::Slices);
+    bare.registry.remove<GrassField>(findEntity(bare, "grass"));
+    EXPECT_LT(covered(picture(bare)), 0.001);
+    const auto blades = picture(meadow(Technique::Geometry));
+    for (size_t way = 0; way < std::size(kTransparencies); ++way) {
+        Project p = meadow(Technique::Slices);
+        grassOf(p).transparency = static_cast<int>(way);
+        const auto drawn = picture(p);
+        EXPECT_GT(covered(drawn), 0.5 * covered(blades)) << kTransparencies[way];
+        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.35 * brightness(blades)) << kTransparencies[way];
+    }
+}
+
+TEST(Slices, AreAsBrightWithAnyNumberOfSamples) {
+    NoGlErrors errors;
+    const double four = brightness(picture(meadow(Technique::Slices), across(), sized(4)));
+    for (const int samples : {1, 2}) EXPECT_NEAR(brightness(picture(meadow(Technique::Slices), across(), sized(samples))), four, 0.03 * four) << samples;
+}
+
+TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
+    NoGlErrors errors;
+    const auto hill = [](Technique technique) {
+        Project p = meadow(technique);
+        Map m({64, 64, 1, PixelType::F32});
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) m.set(x, y, 0, 0.4f * std::sin(0.3f * static_cast<float>(x)) + 0.05f * static_cast<float>(y));
+        p.registry.get<Terrain>(findEntity(p, "ground"))->height = field(m);
+        return p;
+    };
+    const ViewCamera camera{{10, 5, 1}, {10, 0.5, 7}, 40, 0};
+    const double flat = covered(picture(meadow(Technique::Slices), camera)) / covered(picture(meadow(Technique::Geometry), camera));
+    const double hilly = covered(picture(hill(Technique::Slices), camera)) / covered(picture(hill(Technique::Geometry), camera));
+    EXPECT_NEAR(hilly, flat, 0.15);
+    EXPECT_GT(covered(picture(hill(Technique::Flat), camera)), 0.8 * covered(picture(hill(Technique::Geometry), camera)));
+}
+
+TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
+    NoGlErrors errors;
+    const auto change = [](Technique technique) {
+        const auto leant = [&](float x) {
+            Project p = meadow(technique);
+            GrassField& f = grassOf(p);
+            f.species[0].leanDeg = 35, f.species[0].leanVariationDeg = 0, f.species[0].clumpStrength = 0, f.species[0].bladesPerM2 = 2000;
+            Map m({4, 4, 2, PixelType::U16});
+            for (int i = 0; i < 16; ++i) m.set(i % 4, i / 4, 0, x), m.set(i % 4, i / 4, 1, 0.5f);
+            f.orientation = field(m);
+            *p.registry.get<Light>(findEntity(p, "sun")) = {.azimuthDeg = 90, .elevationDeg = 35};
+            return brightness(picture(p, {{1, 4, 10}, {6, 0, 10}, 40, 0}));
+        };
+        const double towards = leant(1), away = leant(0);
+        return (towards - away) / (towards + away);
+    };
+    const double blades = change(Technique::Geometry);
+    EXPECT_GT(std::abs(blades), 0.01);
+    for (const Technique technique : {Technique::Slices, Technique::Flat}) {
+        const double slices = change(technique);
+        EXPECT_GT(slices * blades, 0) << "technique " << static_cast<int>(technique) << ": " << slices << ", blades: " << blades;
+    }
+}
+
+TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Slices);
+    grassOf(p).seed = 7;
+    grassOf(p).sliceWidth = grassOf(p).farSize = 256;
+    ViewSettings beside = sized();
+    beside.background = true;
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, across(), beside));
+    const auto draft = r.readLinear();
+    EXPECT_GT(covered(draft), 0.1) << "nothing is shown meanwhile";
+    ASSERT_EQ(r.jobs().size(), 1u);
+    EXPECT_EQ(r.jobs()[0].label, "slices of lawn");
+    while (!r.jobs()[0].finished) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_EQ(r.jobs()[0].progress, 1);
+    ASSERT_TRUE(r.draw(p, across(), beside));
+    EXPECT_TRUE(r.jobs().empty());
+    EXPECT_GT(rmse(r.readLinear(), draft), 0);
+    EXPECT_EQ(r.readLinear(), picture(p)) << "not what one gets who waits";
+}
+
+TEST(Slices, ABakeForOtherBladesIsCancelledAndCachedOnesComeAtOnce) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Slices);
+    const auto known = picture(p);  // in the cache from here on
+    ViewSettings beside = sized();
+    beside.background = true;
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, across(), beside));
+    EXPECT_TRUE(r.jobs().empty());
+    EXPECT_EQ(r.readLinear(), known);
+    for (const float height : {0.2f, 0.25f}) {
+        grassOf(p).species[0].height = height;
+        ASSERT_TRUE(r.draw(p, across(), beside));
+        EXPECT_EQ(r.jobs().size(), 1u) << "one at a time";
+    }
+    grassOf(p).species[0].height = 0.15f;
+    ASSERT_TRUE(r.draw(p, across(), beside));
+    EXPECT_TRUE(r.jobs().empty()) << "made for blades that are gone";
+    EXPECT_EQ(r.readLinear(), known);
+}
+
+// Quads of one opacity, one over the other, by lib/transparency.glsl.
+class Layers {
+  public:
+    Layers() {
+        std::filesystem::copy(std::filesystem::path(SWARD_SOURCE_DIR) / "shaders", dir.path, std::filesystem::copy_options::recursive);
+        writeText(dir / "test/layers.vert.glsl", "flat out int layer;\nvoid main() {\n    layer = gl_InstanceID;\n    gl_Position = vec4(gl_VertexID % 2 * 4 - 1, gl_VertexID / 2 * 4 - 1, 0.5, 1.0);\n}\n");
+        writeText(dir / "test/layers.frag.glsl",
+                  "#include \"lib/frame.glsl\"\n#include \"numerics/glsl.h\"\n#include \"numerics/hash.h\"\n#include \"lib/transparency.glsl\"\n"
+                  "layout(location = 0) uniform float alpha;\nflat in int layer;\nout vec4 color;\nvoid main() {\n"
+                  "    float a = coveredAlpha(alpha, hash3(uint(gl_FragCoord.x), uint(gl_FragCoord.y), uint(layer)));\n"
+                  "    if (!(a > 0.0)) discard;\n    color = vec4(1.0, 1.0, 1.0, a);\n}\n");
+    }
+    // Share of a black picture that n layers hide.
+    double hidden(float alpha, int n, int samples) {
+        const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr}, "const int TRANSPARENCY = 0;\n");
+        FrameGlobals globals{};
+        globals.mode.z = static_cast<float>(samples);
+        const Buffer frame = makeBuffer(gpu(), "test", sizeof(globals), &globals);
+        const Texture color = makeTexture2DMultisample(gpu(), "test", GL_RGBA16F, kSide, kSide, samples), plain = makeTexture2D(gpu(), "test", GL_RGBA16F, kSide, kSide);
+        const Framebuffer target = makeFramebuffer(color.id(), 0, "test"), resolved = makeFramebuffer(plain.id(), 0, "test");
+        const VertexArray none = makeVertexArray("test");
+        glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+        glViewport(0, 0, kSide, kSide);
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        glEnable(GL_MULTISAMPLE);
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, frame.id());
+        glUseProgram(program);
+        glUniform1f(0, alpha);
+        glBindVertexArray(none.id());
+        glDrawArraysInstanced(GL_TRIANGLES, 0, 3, n);
+        glBlitNamedFramebuffer(target.id(), resolved.id(), 0, 0, kSide, kSide, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        std::vector<float> pixels(kSide * kSide);
+        glGetTextureImage(plain.id(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)), pixels.data());
+        glBindVertexArray(0);
+        glUseProgram(0);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(pixels.size());
+    }
+
+  private:
+    static constexpr int kSide = 128;
+    TempDir dir;
+    Programs programs{dir.path};
+};
+
+TEST(Transparency, LayersOfSamplesHideWhatTheirOpacitySays) {
+    NoGlErrors errors;
+    gpu();
+    Layers layers;
+    for (const int samples : {1, 2, 4})
+        for (const float alpha : {0.05f, 0.1f, 0.3f, 0.5f, 0.9f, 1.0f})
+            for (const int n : {1, 4, 16})
+                EXPECT_NEAR(layers.hidden(alpha, n, samples), 1 - std::pow(1 - alpha, n), 0.02) << n << " layers of " << alpha << ", " << samples << " samples";
+}
+
+}  // namespace
+}  // namespace sward::test
