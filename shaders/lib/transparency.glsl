@@ -11,7 +11,6 @@ float coveredAlpha(float alpha, uint seed) {
     gl_SampleMask[0] = -1;  // a shader that writes it anywhere must write it everywhere
     if (!(alpha >= 0.004)) return 0.0;
     if (TRANSPARENCY == COVERAGE) {
-        gl_SampleMask[0] = ~0;  // a mask that is written at all must be written on every way
         if (alpha >= 1.0) return 1.0;
         uint threshold = uint(alpha * 256.0 + 0.5), low = hash3(seed, 1u, 0u), high = hash3(seed, 2u, 0u);
         uvec4 a = uvec4(low, low >> 8, low >> 16, low >> 24) & 255u, b = uvec4(high, high >> 8, high >> 16, high >> 24) & 255u;
