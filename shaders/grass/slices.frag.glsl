@@ -33,7 +33,7 @@ float level;          // of detail
 uint grain(float level) {
     vec2 size = vec2(textureSize(sliceThreshold, 0).xy) * exp2(-floor(level));
     ivec2 at = ivec2(texel.xy * size);
-    return hash3(uint(at.x), uint(at.y), uint(texel.z) + 64u * uint(level));
+    return hash3(uint(at.x), uint(at.y), uint(texel.z + 0.5) + 64u * uint(level));
 }
 
 // Lamps on the images: facing, side +, side -, above.
