@@ -111,16 +111,24 @@ inline double blockContrast(const std::vector<Block>& a) {
     return sum / static_cast<double>(std::max<size_t>(a.size(), 1));
 }
 
-// By tile of 16 x 16 pixels: the mean over its pixels of how much they change from one picture to the next (sRGB, 0 to 1).
-inline std::vector<double> tileChanges(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width) {
+// By tile of 16 x 16 pixels (sRGB, 0 to 1): the mean over its pixels of how much they change from one picture to the next; and
+// how much its own mean colour does, which sees a tile that fades or pops where thin blades flicker anyway.
+struct TileChanges {
+    std::vector<double> pixels, means;
+};
+inline TileChanges tileChanges(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width) {
     const int height = static_cast<int>(a.size()) / 3 / width, across = width / 16, down = height / 16;
-    std::vector<double> out(static_cast<size_t>(across * down));
+    TileChanges out{std::vector<double>(static_cast<size_t>(across * down)), std::vector<double>(static_cast<size_t>(across * down))};
+    std::vector<std::array<int, 3>> sums(out.means.size());
     for (int y = 0; y < 16 * down; ++y)
         for (int x = 0; x < 16 * across; ++x) {
-            const size_t i = 3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x));
-            const int change = std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]);
-            out[static_cast<size_t>(y / 16 * across + x / 16)] += change / (3.0 * 255 * 256);
+            const size_t i = 3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)), tile = static_cast<size_t>(y / 16 * across + x / 16);
+            for (size_t c = 0; c < 3; ++c) {
+                out.pixels[tile] += std::abs(a[i + c] - b[i + c]) / (3.0 * 255 * 256);
+                sums[tile][c] += b[i + c] - a[i + c];
+            }
         }
+    for (size_t t = 0; t < sums.size(); ++t) out.means[t] = (std::abs(sums[t][0]) + std::abs(sums[t][1]) + std::abs(sums[t][2])) / (3.0 * 255 * 256);
     return out;
 }
 // The value that a share of the values does not exceed.
@@ -130,32 +138,41 @@ inline double quantile(std::vector<double> values, double share) {
 }
 
 // The changes of all tiles over a walk of 1 cm steps along +x +z, frame by frame.
-inline std::vector<double> walk(Renderer& r, Project& p, ViewCamera c, int steps, const ViewSettings& s) {
-    std::vector<double> out;
+inline TileChanges walk(Renderer& r, Project& p, ViewCamera c, int steps, const ViewSettings& s) {
+    TileChanges out;
     std::vector<uint8_t> before;
     const glm::dvec3 step = 0.01 * glm::normalize(glm::dvec3(1, 0, 1));
     for (int i = 0; i <= steps; ++i, c.eye += step, c.target += step) {
         if (!r.draw(p, c, s)) return {};
         std::vector<uint8_t> now = r.readImage();
-        if (i > 0)
-            for (const double v : tileChanges(before, now, s.width)) out.push_back(v);
+        if (i > 0) {
+            const TileChanges t = tileChanges(before, now, s.width);
+            out.pixels.insert(out.pixels.end(), t.pixels.begin(), t.pixels.end());
+            out.means.insert(out.means.end(), t.means.begin(), t.means.end());
+        }
         before = std::move(now);
     }
     return out;
 }
-// How much more (or less) the tiers change than blades do, 99.9th percentiles over tiles and steps.
+// How much more (or less) the tiers change than blades do, as a share of how much blades do; 99.9th percentiles over tiles
+// and steps.
 struct Restless {
-    double blades, difference;
+    double pixels, means;
 };
-inline Restless restless(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
-    const int tiers = grassIn(p).technique;
-    const std::vector<double> hybrid = walk(r, p, c, steps, s);
-    grassIn(p).technique = static_cast<int>(Technique::Geometry);
-    const std::vector<double> blades = walk(r, p, c, steps, s);
-    grassIn(p).technique = tiers;
+inline double restlessness(const std::vector<double>& hybrid, const std::vector<double>& blades) {
     std::vector<double> difference(std::min(hybrid.size(), blades.size()));
     for (size_t i = 0; i < difference.size(); ++i) difference[i] = std::abs(hybrid[i] - blades[i]);
-    return {quantile(blades, 0.999), quantile(difference, 0.999)};
+    return quantile(difference, 0.999) / quantile(blades, 0.999);
+}
+inline TileChanges bladesWalk(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
+    const int tiers = std::exchange(grassIn(p).technique, static_cast<int>(Technique::Geometry));
+    TileChanges blades = walk(r, p, c, steps, s);
+    grassIn(p).technique = tiers;
+    return blades;
+}
+inline Restless restless(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
+    const TileChanges hybrid = walk(r, p, c, steps, s), blades = bladesWalk(r, p, c, steps, s);
+    return {restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means)};
 }
 // From the eyes of a person who looks at the ground at a distance, the whole picture of which is about there.
 inline ViewCamera lookingAt(double distance, double from = 4) {
