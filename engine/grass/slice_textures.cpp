@@ -56,6 +56,12 @@ Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>&
     return s;
 }
 
+float meanOpacity(const SliceLevel& l) {
+    double sum = 0;
+    for (size_t i = 1; i < l.threshold.size(); i += 4) sum += l.threshold[i];
+    return static_cast<float>(4 * sum / (255.0 * static_cast<double>(l.threshold.size())));
+}
+
 }  // namespace
 
 size_t SliceTextures::bytes() const {
@@ -68,6 +74,7 @@ SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);  // the last levels are narrower than 4 bytes
     SliceTextures out;
     out.slices = images.slices, out.top = images.top, out.reflectScale = images.reflectScale;
+    out.farDepth = -std::log(1 - std::min(meanOpacity(images.far[0]), 0.999f));
     if (!owner.empty()) {
         Set s = uploadSet(gpu, owner, images.vertical, 2 * images.slices, storage);
         out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold), out.light = std::move(s.light);

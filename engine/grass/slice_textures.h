@@ -14,6 +14,7 @@ struct SliceTextures {
     Texture farReflectance, farThreshold, farLight;  // horizontal, one layer
     int slices = 0;
     float top = 0, reflectScale = 1;
+    float farDepth = 0;                              // optical depth of the horizontal slice: what its mean opacity is 1 - exp of
     size_t bytes() const;
 };
 // An empty owner: those textures are not wanted.

@@ -102,7 +102,7 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     const GeometryRange range = geometryRange(f);
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
     g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
-    g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, sp.rootOcclusion};
+    g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, s.slices.farDepth};
     g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
     g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width), static_cast<float>(s.slices.reflectance.width)};
     g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);

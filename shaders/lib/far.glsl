@@ -25,8 +25,8 @@ Repeated repeated(vec2 at) {
 // How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.
 float depthFactor(float sine, float vertical) {
     if (!CONSERVING) return 1.0;
-    float y = clamp(sine, 0.03, 1.0), across = slices.areas.x * sqrt(1.0 - y * y) / y, above = max(slices.areas.y, 1e-6);
-    return max((sqrt(across * across + above * above) - vertical * across) / above, 0.0);
+    float y = clamp(sine, 0.03, 1.0), across = slices.areas.x * sqrt(1.0 - y * y) / y, above = slices.areas.y;
+    return max((sqrt(across * across + above * above) - vertical * across) / max(slices.areas.w, 1e-4), 0.0);
 }
 
 // Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. vertical: share of the

@@ -59,7 +59,7 @@ struct SliceGlobals {
     SHARED_VEC4 shape;         // x: cell size (m); y: height of the vertical slices (m); z: slices along an axis; w: reflectance at full scale
     SHARED_VEC4 tiers;         // x: minGeom; y: its lodInverse; z: minBTF; w: its lodInverse
     SHARED_VEC4 areas;         // blade area towards x: a level view, y: the zenith (m2 a m2); z: height of the horizontal slice (m);
-                               // w: light left at the root
+                               // w: its optical depth
     SHARED_VEC4 eyeCell;       // x, z of the cell that the eye is over; where in it, in cells (B-17)
     SHARED_VEC4 counts;        // x: fade (omega); y: seed; z, w: texels of the horizontal slice, and of a vertical one's width
     SHARED_VEC4 sunWeights;    // of the images x+, y, z+, x-; z- is what is left to 1
