@@ -135,7 +135,7 @@ struct LookCase {
 };
 // On dense lawn, slices are too bright where the sun is not behind the eye (by half where it is ahead, in linear light, soil
 // or none), and the soil between them is shaded too little. These two rows are beyond 1.25 and 0.8; they are held where they are.
-const LookCase kLooks[] = {{kMeadow, 18, 315}, {kMeadow, 18, 45}, {kMeadow, 18, 135}, {kLawn, 10, 315}, {kLawn, 10, 45, 1.6}, {kLawn, 10, 135, 2.1, 0.7}};
+const LookCase kLooks[] = {{kMeadow, 18, 315}, {kMeadow, 18, 45}, {kMeadow, 18, 135}, {kLawn, 10, 315}, {kLawn, 10, 45, 1.5}, {kLawn, 10, 135, 2.0, 0.7}};
 
 TEST(HybridLook, IsAsNearToTheBladesAsOtherBladesAre) {
     NoGlErrors errors;
@@ -164,12 +164,12 @@ TEST(HybridWalk, ChangesNoMoreThanBladesDoWhereTiersMeet) {
         const TileChanges hybrid = walk(r, p, lookingAt(distance), 5, s), blades = bladesWalk(r, p, lookingAt(distance), 5, s);
         technique(p, Technique::Geometry);
         const auto before = picture(r, p, lookingAt(distance), s);
-        technique(p, Technique::Flat);
-        const double swapped = quantile(tileChanges(before, picture(r, p, lookingAt(distance), s), s.width).means, 0.999) / quantile(blades.means, 0.999) - 1;
-        std::printf("%s: pixels %.2f means %.2f, swapped at once %.2f\n", name, restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means), swapped);
+        grassIn(p).species[0].bladesPerM2 *= 0.4f;
+        const double thinned = quantile(tileChanges(before, picture(r, p, lookingAt(distance), s), s.width).means, 0.999) / quantile(blades.means, 0.999) - 1;
+        std::printf("%s: pixels %.2f means %.2f, thinned at once %.2f\n", name, restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means), thinned);
         EXPECT_LE(restlessness(hybrid.pixels, blades.pixels), 1.25) << name;
         EXPECT_LE(restlessness(hybrid.means, blades.means), 1.25) << name;
-        EXPECT_GT(swapped, 1.25) << "the measure would accept a field that pops";
+        EXPECT_GT(thinned, 1.25) << "the measure would accept a field that pops";
     }
 }
 
