@@ -105,6 +105,20 @@ void bindField(DrawContext& ctx) {
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
 }
 
+void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
+    static_assert(offsetof(CellDraw, x) == offsetof(SliceCell, x) && offsetof(CellDraw, mirrorX) == offsetof(SliceCell, mirrorX));
+    glVertexArrayVertexBuffer(mesh, 0, cells, 0, static_cast<GLsizei>(stride));
+    glVertexArrayBindingDivisor(mesh, 0, 1);
+    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+        glEnableVertexArrayAttrib(mesh, attribute);
+        glVertexArrayAttribBinding(mesh, attribute, 0);
+    }
+    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellDraw, cellX));
+    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, x));
+    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, mirrorX));
+    glVertexArrayElementBuffer(mesh, indices);
+}
+
 void beginTransparency(const DrawContext& ctx, const GrassField& field) {
     if (ctx.settings.mode == ViewMode::Overdraw) {
         glEnable(GL_BLEND);

@@ -37,20 +37,6 @@ std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     return out;
 }
 
-void describeCells(SpeciesState& s) {
-    const GLuint mesh = s.mesh.id();
-    glVertexArrayVertexBuffer(mesh, 0, s.cells.id(), 0, sizeof(CellDraw));
-    glVertexArrayBindingDivisor(mesh, 0, 1);
-    for (GLuint attribute = 0; attribute < 3; ++attribute) {
-        glEnableVertexArrayAttrib(mesh, attribute);
-        glVertexArrayAttribBinding(mesh, attribute, 0);
-    }
-    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellDraw, cellX));
-    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, x));
-    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, mirrorX));
-    glVertexArrayElementBuffer(mesh, s.indices.id());
-}
-
 void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int segments) {
     if (s.key == f.key && s.segments == segments && s.mesh.id()) return;
     s.key = f.key;
@@ -70,7 +56,7 @@ void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
     writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
-    describeCells(s);
+    describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
     ctx.stats.cells += s.selected.size();
 }
 

@@ -167,17 +167,7 @@ void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
     for (int q = 0; q <= 4; ++q)
         s.first[q] = static_cast<int>(std::partition_point(s.selected.begin(), s.selected.end(), [&](const SliceCell& c) { return quarterOf(c, cellSize) < q; }) - s.selected.begin());
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(SliceCell), s.selected.data());
-    const GLuint mesh = s.mesh.id();
-    glVertexArrayVertexBuffer(mesh, 0, s.cells.id(), 0, sizeof(SliceCell));
-    glVertexArrayBindingDivisor(mesh, 0, 1);
-    for (GLuint attribute = 0; attribute < 3; ++attribute) {
-        glEnableVertexArrayAttrib(mesh, attribute);
-        glVertexArrayAttribBinding(mesh, attribute, 0);
-    }
-    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(SliceCell, cellX));
-    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(SliceCell, x));
-    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(SliceCell, mirrorX));
-    glVertexArrayElementBuffer(mesh, s.indices.id());
+    describeCells(s.mesh.id(), s.cells.id(), sizeof(SliceCell), s.indices.id());
     ctx.stats.sliceQuads += s.selected.size() * 2 * static_cast<size_t>(s.slices);
     ctx.stats.cells += s.selected.size();
 }
@@ -298,6 +288,7 @@ void drawFarShadow(DrawContext& ctx) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GEQUAL);  // the ground's own corners
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
     const int lamps = static_cast<int>(ctx.shared.lights.count.y);
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
@@ -309,6 +300,7 @@ void drawFarShadow(DrawContext& ctx) {
             ctx.pass->draws += drawNodes(ctx.shared.groundMesh, shaded, state.nodes);
             ctx.pass->instances += shaded.size();
         }
+    glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
@@ -327,7 +319,7 @@ const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
 const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
 const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
-const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "grass/far_shadow.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
+const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
 const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
 
