@@ -173,7 +173,7 @@ float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.71
 
 void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key, const Rgba8& blade) {
     const float colors[] = {s.rootColor.x, s.rootColor.y, s.rootColor.z, s.midColor.x, s.midColor.y, s.midColor.z, s.tipColor.x, s.tipColor.y, s.tipColor.z, s.rootOcclusion, s.clumpSize, s.clumpStrength, s.leanDeg};
-    const uint64_t parts[] = {key, hashBytes(colors, sizeof(colors)), hashBytes(blade.pixels.data(), blade.pixels.size())};
+    const uint64_t parts[] = {key, hashBytes(colors, sizeof(colors))};
     const uint64_t now = hashBytes(parts, sizeof(parts));
     if (madeFrom == now) return;
     madeFrom = now;

@@ -34,7 +34,7 @@ struct Look {
     float height = 0;   // mean, metres
     float clumpLean = 0;  // metres a metre by which clumps lean blades, one standard deviation; slices do not know it
 };
-// Made anew if the species or its patch (patchKey) differ from what it was made from.
+// Made anew if the species or `key`, of its patch and its blade's image, differ from what it was made from.
 void updateLook(Look& look, uint64_t& madeFrom, const Species& species, const Patch& patch, uint64_t key, const Rgba8& blade);
 
 // Share of light from this elevation that full grass leaves to the soil: Beer's law.

@@ -1,5 +1,6 @@
 #include "grass/field.h"
 
+#include "core/hash.h"
 #include "core/numerics.h"
 #include "grass/cells.h"
 
@@ -19,6 +20,7 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
     if (s.textureOf == species.texture) return;
     s.textureOf = species.texture;
     s.bladeImage = bladeImage(ctx.project, species);
+    s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
     s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
 }
 
@@ -84,7 +86,7 @@ void update(DrawContext& ctx) {
         FieldSpecies& s = *state.species[i];
         updatePatch(s, f.species[i], f);
         updateTexture(ctx, s, f.species[i]);
-        updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key, s.bladeImage);
+        updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
         if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = 0, s.bake = {}, s.sliceGlobals = {};
     }

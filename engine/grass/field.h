@@ -14,6 +14,7 @@ struct FieldSpecies {
     Patch patch;
     Buffer globals;              // SpeciesGlobals
     Rgba8 bladeImage;
+    uint64_t bladeHash = 0;      // of the image: hashed when it is loaded, not each frame
     Texture bladeTexture;
     std::string textureOf = "?";
     Look look;                   // of the patch, for appearances

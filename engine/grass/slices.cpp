@@ -123,7 +123,6 @@ void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLu
     glBindTextureUnit(TEX_SLICE_THRESHOLD, threshold);
     glBindTextureUnit(TEX_SLICE_LIGHT, light);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, s.sliceGlobals.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, s.globals.id());
 }
 
 // --- vertical slices ---------------------------------------------------------------------------------------------------

@@ -21,6 +21,14 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
     return ctx.maps.get(kOwner, field.path, wanted->map, true, true);
 }
 
+// Metres, with room for the ground's own roughness.
+float tallestGrass(Project& project) {
+    float most = 0;
+    if (const GrassField* f = firstOf<GrassField>(project))
+        for (const Species& s : f->species) most = std::max(most, s.height * (1 + s.heightVariation));
+    return most + 0.15f;
+}
+
 void draw(DrawContext& ctx) {
     const MapOverlay& overlay = ctx.settings.overlay;
     if (overlay.map.empty()) return;
@@ -34,6 +42,7 @@ void draw(DrawContext& ctx) {
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling / ctx.shared.ground.terrain->size.x);
     glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    glUniform1f(1, tallestGrass(ctx.project));
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);

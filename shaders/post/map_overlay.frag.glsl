@@ -7,6 +7,7 @@
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(binding = TEX_DEPTH) uniform sampler2DMS depths;
 layout(location = 0) uniform vec4 overlay;  // channels; repeats over the terrain; metres a pixel at 1 m; texels a metre
+layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
 out vec4 color;
 
 vec4 mapAt(vec2 place, float level) {
@@ -68,6 +69,7 @@ void main() {
     vec3 position = p.xyz / p.w;
     vec2 place = position.xz + frame.eye.xz;
     if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, frame.terrain.xy))) discard;
+    if (position.y - groundHeight(place) > tallest) discard;
     float metresPerPixel = length(position) * overlay.z;
     vec4 texel = mapAt(place, max(0.0, log2(metresPerPixel * overlay.w)));
     if (overlay.x < 1.5) color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
