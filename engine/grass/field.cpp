@@ -88,7 +88,7 @@ void update(DrawContext& ctx) {
         updateTexture(ctx, s, f.species[i]);
         updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = 0, s.bake = {}, s.sliceGlobals = {};
+        if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
     }
     writeCover(ctx, state, f);
     ctx.shared.grass = &state;

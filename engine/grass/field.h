@@ -21,6 +21,7 @@ struct FieldSpecies {
     uint64_t lookKey = 0;
     // Slices, kept by grass/slices.cpp while a tier wants them.
     uint64_t sliceKey = 0;       // of what the textures were made from; 0: none
+    uint64_t sliceAsked = 0;     // the same without a look at the blade's image, once they are there
     SliceTextures slices;
     Job<SliceImages> bake;
     uint64_t bakeOf = 0;         // what it makes

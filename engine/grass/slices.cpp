@@ -58,9 +58,16 @@ void startBake(FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
 // What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
 void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
     const bool shaded = slicesAreShaded(ctx.plan.features);
+    // Most frames ask for what is there: the image's hash stands for its pixels.
+    const uint64_t asked = textureKey(ctx, f, sliceKey(sliceSpec(f, species, {}, shaded)) ^ s.bladeHash);
+    if (s.sliceAsked == asked) return;
+    s.sliceAsked = 0;
     const SliceSpec spec = sliceSpec(f, species, s.bladeImage, shaded);
     const uint64_t key = sliceKey(spec), wanted = textureKey(ctx, f, key);
-    if (s.sliceKey == wanted) return;
+    if (s.sliceKey == wanted) {
+        s.sliceAsked = asked;
+        return;
+    }
     if (s.bakeOf != key) s.bake = {};
     if (const auto there = slicesThere(ctx, s, spec, key)) return upload(ctx, f, s, wanted, *there);
     if (s.bake.active()) return;
