@@ -10,9 +10,8 @@
 namespace sward {
 namespace {
 
-constexpr int kParts = 2;              // boxes a blade
-constexpr float kLeanStep = 0.1f;      // metres a metre between the mean leans that scenes are made for
-constexpr float kSpreadStep = 0.05f;   // ... and between their spreads
+constexpr float kLeanStep = 0.2f;      // metres a metre between the mean leans that scenes are made for
+constexpr float kSpreadStep = 0.1f;   // ... and between their spreads
 constexpr float kBump = 0.005f;        // metres: least class of how far ground leaves the plane through a cell; each next doubles
 constexpr int kPrefixes[] = {16, 48, 112, 255};
 
@@ -56,31 +55,20 @@ struct GrassMemory::Tables {
 GrassMemory::GrassMemory() : tables(std::make_unique<Tables>()) {}
 GrassMemory::~GrassMemory() = default;
 
-std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& lean, float spread, float scale, float v0, float v1) {
+std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& lean, float spread, float scale) {
     // poseBlade at scale 1: the tip's reach is own + lean * size, kept within the circle that leaves it a twentieth of height. Moving
     // onto that circle is a contraction, so that a spread of leans stays a disc of the same radius around the mean one's.
     const float size = glm::length(b.tip), radius = spread * size, most = size * 0.99875f;
-    glm::vec2 reach = glm::vec2(b.tip.x, b.tip.z) + lean * size;
+    const glm::vec2 own(b.tip.x, b.tip.z);
+    glm::vec2 reach = own + lean * size;
     if (const float l = glm::length(reach); l > most) reach *= most / l;
-    const float far = std::min(glm::length(reach) + radius, most), near = std::max(glm::length(reach) - radius, 0.0f);
-    const float highest = std::sqrt(std::max(size * size - near * near, 0.0f)), lowest = std::sqrt(std::max(size * size - far * far, 0.0f));
-    const glm::vec2 shift = reach - glm::vec2(b.tip.x, b.tip.z);
+    const float near = std::max(glm::length(reach) - radius, 0.0f), highest = std::sqrt(std::max(size * size - near * near, 0.0f));
+    // The curve lies in the hull of root, control and tip. Nothing of it is below the root.
+    const glm::vec2 tip = reach, control = glm::vec2(b.control.x, b.control.z) + 0.5f * (reach - own);
     const float rise = b.control.y / std::max(b.tip.y, size * 0.05f + 1e-30f);
-    // The curve between v0 and v1 lies in the hull of its own three controls.
-    const auto controls = [&](float c1, float t1) {
-        const auto at = [&](float u, float v) { return c1 * (u * (1 - v) + v * (1 - u)) + t1 * u * v; };
-        return std::array<float, 3>{at(v0, v0), at(v0, v1), at(v1, v1)};
-    };
-    const auto x = controls(b.control.x + 0.5f * shift.x, b.tip.x + shift.x), z = controls(b.control.z + 0.5f * shift.y, b.tip.z + shift.y);
-    const auto up = controls(rise * highest, highest), down = controls(rise * lowest, lowest);
-    const auto [x0, x1] = std::minmax({x[0], x[1], x[2]});
-    const auto [z0, z1] = std::minmax({z[0], z[1], z[2]});
-    const float side = 0.5f * b.width + radius * v1 + 1e-5f;
-    glm::vec3 low(x0, std::min({down[0], down[1], down[2]}), z0), high(x1, std::max({up[0], up[1], up[2]}), z1);
-    // Scaled about the root, then widened: a blade's width is not scaled.
-    low = glm::min(low * (1 - scale), low * (1 + scale)), high = glm::max(high * (1 - scale), high * (1 + scale));
-    const float widened = side * (1 + scale);
-    return {low - glm::vec3(widened, 1e-5f, widened), high + glm::vec3(widened, 1e-5f, widened)};
+    const glm::vec2 low = glm::min(glm::vec2(0), glm::min(tip, control)) - radius, high = glm::max(glm::vec2(0), glm::max(tip, control)) + radius;
+    const float top = std::max(highest, rise * highest), side = 0.5f * b.width + 1e-5f;
+    return {glm::vec3(low.x, 0, low.y) * (1 + scale) - glm::vec3(side, 1e-5f, side), glm::vec3(high.x, top, high.y) * (1 + scale) + glm::vec3(side, 1e-5f, side)};
 }
 
 namespace {
@@ -112,9 +100,8 @@ struct Kind {
 
 void boundsOf(const RTCBoundsFunctionArguments* a) {
     const BoxScene& s = *static_cast<const BoxScene*>(a->geometryUserPtr);
-    const Blade& b = s.patch->blades[a->primID / kParts];
-    const float part = static_cast<float>(a->primID % kParts);
-    auto [low, high] = leaningBounds(b, s.lean, s.spread, s.scale, part / kParts, (part + 1) / kParts);
+    const Blade& b = s.patch->blades[a->primID];
+    auto [low, high] = leaningBounds(b, s.lean, s.spread, s.scale);
     const glm::vec3 root(b.root.x, 0, b.root.y), bump(0, s.bump, 0);
     low += root - bump, high += root + bump;
     *a->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
@@ -200,9 +187,9 @@ void meetClosest(const RTCIntersectFunctionNArguments* a) {
     if (!a->valid[0]) return;
     Query& q = *reinterpret_cast<Query*>(a->context);
     RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
-    const auto met = bladeMet(q, a->primID / kParts, r.ray.tnear, r.ray.tfar);
+    const auto met = bladeMet(q, a->primID, r.ray.tnear, r.ray.tfar);
     if (!met) return;
-    q.blade = a->primID / kParts;
+    q.blade = a->primID;
     q.hit = *met;
     r.ray.tfar = met->t;
     r.hit.geomID = a->geomID, r.hit.primID = a->primID;
@@ -211,7 +198,7 @@ void meetAny(const RTCOccludedFunctionNArguments* a) {
     if (!a->valid[0]) return;
     const Query& q = *reinterpret_cast<const Query*>(a->context);
     RTCRay& r = *reinterpret_cast<RTCRay*>(a->ray);
-    if (bladeMet(q, a->primID / kParts, r.tnear, r.tfar)) r.tfar = -std::numeric_limits<float>::infinity();
+    if (bladeMet(q, a->primID, r.tnear, r.tfar)) r.tfar = -std::numeric_limits<float>::infinity();
 }
 
 // The scene of a key, made the first time it is asked for.
@@ -228,7 +215,7 @@ RTCScene sceneFor(const Kind& kind, const SceneKey& key) {
     const uint32_t blades = kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])];
     s.scene.reset(rtcNewScene(kind.device.get()));
     RTCGeometry g = rtcNewGeometry(kind.device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, blades * kParts);
+    rtcSetGeometryUserPrimitiveCount(g, blades);
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, meetClosest);
@@ -369,6 +356,7 @@ void march(const RayField& f, const Ray& ray, double reach, const double& end, c
 // Calls ask(query, embree's ray, where on the ray that begins) for each species in each cell on the way that has anything to meet.
 template <class F>
 void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& end, const F& ask) {
+    if (f.kinds.empty()) return;
     const double size = static_cast<double>(f.grass->cellSize);
     for (size_t k = 0; k < f.kinds.size(); ++k) {
         const Kind& kind = *f.kinds[k];

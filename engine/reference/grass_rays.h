@@ -47,8 +47,8 @@ class GrassRays {
 };
 
 // --- for tests: what a scene of boxes promises
-// Low and high corner, relative to the root, of what a blade can reach between v0 and v1 when its lean is within `spread` (m per m)
-// of `lean` and its scale within `scale` of 1; all in the patch's own frame.
-std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& blade, const glm::vec2& lean, float spread, float scale, float v0, float v1);
+// Low and high corner, relative to the root, of what a blade can reach when its lean is within `spread` (m per m) of `lean` and its
+// scale within `scale` of 1; all in the patch's own frame.
+std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& blade, const glm::vec2& lean, float spread, float scale);
 
 }  // namespace sward

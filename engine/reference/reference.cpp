@@ -14,7 +14,7 @@ namespace {
 constexpr int kTileWidth = 32;         // pixels; as high as a shard's band
 constexpr int kMostBounces = 32;
 constexpr double kOffBlade = 2e-5;     // metres by which a new ray starts off the surface it leaves, so as not to meet it again
-constexpr double kOffSolid = 1e-3;
+constexpr double kOffSolid = 2e-4;
 constexpr float kBrightest = 65504;    // as the scene's target holds
 
 // Independent numbers of one sample: the n-th is hashUnit(hash3(seed, place, n)).

@@ -263,6 +263,7 @@ FeatureSet lightFeatures(const void* component) {
 }
 
 constexpr FieldRow kSkyFields[] = {
+    choice("model", offsetof(Sky, model), kSkyModels, "clear: by sun and turbidity; uniform: equally bright everywhere, as under clouds"),
     real("turbidity", offsetof(Sky, turbidity), "", {1.7, 12, 2, 8}, "how hazy the air is: 2 clear, 8 thick haze"),
     real("intensity", offsetof(Sky, intensity), "", {0, kBrightest, 0, 4}, "factor of the sky's light; 0: no sky"),
 };

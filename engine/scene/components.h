@@ -130,11 +130,15 @@ struct Light {
 inline constexpr const char* kLightTypes[] = {"directional", "point"};
 enum class LightType { Directional, Point };
 
-// The sky. Model: Preetham, Shirley and Smits 1999.
+// The sky: clear by Preetham, Shirley and Smits 1999; or uniform, equally bright everywhere, as under clouds.
 struct Sky {
+    int model = 0;                        // index into kSkyModels
     float turbidity = 3;
     float intensity = 1;                  // factor
 };
+
+inline constexpr const char* kSkyModels[] = {"clear", "uniform"};
+enum class SkyModel { Clear, Uniform };
 
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {

@@ -89,7 +89,7 @@ void addSun(FrameGlobals& g, const Project& p, double seconds) {
 
 void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
     const glm::vec3 sun = sunOf(p, seconds);
-    const float turbidity = turbidityOf(p);
+    const float turbidity = firstOf<Sky>(p)->model == static_cast<int>(SkyModel::Uniform) ? 0 : turbidityOf(p);
     integrateSky(s, sun, turbidity);
     const float scale = firstOf<Sky>(p)->intensity * kExposure * g.mode.y;
     const glm::vec3 balance = whiteBalance(s.level * scale + glm::vec3(g.sunLight) * std::max(g.sunDirection.y, 0.0f));

@@ -61,9 +61,25 @@ FN SkyModel skyCoefficients(real t) {
     return m;
 }
 
-// The sky for a sun in direction sunDir. With the sun below the horizon, where the model is silent: the sky of sunset,
+// An overcast sky, equally bright wherever one looks: white, 5 kcd/m^2, which lights level ground with 16 klx.
+const real kUniformSky = real(5.0);
+FN SkyModel skyUniform() {
+    SkyModel m;
+    m.a = vec3(0.0f, 0.0f, 0.0f);
+    m.b = m.a;
+    m.c = m.a;
+    m.d = m.a;
+    m.e = m.a;
+    m.scale = vec3(kUniformSky, real(0.3127), real(0.3290));
+    m.sun = vec3(0.0f, 1.0f, 0.0f);
+    m.night = 1.0f;
+    return m;
+}
+
+// The sky for a sun in direction sunDir; of turbidity 0 or less: the uniform one. With the sun below the horizon, where the model is silent: the sky of sunset,
 // darkened as measured twilight is, by a factor of about 100 over the first 6 degrees.
 FN SkyModel skyModel(vec3 sunDir, real turbidity) {
+    if (!(turbidity > 0.0f)) return skyUniform();
     real t = skyTurbidity(turbidity);
     SkyModel m = skyCoefficients(t);
     m.sun = unitOr(vec3(sunDir.x, max(sunDir.y, real(0.0)), sunDir.z), real(1e-6), vec3(1.0f, 0.0f, 0.0f));

@@ -20,7 +20,7 @@ struct FrameGlobals {
     SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi; w: 1 if it casts shadows
     SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
     SHARED_VEC4 skyGain;       // factor of numerics/sky.h radiances: exposure and white balance
-    SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity
+    SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity, 0: a uniform sky
     SHARED_VEC4 groundLight;   // what the ground throws back, divided by pi
     SHARED_VEC4 horizon[3];    // sky at the horizon towards the sun, across and away from it; w: 0
     SHARED_VEC4 haze;          // x: extinction per metre (0: none)
