@@ -50,7 +50,10 @@ struct Verbs {
         CLI::App* v = verb("compare", "Metrics of two images of the same size", [this] { return compareVerb(compare); });
         v->add_option("a", compare.a, "first image")->required();
         v->add_option("b", compare.b, "second image")->required();
-        v->add_option("--heatmap", compare.heatmap, "write the difference as a PNG");
+        v->add_option("--mask", compare.mask, "image whose first channel says how much of each pixel is grass and counts");
+        v->add_option("--heatmap", compare.heatmap, "write a map of the errors to this .png");
+        v->add_option("--metric", compare.metric, "of the heat map: appearance (default), flip, rmse or ssim");
+        v->add_option("--ppd", compare.ppd, "pixels per degree of the viewer's field of view, for FLIP (default: 67)");
         v->add_flag("--json", compare.json, "print JSON");
         v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
     }

@@ -30,7 +30,8 @@ struct RenderOptions {
 int renderVerb(const RenderOptions& options);
 
 struct CompareOptions {
-    std::string a, b, heatmap;
+    std::string a, b, mask, heatmap, metric = "appearance";
+    double ppd = 67;                     // pixels per degree, of FLIP
     bool json = false, linear = false;
 };
 int compareVerb(const CompareOptions& options);
