@@ -111,11 +111,4 @@ struct DrawContext {
     std::string error = {};        // the first program that failed
 };
 
-template <class C>
-C* firstOf(Project& p) {
-    for (auto& [name, e] : p.entities)
-        if (C* c = p.registry.get<C>(e)) return c;
-    return nullptr;
-}
-
 }  // namespace sward

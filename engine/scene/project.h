@@ -49,6 +49,14 @@ struct LoadReport {
     std::vector<Fault> repaired;  // every one is also logged as a warning
 };
 
+// The component of a kind that the first entity by name holds; null if none does.
+template <class C>
+const C* firstOf(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const C* c = p.registry.get<C>(e)) return c;
+    return nullptr;
+}
+
 // The population of all fields: sum over species of bladesPerM2 * mean density * area of the terrain (the first by
 // name; none: 0). Reads every texel of the density maps: about 5 ms for 4096 x 4096.
 double virtualBlades(const Project& p);

@@ -49,14 +49,9 @@ bool exists(Stand s) { return s.opacity > 0.0 && s.uv.x <= 1.0 && s.uv.y <= 1.0;
 
 // Lean and scale that the place adds to the patch's blade.
 BladePose poseHere(Blade b, Stand s, out float lighter) {
-    vec2 lean = paintedLean(s.uv) * species.midColor.w;
-    float scale = 1.0;
-    lighter = 1.0;
-    if (GRASS_CLUMPS && species.tipColor.w > 0.0) {
-        vec3 c = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
-        lean += c.xy * species.clumps.x;
-        scale += c.z * species.clumps.y;
-        lighter += c.z * species.clumps.z;
-    }
-    return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, lean, scale);
+    vec3 clump = vec3(0.0);
+    if (GRASS_CLUMPS && species.tipColor.w > 0.0) clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
+    BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
+    lighter = p.lighter;
+    return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, p.lean, p.scale);
 }

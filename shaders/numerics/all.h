@@ -9,6 +9,8 @@
 #include "numerics/clump.h"
 #include "numerics/population.h"
 #include "numerics/leaf.h"
+#include "numerics/light.h"
+#include "numerics/ribbon.h"
 #include "numerics/sky.h"
 #include "numerics/tonemap.h"
 #include "numerics/weights.h"

@@ -35,3 +35,16 @@ FN real waxyLobe(vec3 n, vec3 l, vec3 v, real roughness) {
 // Its mean over leaves that face all ways, weighted by how much of each is seen: such leaves are mirrors of every direction,
 // so that only Fresnel's part is left. lv: cosine between light and eye. A grass field far away sends this.
 FN real waxyMean(real lv) { return real(0.25) * leafFresnel(sqrt(max(real(0.5) + real(0.5) * lv, real(0.0)))); }
+
+// All that a leaf of reflectance c sends to the eye of light (irradiance on what faces it, divided by pi, 1) from l: it faces n,
+// the side towards the eye, unit; v: towards the eye. looks: translucency, gloss, roughness; 0 costs nothing.
+FN vec3 leafSends(vec3 c, vec3 looks, vec3 n, vec3 v, vec3 l) {
+    real facing = dot(n, l);
+    vec3 sent = c * max(facing, real(0.0));
+    if (looks.x > 0.0f) sent += leafThrough(c) * (looks.x * max(-facing, real(0.0)));
+    if (looks.y > 0.0f) {
+        real wax = looks.y * waxyLobe(n, l, v, looks.z);
+        sent += vec3(wax, wax, wax);
+    }
+    return sent;
+}

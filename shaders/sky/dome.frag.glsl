@@ -26,14 +26,8 @@ SkyModel model() {
 void main() {
     vec3 d = normalize(direction);
     vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyGain.rgb;
-    if (SUN && d.y > 0.0) light += frame.sunLight.rgb * 40.0 * smoothstep(0.99996, 0.99999, dot(d, frame.sunDirection.xyz));
-    if (d.y < 0.0) {
-        // Meadows to the horizon: what the ground throws back, with distance lost in the haze (or in 4 km of clear air).
-        float height = max(frame.eye.y, 0.5);
-        float distance = height / max(-d.y, 1e-5);
-        float share = 1.0 - exp(-max(frame.haze.x, 0.001) * distance);
-        light = mix(frame.groundLight.rgb, horizonColor(d.xz), share);
-    }
+    if (SUN && d.y > 0.0) light += frame.sunLight.rgb * sunDisc(dot(d, frame.sunDirection.xyz));
+    if (d.y < 0.0) light = plainLight(frame.groundLight.rgb, horizonColor(d.xz), frame.haze.x, plainDistance(frame.eye.y, -d.y));
     if (viewMode() == VIEW_TIERS || viewMode() == VIEW_OVERDRAW || viewMode() == VIEW_DENSITY || viewMode() == VIEW_NORMALS) light = vec3(0.0);
     color = vec4(light, 1.0);
 }

@@ -43,7 +43,7 @@ vec3 soil(vec2 uv) {
     vec3 tile = texture(tileTexture, place * frame.groundColor.w).rgb * 2.0 * frame.groundColor.rgb;
     if (!TERRAIN_MAP) return tile;
     vec4 map = texture(terrainMap, uv);
-    return mix(tile, map.rgb * (0.75 + 0.25 * tile / max(frame.groundColor.rgb, vec3(1e-3))), map.a);
+    return soilColor(tile, frame.groundColor.rgb, map.rgb, map.a);
 }
 
 void main() {

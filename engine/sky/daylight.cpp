@@ -1,0 +1,133 @@
+#include "sky/daylight.h"
+
+#include "core/numerics.h"
+#include "scene/lights.h"
+#include "scene/project.h"
+#include "sky/exposure.h"
+
+namespace sward {
+namespace {
+
+constexpr glm::vec3 kGroundAlbedo{0.07f, 0.10f, 0.045f};
+constexpr float kLampKlx = 45;               // of intensity 1
+constexpr float kFadeSine = 0.0523f;         // directional lights fade out over the last 3 degrees above the horizon (B-4)
+
+float turbidityOf(const Project& p) {
+    const Sky* sky = firstOf<Sky>(p);
+    return sky ? sky->turbidity : 3.0f;
+}
+
+// Without a light component the sky has its sun at the zenith.
+glm::vec3 sunOf(const Project& p, double seconds) {
+    const Light* light = sunLight(p);
+    return light ? directionTo(*light, seconds) : glm::vec3(0, 1, 0);
+}
+
+// Irradiance of the sky on level ground, divided by pi: midpoint rule over 12 elevations and 24 azimuths.
+glm::vec3 skyOnGround(const glm::vec3& sun, float turbidity) {
+    constexpr int kRows = 12, kColumns = 24;
+    glm::vec3 sum(0);
+    for (int r = 0; r < kRows; ++r)
+        for (int c = 0; c < kColumns; ++c) {
+            const float y = (r + 0.5f) / kRows, h = std::sqrt(1 - y * y), a = 2 * kPi * (c + 0.5f) / kColumns;
+            sum += f32::skyRadiance(glm::vec3(h * std::cos(a), y, h * std::sin(a)), sun, turbidity) * y;
+        }
+    return sum * (2.0f / (kRows * kColumns));  // solid angle 2 pi / n each, divided by pi
+}
+
+void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity) {
+    if (s.sun == sun && s.turbidity == turbidity) return;
+    s.sun = sun;
+    s.turbidity = turbidity;
+    s.level = skyOnGround(sun, turbidity);
+    const glm::vec2 flat(sun.x, sun.z);
+    const glm::vec2 h = glm::length(flat) > 1e-4f ? glm::normalize(flat) : glm::vec2(1, 0);
+    const glm::vec2 ways[3] = {h, {-h.y, h.x}, -h};
+    for (int i = 0; i < 3; ++i) s.horizon[i] = f32::skyRadiance(glm::normalize(glm::vec3(ways[i].x, 0.02f, ways[i].y)), sun, turbidity);
+}
+
+// A camera's white balance: three quarters of the way to making white ground look white. Luminance is kept.
+glm::vec3 whiteBalance(const glm::vec3& onGround) {
+    const float luminance = glm::dot(onGround, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    if (!(luminance > 0)) return glm::vec3(1);
+    return glm::pow(glm::vec3(luminance) / glm::max(onGround, glm::vec3(1e-4f * luminance)), glm::vec3(0.75f));
+}
+
+LightGlobals directional(const Light& light, double time) {
+    LightGlobals g{};
+    const glm::vec3 towards = directionTo(light, time);
+    const f32::LightWeights w = f32::lightWeights(towards);
+    g.place = glm::vec4(towards, 0);
+    g.color = glm::vec4(glm::vec3(f32::horizonFade(towards.y, kFadeSine)), 0);
+    g.weights = {w.xPos, w.yPos, w.zPos, w.xNeg};
+    return g;
+}
+
+LightGlobals point(const Light& light, const glm::dvec3& centre, double time, const glm::dvec3& eye) {
+    LightGlobals g{};
+    g.place = glm::vec4(glm::vec3(placeOf(light, centre, time) - eye), 1);
+    g.color = glm::vec4(glm::vec3(1), light.attenuation);
+    return g;
+}
+
+struct Lamp {
+    LightGlobals globals;
+    bool casts;
+};
+
+}  // namespace
+
+void addSun(FrameGlobals& g, const Project& p, double seconds) {
+    const Light& light = *sunLight(p);
+    const glm::vec3 sun = directionTo(light, seconds);
+    const float up = sun.y > 0 ? 1.0f : 0.0f;
+    const glm::vec3 irradiance = f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.mode.y * up);
+    g.sunDirection = glm::vec4(sun, up);
+    g.sunLight = glm::vec4(f32::soundLight(irradiance), light.castShadows ? 1 : 0);
+    g.groundLight += glm::vec4(irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo, 0);
+}
+
+void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
+    const glm::vec3 sun = sunOf(p, seconds);
+    const float turbidity = turbidityOf(p);
+    integrateSky(s, sun, turbidity);
+    const float scale = firstOf<Sky>(p)->intensity * kExposure * g.mode.y;
+    const glm::vec3 balance = whiteBalance(s.level * scale + glm::vec3(g.sunLight) * std::max(g.sunDirection.y, 0.0f));
+    const glm::vec3 gain = balance * scale;
+    g.skySun = glm::vec4(sun, turbidity);
+    g.skyGain = glm::vec4(gain, 0);
+    g.sunLight *= glm::vec4(balance, 1);
+    g.skyLight = glm::vec4(s.level * gain, 0);
+    g.groundLight = glm::vec4(glm::vec3(g.groundLight) * balance + s.level * gain * kGroundAlbedo, 0);
+    for (int i = 0; i < 3; ++i) g.horizon[i] = glm::vec4(s.horizon[i] * gain, 0);
+}
+
+void addHaze(FrameGlobals& g, const Project& p) {
+    // Koschmieder: contrast falls to 2% at the visibility, exp(-k d) = 0.02.
+    g.haze.x = 3.912f / std::max(firstOf<Fog>(p)->visibility, 0.1f);
+}
+
+LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure) {
+    std::vector<Lamp> lamps;
+    const Entity sun = sunEntity(project.registry);
+    for (const auto& [name, e] : project.entities) {
+        const Light* light = project.registry.get<Light>(e);
+        if (!light || e == sun || !shines(*light) || lamps.size() == MAX_LIGHTS) continue;
+        const Transform* t = project.registry.get<Transform>(e);
+        const bool isPoint = light->type == static_cast<int>(LightType::Point);
+        LightGlobals g = isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
+        const glm::vec3 color = light->color * (light->intensity * kLampKlx * kExposure / kPi * exposure);
+        g.color = glm::vec4(f32::soundLight(color) * glm::vec3(g.color), g.color.w);
+        lamps.push_back({g, light->castShadows});
+    }
+    std::stable_partition(lamps.begin(), lamps.end(), [](const Lamp& l) { return l.casts; });
+    LightsGlobals all{};
+    for (const Lamp& l : lamps) {
+        all.lights[static_cast<size_t>(all.count.x)] = l.globals;
+        all.count.x += 1;
+        all.count.y += l.casts ? 1 : 0;
+    }
+    return all;
+}
+
+}  // namespace sward
