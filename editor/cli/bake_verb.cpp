@@ -1,25 +1,10 @@
-#include <csignal>
-
 #include "bakes.h"
 #include "cli/cli.h"
+#include "cli/interrupt.h"
 #include "techniques.h"
 
 namespace sward {
 namespace {
-
-// Ctrl+C cancels what is baked, so that no file is left half-written.
-volatile std::sig_atomic_t interrupted = 0;
-void interrupt(int) { interrupted = 1; }
-
-// A line on standard error that is written over, where a person looks; elsewhere nothing. False once interrupted.
-BakeProgress progressLine(const std::string& name) {
-    return [name, last = -1](double share) mutable {
-        const int percent = static_cast<int>(share * 100);
-        if (percent != last && isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%s %3d %%%s", name.c_str(), percent, percent == 100 ? "\n" : "");
-        last = percent;
-        return interrupted == 0;
-    };
-}
 
 bool wanted(const BakeCommand& o, const BakeRow& row) { return o.only.empty() || std::find(o.only.begin(), o.only.end(), row.flag) != o.only.end(); }
 
@@ -40,11 +25,9 @@ int bakeVerb(const BakeCommand& o) {
     if (Status s = checkBakeSettings({o.samples, o.size}); !s) return report(s.error());
     Document document(tables());
     if (Status s = document.open(o.project); !s) return report(s.error());
-    interrupted = 0;
-    const auto before = std::signal(SIGINT, interrupt);
+    const Interruptible here;
     const Status made = bakeRowsOf(document, o);
-    std::signal(SIGINT, before);
-    if (!made) return interrupted ? static_cast<int>(ExitCode::Interrupted) : report(made.error());
+    if (!made) return interrupted() ? static_cast<int>(ExitCode::Interrupted) : report(made.error());
     if (!document.dirty()) return 0;
     const auto written = document.save();
     if (!written) return report(written.error());

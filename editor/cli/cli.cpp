@@ -14,6 +14,8 @@ struct Verbs {
     CLI::App app{"Sward: an editor and renderer for grass and forest", "sward"};
     int result = 0;
     RenderOptions render;
+    ReferenceOptions reference;
+    MergeCommand merge;
     CompareOptions compare;
     ImportCommand import;
     ExportCommand exported;
@@ -31,20 +33,31 @@ struct Verbs {
         return v;
     }
 
-    void addRender() {
-        CLI::App* v = verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); });
-        v->add_option("project", render.project, "folder of the project")->required();
-        v->add_option("--camera", render.camera, "name of one camera (default: all)");
-        v->add_option("--size", render.size, "WxH in pixels (default: 1024x768)");
-        v->add_option("--technique", render.technique, "hybrid, geometry or flat (default: the project's)");
-        v->add_option("--set", render.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
-        v->add_option("--view", render.view, "final, tiers, overdraw, density, depth or normals");
-        v->add_option("--msaa", render.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
-        v->add_option("--time", render.time, "scene time in seconds");
-        v->add_option("--frames", render.frames, "measure N frames after 3 warm-ups; with --fps write them");
-        v->add_option("--fps", render.fps, "with --frames: write frame_0000.png and so on at this rate");
-        v->add_option("--out", render.out, "file (one camera) or folder (several); .png or .exr");
-        v->add_option("--stats", render.stats, "write statistics as JSON to this file");
+    static void addViews(CLI::App* v, RenderOptions& o) {
+        v->add_option("project", o.project, "folder of the project")->required();
+        v->add_option("--camera", o.camera, "name of one camera (default: all)");
+        v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
+        v->add_option("--technique", o.technique, "hybrid, geometry, slices or flat (default: the project's)");
+        v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
+        v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
+        v->add_option("--time", o.time, "scene time in seconds");
+        v->add_option("--frames", o.frames, "measure N frames after 3 warm-ups; with --fps write them");
+        v->add_option("--fps", o.fps, "with --frames: write frame_0000.png and so on at this rate");
+        v->add_option("--out", o.out, "file (one camera) or folder (several); .png or .exr");
+        v->add_option("--stats", o.stats, "write statistics as JSON to this file");
+    }
+    void addRender() { addViews(verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); }), render); }
+    void addReference() {
+        CLI::App* v = verb("reference", "Ray-trace the truth of the same cameras", [this] { return referenceVerb(reference); });
+        addViews(v, reference);
+        v->add_option("--samples", reference.samples, "rays a pixel (default: 16)");
+        v->add_option("--lighting", reference.lighting, "full, or direct: lit as techniques light, only shadows traced");
+        v->add_option("--shard", reference.shard, "I/N: this machine's share of the image, as a part for merge");
+        v->add_option("--seed", reference.seed, "of the rays, never of the scene (default: 1)");
+        CLI::App* m = verb("merge", "Join the parts of a sharded run", [this] { return mergeVerb(merge); });
+        m->add_option("part", merge.parts, "files that --shard wrote")->required();
+        m->add_option("--out", merge.out, "file of the whole")->required();
     }
     void addCompare() {
         CLI::App* v = verb("compare", "Metrics of two images of the same size", [this] { return compareVerb(compare); });
@@ -98,6 +111,7 @@ struct Verbs {
         app.add_flag("--verbose", verbose, "say what is being done")->configurable(false);
         addProjects();
         addRender();
+        addReference();
         addCompare();
         addMaps();
         addBakes();

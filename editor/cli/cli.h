@@ -1,6 +1,7 @@
 // The command line: one function a verb, options as plain structs. What each option means stands in the README.
 // Every verb prints its failure as "sward: error: file:line: message (remedy)" and returns the exit code of core/error.h.
 #pragma once
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,18 @@ struct RenderOptions {
     std::string stats;
 };
 int renderVerb(const RenderOptions& options);
+struct ReferenceOptions : RenderOptions {
+    int samples = 16;
+    std::string lighting = "full";
+    std::string shard;                   // "I/N"; empty: the whole image
+    uint32_t seed = 1;
+};
+int referenceVerb(const ReferenceOptions& options);
+struct MergeCommand {
+    std::vector<std::string> parts;
+    std::string out;
+};
+int mergeVerb(const MergeCommand& options);
 
 struct CompareOptions {
     std::string a, b, mask, heatmap, metric = "appearance";
@@ -69,6 +82,13 @@ int editVerb(const std::string& project);
 int report(const Error& error);
 // The project with --set and --technique applied, repairs told on standard error.
 Result<Project> openForRendering(const RenderOptions& options);
+// Which cameras, in the order of their names. Errors: none, or none of that name.
+Result<std::vector<std::string>> cameraNames(const Project& project, const std::string& wanted);
+// Where each camera's picture goes.
+std::filesystem::path outputOf(const RenderOptions& options, const Project& project, const std::string& camera, bool several);
+Status makeFolderOf(const std::filesystem::path& file);
+// "I/N"; empty: 0 of 1. Usage error otherwise.
+Result<std::pair<int, int>> parseShard(const std::string& text);
 // "1024x768"; Usage error otherwise. Each side from 1 to 16384.
 Result<std::pair<int, int>> parseSize(const std::string& text);
 

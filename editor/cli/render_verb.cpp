@@ -16,6 +16,31 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     return std::pair{w, h};
 }
 
+Status makeFolderOf(const fs::path& file) {
+    if (!file.has_parent_path()) return {};
+    std::error_code ec;
+    fs::create_directories(file.parent_path(), ec);
+    if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), file.parent_path().string(), 0, 0, "choose another --out"};
+    return {};
+}
+
+Result<std::vector<std::string>> cameraNames(const Project& p, const std::string& wanted) {
+    std::vector<std::string> all;
+    for (const auto& [name, e] : p.entities)
+        if (p.registry.get<Camera>(e)) all.push_back(name);
+    if (wanted.empty() && !all.empty()) return all;
+    if (std::find(all.begin(), all.end(), wanted) != all.end()) return std::vector<std::string>{wanted};
+    std::string list;
+    for (const std::string& n : all) list += (list.empty() ? "" : ", ") + n;
+    return Error{wanted.empty() ? ExitCode::Unsound : ExitCode::Usage, wanted.empty() ? "the project has no camera" : "there is no camera \"" + wanted + "\"",
+                 p.dir.string(), 0, 0, all.empty() ? "add an entity with a Camera" : "its cameras: " + list};
+}
+
+fs::path outputOf(const RenderOptions& o, const Project& p, const std::string& camera, bool several) {
+    if (o.out.empty()) return p.name + "-" + camera + ".png";
+    return several ? fs::path(o.out) / (camera + ".png") : fs::path(o.out);
+}
+
 namespace {
 
 Result<ViewMode> parseView(const std::string& text) {
@@ -43,31 +68,8 @@ Status applyOverride(Project& p, const std::string& text) {
     return setFieldText(*f, text.substr(equals + 1));
 }
 
-// Which cameras, in the order of their names.
-Result<std::vector<std::string>> cameraNames(const Project& p, const std::string& wanted) {
-    std::vector<std::string> all;
-    for (const auto& [name, e] : p.entities)
-        if (p.registry.get<Camera>(e)) all.push_back(name);
-    if (wanted.empty() && !all.empty()) return all;
-    if (std::find(all.begin(), all.end(), wanted) != all.end()) return std::vector<std::string>{wanted};
-    std::string list;
-    for (const std::string& n : all) list += (list.empty() ? "" : ", ") + n;
-    return Error{wanted.empty() ? ExitCode::Unsound : ExitCode::Usage, wanted.empty() ? "the project has no camera" : "there is no camera \"" + wanted + "\"",
-                 p.dir.string(), 0, 0, all.empty() ? "add an entity with a Camera" : "its cameras: " + list};
-}
-
-// Where each camera's picture goes.
-fs::path outputOf(const RenderOptions& o, const Project& p, const std::string& camera, bool several) {
-    if (o.out.empty()) return p.name + "-" + camera + ".png";
-    return several ? fs::path(o.out) / (camera + ".png") : fs::path(o.out);
-}
-
 Status writePicture(const Renderer& r, const fs::path& file, int w, int h) {
-    if (file.has_parent_path()) {
-        std::error_code ec;
-        fs::create_directories(file.parent_path(), ec);
-        if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), file.parent_path().string(), 0, 0, "choose another --out"};
-    }
+    if (Status s = makeFolderOf(file); !s) return s;
     if (file.extension() == ".exr") return writeImageExr(file, w, h, 3, r.readLinear());
     if (file.extension() == ".png") return writeImagePng(file, w, h, 3, r.readImage());
     return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};

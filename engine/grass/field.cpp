@@ -27,10 +27,9 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
 void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const GrassField& f, int index) {
     SpeciesGlobals g;
     g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
-    g.midColor = glm::vec4(sp.midColor, std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))));
+    g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
     g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
-    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
-    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, f.cellSize};
+    g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
     g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
     g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
     const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];

@@ -1,10 +1,11 @@
-// Triangles that rays are cast against, by Embree; the one place that knows it, and in which its versions 3 and 4 differ.
+// Triangles that rays are cast against, by Embree.
 // Does not: know projects (see scene_rays.h), shade, or instance.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
@@ -16,6 +17,13 @@ struct Triangles {
     std::vector<uint32_t> indices;  // three a triangle, each below positions.size()
 };
 
+struct TriangleHit {
+    float t;                // in lengths of the ray's direction
+    uint32_t mesh, triangle;
+    float u, v;             // weights of the triangle's second and third corner
+    glm::vec3 normal;       // of the triangle; any length
+};
+
 class RayScene {
   public:
     // Takes some 100 bytes a triangle and a second for two million. Failed without memory.
@@ -24,6 +32,8 @@ class RayScene {
     RayScene& operator=(RayScene&&) = default;
     // Whether anything lies on origin + t way, 0 < t < far. Two-sided. From any thread.
     bool hits(const glm::vec3& origin, const glm::vec3& way, float far = std::numeric_limits<float>::infinity()) const;
+    // The first thing on it, near < t < far.
+    std::optional<TriangleHit> closest(const glm::vec3& origin, const glm::vec3& way, float near, float far) const;
 
   private:
     struct Device;

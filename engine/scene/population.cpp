@@ -84,6 +84,13 @@ Patch makePatch(const Species& species, float cellSize, uint32_t seed) {
     return patch;
 }
 
+float leanAtFull(const Species& s) { return std::tan(glm::radians(std::min(s.leanDeg, 80.0f))); }
+
+glm::vec3 clumpStrengths(const Species& s) {
+    const float clumps = s.clumpSize > 0 ? s.clumpStrength : 0;
+    return {0.8f * clumps * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f))), 0.8f * clumps * s.heightVariation, 0.2f * clumps};
+}
+
 uint64_t patchKey(const Species& s, float cellSize, uint32_t seed) {
     const float read[] = {static_cast<float>(seed), s.bladesPerM2, s.height, s.heightVariation, s.width, s.bend, s.leanVariationDeg,
                           s.hueVariationDeg, s.lightnessVariation, cellSize, static_cast<float>(s.segments)};

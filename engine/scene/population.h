@@ -40,4 +40,9 @@ Patch makePatch(const Species& species, float cellSize, uint32_t seed);
 // Hash over all that makePatch reads, to know when a patch is stale.
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 
+// Lean (m per m of blade) that paint of full strength gives, and what full clump values give: lean (m per m), share of height,
+// share of lightness; as numerics/population.h bladePlace takes them.
+float leanAtFull(const Species& species);
+glm::vec3 clumpStrengths(const Species& species);
+
 }  // namespace sward

@@ -69,6 +69,9 @@ Entity findEntity(const Project& p, const std::string& name);  // kNoEntity if n
 // A copy whose maps share tiles with p's: for playtest, background jobs and saving beside.
 Project snapshot(const Project& p, std::span<const ComponentRow> rows);
 
+// Names all that a project is: its fields, its maps' texels, its files' bytes; not its folder. Reads every texel.
+uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows);
+
 // --- fields by PATH ("ground.Terrain.size", "lawn.GrassField.species[lawn].height", "species[0]") -----------
 struct FieldRef {
     void* value = nullptr;      // the field itself

@@ -1,0 +1,45 @@
+// Ctrl+C while a verb works long: the work is cancelled, so that no file is left half-written; and how far it is.
+#pragma once
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "core/jobs.h"
+
+namespace sward {
+
+// While one lives, Ctrl+C is noted instead of ending the program.
+class Interruptible {
+  public:
+    Interruptible();
+    ~Interruptible();
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+
+  private:
+    void (*before_)(int);
+};
+// Whether it was pressed since the last Interruptible was made.
+bool interrupted();
+
+// A line on standard error that is written over, where a person looks; elsewhere nothing. False once interrupted.
+std::function<bool(double)> progressLine(const std::string& name);
+
+// Waits for a job, telling how far it is. Interrupted error once Ctrl+C was pressed.
+template <class T>
+Result<T> waitFor(Job<T>& job, uint64_t inputHash) {
+    const auto tell = progressLine(job.label());
+    while (!job.finished()) {
+        if (!tell(job.progress())) {
+            job.cancel();
+            return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    tell(1);
+    auto made = job.take(inputHash);
+    if (!made) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+    return std::move(*made);
+}
+
+}  // namespace sward

@@ -1,0 +1,305 @@
+#include "reference/reference.h"
+
+#include <mutex>
+
+#include "core/numerics.h"
+#include "reference/grass_rays.h"
+#include "reference/solids.h"
+#include "shared/frame.h"
+#include "sky/daylight.h"
+
+namespace sward {
+namespace {
+
+constexpr int kTileWidth = 32;         // pixels; as high as a shard's band
+constexpr int kMostBounces = 32;
+constexpr double kOffBlade = 2e-5;     // metres by which a new ray starts off the surface it leaves, so as not to meet it again
+constexpr double kOffSolid = 1e-3;
+constexpr float kBrightest = 65504;    // as the scene's target holds
+
+// Independent numbers of one sample: the n-th is hashUnit(hash3(seed, place, n)).
+struct Dice {
+    uint32_t seed, place, next = 0;
+    float unit() { return f32::hashUnit(f32::hash3(seed, place, next++)); }
+    uint32_t grain() { return f32::hash3(seed, place, next++); }
+};
+
+glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
+    const float r2 = dice.unit(), turn = f32::kTau * dice.unit(), r = std::sqrt(r2);
+    const glm::vec3 side = glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
+    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) + n * std::sqrt(std::max(1 - r2, 1e-8f)));
+}
+
+float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
+
+}  // namespace
+
+struct ReferenceScene::Impl {
+    Project project;
+    FeatureSet features;
+    double time = 0;
+    std::optional<Solids> solids;
+    std::optional<GrassRays> grass;
+};
+
+namespace {
+
+// A camera's view of the scene: what shaders get as globals, and one thread's memory.
+struct View {
+    const ReferenceScene::Impl& scene;
+    const ReferenceSettings& settings;
+    FrameGlobals globals{};
+    LightsGlobals lamps{};
+    f32::SkyModel sky{};
+    glm::dmat4 toWorld{1};
+    glm::dvec3 eye{0};   // from the terrain's corner
+    const GrassField* field = nullptr;
+    bool hasSky = false, hasSun = false, hasHaze = false;
+};
+
+View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const ReferenceSettings& settings) {
+    View v{scene, settings};
+    v.eye = camera.eye - scene.solids->ground().origin;
+    v.toWorld = glm::inverse(glm::dmat4(viewProjection(camera, settings.width, settings.height)));
+    v.globals.mode.y = std::exp2(camera.exposure);
+    v.globals.eye = glm::vec4(glm::vec3(v.eye), 0);
+    v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky), v.hasHaze = has(scene.features, Feature::Fog);
+    SkySums sums;
+    if (v.hasSun) addSun(v.globals, scene.project, scene.time);
+    if (v.hasSky) addSky(v.globals, scene.project, scene.time, sums);
+    if (v.hasHaze) addHaze(v.globals, scene.project);
+    if (has(scene.features, Feature::Lamps)) v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.mode.y);
+    if (v.hasSky) v.sky = f32::skyModel(glm::vec3(v.globals.skySun), v.globals.skySun.w);
+    v.field = firstOf<GrassField>(scene.project);
+    return v;
+}
+
+glm::vec3 horizonOf(const View& v, const glm::dvec3& way) {
+    const FrameGlobals& g = v.globals;
+    return f32::horizonLight(glm::vec3(g.horizon[0]), glm::vec3(g.horizon[1]), glm::vec3(g.horizon[2]), {g.skySun.x, g.skySun.z}, {static_cast<float>(way.x), static_cast<float>(way.z)});
+}
+
+// What a ray sees that meets nothing: the sky, and the plain beyond the terrain.
+glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
+    if (!v.hasSky) return glm::vec3(0);
+    const FrameGlobals& g = v.globals;
+    const glm::vec3 d(way);
+    if (d.y < 0) return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x, f32::plainDistance(g.eye.y, -d.y));
+    glm::vec3 light = f32::skyRadianceOf(v.sky, d) * glm::vec3(g.skyGain);
+    if (withSun && v.hasSun) light += glm::vec3(g.sunLight) * f32::sunDisc(glm::dot(d, glm::vec3(g.sunDirection)));
+    return light;
+}
+
+std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
+    std::optional<Surface> solid = v.scene.solids->closest(ray);
+    if (solid) ray.far = solid->t;
+    std::optional<Surface> blade = v.scene.grass->closest(ray, memory);
+    return blade ? blade : solid;
+}
+
+Ray leave(const Surface& s, const glm::vec3& towards, double far, Dice& dice) {
+    const double off = s.met == Met::Blade ? kOffBlade : kOffSolid, side = glm::dot(s.face, towards) < 0 ? -1 : 1;
+    return {s.at + glm::dvec3(s.face) * (off * side), glm::normalize(glm::dvec3(towards)), 0, far, dice.grain()};
+}
+
+// Whether light reaches a surface from a direction and distance, past what casts shadows on it.
+bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, Dice& dice, GrassMemory& memory) {
+    const Ray ray = leave(s, towards, far, dice);
+    if (v.scene.solids->blocks(ray)) return false;
+    const bool blades = v.settings.lighting == ReferenceLighting::Full || (s.met == Met::Blade && v.field && v.field->shadowMask > 0) ||
+                        (s.met == Met::Ground && v.field && v.field->groundShadows);
+    return !blades || !v.scene.grass->blocks(ray, memory);
+}
+
+// What a surface sends to the eye of light from a direction that would light what faces it by 1 (irradiance over pi).
+glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
+    return f32::leafSends(s.color, s.looks, s.normal, toEye, towards) * s.tint;
+}
+
+// Share of direct light that is left where shadows are not traced: as shaders have it without masks and drawn shadows.
+float untracedShare(const View& v, const Surface& s, bool casts) {
+    if (v.settings.lighting == ReferenceLighting::Full || !v.field) return 1;
+    if (s.met == Met::Blade) return v.field->shadowMask > 0 && casts ? 1 : s.open;
+    if (s.met == Met::Ground) return v.field->groundShadows && casts ? 1 : v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    return 1;
+}
+
+glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const glm::vec3& towards, double far, const glm::vec3& light, bool casts, Dice& dice, GrassMemory& memory) {
+    const glm::vec3 sent = sends(s, toEye, towards) * light;
+    if (sent == glm::vec3(0) || (casts && !lit(v, s, towards, far, dice, memory))) return glm::vec3(0);
+    return sent * untracedShare(v, s, casts);
+}
+
+glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    const FrameGlobals& g = v.globals;
+    glm::vec3 sum(0);
+    if (v.hasSun && g.sunDirection.w > 0) sum += lightFrom(v, s, toEye, glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0, dice, memory);
+    for (int i = 0; i < static_cast<int>(v.lamps.count.x); ++i) {
+        const LightGlobals& l = v.lamps.lights[i];
+        const glm::vec3 way = glm::vec3(l.place) - glm::vec3(s.at - v.eye) * l.place.w;
+        const f32::PointLight p = f32::pointLight(way, l.color.w);
+        sum += lightFrom(v, s, toEye, p.direction, l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar, glm::vec3(l.color) * p.attenuation, i < static_cast<int>(v.lamps.count.y), dice, memory);
+    }
+    return sum;
+}
+
+// Light from above and below as shaders have it (ReferenceLighting::Direct).
+glm::vec3 ambientLight(const View& v, const Surface& s) {
+    float share = s.met == Met::Object ? 1 : s.open;
+    if (v.field && s.met != Met::Object && v.field->ambientOcclusion.present()) share *= paintedAt(v.field->ambientOcclusion.map, s.place, static_cast<double>(v.field->ambientOcclusionTiling), false).x;
+    if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    return s.color * s.tint * f32::halvesLight(glm::vec3(v.globals.groundLight), glm::vec3(v.globals.skyLight), s.normal.y) * share;
+}
+
+// The next direction of a path, and by how much it counts. A leaf sends part of it on from behind.
+struct Bounce {
+    glm::vec3 towards;
+    glm::vec3 weight;
+};
+Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
+    const float through = s.looks.x > 0 ? s.looks.x * luminance(f32::leafThrough(s.color)) : 0;
+    const float share = through > 0 ? through / (through + luminance(s.color)) : 0;
+    const bool behind = share > 0 && dice.unit() < share;
+    const glm::vec3 side = behind ? -s.normal : s.normal, towards = cosineAround(side, dice);
+    const float cosine = std::max(glm::dot(side, towards), 1e-6f);
+    return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
+}
+
+// Light along a ray from the eye. firstMet: what it meets first, if anything.
+glm::vec3 radiance(const View& v, Ray ray, Dice& dice, GrassMemory& memory, std::optional<Surface>& firstMet) {
+    glm::vec3 sum(0), weight(1);
+    for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+        const std::optional<Surface> s = meet(v, ray, memory);
+        if (bounce == 0) firstMet = s;
+        if (!s) return sum + weight * background(v, ray.way, bounce == 0);
+        const glm::vec3 toEye(-ray.way);
+        sum += weight * directLight(v, *s, toEye, dice, memory);
+        if (v.settings.lighting == ReferenceLighting::Direct) return sum + weight * ambientLight(v, *s);
+        const Bounce next = bounceOff(*s, toEye, dice);
+        if (glm::dot(s->face, next.towards) * glm::dot(s->normal, next.towards) <= 0) return sum;  // a smooth normal's part below the surface
+        weight *= next.weight;
+        if (bounce > 0) {
+            const float goesOn = std::clamp(std::max({next.weight.x, next.weight.y, next.weight.z}), 0.02f, 0.95f);
+            if (dice.unit() >= goesOn) return sum;
+            weight /= goesOn;
+        }
+        ray = leave(*s, next.towards, std::numeric_limits<double>::infinity(), dice);
+    }
+    return sum;
+}
+
+glm::vec3 inHaze(const View& v, const glm::vec3& light, const Surface& s) {
+    const glm::dvec3 way = s.at - v.eye;
+    const float share = f32::hazeTaken(v.globals.haze.x, static_cast<float>(glm::length(way)));
+    return glm::mix(light, horizonOf(v, way), share);
+}
+
+// From the near plane on, through (x, y) in pixels from the top left.
+Ray eyeRay(const View& v, double x, double y, uint32_t grain) {
+    const glm::dvec4 near = v.toWorld * glm::dvec4(2 * x / v.settings.width - 1, 1 - 2 * y / v.settings.height, 1, 1);
+    const glm::dvec3 at = glm::dvec3(near) / near.w;
+    const double distance = glm::length(at);
+    return {v.eye, at / distance, distance, std::numeric_limits<double>::infinity(), grain};
+}
+
+// Sums over a pixel's samples.
+struct Sums {
+    glm::dvec3 light{0}, squares{0};
+    int grass = 0;
+};
+Sums samplePixel(const View& v, int x, int y, GrassMemory& memory) {
+    Sums sums;
+    const uint32_t pixel = f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), v.settings.seed);
+    for (int i = 0; i < v.settings.samples; ++i) {
+        Dice dice{pixel, static_cast<uint32_t>(i)};
+        const double dx = static_cast<double>(dice.unit()), dy = static_cast<double>(dice.unit());
+        std::optional<Surface> met;
+        glm::vec3 light = radiance(v, eyeRay(v, x + dx, y + dy, dice.grain()), dice, memory, met);
+        if (met && v.hasHaze) light = inHaze(v, light, *met);
+        const glm::dvec3 l(glm::clamp(light, glm::vec3(0), glm::vec3(kBrightest)));
+        sums.light += l, sums.squares += l * l;
+        sums.grass += met && met->met == Met::Blade;
+    }
+    return sums;
+}
+
+void writePixel(Truth& t, size_t i, const Sums& s, int samples) {
+    const double n = samples;
+    const glm::dvec3 mean = s.light / n, spread = glm::max(s.squares / n - mean * mean, glm::dvec3(0));
+    for (int c = 0; c < 3; ++c) {
+        t.color[3 * i + static_cast<size_t>(c)] = static_cast<float>(mean[c]);
+        t.error[3 * i + static_cast<size_t>(c)] = samples > 1 ? static_cast<float>(std::sqrt(spread[c] / (n - 1))) : std::numeric_limits<float>::infinity();
+    }
+    t.grass[i] = static_cast<float>(s.grass / n);
+}
+
+// Memories for as many threads as ask at once.
+struct MemoryPool {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<GrassMemory>> free;
+    std::unique_ptr<GrassMemory> take() {
+        std::lock_guard lock(mutex);
+        if (free.empty()) return std::make_unique<GrassMemory>();
+        auto m = std::move(free.back());
+        free.pop_back();
+        return m;
+    }
+    void give(std::unique_ptr<GrassMemory> m) {
+        std::lock_guard lock(mutex);
+        free.push_back(std::move(m));
+    }
+};
+
+Status checkSettings(const ReferenceSettings& s) {
+    const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
+    if (s.samples < 1 || s.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no picture", s.samples), fmt::format("1 to {}", kMaxReferenceSamples));
+    if (s.width < 1 || s.height < 1) return usage("a picture has at least one pixel", "");
+    if (s.shards < 1 || s.shard < 0 || s.shard >= s.shards) return usage(fmt::format("there is no shard {} of {}", s.shard, s.shards), "write I/N, I from 0 to N-1");
+    return {};
+}
+
+}  // namespace
+
+ReferenceScene::ReferenceScene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ReferenceScene::ReferenceScene(ReferenceScene&&) noexcept = default;
+ReferenceScene& ReferenceScene::operator=(ReferenceScene&&) noexcept = default;
+ReferenceScene::~ReferenceScene() = default;
+
+Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tables, double time, const JobControl& control) {
+    auto impl = std::make_unique<Impl>();
+    impl->project = snapshot(p, tables.components);
+    impl->features = sceneFeatures(impl->project.registry, tables.components);
+    impl->time = time;
+    auto solids = Solids::make(impl->project, control);
+    if (!solids) return solids.error();
+    impl->solids.emplace(std::move(*solids));
+    auto grass = GrassRays::make(impl->project, control);
+    if (!grass) return grass.error();
+    impl->grass.emplace(std::move(*grass));
+    return ReferenceScene(std::move(impl));
+}
+
+Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSettings& settings, JobControl& control) const {
+    if (Status s = checkSettings(settings); !s) return s.error();
+    const View view = viewFrom(*impl_, camera, settings);
+    const size_t pixels = static_cast<size_t>(settings.width) * static_cast<size_t>(settings.height);
+    Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels), std::vector<float>(pixels)};
+    const int across = (settings.width + kTileWidth - 1) / kTileWidth, down = (settings.height + kShardRows - 1) / kShardRows;
+    MemoryPool memories;
+    std::atomic<int> done{0};
+    parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t tile) {
+        const int x0 = static_cast<int>(tile) % across * kTileWidth, y0 = static_cast<int>(tile) / across * kShardRows;
+        if (control.cancelled() || !isOfShard(y0, settings)) return;
+        auto memory = memories.take();
+        for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
+            for (int x = x0; x < std::min(x0 + kTileWidth, settings.width); ++x)
+                writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x), samplePixel(view, x, y, *memory), settings.samples);
+        memories.give(std::move(memory));
+        control.setProgress(static_cast<double>(++done) * settings.shards / (across * down));
+    });
+    if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+    return truth;
+}
+
+}  // namespace sward

@@ -1,0 +1,166 @@
+#include "reference/solids.h"
+
+#include "core/numerics.h"
+#include "frame/placement.h"
+#include "scene/mesh_io.h"
+
+namespace sward {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+Triangles placed(const Mesh& mesh, const glm::dvec3& at, const glm::dmat3& turn) {
+    Triangles out;
+    out.positions.reserve(mesh.vertices.size());
+    for (const MeshVertex& v : mesh.vertices) out.positions.push_back(glm::vec3(at + turn * glm::dvec3(v.position)));
+    out.indices = mesh.indices;
+    return out;
+}
+
+const MeshPart& partOf(const Mesh& mesh, uint32_t triangle) {
+    for (const MeshPart& p : mesh.parts)
+        if (3 * triangle < p.first + p.count) return p;
+    return mesh.parts.back();
+}
+
+template <class V>
+V across(const Mesh& mesh, const TriangleHit& h, V MeshVertex::* member) {
+    const uint32_t* i = &mesh.indices[3 * static_cast<size_t>(h.triangle)];
+    return mesh.vertices[i[0]].*member * (1 - h.u - h.v) + mesh.vertices[i[1]].*member * h.u + mesh.vertices[i[2]].*member * h.v;
+}
+
+glm::vec3 towards(const glm::vec3& n, const glm::dvec3& way) { return glm::dot(glm::dvec3(n), way) > 0 ? -n : n; }
+
+}  // namespace
+
+Result<Solids> Solids::make(const Project& p, const JobControl& control) {
+    Solids s;
+    s.ground_ = findGround(p);
+    std::vector<Triangles> triangles(1);
+    if (const Terrain* t = s.ground_.terrain) {
+        s.level_ = !t->height.present();
+        const Rgba8 tile = t->groundTexture.empty() ? Rgba8{} : loadTile(p.dir / t->groundTexture);
+        s.tile_ = pictureOf(tile.pixels.empty() ? makeSoil(256) : tile);
+        if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
+    }
+    for (const PlacedMesh& placedMesh : placedMeshes(p)) {
+        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        const std::string& file = placedMesh.mesh->file;
+        if (!s.meshes_.contains(file)) {
+            Result<Mesh> mesh = readMesh(p.dir, file);
+            if (!mesh) return mesh.error();
+            for (const MeshImage& i : mesh->images) s.images_[file].push_back(pictureOf({i.width, i.height, i.rgba}));
+            s.meshes_[file] = std::move(*mesh);
+        }
+        const Mesh& mesh = s.meshes_[file];
+        s.objects_.push_back({&mesh, placedMesh.at - s.ground_.origin, placedMesh.turn * static_cast<double>(placedMesh.mesh->scale), placedMesh.mesh->castShadows});
+        s.imagesOf_.push_back(&s.images_[file]);
+        triangles.push_back(placed(mesh, s.objects_.back().at, s.objects_.back().turn));
+    }
+    auto scene = RayScene::make(triangles);
+    if (!scene) return scene.error();
+    s.scene_ = std::move(*scene);
+    return s;
+}
+
+// Where level ground is met; infinitely far where it is not.
+double Solids::flatGround(const Ray& ray) const {
+    if (!ground_.terrain || !level_ || ray.way.y == 0) return kNone;
+    const double t = -ray.origin.y / ray.way.y;
+    const glm::dvec3 at = ray.origin + ray.way * t;
+    const bool there = t > ray.near && t < ray.far && at.x >= 0 && at.z >= 0 && at.x <= ground_.terrain->size.x && at.z <= ground_.terrain->size.y;
+    return there ? t : kNone;
+}
+
+bool Solids::isCutOut(const TriangleHit& h) const {
+    if (h.mesh == 0) return false;
+    const Object& o = objects_[h.mesh - 1];
+    const MeshPart& part = partOf(*o.mesh, h.triangle);
+    if (part.cutoff <= 0 || part.image < 0) return false;
+    const glm::vec2 uv = across(*o.mesh, h, &MeshVertex::uv);
+    return (*imagesOf_[h.mesh - 1])[static_cast<size_t>(part.image)].at(uv.x, uv.y, true).w < part.cutoff;
+}
+
+// The first triangle that is not cut out and counts.
+template <class F>
+std::optional<TriangleHit> Solids::closestOf(const RayScene& scene, const Ray& ray, F counts) const {
+    double from = ray.near;
+    const glm::vec3 way(ray.way);
+    while (true) {
+        // Begun anew from where it has come to, so that floats count from there.
+        const double far = std::min(ray.far - from, 1e30);
+        auto hit = scene.closest(glm::vec3(ray.origin + ray.way * from), way, 0, static_cast<float>(far));
+        if (!hit) return std::nullopt;
+        const double t = from + static_cast<double>(hit->t);
+        if (counts(*hit) && !isCutOut(*hit)) {
+            hit->t = static_cast<float>(t);
+            return hit;
+        }
+        from = std::max(t + 1e-4, std::nextafter(t, kNone));
+    }
+}
+
+std::optional<Surface> Solids::closest(const Ray& ray) const {
+    const double level = flatGround(ray);
+    Ray shorter = ray;
+    shorter.far = std::min(ray.far, level);
+    const auto hit = closestOf(*scene_, shorter, [](const TriangleHit&) { return true; });
+    if (hit) return hit->mesh == 0 ? groundAt(ray, static_cast<double>(hit->t)) : objectAt(ray, *hit);
+    if (level < kNone) return groundAt(ray, level);
+    return std::nullopt;
+}
+
+bool Solids::blocks(const Ray& ray) const {
+    const bool hillsCast = ground_.terrain && ground_.terrain->castShadows;
+    return closestOf(*scene_, ray, [&](const TriangleHit& h) { return h.mesh == 0 ? hillsCast : objects_[h.mesh - 1].casts; }).has_value();
+}
+
+glm::vec3 Solids::groundNormal(double x, double z) const {
+    const Terrain* t = ground_.terrain;
+    if (!t || level_) return {0, 1, 0};
+    const MapInfo& info = t->height.map.info();
+    const double dx = std::max(static_cast<double>(t->gridSpacing), t->size.x / info.width), dz = std::max(static_cast<double>(t->gridSpacing), t->size.y / info.height);
+    const double rx = terrainHeight(*t, x + dx, z) - terrainHeight(*t, x - dx, z), rz = terrainHeight(*t, x, z + dz) - terrainHeight(*t, x, z - dz);
+    return glm::vec3(glm::normalize(glm::dvec3(-rx / (2 * dx), 1, -rz / (2 * dz))));
+}
+
+glm::vec3 Solids::soilAt(double x, double z) const {
+    const Terrain& t = *ground_.terrain;
+    const glm::vec3 tile = glm::vec3(tile_.at(x / t.tileSize, z / t.tileSize, true)) * 2.0f * t.groundColor;
+    if (!t.terrainMap.present()) return tile;
+    const glm::vec4 paint = paintedAt(t.terrainMap.map, glm::clamp(glm::dvec2(x, z) / t.size, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
+    return f32::soilColor(tile, t.groundColor, glm::vec3(paint), paint.w);
+}
+
+Surface Solids::groundAt(const Ray& ray, double t) const {
+    Surface s;
+    s.met = Met::Ground;
+    s.t = t;
+    s.at = ray.origin + ray.way * t;
+    s.normal = groundNormal(s.at.x, s.at.z);
+    s.face = s.normal;
+    if (ray.way.y > 0 && level_) s.normal = s.face = -s.normal;
+    s.color = soilAt(s.at.x, s.at.z);
+    s.place = {s.at.x / ground_.terrain->size.x, s.at.z / ground_.terrain->size.y};
+    return s;
+}
+
+Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
+    const Object& o = objects_[h.mesh - 1];
+    const MeshPart& part = partOf(*o.mesh, h.triangle);
+    Surface s;
+    s.met = Met::Object;
+    s.t = static_cast<double>(h.t);
+    s.at = ray.origin + ray.way * s.t;
+    s.face = towards(glm::normalize(h.normal), ray.way);
+    const glm::vec3 smooth = glm::normalize(glm::vec3(o.turn * glm::dvec3(across(*o.mesh, h, &MeshVertex::normal))));
+    s.normal = glm::dot(smooth, s.face) < 0 ? -smooth : smooth;
+    s.color = part.color;
+    if (part.image >= 0) {
+        const glm::vec2 uv = across(*o.mesh, h, &MeshVertex::uv);
+        s.color *= glm::vec3((*imagesOf_[h.mesh - 1])[static_cast<size_t>(part.image)].at(uv.x, uv.y, true));
+    }
+    return s;
+}
+
+}  // namespace sward

@@ -1,0 +1,53 @@
+// Ground and objects as rays meet them. Does not: grass, light.
+#pragma once
+#include <optional>
+
+#include "core/jobs.h"
+#include "frame/ground.h"
+#include "reference/ray_scene.h"
+#include "reference/scene_rays.h"
+#include "reference/surface.h"
+#include "scene/mesh.h"
+#include "scene/project.h"
+
+namespace sward {
+
+class Solids {
+  public:
+    // `p` must outlive it. Errors: an object's file that cannot be read; Failed without memory or when cancelled.
+    static Result<Solids> make(const Project& p, const JobControl& control);
+    // The first surface on the ray.
+    std::optional<Surface> closest(const Ray& ray) const;
+    // Whether a shadow falls: only what casts shadows counts.
+    bool blocks(const Ray& ray) const;
+    const Ground& ground() const { return ground_; }
+    // Unit, upward; by the terrain's own map.
+    glm::vec3 groundNormal(double x, double z) const;
+
+  private:
+    struct Object {
+        const Mesh* mesh;
+        glm::dvec3 at;
+        glm::dmat3 turn;
+        bool casts;
+    };
+    Solids() = default;
+    Surface groundAt(const Ray& ray, double t) const;
+    Surface objectAt(const Ray& ray, const TriangleHit& hit) const;
+    glm::vec3 soilAt(double x, double z) const;
+    bool isCutOut(const TriangleHit& hit) const;
+    template <class F>
+    std::optional<TriangleHit> closestOf(const RayScene& scene, const Ray& ray, F counts) const;
+    double flatGround(const Ray& ray) const;
+
+    Ground ground_;
+    bool level_ = true;
+    Picture tile_;
+    std::map<std::string, Mesh> meshes_;
+    std::map<std::string, std::vector<Picture>> images_;
+    std::vector<Object> objects_;             // mesh i + 1 of the scene; mesh 0 is the ground
+    std::vector<const std::vector<Picture>*> imagesOf_;
+    std::optional<RayScene> scene_;
+};
+
+}  // namespace sward

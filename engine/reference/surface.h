@@ -1,0 +1,46 @@
+// What the reference's parts tell each other: rays, what they meet, and images as rays see them.
+// Positions are metres from the terrain's corner (from the world's origin without a terrain), in double: cells and hits keep
+// their digits 90 km out.
+#pragma once
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+#include "frame/tiles.h"
+#include "scene/map.h"
+
+namespace sward {
+
+struct Ray {
+    glm::dvec3 origin;
+    glm::dvec3 way;                                        // unit
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    uint32_t grain = 0;  // decides which part-covered edges it passes: another number, another choice
+};
+
+enum class Met { Ground, Object, Blade };
+struct Surface {
+    Met met = Met::Ground;
+    double t = 0;
+    glm::dvec3 at{0};
+    glm::vec3 normal{0, 1, 0};  // unit, on the side that the ray came from
+    glm::vec3 face{0, 1, 0};    // the same of the surface as it is, which a smooth normal may differ from
+    glm::vec3 color{0};         // reflectance
+    glm::vec3 looks{0};         // of a leaf: translucency, gloss, roughness
+    glm::vec3 tint{1};          // of all that it sends: a blade's image
+    float open = 1;             // of a blade: ambient light left so near to its root, where nothing is traced
+    glm::dvec2 place{0};        // as a share of the terrain, where the maps are read: a blade's root
+};
+
+// Colour and alpha of an image, linear.
+struct Picture {
+    int width = 0, height = 0;
+    std::vector<glm::vec4> texels;  // rows first
+    // Bilinear, texel centres at (i + 0.5) / n; beyond the edges it repeats, or the edge holds.
+    glm::vec4 at(double u, double v, bool repeat) const;
+};
+Picture pictureOf(const Rgba8& image);
+// A painted map read as shaders read it: it repeats `tiling` times over the terrain; colours, of sRGB maps, linear.
+glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb);
+
+}  // namespace sward
