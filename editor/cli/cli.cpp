@@ -16,6 +16,8 @@ struct Verbs {
     RenderOptions render;
     ReferenceOptions reference;
     MergeCommand merge;
+    CostOptions cost;
+    FitOptions fit;
     CompareOptions compare;
     ImportCommand import;
     ExportCommand exported;
@@ -59,11 +61,39 @@ struct Verbs {
         m->add_option("part", merge.parts, "files that --shard wrote")->required();
         m->add_option("--out", merge.out, "file of the whole")->required();
     }
+    static void addTruth(CLI::App* v, CostOptions& o) {
+        v->add_option("project", o.project, "folder of the project")->required();
+        v->add_option("--camera", o.camera, "name of one camera (default: all)");
+        v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
+        v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--time", o.time, "scene time in seconds");
+        v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 64)");
+        v->add_option("--lighting", o.lighting, "of the truth: full, or direct (lit as techniques light, only shadows traced)");
+        v->add_option("--seed", o.seed, "of the truth's rays, never of the scene (default: 1)");
+    }
+    void addCost() {
+        CLI::App* c = verb("cost", "What accuracy costs in time: techniques and settings against the ray-traced truth", [this] { return costVerb(cost); });
+        addTruth(c, cost);
+        c->add_option("--technique", cost.technique, "sweep one alone: hybrid, geometry, slices or flat (default: all)");
+        c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped")->required();
+        c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
+        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: 2000)");
+        c->add_option("--shard", cost.shard, "I/N: this machine's share of the rows, for merge");
+        CLI::App* f = verb("fit", "The settings with the least appearance error within a budget of time", [this] { return fitVerb(fit); });
+        addTruth(f, fit);
+        f->add_option("--budget-ms", fit.budgetMs, "milliseconds a frame may take, at the slowest camera")->required();
+        f->add_option("--candidates", fit.candidates, "settings that the search may try beside the grid's 27 (default: 40)");
+        f->add_flag("--write", fit.write, "save the settings in the project");
+        f->add_flag("--json", fit.json, "print JSON");
+    }
     void addCompare() {
         CLI::App* v = verb("compare", "Metrics of two images of the same size", [this] { return compareVerb(compare); });
         v->add_option("a", compare.a, "first image")->required();
         v->add_option("b", compare.b, "second image")->required();
-        v->add_option("--heatmap", compare.heatmap, "write the difference as a PNG");
+        v->add_option("--mask", compare.mask, "image whose first channel says how much of each pixel is grass and counts");
+        v->add_option("--heatmap", compare.heatmap, "write a map of the errors to this .png");
+        v->add_option("--metric", compare.metric, "of the heat map: appearance (default), flip, rmse or ssim");
+        v->add_option("--ppd", compare.ppd, "pixels per degree of the viewer's field of view, for FLIP (default: 67)");
         v->add_flag("--json", compare.json, "print JSON");
         v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
     }
@@ -109,6 +139,7 @@ struct Verbs {
         addProjects();
         addRender();
         addReference();
+        addCost();
         addCompare();
         addMaps();
         addBakes();

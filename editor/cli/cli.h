@@ -42,8 +42,27 @@ struct MergeCommand {
 };
 int mergeVerb(const MergeCommand& options);
 
+struct CostOptions : RenderOptions {
+    int samples = 64, rounds = 5;
+    double maxMs = 2000;
+    std::string lighting = "full", shard;
+    uint32_t seed = 1;
+};
+int costVerb(const CostOptions& options);
+// The parts of a sharded sweep, joined into a cost.json or cost.csv.
+int mergeCostVerb(const MergeCommand& options);
+// Whether a file or folder is a part of a sweep.
+bool isCostPart(const std::filesystem::path& file);
+struct FitOptions : CostOptions {
+    double budgetMs = 0;
+    int candidates = 40;
+    bool write = false, json = false;
+};
+int fitVerb(const FitOptions& options);
+
 struct CompareOptions {
-    std::string a, b, heatmap;
+    std::string a, b, mask, heatmap, metric = "appearance";
+    double ppd = 67;                     // pixels per degree, of FLIP
     bool json = false, linear = false;
 };
 int compareVerb(const CompareOptions& options);

@@ -154,6 +154,7 @@ int referenceVerb(const ReferenceOptions& o) {
 }
 
 int mergeVerb(const MergeCommand& o) {
+    if (!o.parts.empty() && isCostPart(o.parts.front())) return mergeCostVerb(o);
     const auto truth = mergeParts({o.parts.begin(), o.parts.end()});
     if (!truth) return report(truth.error());
     if (Status s = writeTruth(*truth, o.out); !s) return report(s.error());

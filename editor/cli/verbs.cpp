@@ -2,33 +2,10 @@
 #include "core/json.h"
 #include "core/log.h"
 #include "measure/hardcases.h"
-#include "measure/metrics.h"
 #include "scene/map_io.h"
 #include "techniques.h"
 
 namespace sward {
-
-int compareVerb(const CompareOptions& o) {
-    auto a = readImage(o.a), b = readImage(o.b);
-    if (!a) return report(a.error());
-    if (!b) return report(b.error());
-    auto d = compareImages(*a, *b, o.linear);
-    if (!d) return report({d.error().code, d.error().message, o.a + ", " + o.b, 0, 0, d.error().remedy});
-    if (d->nonFinite > 0)
-        logWarning(fmt::format("{} pixels are not finite and were left out; the first at {},{}", d->nonFinite, d->nonFiniteX, d->nonFiniteY));
-    if (!o.heatmap.empty())
-        if (Status s = writeImagePng(o.heatmap, a->width, a->height, 3, heatmap(*a, *b, o.linear)); !s) return report(s.error());
-    if (o.json) {
-        Json j;
-        j["rmse"] = d->rmse;
-        j["psnr"] = d->psnr;
-        j["non_finite"] = d->nonFinite;
-        std::printf("%s", writeJson(j).c_str());
-    } else {
-        std::printf("rmse %.6f\npsnr %s\n", d->rmse, std::isinf(d->psnr) ? "inf" : fmt::format("{:.2f}", d->psnr).c_str());
-    }
-    return 0;
-}
 
 int newVerb(const std::string& dir) {
     auto p = newProject(dir);

@@ -45,6 +45,14 @@ glm::mat4 partProjection(const ViewSettings& s) {
     return m;
 }
 
+// Moves what is drawn by a fraction of a pixel.
+glm::mat4 jitterProjection(const ViewSettings& s) {
+    glm::mat4 m(1);
+    m[3][0] = 2 * s.jitter.x / static_cast<float>(s.width);
+    m[3][1] = 2 * s.jitter.y / static_cast<float>(s.height);
+    return m;
+}
+
 // With a stencil only where a pass asks for it: ground shadows do.
 void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
@@ -173,7 +181,7 @@ struct Renderer::Impl {
     void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s) {
         g = {};
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
-        g.viewProj = partProjection(s) * viewProjection(camera, wholeWidth(s), wholeHeight(s));
+        g.viewProj = jitterProjection(s) * partProjection(s) * viewProjection(camera, wholeWidth(s), wholeHeight(s));
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
         g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};

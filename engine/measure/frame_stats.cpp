@@ -91,9 +91,9 @@ Json recordJson(const FrameRecord& r, const Project& project, const Gpu& gpu, in
     return j;
 }
 
-}  // namespace
-
-uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int width, int height) {
+// count(query) over the species of the field that is drawn: the first by name.
+template <class F>
+uint64_t sumOverSpecies(const Project& project, const ViewCamera& camera, int width, int height, F&& count) {
     const Ground ground = findGround(project);
     if (!ground.terrain) return 0;
     HeightBounds bounds;
@@ -106,11 +106,25 @@ uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int wid
         for (size_t i = 0; i < std::min<size_t>(f->species.size(), MAX_SPECIES); ++i) {
             const Species& s = f->species[i];
             const Patch patch = makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
-            sum += countVisible(cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height)));
+            sum += count(cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height)));
         }
-        break;  // one field is drawn: the first by name
+        break;
     }
     return sum;
+}
+
+}  // namespace
+
+uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int width, int height) {
+    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) { return countVisible(q); });
+}
+
+uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int width, int height) {
+    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) {
+        uint64_t sum = 0;
+        for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
+        return sum;
+    });
 }
 
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width, int height, int msaa) {

@@ -1,51 +1,71 @@
 #include "measure/metrics.h"
 
-#include "core/numerics.h"
+#include "measure/ssim.h"
 
 namespace sward {
 namespace {
 
-// A pixel as it is compared. Gray images stand for three equal channels.
-glm::vec3 shown(const Image& image, size_t i, bool linear) {
-    const float* p = &image.pixels[i * static_cast<size_t>(image.channels)];
-    const glm::vec3 c = image.channels >= 3 ? glm::vec3(p[0], p[1], p[2]) : glm::vec3(p[0]);
-    return image.linear && !linear ? f32::srgbEncode3(f32::toneMapNeutral(glm::max(c, glm::vec3(0)))) : c;
+double squaredError(const PicturePair& p, size_t i) {
+    const glm::dvec3 e = glm::dvec3(p.image.pixels[i]) - glm::dvec3(p.truth.pixels[i]);
+    return glm::dot(e, e) / 3;
 }
-bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+double rmseOf(const PicturePair& p) {
+    double sum = 0;
+    for (size_t i = 0; i < p.weight.size(); ++i)
+        if (p.weight[i] > 0) sum += static_cast<double>(p.weight[i]) * squaredError(p, i);
+    return std::sqrt(sum / p.weightSum);
+}
+Json number(double v) { return std::isnan(v) ? Json() : Json(v); }
+std::string text(double v, const char* format) { return std::isnan(v) ? "none" : std::isinf(v) ? "inf" : fmt::format(fmt::runtime(format), v); }
 
 }  // namespace
 
-Result<Difference> compareImages(const Image& a, const Image& b, bool linear) {
-    if (a.width != b.width || a.height != b.height)
-        return Error{ExitCode::Failed, fmt::format("the images differ in size: {}x{} and {}x{}", a.width, a.height, b.width, b.height), "", 0, 0,
-                     "render both with the same --size"};
-    Difference d;
-    double sum = 0;
-    for (size_t i = 0; i < static_cast<size_t>(a.width) * static_cast<size_t>(a.height); ++i) {
-        const glm::vec3 x = shown(a, i, linear), y = shown(b, i, linear);
-        if (!finite(x) || !finite(y)) {
-            if (d.nonFinite++ == 0) d.nonFiniteX = static_cast<int>(i) % a.width, d.nonFiniteY = static_cast<int>(i) / a.width;
-            continue;
-        }
-        const glm::dvec3 e = glm::dvec3(x) - glm::dvec3(y);
-        sum += glm::dot(e, e);
-        ++d.pixels;
-    }
-    if (d.pixels == 0) return Error{ExitCode::Failed, "no pixel is finite in both images", "", 0, 0, ""};
-    d.rmse = std::sqrt(sum / (3.0 * static_cast<double>(d.pixels)));
-    d.psnr = d.rmse > 0 ? -20 * std::log10(d.rmse) : std::numeric_limits<double>::infinity();
-    return d;
+Metrics metricsOf(const PicturePair& pair, double pixelsPerDegree) {
+    Metrics m;
+    m.appearance = appearance(pair);
+    m.flip = weightedMean(flipMap(pair, pixelsPerDegree), pair.weight);
+    m.ssim = weightedMean(ssimMap(pair), pair.weight);
+    m.rmse = rmseOf(pair);
+    m.psnr = m.rmse > 0 ? -20 * std::log10(m.rmse) : std::numeric_limits<double>::infinity();
+    return m;
 }
 
-std::vector<uint8_t> heatmap(const Image& a, const Image& b, bool linear) {
-    std::vector<uint8_t> out;
-    const size_t n = static_cast<size_t>(a.width) * static_cast<size_t>(a.height);
-    out.reserve(n * 3);
-    for (size_t i = 0; i < n; ++i) {
-        const glm::vec3 e = glm::abs(shown(a, i, linear) - shown(b, i, linear));
-        const float t = finite(e) ? std::clamp(2 * std::max({e.x, e.y, e.z}), 0.0f, 1.0f) * 3 : 3.0f;
-        for (float c : {t, t - 1, t - 2}) out.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(c, 0.0f, 1.0f))));
-    }
+ErrorMap errorMap(const PicturePair& pair, ErrorMetric metric, double pixelsPerDegree) {
+    if (metric == ErrorMetric::Appearance) return appearanceMap(pair);
+    if (metric == ErrorMetric::Flip) return flipMap(pair, pixelsPerDegree);
+    ErrorMap map = metric == ErrorMetric::Ssim ? ssimMap(pair) : ErrorMap(pair.weight.size());
+    for (size_t i = 0; i < map.size(); ++i)
+        map[i] = metric == ErrorMetric::Ssim ? 1 - map[i] : static_cast<float>(std::sqrt(squaredError(pair, i)));
+    return map;
+}
+
+double heatScale(ErrorMetric metric) {
+    return metric == ErrorMetric::Appearance ? 0.2 : metric == ErrorMetric::Rmse ? 0.5 : 1.0;
+}
+
+Json metricsJson(const Metrics& m, const PicturePair& pair, double pixelsPerDegree) {
+    Json j;
+    j["appearance"] = number(m.appearance.distance);
+    j["appearance_sigma"] = number(m.appearance.sigma);
+    j["bias"] = number(m.appearance.bias);
+    j["contrast"] = number(m.appearance.contrast);
+    j["flip"] = number(m.flip);
+    j["ppd"] = pixelsPerDegree;
+    j["ssim"] = number(m.ssim);
+    j["rmse"] = number(m.rmse);
+    j["psnr"] = number(m.psnr);
+    j["pixels"] = static_cast<uint64_t>(std::count_if(pair.weight.begin(), pair.weight.end(), [](float w) { return w > 0; }));
+    j["non_finite"] = pair.nonFinite;
+    if (pair.nonFinite > 0) j["first_non_finite"] = Json(Json::Array{pair.nonFiniteX, pair.nonFiniteY});
+    return j;
+}
+
+std::string metricsText(const Metrics& m, const PicturePair& pair, double pixelsPerDegree) {
+    std::string out = fmt::format("appearance  {} +- {}   (bias {}, contrast {})\n", text(m.appearance.distance, "{:.5f}"), text(m.appearance.sigma, "{:.5f}"),
+                                  text(m.appearance.bias, "{:.5f}"), text(m.appearance.contrast, "{:.5f}"));
+    out += fmt::format("flip        {}   (at {} pixels per degree)\n", text(m.flip, "{:.6f}"), shortestText(pixelsPerDegree));
+    out += fmt::format("ssim        {}\nrmse        {}\npsnr        {}\n", text(m.ssim, "{:.6f}"), text(m.rmse, "{:.6f}"), text(m.psnr, "{:.2f} dB"));
+    if (pair.nonFinite > 0) out += fmt::format("not finite  {} pixels, left out; the first at {},{}\n", pair.nonFinite, pair.nonFiniteX, pair.nonFiniteY);
     return out;
 }
 

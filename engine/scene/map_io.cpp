@@ -273,7 +273,7 @@ Status writeImageExr(const fs::path& file, int width, int height, int channels, 
     return writePlain(file, "exr", {width, height, channels, PixelType::F32}, pixels.data());
 }
 
-Result<Image> readImage(const fs::path& file) {
+Result<Image> readImage(const fs::path& file, bool keepNonFinite) {
     MapWish wish;
     wish.channels = 0;
     Result<Map> map = readPixels(file, wish);
@@ -283,7 +283,7 @@ Result<Image> readImage(const fs::path& file) {
     image.pixels.resize(size_t(image.width) * size_t(image.height) * size_t(image.channels));
     floats.readRows(0, image.height, image.pixels.data());
     for (float& v : image.pixels)
-        if (!std::isfinite(v)) v = 0;
+        if (!keepNonFinite && !std::isfinite(v)) v = 0;
     return image;
 }
 

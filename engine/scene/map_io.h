@@ -43,8 +43,8 @@ struct Image {
     bool linear = false;                  // from a float file
     std::vector<float> pixels;            // [0,1] from integer files
 };
-// Any image the same limits allow; non-finite values become 0.
-Result<Image> readImage(const std::filesystem::path& file);
+// Any image the same limits allow; values that are not finite become 0, or stay where `keepNonFinite` asks for it.
+Result<Image> readImage(const std::filesystem::path& file, bool keepNonFinite = false);
 // Whether readImage would accept the file, as far as its header tells.
 Status checkImage(const std::filesystem::path& file);
 

@@ -1,6 +1,7 @@
 // Pictures of the test scenes against stored ones: mean error 0.1/255, at most 1% of pixels off by more than 8.
 // On failure the actual picture, the stored one and their difference lie in the build folder, under golden/.
 // To store new ones after a wanted change: SWARD_WRITE_GOLDEN=1 build/release/sward_gl_tests --gtest_filter=Golden*
+#include "measure/heatmap.h"
 #include "measure/metrics.h"
 #include "scenes.h"
 
@@ -30,6 +31,12 @@ Closeness compare(const std::vector<uint8_t>& image, const Image& golden) {
     return c;
 }
 
+std::vector<uint8_t> difference(const Image& actual, const Image& golden) {
+    auto pair = pairPictures(pictureOf(actual, false), pictureOf(golden, false));
+    EXPECT_TRUE(pair);
+    return heatmap(errorMap(*pair, ErrorMetric::Rmse), heatScale(ErrorMetric::Rmse));
+}
+
 void keepEvidence(const std::string& name, const std::vector<uint8_t>& image, const Image& golden) {
     const fs::path folder = fs::path(SWARD_BINARY_DIR) / "golden";
     fs::create_directories(folder);
@@ -39,7 +46,7 @@ void keepEvidence(const std::string& name, const std::vector<uint8_t>& image, co
     for (float v : golden.pixels) stored.push_back(static_cast<uint8_t>(std::lround(255 * v)));
     EXPECT_TRUE(writeImagePng(folder / (name + "-actual.png"), kWidth, kHeight, 3, image));
     EXPECT_TRUE(writeImagePng(folder / (name + "-expected.png"), kWidth, kHeight, 3, stored));
-    EXPECT_TRUE(writeImagePng(folder / (name + "-difference.png"), kWidth, kHeight, 3, heatmap(actual, golden, false)));
+    EXPECT_TRUE(writeImagePng(folder / (name + "-difference.png"), kWidth, kHeight, 3, difference(actual, golden)));
 }
 
 TEST(Golden, Field40LooksAsItDid) {

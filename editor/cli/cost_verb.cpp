@@ -1,0 +1,105 @@
+#include <unistd.h>
+
+#include "cli/cli.h"
+#include "cli/cost_request.h"
+#include "cli/interrupt.h"
+#include "core/file.h"
+#include "measure/cost_files.h"
+#include "measure/cost_report.h"
+#include "techniques.h"
+
+namespace sward {
+namespace fs = std::filesystem;
+
+Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
+    const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
+    CostRequest r;
+    const auto size = parseSize(o.size);
+    if (!size) return size.error();
+    const auto shard = parseShard(o.shard);
+    if (!shard) return shard.error();
+    auto cameras = cameraNames(project, o.camera);
+    if (!cameras) return cameras.error();
+    std::tie(r.width, r.height) = *size;
+    std::tie(r.shard, r.shards) = *shard;
+    r.cameras = std::move(*cameras), r.time = o.time, r.rounds = o.rounds, r.maxMs = o.maxMs;
+    if (o.samples < 2 || o.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no truth", o.samples), fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
+    if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000", "");
+    if (!(o.maxMs > 0)) return usage("--max-ms takes a number above 0", "");
+    if (o.lighting != "full" && o.lighting != "direct") return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
+    r.truth.samples = o.samples, r.truth.seed = o.seed;
+    r.truth.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
+    return r;
+}
+
+CostProgress costProgress() {
+    return [last = std::string()](const std::string& what, double share) mutable {
+        const std::string line = share < 0 ? last : fmt::format("{:3.0f} %  {}", 100 * share, what);
+        if (line != last && isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K%s", line.c_str());
+        last = line;
+        return !interrupted();
+    };
+}
+
+namespace {
+
+void printRun(const CostRun& run, const fs::path& folder) {
+    if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
+    for (const CostFloors& f : run.floors) {
+        std::printf("%s: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), f.seed.distance, f.sampling.distance, f.flat.distance);
+        std::vector<const CostRow*> frontier;
+        for (const CostRow& r : run.rows)
+            if (r.camera == f.camera && r.onFrontier) frontier.push_back(&r);
+        std::sort(frontier.begin(), frontier.end(), [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
+        for (const CostRow* r : frontier)
+            std::printf("  %8.1f ms  %.5f +- %.5f  %s %s\n", r->msMedian, r->metrics.appearance.distance, r->metrics.appearance.sigma, r->technique.c_str(), r->settings.c_str());
+    }
+    for (const CostRow& r : run.rows)
+        if (!r.skipped.empty()) std::printf("left out: %s %s %s: %s\n", r.camera.c_str(), r.technique.c_str(), r.settings.c_str(), r.skipped.c_str());
+    std::printf("%s\n", (folder / "report.html").string().c_str());
+}
+
+}  // namespace
+
+int costVerb(const CostOptions& o) {
+    auto project = openForRendering(o);
+    if (!project) return report(project.error());
+    auto request = costRequest(o, *project);
+    if (!request) return report(request.error());
+    auto settings = costSettings(*project, o.technique);
+    if (!settings) return report(settings.error());
+    request->settings = std::move(*settings);
+    request->folder = fs::path(o.out) / "work";
+    auto gpu = makeHeadlessGpu();
+    if (!gpu) return report(gpu.error());
+    const Interruptible here;
+    const auto run = runCost(*request, *project, tables(), **gpu, costProgress());
+    if (!run) return report(run.error());
+    if (Status s = writeCostFiles(*run, o.out, request->folder); !s) return report(s.error());
+    printRun(*run, o.out);
+    return 0;
+}
+
+bool isCostPart(const fs::path& file) {
+    std::error_code ec;
+    return file.extension() == ".json" || fs::exists(file / "cost.json", ec);
+}
+
+int mergeCostVerb(const MergeCommand& o) {
+    std::vector<CostRun> parts;
+    for (const std::string& file : o.parts) {
+        auto part = readCost(file);
+        if (!part) return report(part.error());
+        parts.push_back(std::move(*part));
+    }
+    const auto whole = mergeCosts(parts);
+    if (!whole) return report(whole.error());
+    const fs::path out = o.out;
+    if (out.extension() != ".json" && out.extension() != ".csv") return report({ExitCode::Usage, "a joined sweep is written as .json or .csv", o.out, 0, 0, "name --out so"});
+    if (Status s = makeFolderOf(out); !s) return report(s.error());
+    if (Status s = writeFileAtomic(out, out.extension() == ".csv" ? costCsv(*whole) : writeJson(costJson(*whole))); !s) return report(s.error());
+    std::printf("%s\n", o.out.c_str());
+    return 0;
+}
+
+}  // namespace sward

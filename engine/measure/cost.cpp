@@ -1,0 +1,294 @@
+// Index: keys · a row's picture and errors · what it will take · timing · the sweep · the frontier.
+#include "measure/cost.h"
+
+#include <sys/stat.h>
+
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/jobs.h"
+#include "core/log.h"
+#include "gpu/timer.h"
+#include "measure/cost_files.h"
+#include "measure/cost_truth.h"
+#include "measure/frame_stats.h"
+#include "scene/map_io.h"
+
+namespace sward {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
+
+// --- keys --------------------------------------------------------------------------------------------------------
+// This program as it was built: rows drawn by another are drawn again.
+std::string buildStamp() {
+    struct stat s {};
+    if (stat("/proc/self/exe", &s) != 0) return SWARD_VERSION;
+    return fmt::format("{} {} {}.{}", SWARD_VERSION, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec);
+}
+std::string sweepHash(const CostRequest& r, const Project& p, const Tables& tables) {
+    return hashHex(hashText(fmt::format("{} {}x{} {} {} {} {}", hashHex(projectHash(p, tables.components)), r.width, r.height, r.time, r.truth.samples, r.truth.seed,
+                                        static_cast<int>(r.truth.lighting))));
+}
+
+struct Sweep {
+    const CostRequest& request;
+    const Project& project;
+    const Tables& tables;
+    Gpu& gpu;
+    const CostProgress& progress;
+    Renderer renderer{gpu, tables};
+    std::string hash = {};
+    std::vector<CostTruth> truths = {};              // by camera
+    CostRun run = {};
+    std::vector<size_t> settings = {};                // of each row, index into request.settings
+    double msPerBlade = 0, msOfRest = 0;
+
+    std::string keyOf(const CostRow& row) const {
+        return hashHex(hashText(hash + "\n" + row.camera + "\n" + row.technique + "\n" + row.settings + "\n" + gpu.renderer + "\n" + shortestText(request.maxMs) + "\n" + buildStamp()));
+    }
+    fs::path fileOf(const CostRow& row) const { return request.folder / ("row-" + keyOf(row) + ".json"); }
+};
+Error stopped() { return {ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"}; }
+
+// --- a row's picture and errors ----------------------------------------------------------------------------------
+struct Prepared {
+    Project project;
+    ViewCamera camera;
+    ViewSettings view;
+};
+Result<Prepared> prepare(const Sweep& s, size_t row) {
+    Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, s.run.rows[row].camera)), {}};
+    p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
+    if (Status st = applySetting(p.project, s.tables, s.request.settings[s.settings[row]], p.view); !st) return st.error();
+    return p;
+}
+// Milliseconds of one frame with one finish at its end.
+Result<double> frameMs(Sweep& s, Prepared& p) {
+    const auto start = std::chrono::steady_clock::now();
+    if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st.error();
+    s.renderer.finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+float halton(int i, int base) {
+    float share = 1, sum = 0;
+    for (; i > 0; i /= base) share /= static_cast<float>(base), sum += share * static_cast<float>(i % base);
+    return sum;
+}
+Result<Picture> convergedPicture(Sweep& s, Prepared& p) {
+    std::vector<float> sum;
+    for (int i = 1; i <= kConvergedFrames; ++i) {
+        if (!s.progress("", -1)) return stopped();
+        p.view.jitter = {halton(i, 2) - 0.5f, halton(i, 3) - 0.5f};
+        if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st.error();
+        const std::vector<float> frame = s.renderer.readLinear();
+        sum.resize(frame.size(), 0);
+        for (size_t k = 0; k < sum.size(); ++k) sum[k] += frame[k] / kConvergedFrames;
+    }
+    p.view.jitter = {0, 0};
+    return pictureOfLinear(p.view.width, p.view.height, sum);
+}
+Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
+    if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st;
+    row.gpuBytes = s.renderer.stats().gpuBytes;
+    row.image = "row-" + s.keyOf(row) + ".png";
+    if (Status st = writeImagePng(s.request.folder / row.image, p.view.width, p.view.height, 3, s.renderer.readImage()); !st) return st;
+    auto drawn = pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
+    if (!drawn) return drawn.error();
+    row.metrics = metricsOf(*drawn);
+    auto frames = convergedPicture(s, p);
+    if (!frames) return frames.error();
+    auto converged = pairPictures(std::move(*frames), truth.picture, truth.grass);
+    if (!converged) return converged.error();
+    row.converged = appearance(*converged);
+    return {};
+}
+
+// --- what it will take -------------------------------------------------------------------------------------------
+// Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres.
+Status calibrate(Sweep& s, const std::string& camera) {
+    Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, camera)), {}};
+    p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
+    double ms[2] = {0, 0};
+    uint64_t blades = 0;
+    const CostSetting settings[] = {{"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
+    for (size_t i = 0; i < 2; ++i) {
+        if (Status st = applySetting(p.project, s.tables, settings[i], p.view); !st) return st;
+        for (int frame = 0; frame < 2; ++frame) {
+            auto took = frameMs(s, p);
+            if (!took) return took.error();
+            ms[i] = *took;
+        }
+        blades = s.renderer.stats().bladesGeometry;
+    }
+    s.msOfRest = ms[0];
+    s.msPerBlade = blades > 1000 ? std::max(0.0, ms[1] - ms[0]) / static_cast<double>(blades) : 0;
+    return {};
+}
+// Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by, so what is
+// expected is too much rather than too little.
+std::string tooSlow(const Sweep& s, const Prepared& p) {
+    const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) * static_cast<double>(p.view.detail);
+    const double expected = s.msOfRest + s.msPerBlade * blades;
+    return expected > kSure * s.request.maxMs ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.request.maxMs) : "";
+}
+// The same after a frame. The first of a setting also makes what it draws with, so that one beyond the limit is drawn again.
+Result<std::string> tookTooLong(Sweep& s, Prepared& p) {
+    auto ms = frameMs(s, p);
+    if (ms && *ms > s.request.maxMs) ms = frameMs(s, p);
+    if (!ms) return ms.error();
+    return *ms > s.request.maxMs ? fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.request.maxMs) : std::string();
+}
+Status draw(Sweep& s, size_t i) {
+    CostRow& row = s.run.rows[i];
+    auto p = prepare(s, i);
+    if (!p) return p.error();
+    row.skipped = tooSlow(s, *p);
+    if (row.skipped.empty()) {
+        auto why = tookTooLong(s, *p);
+        if (!why) return why.error();
+        row.skipped = *why;
+    }
+    if (row.skipped.empty()) {
+        const auto truth = std::find_if(s.truths.begin(), s.truths.end(), [&](const CostTruth& t) { return t.floors.camera == row.camera; });
+        if (Status st = measure(s, *p, row, *truth); !st) return st;
+    }
+    return writeFileAtomic(s.fileOf(row), writeJson(costRowJson(row)));
+}
+Status drawAll(Sweep& s) {
+    std::string calibrated;
+    for (size_t i = 0; i < s.run.rows.size(); ++i) {
+        CostRow& row = s.run.rows[i];
+        if (!s.progress(row.camera + ": " + row.technique + " " + row.settings, static_cast<double>(i) / static_cast<double>(s.run.rows.size()))) return stopped();
+        if (auto kept = readJson(s.fileOf(row)); kept) {
+            const int index = row.index;
+            auto read = costRowFrom(*kept);
+            if (read && (!read->skipped.empty() || fs::exists(s.request.folder / read->image))) {
+                row = *read, row.index = index;
+                continue;
+            }
+        }
+        if (calibrated != row.camera)
+            if (Status st = calibrate(s, calibrated = row.camera); !st) return st;
+        if (Status st = draw(s, i); !st) return st;
+    }
+    return {};
+}
+
+// --- timing ------------------------------------------------------------------------------------------------------
+// One list of milliseconds for each row, one number for each whole round.
+struct Times {
+    fs::path file;
+    std::vector<std::vector<double>> ms;
+};
+std::string timesKey(const Sweep& s) {
+    std::string all;
+    for (const CostRow& row : s.run.rows) all += s.keyOf(row);
+    return hashHex(hashText(all));
+}
+Times keptTimes(const Sweep& s) {
+    Times t{s.request.folder / ("times-" + timesKey(s) + ".json"), std::vector<std::vector<double>>(s.run.rows.size())};
+    const auto read = readJson(t.file);
+    if (!read || !read->isArray() || read->array.size() != t.ms.size()) return t;
+    for (size_t i = 0; i < t.ms.size(); ++i)
+        for (const Json& v : read->array[i].array) t.ms[i].push_back(v.number);
+    return t;
+}
+Status keepTimes(const Times& t) {
+    Json all = Json::makeArray();
+    for (const auto& row : t.ms) {
+        Json one = Json::makeArray();
+        for (const double v : row) one.push(v);
+        all.push(std::move(one));
+    }
+    return writeFileAtomic(t.file, writeJson(all));
+}
+size_t roundsOf(const Times& t) {
+    size_t most = 0;
+    for (const auto& row : t.ms) most = std::max(most, row.size());
+    return most;
+}
+Status timeAll(Sweep& s) {
+    Times t = keptTimes(s);
+    for (int round = static_cast<int>(roundsOf(t)); round < s.request.rounds; ++round) {
+        auto next = t.ms;
+        for (size_t i = 0; i < s.run.rows.size(); ++i) {
+            if (!s.run.rows[i].skipped.empty()) continue;
+            const double share = (round + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
+            if (!s.progress(fmt::format("times, round {} of {}", round + 1, s.request.rounds), share)) return stopped();
+            auto p = prepare(s, i);
+            if (!p) return p.error();
+            if (auto warm = frameMs(s, *p); !warm) return warm.error();
+            auto took = frameMs(s, *p);
+            if (!took) return took.error();
+            next[i].push_back(*took);
+        }
+        t.ms = std::move(next);
+        if (Status st = keepTimes(t); !st) return st;
+    }
+    for (size_t i = 0; i < s.run.rows.size(); ++i) {
+        s.run.rows[i].msMedian = quantileOf(t.ms[i], 0.5);
+        s.run.rows[i].msP95 = quantileOf(t.ms[i], 0.95);
+    }
+    return {};
+}
+
+// --- the sweep ---------------------------------------------------------------------------------------------------
+void listRows(Sweep& s) {
+    int index = 0;
+    for (const std::string& camera : s.request.cameras)
+        for (size_t i = 0; i < s.request.settings.size(); ++i, ++index) {
+            if (index % s.request.shards != s.request.shard) continue;
+            CostRow row;
+            row.camera = camera, row.technique = s.request.settings[i].technique, row.settings = s.request.settings[i].text(), row.index = index;
+            s.run.rows.push_back(std::move(row));
+            s.settings.push_back(i);
+        }
+    s.run.total = index;
+}
+Status traceTruths(Sweep& s) {
+    for (const std::string& camera : s.request.cameras) {
+        auto truth = costTruth(s.request, s.project, s.tables, camera, viewOf(*findCamera(s.project, camera)), s.progress);
+        if (!truth) return truth.error();
+        s.run.floors.push_back(truth->floors);
+        s.truths.push_back(std::move(*truth));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<CostRun> runCost(const CostRequest& request, const Project& project, const Tables& tables, Gpu& gpu, const CostProgress& progress) {
+    std::error_code ec;
+    fs::create_directories(request.folder, ec);
+    if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.folder.string(), 0, 0, "choose another --out"};
+    Sweep s{request, project, tables, gpu, progress};
+    s.hash = sweepHash(request, project, tables);
+    s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height, s.run.samples = request.truth.samples;
+    s.run.lighting = kReferenceLightings[static_cast<size_t>(request.truth.lighting)];
+    s.run.machines.push_back({gpu.renderer, "wall-finish", workerCount()});
+    listRows(s);
+    if (Status st = traceTruths(s); !st) return st.error();
+    if (Status st = drawAll(s); !st) return st.error();
+    if (Status st = timeAll(s); !st) return st.error();
+    markFrontier(s.run.rows);
+    return std::move(s.run);
+}
+
+// --- the frontier ------------------------------------------------------------------------------------------------
+void markFrontier(std::vector<CostRow>& rows) {
+    const auto beats = [](const CostRow& a, const CostRow& b) {
+        const double ea = a.metrics.appearance.distance, eb = b.metrics.appearance.distance;
+        return a.camera == b.camera && a.machine == b.machine && a.skipped.empty() && a.msMedian <= b.msMedian && ea <= eb && (a.msMedian < b.msMedian || ea < eb);
+    };
+    for (CostRow& row : rows)
+        row.onFrontier = row.skipped.empty() && std::isfinite(row.msMedian) && std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) { return beats(other, row); });
+}
+
+double quantileOf(std::vector<double> values, double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
+}
+
+}  // namespace sward

@@ -1,0 +1,105 @@
+// `sward compare`: exit codes, messages, files.
+#include <gtest/gtest.h>
+
+#include "cli/cli.h"
+#include "core/json.h"
+#include "core/log.h"
+#include "scene/map_io.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+struct Said {
+    int code = 0;
+    std::string out, log;
+};
+Said run(std::vector<std::string> args) {
+    args.insert(args.begin(), "sward");
+    std::vector<char*> argv;
+    for (std::string& a : args) argv.push_back(a.data());
+    Said said;
+    const int sink = addLogSink([&](LogLevel, const std::string& text) { said.log += text + "\n"; });
+    testing::internal::CaptureStdout();
+    said.code = runCommandLine(static_cast<int>(argv.size()), argv.data());
+    said.out = testing::internal::GetCapturedStdout();
+    removeLogSink(sink);
+    return said;
+}
+
+struct CompareVerb : testing::Test {
+    TempDir dir;
+    std::string png(const std::string& name, int width, int height, uint8_t value, int channels = 3) {
+        EXPECT_TRUE(writeImagePng(dir / name, width, height, channels, std::vector<uint8_t>(static_cast<size_t>(width * height * channels), value)));
+        return (dir / name).string();
+    }
+    std::string exr(const std::string& name, const std::vector<float>& rgb) {
+        EXPECT_TRUE(writeImageExr(dir / name, 20, 20, 3, rgb));
+        return (dir / name).string();
+    }
+};
+
+TEST_F(CompareVerb, PrintsAllMetricsAsJson) {
+    const Said said = run({"compare", png("a.png", 20, 20, 153), png("b.png", 20, 20, 102), "--json"});
+    EXPECT_EQ(said.code, 0);
+    auto j = parseJson(said.out, "compare");
+    ASSERT_TRUE(j) << said.out;
+    EXPECT_NEAR(j->find("rmse")->number, 0.2, 1e-6);
+    EXPECT_NEAR(j->find("appearance")->number, 0.2, 1e-6);
+    for (const char* key : {"appearance_sigma", "bias", "contrast", "flip", "ssim", "psnr", "ppd", "non_finite"}) EXPECT_TRUE(j->find(key)) << key;
+}
+TEST_F(CompareVerb, NamesBothSizesThatDiffer) {
+    const Said said = run({"compare", png("a.png", 20, 20, 1), png("b.png", 30, 10, 1)});
+    EXPECT_EQ(said.code, 1);
+    EXPECT_NE(said.log.find("20x20 and 30x10"), std::string::npos) << said.log;
+}
+TEST_F(CompareVerb, RefusesOtherKindsAndWhatItCannotRead) {
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1, 1), png("b.png", 20, 20, 1, 3)}).code, 3);
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), (dir / "none.png").string()}).code, 3);
+    writeText(dir / "broken.png", "no image");
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), (dir / "broken.png").string()}).code, 3);
+    EXPECT_EQ(run({"compare", exr("c.exr", std::vector<float>(1200, 1)), png("a.png", 20, 20, 1), "--linear"}).code, 3);
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--metric", "taste"}).code, 2);
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--ppd", "0"}).code, 2);
+    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--heatmap", (dir / "h.jpg").string()}).code, 2);
+}
+TEST_F(CompareVerb, IgnoresAlpha) {
+    std::vector<uint8_t> rgba;
+    for (int i = 0; i < 400; ++i) rgba.insert(rgba.end(), {90, 90, 90, 7});
+    ASSERT_TRUE(writeImagePng(dir / "alpha.png", 20, 20, 4, rgba));
+    const Said said = run({"compare", png("a.png", 20, 20, 90), (dir / "alpha.png").string(), "--json"});
+    EXPECT_EQ(parseJson(said.out, "")->find("psnr")->text, "inf");
+}
+TEST_F(CompareVerb, ToneMapsExrUnlessTold) {
+    const std::string a = exr("a.exr", std::vector<float>(1200, 2)), b = exr("b.exr", std::vector<float>(1200, 4));
+    EXPECT_LT(parseJson(run({"compare", a, b, "--json"}).out, "")->find("rmse")->number, 0.1);
+    EXPECT_NEAR(parseJson(run({"compare", a, b, "--json", "--linear"}).out, "")->find("rmse")->number, 2, 1e-6);
+}
+TEST_F(CompareVerb, TellsOfPixelsThatAreNotFinite) {
+    std::vector<float> bad(1200, 0.25f);
+    bad[3 * (5 * 20 + 4)] = std::numeric_limits<float>::quiet_NaN();
+    const Said said = run({"compare", exr("a.exr", bad), exr("b.exr", std::vector<float>(1200, 0.25f)), "--json"});
+    EXPECT_EQ(said.code, 0);
+    EXPECT_NE(said.log.find("1 pixels are not finite and were left out; the first at 4,5"), std::string::npos) << said.log;
+    EXPECT_EQ(parseJson(said.out, "")->find("non_finite")->number, 1);
+}
+TEST_F(CompareVerb, WeighsByAMaskAndDrawsTheErrors) {
+    std::vector<uint8_t> half(400, 0), image(1200, 100);
+    for (size_t i = 0; i < 400; ++i)
+        if (i % 20 < 10) half[i] = 255;
+        else image[3 * i] = image[3 * i + 1] = image[3 * i + 2] = 200;
+    ASSERT_TRUE(writeImagePng(dir / "mask.png", 20, 20, 1, half));
+    ASSERT_TRUE(writeImagePng(dir / "a.png", 20, 20, 3, image));
+    const std::string a = (dir / "a.png").string(), b = png("b.png", 20, 20, 100), heat = (dir / "heat.png").string();
+    EXPECT_GT(parseJson(run({"compare", a, b, "--json"}).out, "")->find("rmse")->number, 0.2);
+    EXPECT_EQ(parseJson(run({"compare", a, b, "--json", "--mask", (dir / "mask.png").string()}).out, "")->find("rmse")->number, 0);
+    EXPECT_EQ(run({"compare", a, b, "--heatmap", heat, "--metric", "rmse"}).code, 0);
+    auto map = readImage(heat);
+    ASSERT_TRUE(map);
+    EXPECT_EQ(map->width, 20);
+    EXPECT_GT(map->pixels[3 * 15], map->pixels[3 * 5] + 0.5) << "right half differs";
+    EXPECT_EQ(run({"compare", a, b, "--mask", png("small.png", 5, 5, 255)}).code, 1);
+}
+
+}  // namespace
+}  // namespace sward::test
