@@ -89,7 +89,7 @@ struct BoxScene {
 struct Kind {
     const Species* species = nullptr;
     Patch patch;
-    Picture image;
+    TexelGrid image;
     Look look;
     float leanAtFull = 0, reach = 0;
     glm::vec3 clumps{0};
@@ -426,7 +426,7 @@ Result<GrassRays> GrassRays::make(const Project& p, const JobControl& control) {
         kind->patch = makePatch(s, f->grass->cellSize, static_cast<uint32_t>(f->grass->seed));
         if (kind->patch.blades.empty()) continue;
         const Rgba8 image = bladeImage(p, s);
-        kind->image = pictureOf(image);
+        kind->image = texelGridOf(image);
         uint64_t lookKey = 0;
         updateLook(kind->look, lookKey, s, kind->patch, 1, image);
         kind->leanAtFull = leanAtFull(s);

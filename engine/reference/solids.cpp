@@ -40,7 +40,7 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
     if (const Terrain* t = s.ground_.terrain) {
         s.level_ = !t->height.present();
         const Rgba8 tile = t->groundTexture.empty() ? Rgba8{} : loadTile(p.dir / t->groundTexture);
-        s.tile_ = pictureOf(tile.pixels.empty() ? makeSoil(256) : tile);
+        s.tile_ = texelGridOf(tile.pixels.empty() ? makeSoil(256) : tile);
         if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
     }
     for (const PlacedMesh& placedMesh : placedMeshes(p)) {
@@ -49,7 +49,7 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
         if (!s.meshes_.contains(file)) {
             Result<Mesh> mesh = readMesh(p.dir, file);
             if (!mesh) return mesh.error();
-            for (const MeshImage& i : mesh->images) s.images_[file].push_back(pictureOf({i.width, i.height, i.rgba}));
+            for (const MeshImage& i : mesh->images) s.images_[file].push_back(texelGridOf({i.width, i.height, i.rgba}));
             s.meshes_[file] = std::move(*mesh);
         }
         const Mesh& mesh = s.meshes_[file];

@@ -42,11 +42,11 @@ class Solids {
 
     Ground ground_;
     bool level_ = true;
-    Picture tile_;
+    TexelGrid tile_;
     std::map<std::string, Mesh> meshes_;
-    std::map<std::string, std::vector<Picture>> images_;
+    std::map<std::string, std::vector<TexelGrid>> images_;
     std::vector<Object> objects_;             // mesh i + 1 of the scene; mesh 0 is the ground
-    std::vector<const std::vector<Picture>*> imagesOf_;
+    std::vector<const std::vector<TexelGrid>*> imagesOf_;
     std::optional<RayScene> scene_;
 };
 

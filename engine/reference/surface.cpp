@@ -26,12 +26,12 @@ glm::vec4 bilinear(const Taps& x, const Taps& y, F texel) {
 
 }  // namespace
 
-glm::vec4 Picture::at(double u, double v, bool repeat) const {
+glm::vec4 TexelGrid::at(double u, double v, bool repeat) const {
     return bilinear(tapsAt(u, width, repeat), tapsAt(v, height, repeat), [&](int x, int y) { return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]; });
 }
 
-Picture pictureOf(const Rgba8& image) {
-    Picture p{image.width, image.height, {}};
+TexelGrid texelGridOf(const Rgba8& image) {
+    TexelGrid p{image.width, image.height, {}};
     p.texels.reserve(image.pixels.size() / 4);
     for (size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
         const auto channel = [&](size_t c) { return static_cast<float>(image.pixels[i + c]) / 255; };

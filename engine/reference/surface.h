@@ -33,13 +33,13 @@ struct Surface {
 };
 
 // Colour and alpha of an image, linear.
-struct Picture {
+struct TexelGrid {
     int width = 0, height = 0;
     std::vector<glm::vec4> texels;  // rows first
     // Bilinear, texel centres at (i + 0.5) / n; beyond the edges it repeats, or the edge holds.
     glm::vec4 at(double u, double v, bool repeat) const;
 };
-Picture pictureOf(const Rgba8& image);
+TexelGrid texelGridOf(const Rgba8& image);
 // A painted map read as shaders read it: it repeats `tiling` times over the terrain; colours, of sRGB maps, linear.
 glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb);
 
