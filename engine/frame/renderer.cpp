@@ -97,6 +97,10 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
+void resolveScene(const ViewTargets& t) {
+    glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room) {
     size_t calls = 0;
     glBindVertexArray(mesh.mesh);
@@ -104,7 +108,7 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     for (size_t first = 0; first < nodes.size(); first += NODES_PER_DRAW, ++calls) {
         const size_t n = std::min<size_t>(NODES_PER_DRAW, nodes.size() - first);
         glNamedBufferSubData(room.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &nodes[first]);
-        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(n));
+        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(2 * static_cast<uintptr_t>(mesh.firstIndex)), static_cast<GLsizei>(n));
     }
     return calls;
 }
@@ -321,6 +325,7 @@ std::vector<uint8_t> Renderer::readImage() const {
 
 std::vector<float> Renderer::readLinear() const {
     const ViewTargets& t = impl_->targets;
+    if (t.samples == 1) resolveScene(t);
     std::vector<float> pixels(static_cast<size_t>(t.width) * t.height * 3);
     glGetTextureImage(t.resolved.id(), 0, GL_RGB, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)), pixels.data());
     return flipRows(std::move(pixels), t.width, t.height, 3);

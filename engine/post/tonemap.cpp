@@ -5,9 +5,13 @@
 namespace sward {
 namespace {
 
+constexpr const char* kReads[] = {"const bool RESOLVED = false;\n", "const bool RESOLVED = true;\n"};
+std::vector<std::string> readVariants() { return {kReads[0], kReads[1]}; }
+
+// One sample is read where it is.
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (t.samples > 1) resolveScene(t);
     glBindFramebuffer(GL_FRAMEBUFFER, t.final.id());
     glDisable(GL_DEPTH_TEST);
 }
@@ -20,8 +24,10 @@ void fullScreen(DrawContext& ctx) {
 
 void drawTonemap(DrawContext& ctx) {
     resolve(ctx);
-    if (!ctx.use()) return;
+    const bool resolved = ctx.targets.samples > 1;
+    if (!ctx.use(0, kReads[resolved])) return;
     glBindTextureUnit(TEX_SCENE, ctx.targets.resolved.id());
+    glBindTextureUnit(TEX_SAMPLES, ctx.targets.color.id());
     glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
     fullScreen(ctx);
 }
@@ -35,7 +41,7 @@ void drawDecal(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-constexpr ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}}};
+const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, readVariants}};
 constexpr ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}}};
 const Pass kTonemapPasses[] = {{"post/tonemap", Stage::Post, kViewMain | kViewCompare, kSceneColor | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
 const Pass kDecalPasses[] = {{"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
