@@ -78,13 +78,14 @@ struct SharedResources {
 
 // The targets of one view.
 struct ViewTargets {
-    Texture color, depth, resolved, image;  // RGBA16F and D32F multisampled; RGBA16F, written where there are several samples; RGBA8
+    Texture color, depth, resolved, image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
     bool stencil = false;      // whether depth has one: D32F_S8
 };
-// Means of the samples of `color` into `resolved`.
-void resolveScene(const ViewTargets& t);
+// The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
+std::string depthConstants(const ViewTargets& t);
+std::vector<std::string> depthVariants();
 
 struct DrawContext {
     Gpu& gpu;

@@ -5,13 +5,9 @@
 namespace sward {
 namespace {
 
-constexpr const char* kReads[] = {"const bool RESOLVED = false;\n", "const bool RESOLVED = true;\n"};
-std::vector<std::string> readVariants() { return {kReads[0], kReads[1]}; }
-
-// One sample is read where it is.
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    if (t.samples > 1) resolveScene(t);
+    if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, t.final.id());
     glDisable(GL_DEPTH_TEST);
 }
@@ -22,27 +18,27 @@ void fullScreen(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
+void bindDepth(const DrawContext& ctx) { glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id()); }
+
 void drawTonemap(DrawContext& ctx) {
     resolve(ctx);
-    const bool resolved = ctx.targets.samples > 1;
-    if (!ctx.use(0, kReads[resolved])) return;
+    if (!ctx.use(0, depthConstants(ctx.targets))) return;
     glBindTextureUnit(TEX_SCENE, ctx.targets.resolved.id());
-    glBindTextureUnit(TEX_SAMPLES, ctx.targets.color.id());
-    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    bindDepth(ctx);
     fullScreen(ctx);
 }
 
 void drawDecal(DrawContext& ctx) {
-    if (ctx.settings.decal.radius <= 0 || !ctx.use()) return;
-    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    if (ctx.settings.decal.radius <= 0 || !ctx.use(0, depthConstants(ctx.targets))) return;
+    bindDepth(ctx);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     fullScreen(ctx);
     glDisable(GL_BLEND);
 }
 
-const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, readVariants}};
-constexpr ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}}};
+const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
+const ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
 const Pass kTonemapPasses[] = {{"post/tonemap", Stage::Post, kViewMain | kViewCompare, kSceneColor | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
 const Pass kDecalPasses[] = {{"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
 
