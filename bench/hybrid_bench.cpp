@@ -96,7 +96,8 @@ SWARD_LIMITS("hybrid-even", [] {
     if (gpu()) printBreakEven();
 });
 
-// 20 x 20 m of 10,000 blades/m2 at 640 x 480, one sample. The aim is 50 ms; the limit is what a software renderer keeps to.
+// 20 x 20 m of 10,000 blades/m2 at 640 x 480, one sample. The aim is 50 ms; the limit is what another program's static field without
+// light takes on such a machine.
 SWARD_LIMITS("hybrid-frame", [] {
     if (!gpu()) return reportLimit("a lawn of 20 x 20 m at 640 x 480", NAN, 1, "ms");
     Timed t(designed(kLawn, 20), Technique::Hybrid);
@@ -104,7 +105,7 @@ SWARD_LIMITS("hybrid-frame", [] {
     t.frame(person(20), s);
     for (int i = 0; i < 9; ++i) t.ms.push_back(t.frame(person(20), s));
     printPasses(t, person(20), s);
-    reportLimit("a lawn of 20 x 20 m at 640 x 480", median(t.ms), 2000, "ms");
+    reportLimit("a lawn of 20 x 20 m at 640 x 480", median(t.ms), 103, "ms");
 });
 
 // Walking across both transitions in steps of 1 cm.

@@ -51,7 +51,7 @@ struct ShadowCaster {
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
 struct GroundMesh {
     GLuint mesh = 0;                            // vertex array: 17 x 17 corners, triangles as unsigned shorts
-    int indices = 0;
+    int firstIndex = 0, indices = 0;            // of a node's triangles
     std::span<const TerrainNode> nodes;
 };
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
@@ -78,11 +78,14 @@ struct SharedResources {
 
 // The targets of one view.
 struct ViewTargets {
-    Texture color, depth, resolved, image;  // RGBA16F and D32F multisampled; RGBA16F; RGBA8
+    Texture color, depth, resolved, image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
     bool stencil = false;      // whether depth has one: D32F_S8
 };
+// The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
+std::string depthConstants(const ViewTargets& t);
+std::vector<std::string> depthVariants();
 
 struct DrawContext {
     Gpu& gpu;

@@ -53,17 +53,18 @@ glm::mat4 jitterProjection(const ViewSettings& s) {
     return m;
 }
 
-// With a stencil only where a pass asks for it: ground shadows do.
+// With a stencil only where a pass asks for it: ground shadows do. One sample is no multisample texture: drivers may give that four.
 void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
     t = {};
     const char* owner = "frame/targets";
-    t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
-    t.depth = makeTexture2DMultisample(gpu, owner, stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F, width, height, samples);
+    const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height);
+    if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
+    t.depth = samples > 1 ? makeTexture2DMultisample(gpu, owner, depth, width, height, samples) : makeTexture2D(gpu, owner, depth, width, height);
     t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
-    t.scene = makeFramebuffer(t.color.id(), t.depth.id(), "frame/scene");
+    t.scene = makeFramebuffer(samples > 1 ? t.color.id() : t.resolved.id(), t.depth.id(), "frame/scene");
     t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
     t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
     t.width = width, t.height = height, t.samples = samples;
@@ -105,6 +106,9 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
+std::string depthConstants(const ViewTargets& t) { return depthVariants()[t.samples > 1]; }
+std::vector<std::string> depthVariants() { return {"const bool MULTISAMPLED = false;\n", "const bool MULTISAMPLED = true;\n"}; }
+
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room) {
     size_t calls = 0;
     glBindVertexArray(mesh.mesh);
@@ -112,7 +116,7 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     for (size_t first = 0; first < nodes.size(); first += NODES_PER_DRAW, ++calls) {
         const size_t n = std::min<size_t>(NODES_PER_DRAW, nodes.size() - first);
         glNamedBufferSubData(room.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &nodes[first]);
-        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, nullptr, static_cast<GLsizei>(n));
+        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(2 * static_cast<uintptr_t>(mesh.firstIndex)), static_cast<GLsizei>(n));
     }
     return calls;
 }

@@ -34,8 +34,8 @@ struct CellSelection {
         const double dy = std::max(std::abs(b.low - q.eye.y), std::abs(b.high - q.eye.y));
         return std::sqrt(dx * dx + dy * dy + dz * dz);
     }
-    bool visible(const Box& b) const {
-        const double r = q.reach;
+    bool visible(const Box& b, float reach) const {
+        const double r = reach;
         return q.frustum.touches(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
                                  glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
     }
@@ -54,7 +54,7 @@ struct CellSelection {
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
         const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last, segmentsAt(nearest(b))});
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1});
     }
 
     // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.
@@ -63,7 +63,7 @@ struct CellSelection {
         if (x >= cellsX || z >= cellsZ) return;
         ++nodes;
         const Box b = boxOf(x, z, size);
-        if (nearest(b) >= far || !visible(b)) return;
+        if (nearest(b) >= far || !visible(b, q.reach + q.shadow)) return;
         if (size == 1) return atLeaf(x, z, b);
         const int half = size / 2;
         for (int i = 0; i < 4; ++i) node(x + (i & 1) * half, z + (i >> 1) * half, half, far, atLeaf);

@@ -16,6 +16,7 @@ struct CellDraw {
     float mirrorX, mirrorZ; // +1 or -1 (B-18)
     uint32_t first, last;
     int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
+    int32_t seen;           // 1: its blades may be in view; 0: only their shadows
 };
 inline constexpr float kChordPixels = 0.5f;
 
@@ -57,6 +58,7 @@ struct CellQuery {
     float pixelsPerMetre;   // at a distance of 1 m
     glm::dvec3 eye;         // relative to the terrain's corner
     const Frustum& frustum;
+    float shadow = 0;       // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
 };
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);

@@ -15,6 +15,7 @@ struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
     int segments = 0;
     Buffer blades, indices, cells, commands;
+    GLsizei seen = 0;  // commands
     VertexArray mesh;
     std::vector<CellDraw> selected;
 };
@@ -50,14 +51,17 @@ void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int se
 void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
     std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
-    for (const CellDraw& c : s.selected) {
-        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(commands.size())));
+    for (size_t i = 0; i < s.selected.size(); ++i) {
+        const CellDraw& c = s.selected[i];
+        if (!c.seen) continue;
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(i)));
         ctx.stats.bladesGeometry += bladesDrawn(c, ctx.settings.detail);
     }
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
     writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
-    ctx.stats.cells += s.selected.size();
+    s.seen = static_cast<GLsizei>(commands.size());
+    ctx.stats.cells += commands.size();
 }
 
 // Where grass is dense, a part of its blades leaves the soil a twentieth of the light: the others would not be seen to.
@@ -70,12 +74,13 @@ void cull(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     const FieldState& field = *ctx.shared.grass;
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    const bool castingLamps = ctx.shared.lights.count.y > 0;
     state.species.resize(field.species.size());
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
         CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels);
-        if (has(ctx.plan.features, Feature::GroundShadows)) query.reach += groundShadowReach(field.species[i]->look.height);
+        if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(field.species[i]->look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
         state.species[i]->selected = selectCells(query);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -98,7 +103,7 @@ void draw(DrawContext& ctx) {
     for (size_t i = 0; i < state.species.size(); ++i) {
         SpeciesState& s = *state.species[i];
         const FieldSpecies& shared = *ctx.shared.grass->species[i];
-        if (s.selected.empty()) continue;
+        if (s.seen == 0) continue;
         glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
         if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
@@ -106,9 +111,9 @@ void draw(DrawContext& ctx) {
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
         glBindVertexArray(s.mesh.id());
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, static_cast<GLsizei>(s.selected.size()), 0);
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, s.seen, 0);
         ctx.pass->draws += 1;
-        ctx.pass->instances += s.selected.size();
+        ctx.pass->instances += static_cast<uint64_t>(s.seen);
     }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     endTransparency();

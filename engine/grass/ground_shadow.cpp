@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* kOwner = "grass/ground-shadow";
 constexpr float kLongest = 4;   // as in the shader
+constexpr float kTallest = 1.5f;  // blades, as a share of the mean
 constexpr int kMostQuads = 2;   // a blade
 constexpr int kStencilBits = 8;
 
@@ -84,7 +85,10 @@ const Pass kPasses[] = {{"grass/ground-shadow", Stage::GroundShadow, kViewMain |
 
 }  // namespace
 
-float groundShadowReach(float meanHeight) { return kLongest * meanHeight; }
+float groundShadowReach(float meanHeight, float sinElevation) {
+    const float s = std::clamp(sinElevation, 1e-3f, 1.0f);
+    return meanHeight * std::min(kTallest * std::sqrt(1 - s * s) / s, kLongest);
+}
 
 const EffectRow& groundShadowEffect() {
     static const EffectRow row{"grass/ground-shadow", featureSet(Feature::Grass, Feature::GrassGeometry, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights),

@@ -12,8 +12,8 @@
 
 namespace sward {
 
-// Metres by which a species' shadows may reach beyond its blades.
-float groundShadowReach(float meanHeight);
+// Metres by which a species' shadows may reach beyond its blades, under a light of this elevation; 0: wherever it stands.
+float groundShadowReach(float meanHeight, float sinElevation);
 
 const EffectRow& groundShadowEffect();
 

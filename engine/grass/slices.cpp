@@ -197,6 +197,17 @@ void selectSlices(DrawContext& ctx) {
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// Where texels are smaller than pixels even for the nearest slices, one is as good as four, and costs a third.
+void filterSlices(const DrawContext& ctx, const GrassField& f, const SliceTextures& t) {
+    const float texels = std::min(static_cast<float>(t.reflectance.width) / f.cellSize, static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
+    const float nearest = static_cast<Technique>(f.technique) == Technique::Hybrid ? f.minGeom : 0;
+    const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
+        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER, small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+        glTextureParameteri(s->id(), GL_TEXTURE_MAG_FILTER, small ? GL_NEAREST : GL_LINEAR);
+    }
+}
+
 void drawSlices(DrawContext& ctx) {
     SlicesState& state = ctx.own<SlicesState>();
     if (!ctx.shared.grass) return;
@@ -209,6 +220,7 @@ void drawSlices(DrawContext& ctx) {
         const FieldSpecies& field = *ctx.shared.grass->species[i];
         if (s.selected.empty()) continue;
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+        filterSlices(ctx, f, field.slices);
         bindSlices(field, field.slices.reflectance.id(), field.slices.threshold.id(), field.slices.light.id());
         glBindVertexArray(s.mesh.id());
         const int each = 12 * s.slices;

@@ -35,9 +35,9 @@ void draw(DrawContext& ctx) {
     const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
-    if (map.empty() || !ctx.use()) return;
+    if (map.empty() || !ctx.use(0, depthConstants(ctx.targets))) return;
     glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
-    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
     if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling / ctx.shared.ground.terrain->size.x);
@@ -52,7 +52,7 @@ void draw(DrawContext& ctx) {
 }
 
 const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                        featureSet(Feature::TerrainHeights)}};
+                                        featureSet(Feature::TerrainHeights), depthVariants}};
 const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, t.final.id());
     glDisable(GL_DEPTH_TEST);
 }
@@ -18,25 +18,27 @@ void fullScreen(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
+void bindDepth(const DrawContext& ctx) { glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id()); }
+
 void drawTonemap(DrawContext& ctx) {
     resolve(ctx);
-    if (!ctx.use()) return;
+    if (!ctx.use(0, depthConstants(ctx.targets))) return;
     glBindTextureUnit(TEX_SCENE, ctx.targets.resolved.id());
-    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    bindDepth(ctx);
     fullScreen(ctx);
 }
 
 void drawDecal(DrawContext& ctx) {
-    if (ctx.settings.decal.radius <= 0 || !ctx.use()) return;
-    glBindTextureUnit(TEX_DEPTH, ctx.targets.depth.id());
+    if (ctx.settings.decal.radius <= 0 || !ctx.use(0, depthConstants(ctx.targets))) return;
+    bindDepth(ctx);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     fullScreen(ctx);
     glDisable(GL_BLEND);
 }
 
-constexpr ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}}};
-constexpr ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}}};
+const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
+const ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
 const Pass kTonemapPasses[] = {{"post/tonemap", Stage::Post, kViewMain | kViewCompare, kSceneColor | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
 const Pass kDecalPasses[] = {{"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
 

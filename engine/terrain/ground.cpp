@@ -22,7 +22,9 @@ struct GroundState : EffectState {
     int failed = 0;
 };
 
-// 17 x 17 vertices as two bytes each and two triangles a quad.
+constexpr int kNodeIndices = 6 * kNodeQuads * kNodeQuads;
+
+// 17 x 17 vertices as two bytes each and two triangles a quad; then two triangles for a whole node, where ground is level.
 void makeMesh(Gpu& gpu, GroundState& s) {
     std::vector<uint8_t> vertices;
     std::vector<uint16_t> indices;
@@ -34,6 +36,7 @@ void makeMesh(Gpu& gpu, GroundState& s) {
             const uint16_t a = static_cast<uint16_t>(z * n + x), b = a + 1, c = static_cast<uint16_t>(a + n), d = c + 1;
             indices.insert(indices.end(), {a, c, b, b, c, d});
         }
+    for (const int corner : {0, n * (n - 1), n - 1, n - 1, n * (n - 1), n * n - 1}) indices.push_back(static_cast<uint16_t>(corner));
     s.vertices = makeBuffer(gpu, kOwner, vertices.size(), vertices.data());
     s.indices = makeBuffer(gpu, kOwner, indices.size() * 2, indices.data());
     s.mesh = makeVertexArray(kOwner);
@@ -63,7 +66,8 @@ void select(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     s.selected = selectNodes(t, terrainLod(t), ctx.shared.bounds, ctx.eye, ctx.frustum);
-    ctx.shared.groundMesh = {s.mesh.id(), 6 * kNodeQuads * kNodeQuads, s.selected};
+    const bool level = !t.height.present();
+    ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
     FrameGlobals& g = ctx.globals;
     g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};

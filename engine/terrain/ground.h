@@ -5,7 +5,8 @@
 // eye's height above the highest ground, so that both sides of a border agree however steep it is.
 // Colour: Jahrmann and Wimmer 2013, equation 1.
 // Levels follow gridSpacing and lodDistance in metres, not the map's texels: a finer map costs no triangle.
-// Does not: shadows, holes, overhangs. Cost at defaults: some 100-200 nodes of 512 triangles.
+// Does not: shadows, holes, overhangs. Cost at defaults: some 100-200 nodes of 512 triangles, about 30 more for each doubling of
+// the terrain; level ground: 4 nodes of 2 triangles, whatever its size.
 #pragma once
 #include "scene/rows.h"
 

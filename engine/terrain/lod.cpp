@@ -52,9 +52,9 @@ struct Selection {
 
 TerrainLod terrainLod(const Terrain& t) {
     TerrainLod lod;
-    lod.spacing = t.gridSpacing;
-    lod.range = std::max<double>(t.lodDistance, 3.5 * 2 * kNodeQuads * lod.spacing);
     const double extent = std::max(t.size.x, t.size.y);
+    lod.spacing = t.height.present() ? t.gridSpacing : extent / (2 * kNodeQuads);
+    lod.range = std::max<double>(t.lodDistance, 3.5 * 2 * kNodeQuads * lod.spacing);
     while (2 * kNodeQuads * lod.spacing * std::exp2(lod.levels - 1) < extent) ++lod.levels;
     return lod;
 }

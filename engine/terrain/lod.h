@@ -13,7 +13,9 @@ struct TerrainLod {
     double range = 30;       // metres to which level 0 reaches; level l to range * 2^l
     int levels = 1;          // the last covers the whole terrain
 };
-// Levels for a terrain, with the range widened where it is too short for morphing (3.5 nodes of level 0).
+// Levels for a terrain, with the range widened where it is too short for morphing (3.5 nodes of level 0). Level ground (no
+// height map) is one level, whatever its size, and of each node the four corners do: what is drawn on nodes takes from corners only
+// what is linear between them.
 TerrainLod terrainLod(const Terrain& t);
 // Nodes within the frustum, each point of the ground in exactly one. eye: relative to the terrain's corner.
 std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds, const glm::dvec3& eye, const Frustum& frustum);

@@ -21,7 +21,6 @@
 
 in vec3 position;
 in vec2 place;
-in vec3 gain;
 out vec4 color;
 
 // Five weights as weights of a cell's images: x+, x-, z+, z-.
@@ -89,6 +88,7 @@ void main() {
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
+    vec3 gain = slices.shape.w * sliceGain(toEye, paintedLean(uv), true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain * lighterHere(r, pixel), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

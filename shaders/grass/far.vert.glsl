@@ -16,12 +16,10 @@
 
 out vec3 position;    // relative to the eye
 out vec2 place;       // relative to the terrain's corner, metres
-out vec3 gain;        // of all light
 
 void main() {
     NodeCorner c = nodeCorner();
     place = c.place;
     position = c.position + vec3(0.0, slices.areas.z, 0.0);
-    gain = slices.shape.w * sliceGain(-position / max(length(position), 1e-4), paintedLean(place * frame.terrain.zw), true);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -24,8 +24,9 @@ flat in float lightLayer;
 in vec3 gain;
 in vec3 brighter;
 in vec4 lamp[3];
-in vec4 ambient;
-in float turned;
+in vec3 ambient;
+in vec4 haze;
+in vec2 weights;
 out vec4 color;
 float level;          // of detail
 
@@ -33,7 +34,7 @@ float level;          // of detail
 uint grain(float level) {
     vec2 size = vec2(textureSize(sliceThreshold, 0).xy) * exp2(-floor(level));
     ivec2 at = ivec2(texel.xy * size);
-    return hash3(uint(at.x), uint(at.y), uint(texel.z + 0.5) + 64u * uint(level));
+    return hash2(uint(at.x) + 2048u * uint(at.y), uint(texel.z + 0.5) + 64u * uint(level));
 }
 
 // Lamps on the images: facing, side +, side -, above.
@@ -49,7 +50,7 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
     bool front = !(lightLayer > 0.0);
     float visible = sunVisible(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), vec3(0.0));
     float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
-    vec3 light = ambient.rgb * reflectance * open;
+    vec3 light = ambient * reflectance * open;
     if (STORAGE == FULL_STORAGE) {
         float layers = float(textureSize(sliceReflectance, 0).z), first = texel.z + (front ? 0.0 : 5.0 * layers);
         vec3 sum = vec3(0.0);
@@ -71,15 +72,13 @@ void main() {
     level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
-    float d = length(foot);
-    float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
-    density *= (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) * turned;
+    float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
     float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), grain(level));
     if (!(alpha > 0.0)) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, level);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     vec3 light = clamp(radiance(leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
-    color = vec4(mix(light, horizonColor(foot.xz), ambient.w), alpha);
+    color = vec4(light * haze.w + haze.rgb, alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.15, 0.9) * (0.4 + 0.6 * texel.y);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 0.5, 1.0);
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);

@@ -30,8 +30,9 @@ flat out float lightLayer;
 out vec3 gain;        // of light from the sun
 out vec3 brighter;    // of any light
 out vec4 lamp[3];     // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
-out vec4 ambient;     // w: share that is haze
-out float turned;     // share of its blades that this family shows
+out vec3 ambient;
+out vec4 haze;        // its colour times the share that it has; w: what is left to the slice
+out vec2 weights;     // by distance, of what slices draw; by distance and view, of that what this family shows
 
 struct Place {
     vec2 lean;      // horizontal metres a metre of height
@@ -86,13 +87,16 @@ void main() {
     lightLayer = float(side > 0.0 ? 0 : 2 * n);
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);
-    turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
+    float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
+    weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y), (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
 
     brighter = p.lighter * slices.shape.w * sliceGain(-foot / far, painted, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);
-    ambient = vec4(brighter * slices.ambient.rgb * skyShare(uv), hazeShare(length(position)));
+    ambient = brighter * slices.ambient.rgb * skyShare(uv);
+    float hazed = hazeShare(length(position));
+    haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
     if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
     gl_Position = frame.viewProj * vec4(position, 1.0);

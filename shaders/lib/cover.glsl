@@ -7,9 +7,9 @@
 layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
 layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
 
-// Painted direction (x, z), its length the strength in [0, 1]; 0 where nothing is painted.
+// Painted direction (x, z), its length the strength in [0, 1]; 0 where nothing is painted. In fragments, the mean over the pixel.
 vec2 paintedLean(vec2 uv) {
     if (!GRASS_ORIENTATION) return vec2(0.0);
-    vec2 texel = textureLod(orientationMap, uv * cover.tiling.x, 0.0).rg;
+    vec2 texel = texture(orientationMap, uv * cover.tiling.x).rg;
     return paintOf(texel.x, texel.y);
 }

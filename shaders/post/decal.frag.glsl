@@ -1,9 +1,9 @@
 // The brush on whatever is seen: a ring at its radius, a disc that fades as the brush does.
 #include "lib/frame.glsl"
-layout(binding = TEX_DEPTH) uniform sampler2DMS depths;
+#include "lib/scene_depth.glsl"
 out vec4 color;
 void main() {
-    float depth = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    float depth = sceneDepth(ivec2(gl_FragCoord.xy));
     if (depth <= 0.0) discard;
     vec4 p = frame.invViewProj * vec4(gl_FragCoord.xy * frame.viewport.zw * 2.0 - 1.0, depth, 1.0);
     vec2 at = p.xz / p.w;

@@ -4,8 +4,8 @@
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
 #include "lib/heights.glsl"
+#include "lib/scene_depth.glsl"
 layout(binding = TEX_SCENE) uniform sampler2D map;
-layout(binding = TEX_DEPTH) uniform sampler2DMS depths;
 layout(location = 0) uniform vec4 overlay;  // channels; repeats over the terrain; metres a pixel at 1 m; texels a metre
 layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
 out vec4 color;
@@ -63,7 +63,7 @@ vec4 directionView(vec3 position, vec2 place, vec4 texel, float metresPerPixel) 
 vec3 srgb(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308))); }
 
 void main() {
-    float depth = texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r;
+    float depth = sceneDepth(ivec2(gl_FragCoord.xy));
     if (depth <= 0.0) discard;
     vec4 p = frame.invViewProj * vec4(gl_FragCoord.xy * frame.viewport.zw * 2.0 - 1.0, depth, 1.0);
     vec3 position = p.xyz / p.w;

@@ -3,8 +3,8 @@
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/tonemap.h"
+#include "lib/scene_depth.glsl"
 layout(binding = TEX_SCENE) uniform sampler2D scene;
-layout(binding = TEX_DEPTH) uniform sampler2DMS depths;
 out vec4 color;
 
 vec3 depthView(float depth) {
@@ -16,7 +16,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 light = texelFetch(scene, pixel, 0).rgb;
     vec3 shown = srgbEncode3(toneMapNeutral(max(light, vec3(0.0))));
-    if (viewMode() == VIEW_DEPTH) shown = depthView(texelFetch(depths, pixel, 0).r);
+    if (viewMode() == VIEW_DEPTH) shown = depthView(sceneDepth(pixel));
     else if (viewMode() != VIEW_FINAL) shown = clamp(light, 0.0, 1.0);
     if (viewMode() == VIEW_OVERDRAW) shown = vec3(clamp(light.r * 2.0, 0.0, 1.0), clamp(light.r * 2.0 - 1.0, 0.0, 1.0), clamp(light.r - 1.0, 0.0, 1.0));
     color = vec4(shown, 1.0);

@@ -127,7 +127,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 #define TEX_BLADE 7
 #define TEX_DENSITY 8      // and the MAX_SPECIES - 1 that follow
 #define TEX_SCENE 8        // post passes: nothing of the above is bound for them
-#define TEX_DEPTH 9
+#define TEX_DEPTH 9        // of one sample
+#define TEX_DEPTH_SAMPLES 10
 #define TEX_SLICE_REFLECTANCE 16
 #define TEX_SLICE_THRESHOLD 17
 #define TEX_SLICE_LIGHT 18

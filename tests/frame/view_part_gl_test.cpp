@@ -52,6 +52,27 @@ TEST_F(ViewParts, PartsSideBySideEqualTheWhole) {
     EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
 }
 
+// A multisample texture of one sample may be one of four.
+TEST_F(ViewParts, OneSampleTakesTheMemoryOfOneAndShowsTheSameDepthsAndBrush) {
+    const auto distance = [](const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+        double sum = 0;
+        for (size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
+        return sum / static_cast<double>(a.size());
+    };
+    ViewSettings s;
+    s.width = 160, s.height = 96, s.mode = ViewMode::Depth;
+    const std::vector<uint8_t> four = draw(s);
+    s.msaa = 1;
+    EXPECT_LT(distance(draw(s), four), 6);
+    EXPECT_LE(gpu->ledger["frame/targets"], 160 * 96 * (8 + 8 + 4));
+    s.mode = ViewMode::Final;
+    const std::vector<uint8_t> plain = draw(s);
+    const Camera& c = *findCamera(*project, "");
+    s.decal = {c.target.x, c.target.z, 3, 0.5f};
+    EXPECT_GT(distance(draw(s), plain), 1) << "the brush is seen on the ground";
+    EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
+}
+
 TEST_F(ViewParts, AShareOfTheBladesIsDrawnAndCoversAboutAsMuch) {
     ViewSettings s;
     s.width = 120, s.height = 80;

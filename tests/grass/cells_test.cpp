@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/numerics.h"
 
 namespace sward {
@@ -118,6 +120,21 @@ TEST(Cells, TheFrustumCullsWhatIsBehindTheEye) {
     for (const CellDraw& c : selectCells(f.query())) EXPECT_GT(c.cellZ * 0.5 + 0.5 + 0.2, f.eye.z - 1);
     EXPECT_LT(countVisible(f.query()), 400u * 20 * 20 / 4);
     EXPECT_GT(countVisible(f.query()), 400u * 20);
+}
+
+TEST(Cells, OfCellsThatOnlyShadeWhatIsSeenNoBladesAreSeen) {
+    Field f;
+    f.frustum = frustumOf(viewProjection({f.eye, f.eye + glm::dvec3(0, -0.2, 1), 55, 0}, 320, 240));
+    CellQuery query = f.query();
+    const std::vector<CellDraw> blades = selectCells(query);
+    query.shadow = 1;
+    const std::vector<CellDraw> all = selectCells(query);
+    std::set<std::pair<int, int>> seen;
+    for (const CellDraw& c : all)
+        if (c.seen) seen.emplace(c.cellX, c.cellZ);
+    EXPECT_EQ(seen.size(), blades.size());
+    for (const CellDraw& c : blades) EXPECT_TRUE(c.seen && seen.contains({c.cellX, c.cellZ})) << c.cellX << " " << c.cellZ;
+    EXPECT_GT(all.size(), blades.size());
 }
 
 TEST(Cells, DensityRangesContainEveryBilinearSample) {

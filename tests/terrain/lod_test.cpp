@@ -75,6 +75,14 @@ TEST(TerrainLod, VerticesAgreeWhereLevelsMeet) {
     EXPECT_GT(borders, 100);
 }
 
+TEST(TerrainLod, LevelGroundIsFourNodesWhateverItsSize) {
+    for (const double size : {3.0, 40.0, 1000.0, 25000.0}) {
+        Terrain t;
+        t.size = {size, 0.7 * size};
+        EXPECT_EQ(selectNodes(t, terrainLod(t), {}, {0.3 * size, 1.7, 0.3 * size}, everywhere()).size(), 4u) << size;
+    }
+}
+
 TEST(TerrainLod, AFinerMapCostsNoMoreTriangles) {
     const Frustum view = frustumOf(viewProjection({{100, 6, 100}, {300, 0, 300}, 55, 0}, 640, 480));
     size_t nodes[2];
