@@ -53,8 +53,8 @@ struct CellSelection {
         const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
-        const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1});
+        const f32::CellVersion v = f32::cellVersion(x, z, q.seed, q.slices);
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1});
     }
 
     // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.
@@ -108,7 +108,7 @@ float bladeReach(const Species& species, const Patch& patch) {
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
     return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, patch, field.cellSize, bladeReach(species, patch),
-            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
+            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, field.slices, pixelsPerMetre, eye, frustum};
 }
 
 std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {
@@ -141,8 +141,8 @@ std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float fa
     s.eachCell(far, [&](int x, int z, const CellSelection::Box& b) {
         if (s.farthest(b) <= near) return;
         if (q.density && densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
-        const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, q.seed));
-        found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), mirror.x, mirror.y}});
+        const f32::CellVersion v = f32::cellVersion(x, z, q.seed, q.slices);
+        found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift}});
     });
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<SliceCell> out;
@@ -159,7 +159,7 @@ uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
     uint64_t n = 0;
     for (uint32_t i = c.first; i < c.last; ++i) {
         const Blade& b = q.patch.blades[i];
-        const glm::vec2 root{c.mirrorX > 0 ? b.root.x : cell - b.root.x, c.mirrorZ > 0 ? b.root.y : cell - b.root.y};
+        const glm::vec2 root = f32::rootInCell(b.root, c.mirror, c.shift, cell);
         const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
         if (u > 1 || v > 1) continue;
         const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);

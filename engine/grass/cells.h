@@ -13,7 +13,7 @@ namespace sward {
 struct CellDraw {
     int32_t cellX, cellZ;
     float x, z;             // the cell's corner relative to the eye
-    float mirrorX, mirrorZ; // +1 or -1 (B-18)
+    glm::vec2 mirror, shift; // numerics/population.h, CellVersion
     uint32_t first, last;
     int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
     int32_t seen;           // 1: its blades may be in view; 0: only their shadows
@@ -55,6 +55,7 @@ struct CellQuery {
     float fade;             // omega
     uint32_t seed;          // the field's
     int segments;           // the species': the most that are drawn
+    int slices;             // the field's
     float pixelsPerMetre;   // at a distance of 1 m
     glm::dvec3 eye;         // relative to the terrain's corner
     const Frustum& frustum;
@@ -69,7 +70,7 @@ std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes = nullptr)
 struct SliceCell {
     int32_t cellX, cellZ;
     float x, z;             // the cell's corner relative to the eye
-    float mirrorX, mirrorZ; // +1 or -1 (B-18)
+    glm::vec2 mirror, shift; // numerics/population.h, CellVersion
 };
 // The cells that vertical slices are drawn for, nearest first: those that reach beyond `near` and begin before `far` (m).
 std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far);

@@ -38,7 +38,8 @@ void fillFull(const Texture& t, const std::vector<SliceLevel>& levels, int layer
     }
 }
 
-Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>& levels, int layers, Storage storage) {
+// wrapUp: beyond the upper and lower edge. To the sides the images go on with their other edge, as the patch does.
+Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>& levels, int layers, Storage storage, GLint wrapUp) {
     Set s;
     const int w = levels[0].width, h = levels[0].height;
     const GLenum colors = storage == Storage::Compressed ? GL_COMPRESSED_RGBA_BPTC_UNORM : GL_RGBA8;
@@ -52,6 +53,10 @@ Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>&
     } else {
         fill(s.light, levels, &SliceLevel::front, 0, layers);
         fill(s.light, levels, &SliceLevel::back, layers, layers);
+    }
+    for (const Texture* t : {&s.reflectance, &s.threshold, &s.light}) {
+        glTextureParameteri(t->id(), GL_TEXTURE_WRAP_S, GL_REPEAT);
+        glTextureParameteri(t->id(), GL_TEXTURE_WRAP_T, wrapUp);
     }
     return s;
 }
@@ -76,11 +81,11 @@ SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string
     out.slices = images.slices, out.top = images.top, out.reflectScale = images.reflectScale;
     out.farDepth = -std::log(1 - std::min(meanOpacity(images.far[0]), 0.999f));
     if (!owner.empty()) {
-        Set s = uploadSet(gpu, owner, images.vertical, 2 * images.slices, storage);
+        Set s = uploadSet(gpu, owner, images.vertical, 2 * images.slices, storage, GL_CLAMP_TO_EDGE);
         out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold), out.light = std::move(s.light);
     }
     if (!farOwner.empty()) {
-        Set s = uploadSet(gpu, farOwner, images.far, 1, storage);
+        Set s = uploadSet(gpu, farOwner, images.far, 1, storage, GL_REPEAT);
         out.farReflectance = std::move(s.reflectance), out.farThreshold = std::move(s.threshold), out.farLight = std::move(s.light);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -1,5 +1,5 @@
 // Which blades exist: the one definition that every technique and the reference read.
-// A patch is one cell's blades; cells repeat it in four mirrored versions; density decides which of a cell's blades exist.
+// A patch is one cell's blades; cells repeat it mirrored and begun elsewhere (numerics/population.h); density decides which of a cell's blades exist.
 // Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.1, 3.2, 3.4; stable forms in shaders/numerics.
 // Does not: draw. Cost: a patch of 22,000 blades 3 ms and 1.4 MB, once a species.
 #pragma once

@@ -9,6 +9,7 @@
 #include "numerics/opacity.h"
 #include "numerics/correction.h"
 #include "numerics/clump.h"
+#include "numerics/population.h"
 #include "numerics/weights.h"
 #include "numerics/leaf.h"
 #include "lib/light.glsl"

@@ -19,9 +19,10 @@
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
-layout(location = 2) in vec2 mirror;      // +1 or -1
+layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
+layout(location = 3) in vec2 shift;
 
-out vec3 texel;       // across, up, layer
+out vec3 texel;       // across (it repeats), up, layer
 out vec3 foot;        // the ground below, relative to the eye
 flat out vec4 images; // sun: weights of the view's images: facing, side +, side -, above (behind is what is left); with
                       // LIGHT_COSINE its direction: facing, side, above
@@ -81,9 +82,10 @@ void main() {
     float lean2 = min(dot(p.lean, p.lean), 0.9);
     vec3 position = foot + top * slices.shape.y * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
 
-    vec2 signs = axis == 0 ? mirror : mirror.yx;  // along the normal, along the slice
+    vec2 signs = axis == 0 ? mirror : mirror.yx, begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
     float side = (axis == 0 ? -foot.x : -foot.z) * signs.x;
-    texel = vec3(signs.y > 0.0 ? end : 1.0 - end, top, float(axis * n + (signs.x > 0.0 ? k : n - 1 - k)));
+    int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
+    texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * n + layer));
     lightLayer = float(side > 0.0 ? 0 : 2 * n);
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);

@@ -11,7 +11,8 @@ layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
-layout(location = 2) in vec2 mirror;      // +1 or -1
+layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
+layout(location = 3) in vec2 shift;
 
 // Where a vertex's blade stands.
 struct Stand {
@@ -36,7 +37,7 @@ Stand standHere(Blade b) {
     int corner = gl_VertexID % (2 * (int(species.counts.x) + 1));
     s.v = float(corner / 2) / species.counts.x;
     s.across = float(corner & 1) - 0.5;
-    s.inCell = mix(vec2(species.clumps.w) - b.place.xy, b.place.xy, step(vec2(0.0), mirror));
+    s.inCell = rootInCell(b.place.xy, mirror, shift, species.clumps.w);
     s.ground = vec2(cell) * species.clumps.w + s.inCell;
     s.uv = s.ground * frame.terrain.zw;
     s.root = vec3(cellCorner.x + s.inCell.x, groundHeight(s.ground), cellCorner.y + s.inCell.y);

@@ -1,5 +1,5 @@
-// The horizontal slice over the ground: the patch repeated by integer cell, mirrored by each cell's hash (Boulanger, Pattanaik
-// and Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash, correction.
+// The horizontal slice over the ground: the patch repeated by integer cell, each in its version (Boulanger, Pattanaik and
+// Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash, population, correction.
 struct Repeated {
     vec3 texel;
     vec2 dx, dy;    // gradients of the coordinate before it was wrapped, as fine as is wanted
@@ -13,10 +13,11 @@ Repeated repeated(vec2 at) {
     vec2 whole = floor(c);
     Repeated r;
     r.cell = ivec2(slices.eyeCell.xy) + ivec2(whole);
-    r.mirror = cellMirror(cellHash(r.cell.x, r.cell.y, uint(slices.counts.y)));
+    CellVersion v = cellVersion(r.cell.x, r.cell.y, uint(slices.counts.y), int(slices.shape.z));
+    r.mirror = v.mirror;
     vec2 local = c - whole;
     r.inCell = local * slices.shape.x;
-    r.texel = vec3(mix(1.0 - local, local, step(0.0, r.mirror)), 0.0);
+    r.texel = vec3(placeInPatch(local, v.mirror, v.shift) + 1.0, 0.0);
     r.dx = dFdx(c) * r.mirror * slices.lean.w;
     r.dy = dFdy(c) * r.mirror * slices.lean.w;
     return r;

@@ -1,6 +1,31 @@
 // What makes one blade of a repeated patch differ from its copies, and what colour it has: the part of the population
 // that is not in the patch. Every technique and the reference pose and colour blades by these lines.
 
+// Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun elsewhere.
+// Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar; n slices make 4 n^2.
+// The patch goes on at its far edge with its near one, as its images do, and slices stay whole.
+struct CellVersion {
+    vec2 mirror;  // +1 or -1
+    vec2 shift;   // in cells: k/slices, k in 0..slices-1
+};
+FN CellVersion cellVersion(int cellX, int cellZ, uint seed, int slices) {
+    uint h = cellHash(cellX, cellZ, seed);
+    CellVersion v;
+    v.mirror = cellMirror(h);
+    v.shift = vec2(real((((h >> 2) & 0x7FFFu) * uint(slices)) >> 15), real(((h >> 17) * uint(slices)) >> 15)) / real(slices);
+    return v;
+}
+// Where in its cell a blade stands whose root in the patch is `root`, both in [0, cellSize].
+FN vec2 rootInCell(vec2 root, vec2 mirror, vec2 shift, real cellSize) {
+    vec2 at = root + shift * cellSize;
+    at = vec2(at.x < cellSize ? at.x : at.x - cellSize, at.y < cellSize ? at.y : at.y - cellSize);
+    return vec2(mirror.x < 0.0f ? cellSize - at.x : at.x, mirror.y < 0.0f ? cellSize - at.y : at.y);
+}
+// The inverse, in cells, for images that repeat: within ]-1, 1].
+FN vec2 placeInPatch(vec2 inCell, vec2 mirror, vec2 shift) {
+    return vec2(mirror.x < 0.0f ? 1.0f - inCell.x : inCell.x, mirror.y < 0.0f ? 1.0f - inCell.y : inCell.y) - shift;
+}
+
 struct BladePose {
     vec3 control;  // relative to the root, metres
     vec3 tip;

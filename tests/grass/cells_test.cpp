@@ -66,11 +66,12 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
     uint64_t missing = 0, seen = 0, spare = 0;
     for (int cz = 0; cz < 40; ++cz)
         for (int cx = 0; cx < 40; ++cx) {
-            const glm::vec2 mirror = f32::cellMirror(f32::cellHash(cx, cz, q.seed));
+            const f32::CellVersion v = f32::cellVersion(cx, cz, q.seed, q.slices);
             const auto cell = drawn.find({cx, cz});
             for (uint32_t i = 0; i < f.patch.blades.size(); ++i) {
                 const Blade& b = f.patch.blades[i];
-                const double x = cx * 0.5 + (mirror.x > 0 ? b.root.x : 0.5 - b.root.x), z = cz * 0.5 + (mirror.y > 0 ? b.root.y : 0.5 - b.root.y);
+                const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, 0.5f);
+                const double x = cx * 0.5 + in.x, z = cz * 0.5 + in.y;
                 const float d = static_cast<float>(glm::length(glm::dvec3(x, 0, z) - f.eye));
                 const float opacity = f32::geometryOpacity(q.density->sample(x / 20, z / 20), f32::lodRamp(d, q.range.min, q.range.inv), b.threshold, q.fade);
                 const bool inRange = cell != drawn.end() && i >= cell->second.first && i < cell->second.last;

@@ -51,10 +51,10 @@ Chosen choose(const GrassField& f, const Patch& patch, const Map& density) {
     return c;
 }
 
-// Distance of a blade of a cell from the eye, mirrored as the cell is.
+// Distance of a blade of a cell from the eye, where the cell's version has it.
 float distanceOf(const Blade& b, int x, int z, const GrassField& f) {
-    const glm::vec2 m = f32::cellMirror(f32::cellHash(x, z, static_cast<uint32_t>(f.seed)));
-    const glm::vec2 in{m.x > 0 ? b.root.x : f.cellSize - b.root.x, m.y > 0 ? b.root.y : f.cellSize - b.root.y};
+    const f32::CellVersion v = f32::cellVersion(x, z, static_cast<uint32_t>(f.seed), f.slices);
+    const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, f.cellSize);
     return static_cast<float>(glm::length(glm::dvec3(x * f.cellSize + in.x, 0, z * f.cellSize + in.y) - kEye));
 }
 
