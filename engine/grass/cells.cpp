@@ -53,7 +53,7 @@ struct CellSelection {
         const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
-        const f32::CellVersion v = f32::cellVersion(x, z, q.seed, q.slices);
+        const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
         out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1});
     }
 
@@ -108,7 +108,7 @@ float bladeReach(const Species& species, const Patch& patch) {
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
     return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, patch, field.cellSize, bladeReach(species, patch),
-            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, field.slices, pixelsPerMetre, eye, frustum};
+            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
 }
 
 std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {
@@ -141,7 +141,7 @@ std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float fa
     s.eachCell(far, [&](int x, int z, const CellSelection::Box& b) {
         if (s.farthest(b) <= near) return;
         if (q.density && densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
-        const f32::CellVersion v = f32::cellVersion(x, z, q.seed, q.slices);
+        const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
         found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift}});
     });
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

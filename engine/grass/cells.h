@@ -55,7 +55,6 @@ struct CellQuery {
     float fade;             // omega
     uint32_t seed;          // the field's
     int segments;           // the species': the most that are drawn
-    int slices;             // the field's
     float pixelsPerMetre;   // at a distance of 1 m
     glm::dvec3 eye;         // relative to the terrain's corner
     const Frustum& frustum;

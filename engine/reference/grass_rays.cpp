@@ -31,7 +31,7 @@ struct CellGround {
 struct Cell {
     uint64_t key = ~uint64_t(0);
     RTCScene scene = nullptr;  // null: nothing grows
-    glm::vec2 mirror{1};
+    f32::CellVersion version{glm::vec2(1), glm::vec2(0)};
     double base = 0;           // height of the plane at the cell's corner
     CellGround ground;
 };
@@ -144,7 +144,7 @@ glm::vec2 paintAt(const GrassField& g, const glm::dvec2& place) {
 Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index, glm::dvec2* rootPlace = nullptr) {
     const Blade& b = kind.patch.blades[index];
     const float size = f.grass->cellSize;
-    const glm::vec2 inCell(cell.mirror.x < 0 ? size - b.root.x : b.root.x, cell.mirror.y < 0 ? size - b.root.y : b.root.y);
+    const glm::vec2 inCell = f32::rootInCell(b.root, cell.version.mirror, cell.version.shift, size);
     const glm::dvec2 ground = glm::dvec2(x, z) * static_cast<double>(size) + glm::dvec2(inCell), place = ground / f.terrain->size;
     if (rootPlace) *rootPlace = place;
     const MapField& densities = kind.species->density;
@@ -152,7 +152,7 @@ Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, 
     const bool clumped = kind.clumps != glm::vec3(0);
     const glm::vec3 clump = clumped ? f32::clumpValues(x, z, inCell, size, kind.species->clumpSize, static_cast<uint32_t>(f.grass->seed)) : glm::vec3(0);
     const f32::BladePlace at = f32::bladePlace(paintAt(*f.grass, place), kind.leanAtFull, clump, kind.clumps);
-    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.mirror, at.lean, at.scale);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, at.lean, at.scale);
     const float up = static_cast<float>(terrainHeight(*f.terrain, ground.x, ground.y) - cell.base);
     return {{inCell.x, up, inCell.y}, pose.control, pose.tip, pose.facing, b.width, at.lighter};
 }
@@ -293,7 +293,7 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, const Cell& cell, double x
     while (key.prefix + 1 < static_cast<int>(std::size(kPrefixes)) && static_cast<float>(kPrefixes[key.prefix]) / 255 < most) ++key.prefix;
     if (most < 1.0f / 255 || kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])] == 0) return nullptr;
     const auto [paint, differs] = paintOver(*f.grass, from, to);
-    const glm::vec2 lean = paint * kind.leanAtFull * cell.mirror;
+    const glm::vec2 lean = paint * kind.leanAtFull * cell.version.mirror;
     key.leanX = static_cast<int>(std::lround(lean.x / kLeanStep)), key.leanZ = static_cast<int>(std::lround(lean.y / kLeanStep));
     const float beside = glm::length(lean - glm::vec2(key.leanX, key.leanZ) * kLeanStep);
     key.spread = classOf(beside + differs * kind.leanAtFull + 1.4142136f * kind.clumps.x, kSpreadStep);
@@ -307,7 +307,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
     if (c.key == key) return c;
     const double size = static_cast<double>(f.grass->cellSize), x0 = x * size, z0 = z * size;
     c.key = key;
-    c.mirror = f32::cellMirror(f32::cellHash(x, z, static_cast<uint32_t>(f.grass->seed)));
+    c.version = f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
     c.scene = sceneOf(f, *f.kinds[kind], c, x0, z0);
@@ -353,6 +353,22 @@ void march(const RayField& f, const Ray& ray, double reach, const double& end, c
     }
 }
 
+// A cell that begins its patch at `start` (metres) shows it in up to four pieces. Calls ask(origin in the patch, how far) for those that
+// the ray o + t w, t < far, may meet; o in the cell, already mirrored. Blades of another piece that it meets so are met where they are.
+template <class F>
+void eachPiece(const glm::vec2& start, float size, float reach, const glm::vec3& o, const glm::vec3& w, float far, const F& ask) {
+    for (int i = 0; i < 4; ++i) {
+        const bool wrapsX = i & 1, wrapsZ = i & 2;
+        if ((wrapsX && start.x <= 0) || (wrapsZ && start.y <= 0)) continue;
+        const auto part = [&](bool wraps, float begin, float at, float way, double from, double to) {
+            return within(static_cast<double>(at), static_cast<double>(way), static_cast<double>((wraps ? 0 : begin) - reach), static_cast<double>((wraps ? begin : size) + reach), from, to);
+        };
+        auto [from, to] = part(wrapsX, start.x, o.x, w.x, 0, static_cast<double>(far));
+        std::tie(from, to) = part(wrapsZ, start.y, o.z, w.z, from, to);
+        if (from <= to) ask(o - glm::vec3(start.x - (wrapsX ? size : 0), 0, start.y - (wrapsZ ? size : 0)), static_cast<float>(to) * 1.0001f + 1e-6f);
+    }
+}
+
 // Calls ask(query, embree's ray, where on the ray that begins) for each species in each cell on the way that has anything to meet.
 template <class F>
 void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& end, const F& ask) {
@@ -368,14 +384,14 @@ void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& 
             if (!(a <= b)) return;
             Query q{{}, &f, &kind, &memory, &cell, x, z, {}, glm::vec3(ray.way), ray.grain};
             q.origin = glm::vec3(ray.origin + ray.way * a - glm::dvec3(x * size, cell.base, z * size));
-            // Into the patch's frame: over the plane of the ground, mirrored.
+            // Into the patch's frame: over the plane of the ground, mirrored, and begun where the cell begins the patch.
             const CellGround& g = cell.ground;
             glm::vec3 o = q.origin, w = q.way;
             o.y -= g.slopeX * o.x + g.slopeZ * o.z, w.y -= g.slopeX * w.x + g.slopeZ * w.z;
-            const float side = f.grass->cellSize;
-            if (cell.mirror.x < 0) o.x = side - o.x, w.x = -w.x;
-            if (cell.mirror.y < 0) o.z = side - o.z, w.z = -w.z;
-            ask(q, embreeRay(o, w, 0, static_cast<float>(std::min(end, b) - a) * 1.0001f + 1e-6f), a);
+            if (cell.version.mirror.x < 0) o.x = f.grass->cellSize - o.x, w.x = -w.x;
+            if (cell.version.mirror.y < 0) o.z = f.grass->cellSize - o.z, w.z = -w.z;
+            eachPiece(cell.version.shift * f.grass->cellSize, f.grass->cellSize, kind.reach, o, w, static_cast<float>(std::min(end, b) - a) * 1.0001f + 1e-6f,
+                      [&](const glm::vec3& from, float far) { ask(q, embreeRay(from, w, 0, far), a); });
         });
     }
 }

@@ -13,7 +13,7 @@ Repeated repeated(vec2 at) {
     vec2 whole = floor(c);
     Repeated r;
     r.cell = ivec2(slices.eyeCell.xy) + ivec2(whole);
-    CellVersion v = cellVersion(r.cell.x, r.cell.y, uint(slices.counts.y), int(slices.shape.z));
+    CellVersion v = cellVersion(r.cell.x, r.cell.y, uint(slices.counts.y));
     r.mirror = v.mirror;
     vec2 local = c - whole;
     r.inCell = local * slices.shape.x;

@@ -2,17 +2,19 @@
 // that is not in the patch. Every technique and the reference pose and colour blades by these lines.
 
 // Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun elsewhere.
-// Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar; n slices make 4 n^2.
-// The patch goes on at its far edge with its near one, as its images do, and slices stay whole.
+// Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar; these are a hundred.
+// The patch goes on at its far edge with its near one, as its images do. Fifths, whatever a technique's slices: which blades exist
+// must not hang on how they are drawn. Slices by fives stay whole; others are shown up to half their distance aside.
+const int kPatchStarts = 5;
 struct CellVersion {
     vec2 mirror;  // +1 or -1
-    vec2 shift;   // in cells: k/slices, k in 0..slices-1
+    vec2 shift;   // in cells: k/5, k in 0..4
 };
-FN CellVersion cellVersion(int cellX, int cellZ, uint seed, int slices) {
+FN CellVersion cellVersion(int cellX, int cellZ, uint seed) {
     uint h = cellHash(cellX, cellZ, seed);
     CellVersion v;
     v.mirror = cellMirror(h);
-    v.shift = vec2(real((((h >> 2) & 0x7FFFu) * uint(slices)) >> 15), real(((h >> 17) * uint(slices)) >> 15)) / real(slices);
+    v.shift = vec2(real((((h >> 2) & 0x7FFFu) * uint(kPatchStarts)) >> 15), real(((h >> 17) * uint(kPatchStarts)) >> 15)) / real(kPatchStarts);
     return v;
 }
 // Where in its cell a blade stands whose root in the patch is `root`, both in [0, cellSize].

@@ -66,7 +66,7 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
     uint64_t missing = 0, seen = 0, spare = 0;
     for (int cz = 0; cz < 40; ++cz)
         for (int cx = 0; cx < 40; ++cx) {
-            const f32::CellVersion v = f32::cellVersion(cx, cz, q.seed, q.slices);
+            const f32::CellVersion v = f32::cellVersion(cx, cz, q.seed);
             const auto cell = drawn.find({cx, cz});
             for (uint32_t i = 0; i < f.patch.blades.size(); ++i) {
                 const Blade& b = f.patch.blades[i];

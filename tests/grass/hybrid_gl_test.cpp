@@ -297,7 +297,7 @@ std::vector<double> tiled(const SliceImages& images, Tiling how) {
     std::vector<double> out(kSideTexels * kSideTexels);
     for (int y = 0; y < kSideTexels; ++y)
         for (int x = 0; x < kSideTexels; ++x) {
-            f32::CellVersion version = f32::cellVersion(x / kCell, y / kCell, 1, images.slices);
+            f32::CellVersion version = f32::cellVersion(x / kCell, y / kCell, 1);
             if (how == Tiling::Periodic) version.mirror = glm::vec2(1);
             if (how != Tiling::Ours) version.shift = glm::vec2(0);
             const glm::vec2 place = f32::placeInPatch((glm::vec2(x % kCell, y % kCell) + 0.5f) / float(kCell), version.mirror, version.shift);
@@ -361,7 +361,7 @@ Lattice lattice(const std::vector<double>& picture) {
     return l;
 }
 
-// A quarter of all pairs of mirrored cells are alike, and show; of cells that begin elsewhere too, one in 400.
+// A quarter of all pairs of mirrored cells are alike, and show; of cells that begin elsewhere too, one in a hundred.
 TEST(HybridRepetition, ShowsNoPeakAtTheLatticeOfCells) {
     NoGlErrors errors;
     const Project p = designed(kLawn, 14);

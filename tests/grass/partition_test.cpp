@@ -53,7 +53,7 @@ Chosen choose(const GrassField& f, const Patch& patch, const Map& density) {
 
 // Distance of a blade of a cell from the eye, where the cell's version has it.
 float distanceOf(const Blade& b, int x, int z, const GrassField& f) {
-    const f32::CellVersion v = f32::cellVersion(x, z, static_cast<uint32_t>(f.seed), f.slices);
+    const f32::CellVersion v = f32::cellVersion(x, z, static_cast<uint32_t>(f.seed));
     const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, f.cellSize);
     return static_cast<float>(glm::length(glm::dvec3(x * f.cellSize + in.x, 0, z * f.cellSize + in.y) - kEye));
 }

@@ -120,9 +120,9 @@ TEST(ReferenceShadow, LiesWhereGeometrySays) {
     GrassMemory memory;
     const auto above = [&](double x, double z) { return grass->blocks({{x, 5, z}, {0, -1, 0}, 0, 5, 1}, memory); };
     const Blade& b = patch.blades[0];
-    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, f32::cellMirror(f32::cellHash(1, 1, 1)), {0, 0}, 1);
-    const glm::vec2 mirror = f32::cellMirror(f32::cellHash(1, 1, 1));
-    const glm::vec2 root(mirror.x < 0 ? 8 - b.root.x : 4 + b.root.x, mirror.y < 0 ? 8 - b.root.y : 4 + b.root.y);
+    const f32::CellVersion version = f32::cellVersion(1, 1, 1);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, version.mirror, {0, 0}, 1);
+    const glm::vec2 root = 4.0f + f32::rootInCell(b.root, version.mirror, version.shift, 4);
     const glm::vec2 along = glm::vec2(pose.facing), side(-along.y, along.x);
     float far = 0, near = 0;
     for (int i = 0; i <= 1000; ++i) {
@@ -283,15 +283,15 @@ struct BruteForce {
     }
     void addCell(const Terrain& t, const GrassField& f, int x, int z) {
         static const Patch patch = makePatch(f.species[0], f.cellSize, static_cast<uint32_t>(f.seed));
-        const glm::vec2 mirror = f32::cellMirror(f32::cellHash(x, z, static_cast<uint32_t>(f.seed)));
+        const f32::CellVersion version = f32::cellVersion(x, z, static_cast<uint32_t>(f.seed));
         for (const Blade& b : patch.blades) {
-            const glm::vec2 in(mirror.x < 0 ? f.cellSize - b.root.x : b.root.x, mirror.y < 0 ? f.cellSize - b.root.y : b.root.y);
+            const glm::vec2 in = f32::rootInCell(b.root, version.mirror, version.shift, f.cellSize);
             const glm::dvec2 at = glm::dvec2(x, z) * static_cast<double>(f.cellSize) + glm::dvec2(in), place = at / t.size;
             if (f.species[0].density.map.sample(place.x, place.y) < b.threshold) continue;
             const glm::vec4 texel = paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
             const f32::BladePlace here = f32::bladePlace(f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
                                                          f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)), clumpStrengths(f.species[0]));
-            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, mirror, here.lean, here.scale), {at.x, terrainHeight(t, at.x, at.y), at.y});
+            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, here.lean, here.scale), {at.x, terrainHeight(t, at.x, at.y), at.y});
         }
     }
     void addBlade(const Blade& b, const f32::BladePose& pose, const glm::dvec3& root) {
