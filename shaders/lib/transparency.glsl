@@ -12,7 +12,7 @@ float coveredAlpha(float alpha, uint seed) {
     if (!(alpha >= 0.004)) return 0.0;
     if (TRANSPARENCY == COVERAGE) {
         if (alpha >= 1.0) return 1.0;
-        uint threshold = uint(alpha * 256.0 + 0.5), low = hashMix(seed), high = hashMix(low);
+        uint threshold = uint(alpha * 256.0 + 0.5), low = hash3(seed, 1u, 0u), high = hash3(seed, 2u, 0u);
         uvec4 a = uvec4(low, low >> 8, low >> 16, low >> 24) & 255u, b = uvec4(high, high >> 8, high >> 16, high >> 24) & 255u;
         uvec4 bits = uvec4(1u, 2u, 4u, 8u);
         uint mask = 0u;
