@@ -138,7 +138,7 @@ CoverError coverError(float bladesPerM2, float width) {
     s.cellSize = 0.25f, s.slices = 5;
     s.width = s.farSize = 256, s.height = 64;  // as at a project's resolution
     const SliceImages images = baked(s);
-    s.width = s.farSize = 1024, s.height = 256;
+    s.width = s.farSize = 512, s.height = 128;
     const SliceImages fine = baked(s);
     CoverError worst;
     for (const double density : {0.0, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9, 1.0})
