@@ -19,8 +19,9 @@ constexpr int kLights = 5;      // vertical: facing, behind, side +, side -, abo
 // --- samples of a slab -----------------------------------------------------------------------------------------------
 struct Sample {
     float depth;      // towards the viewer
-    int32_t blade;    // -1: none
+    int32_t blade;    // the one that is seen; -1: none
     float across, along;
+    float threshold;  // the least of all blades that cover it: from there on, one of them is there
 };
 
 // How a slab is seen: which coordinates are right, up and towards the viewer.
@@ -57,14 +58,18 @@ float alphaAt(const Rgba8& image, float across, float along) {
 
 struct Canvas {
     const Slab& slab;
+    const Patch& patch;
     const Rgba8& image;
     std::vector<Sample>& samples;
 
     void put(int x, int y, float depth, int32_t blade, float across, float along) {
         Sample& s = samples[static_cast<size_t>(y) * slab.width + x];
-        if (s.blade >= 0 && s.depth >= depth) return;
-        if (!inSlab(slab, depth) || alphaAt(image, across, along) < 0.5f) return;
-        s = {depth, blade, across, along};
+        const float threshold = patch.blades[static_cast<size_t>(blade)].threshold;
+        const bool hidden = s.blade >= 0 && s.depth >= depth;
+        if ((hidden && s.threshold <= threshold) || !inSlab(slab, depth) || alphaAt(image, across, along) < 0.5f) return;
+        const float least = std::min(s.threshold, threshold);
+        if (!hidden) s = {depth, blade, across, along, least};
+        s.threshold = least;
     }
     // Samples whose centre lies inside; edges belong to one side by the sign of their direction, so that two triangles
     // with a common edge share no sample and leave none out.
@@ -195,7 +200,7 @@ struct Shader {
                     veins[static_cast<size_t>(y) * spec.blade.width + x];
         out.open = open;
         out.alpha = 1;
-        out.threshold = b.threshold;
+        out.threshold = s.threshold;
         for (int i = 0; i < kLights; ++i) {
             const glm::vec3& light = lights[static_cast<size_t>(i)];
             const float toward = glm::dot(n, light) * passes(b, f, light, open);
@@ -335,8 +340,8 @@ Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
     std::atomic<int> done = 0;
     const auto drawSlab = [&](const Slab& slab, size_t layer, std::vector<SliceLevel>& to) {
         if (control.cancelled()) return;
-        std::vector<Sample> samples(static_cast<size_t>(slab.width) * slab.height, {0, -1, 0, 0});
-        Canvas canvas{slab, spec.blade, samples};
+        std::vector<Sample> samples(static_cast<size_t>(slab.width) * slab.height, {0, -1, 0, 0, 2});
+        Canvas canvas{slab, patch, spec.blade, samples};
         const float low = slab.n ? spec.cellSize * static_cast<float>(slab.k) / static_cast<float>(slab.n) : 0, high = slab.n ? spec.cellSize * static_cast<float>(slab.k + 1) / static_cast<float>(slab.n) : spec.cellSize;
         for (const Copy& c : copies) {
             const Blade& b = patch.blades[c.blade];

@@ -39,7 +39,8 @@ uint64_t sliceKey(const SliceSpec& spec);
 struct SliceLevel {
     int width = 0, height = 0;
     std::vector<uint8_t> reflectance;  // RGBA: reflectance / reflectScale, not premultiplied; share of ambient light that reaches it
-    std::vector<uint8_t> threshold;    // RGBA: threshold * opacity, opacity, light from above on the front and on the back
+    std::vector<uint8_t> threshold;    // RGBA: threshold * opacity (of blades that cover each other, the least), opacity, light
+                                       // from above on the front and on the back
     std::vector<uint8_t> front;        // RGBA: vertical: light that faces it, 0, from the side's + and -; horizontal: x+, x-, z+, z-
     std::vector<uint8_t> back;         // the same for the other view
     // Light's numbers hold what is left of it: by the blades' shadow mask if there is one, else by the depth below the tips.

@@ -52,8 +52,7 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
     }
     vec4 lit = textureGrad(sliceLight, r.texel, r.dx, r.dy);
     vec3 towards = frame.sunDirection.xyz * vec3(r.mirror.x, 1.0, r.mirror.y);
-    float level = max(log2(max(length(r.dx), length(r.dy)) * slices.counts.z), 0.0);
-    vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards, level)
+    vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)
                              : vec2(dot(lit, images) + above.x * w.y, dot(lit.yxwz, images) + above.y * w.y);
     light += leavesSend(leaf.rgb, send) * sun;
     return LAMPS ? light + lampsSend(r, leaf.rgb, lit, above) : light;

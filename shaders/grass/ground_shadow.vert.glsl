@@ -35,11 +35,12 @@ void main() {
     Stand s = standHere(b);
     left = vec3(1.0);
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
-    if (!exists(s)) return;
+    // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep whole ones out.
+    if (!exists(s) || s.opacity < b.facing.z) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = int(species.counts.w);
     float near = 1.0 - lodRamp(length(s.root), cover.shadows.x, cover.shadows.y);
-    vec3 takes = shadowShare(light, s.root, s.uv, n, mix(1.0, cover.shade[kind], s.density), near) * s.opacity;
+    vec3 takes = shadowShare(light, s.root, s.uv, n, mix(1.0, cover.shade[kind], s.density), near);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
     float lighter;

@@ -29,6 +29,7 @@ in vec4 haze;
 in vec2 weights;
 out vec4 color;
 float level;          // of detail
+float fine;           // of what is lit: a mean of normals has less contrast than blades; opacity is a mean
 
 // A random number fixed to the slice: it moves with it, and its grains are about a pixel.
 uint grain(float level) {
@@ -58,24 +59,25 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
             float image = i == 0 ? 0.0 : float(i + 1);
             vec3 weight = vec3(images[i]) * gain * visible;
             if (LAMPS) weight += brighter * vec3(lamp[0][i], lamp[1][i], lamp[2][i]);
-            sum += weight * textureLod(sliceLight, vec3(texel.xy, first + image * layers), level).rgb;
+            sum += weight * textureLod(sliceLight, vec3(texel.xy, first + image * layers), fine).rgb;
         }
         return light + sum;
     }
-    vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), level);
-    vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz, level)
+    vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), fine);
+    vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz)
                             : vec2(dot(images, vec4(lit.xzw, above)), dot(images, vec4(0.0, lit.wz, below)) + (1.0 - dot(images, vec4(1.0))) * lit.x);
     return light + leavesSend(reflectance, sun) * gain * visible + lampsSend(reflectance, lit, above);
 }
 
 void main() {
     level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
+    fine = max(level - 2.0, 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
     float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), grain(level));
     if (!(alpha > 0.0)) discard;
-    vec4 leaf = textureLod(sliceReflectance, texel, level);
+    vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     vec3 light = clamp(radiance(leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
     color = vec4(light * haze.w + haze.rgb, alpha);

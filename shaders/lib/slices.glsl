@@ -54,13 +54,13 @@ vec3 paintedOver(vec3 reflectance, vec2 uv) {
 }
 
 // Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of normals
-// along each axis and against it, `towards` the light. One blade: the difference of what faces the light and what turns away.
-// Several blades, mixed by filtering: the mean of that over exponential shares.
-vec2 cosineOf(vec3 plus, vec3 minus, vec3 towards, float level) {
-    vec3 s = max(towards, 0.0), t = max(-towards, 0.0);
-    float toward = dot(plus, s) + dot(minus, t), away = dot(plus, t) + dot(minus, s), sum = max(toward + away, 1e-4);
-    vec2 one = max(vec2(toward - away, away - toward), 0.0), mixed = vec2(toward * toward, away * away) / sum;
-    return mix(one, mixed, clamp(0.5 + 0.5 * level, 0.0, 1.0));
+// along each axis and against it, `towards` the light. One blade has one of the two on each axis, and their difference is
+// exact. Where filtering mixed blades that face both ways, each way has light: the hyperbola of the mean and that spread, which
+// is exact where the mean is 0 or nothing is mixed.
+vec2 cosineOf(vec3 plus, vec3 minus, vec3 towards) {
+    float facing = dot(plus - minus, towards), spread = 2.0 * dot(min(plus, minus), abs(towards));
+    float both = sqrt(facing * facing + spread * spread);
+    return 0.5 * vec2(both + facing, both - facing);
 }
 
 // What leaves send of light on this side (x) and through them from the other (y).
