@@ -3,6 +3,7 @@
 #include "lib/density.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
+#include "numerics/hash.h"
 #include "numerics/population.h"
 layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
 layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
