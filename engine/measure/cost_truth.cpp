@@ -56,17 +56,17 @@ Result<Traced> kept(const fs::path& file) {
     return t;
 }
 
+// The job reads what its maker holds, so it is waited for after a cancel too.
 template <class T>
 Result<T> awaited(Job<T>& job, const CostProgress& progress, const std::string& what, double from, double to) {
+    bool stop = false;
     while (!job.finished()) {
-        if (!progress(what, from + (to - from) * job.progress())) {
-            job.cancel();
-            return Error{ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"};
-        }
+        if (!stop && !progress(what, from + (to - from) * job.progress())) job.cancel(), stop = true;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     auto made = job.take(0);
-    return made ? std::move(*made) : Result<T>(Error{ExitCode::Failed, "cancelled", "", 0, 0, ""});
+    if (made && !stop) return std::move(*made);
+    return Error{ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"};
 }
 
 Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ViewCamera& view, ReferenceSettings s,
