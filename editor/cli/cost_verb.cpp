@@ -62,7 +62,9 @@ void printRun(const CostRun& run, const fs::path& folder) {
 }  // namespace
 
 int costVerb(const CostOptions& o) {
-    auto project = openForRendering(o);
+    RenderOptions asItIs = o;  // --technique says what to sweep, not how the project is drawn
+    asItIs.technique.clear();
+    auto project = openForRendering(asItIs);
     if (!project) return report(project.error());
     auto request = costRequest(o, *project);
     if (!request) return report(request.error());
