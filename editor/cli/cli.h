@@ -44,7 +44,7 @@ int mergeVerb(const MergeCommand& options);
 
 struct CostOptions : RenderOptions {
     int samples = 64, rounds = 5;
-    double maxMs = 2000;
+    double maxMs = 0;
     std::string lighting = "full", shard;
     uint32_t seed = 1;
 };

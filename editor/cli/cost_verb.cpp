@@ -25,7 +25,7 @@ Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
     r.cameras = std::move(*cameras), r.time = o.time, r.rounds = o.rounds, r.maxMs = o.maxMs;
     if (o.samples < 2 || o.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no truth", o.samples), fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
     if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000", "");
-    if (!(o.maxMs > 0)) return usage("--max-ms takes a number above 0", "");
+    if (!(o.maxMs >= 0)) return usage("--max-ms takes a number from 0", "");
     if (o.lighting != "full" && o.lighting != "direct") return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     r.truth.samples = o.samples, r.truth.seed = o.seed;
     r.truth.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
@@ -62,7 +62,9 @@ void printRun(const CostRun& run, const fs::path& folder) {
 }  // namespace
 
 int costVerb(const CostOptions& o) {
-    auto project = openForRendering(o);
+    RenderOptions asItIs = o;  // --technique says what to sweep, not how the project is drawn
+    asItIs.technique.clear();
+    auto project = openForRendering(asItIs);
     if (!project) return report(project.error());
     auto request = costRequest(o, *project);
     if (!request) return report(request.error());

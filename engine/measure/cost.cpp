@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
+constexpr double kLimit = 4;  // times what the project's own settings take: the limit, where none is given
 
 // --- keys --------------------------------------------------------------------------------------------------------
 // This program as it was built: rows drawn by another are drawn again.
@@ -42,7 +43,7 @@ struct Sweep {
     std::vector<CostTruth> truths = {};              // by camera
     CostRun run = {};
     std::vector<size_t> settings = {};                // of each row, index into request.settings
-    double msPerBlade = 0, msOfRest = 0;
+    double msPerBlade = 0, msOfRest = 0, msLimit = 0;
 
     std::string keyOf(const CostRow& row) const {
         return hashHex(hashText(hash + "\n" + row.camera + "\n" + row.technique + "\n" + row.settings + "\n" + gpu.renderer + "\n" + shortestText(request.maxMs) + "\n" + buildStamp()));
@@ -105,14 +106,21 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 }
 
 // --- what it will take -------------------------------------------------------------------------------------------
-// Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres.
+// Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres; and
+// the limit, from a third.
+const GrassField* fieldOf(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const GrassField* f = p.registry.get<GrassField>(e)) return f;
+    return nullptr;
+}
 Status calibrate(Sweep& s, const std::string& camera) {
     Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, camera)), {}};
     p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
-    double ms[2] = {0, 0};
+    const GrassField own = *fieldOf(p.project);
+    double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
-    const CostSetting settings[] = {{"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
-    for (size_t i = 0; i < 2; ++i) {
+    const CostSetting settings[] = {{kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
+    for (size_t i = 0; i < 3; ++i) {
         if (Status st = applySetting(p.project, s.tables, settings[i], p.view); !st) return st;
         for (int frame = 0; frame < 2; ++frame) {
             auto took = frameMs(s, p);
@@ -121,8 +129,9 @@ Status calibrate(Sweep& s, const std::string& camera) {
         }
         blades = s.renderer.stats().bladesGeometry;
     }
-    s.msOfRest = ms[0];
-    s.msPerBlade = blades > 1000 ? std::max(0.0, ms[1] - ms[0]) / static_cast<double>(blades) : 0;
+    s.msLimit = s.request.maxMs > 0 ? s.request.maxMs : kLimit * ms[0];
+    s.msOfRest = ms[1];
+    s.msPerBlade = blades > 1000 ? std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades) : 0;
     return {};
 }
 // Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by, so what is
@@ -130,14 +139,14 @@ Status calibrate(Sweep& s, const std::string& camera) {
 std::string tooSlow(const Sweep& s, const Prepared& p) {
     const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) * static_cast<double>(p.view.detail);
     const double expected = s.msOfRest + s.msPerBlade * blades;
-    return expected > kSure * s.request.maxMs ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.request.maxMs) : "";
+    return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.msLimit) : "";
 }
 // The same after a frame. The first of a setting also makes what it draws with, so that one beyond the limit is drawn again.
 Result<std::string> tookTooLong(Sweep& s, Prepared& p) {
     auto ms = frameMs(s, p);
-    if (ms && *ms > s.request.maxMs) ms = frameMs(s, p);
+    if (ms && *ms > s.msLimit) ms = frameMs(s, p);
     if (!ms) return ms.error();
-    return *ms > s.request.maxMs ? fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.request.maxMs) : std::string();
+    return *ms > s.msLimit ? fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.msLimit) : std::string();
 }
 Status draw(Sweep& s, size_t i) {
     CostRow& row = s.run.rows[i];

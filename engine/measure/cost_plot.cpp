@@ -20,12 +20,12 @@ Axis axisOf(std::vector<double> values, double from, double to) {
     const double room = std::max(1.15, std::pow(*high / *low, 0.06));
     return {*low / room, *high * room, from, to};
 }
-// 1, 2, 5, 10 and so on within the axis.
+// 1, 1.5, 2, 3, 5, 7, 10 and so on within the axis; of a long one 1, 2, 5.
 std::vector<double> ticks(const Axis& a) {
     std::vector<double> out;
     for (double decade = std::pow(10, std::floor(std::log10(a.low))); decade <= a.high; decade *= 10)
-        for (const double step : {1.0, 2.0, 5.0})
-            if (step * decade >= a.low && step * decade <= a.high) out.push_back(step * decade);
+        for (const double step : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0})
+            if ((a.high < 30 * a.low || step == 1 || step == 2 || step == 5) && step * decade >= a.low && step * decade <= a.high) out.push_back(step * decade);
     return out;
 }
 

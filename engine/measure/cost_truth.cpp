@@ -9,9 +9,23 @@ namespace fs = std::filesystem;
 
 constexpr int kFewSamples = 4;  // of techniques with the usual multisampling
 
+// Names what the truth follows from: the project without how its grass is drawn.
+uint64_t populationHash(const Project& p, const Tables& tables) {
+    Project plain = snapshot(p, tables.components);
+    const GrassField usual;
+    for (const auto& [name, e] : plain.entities) {
+        GrassField* f = plain.registry.get<GrassField>(e);
+        if (!f) continue;
+        f->technique = usual.technique, f->minGeom = usual.minGeom, f->maxGeom = usual.maxGeom, f->minBTF = usual.minBTF, f->maxBTF = usual.maxBTF;
+        f->slices = usual.slices, f->sliceWidth = usual.sliceWidth, f->sliceHeight = usual.sliceHeight, f->farSize = usual.farSize, f->farHeight = usual.farHeight;
+        f->storage = usual.storage, f->sliceCover = usual.sliceCover, f->lightWeights = usual.lightWeights, f->weightsAt = usual.weightsAt;
+        f->transparency = usual.transparency, f->filtering = usual.filtering, f->sharpness = usual.sharpness;
+    }
+    return projectHash(plain, tables.components);
+}
 // Where a traced picture is kept: RGB and the share of grass as one EXR, the standard errors as another beside it.
 fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ReferenceSettings& s) {
-    const std::string of = fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(projectHash(p, tables.components)), camera, s.width, s.height, r.time, s.samples, s.seed,
+    const std::string of = fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), camera, s.width, s.height, r.time, s.samples, s.seed,
                                        static_cast<int>(s.lighting), SWARD_VERSION);
     return r.folder / ("truth-" + hashHex(hashText(of)) + ".exr");
 }
@@ -56,17 +70,17 @@ Result<Traced> kept(const fs::path& file) {
     return t;
 }
 
+// The job reads what its maker holds, so it is waited for after a cancel too.
 template <class T>
 Result<T> awaited(Job<T>& job, const CostProgress& progress, const std::string& what, double from, double to) {
+    bool stop = false;
     while (!job.finished()) {
-        if (!progress(what, from + (to - from) * job.progress())) {
-            job.cancel();
-            return Error{ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"};
-        }
+        if (!stop && !progress(what, from + (to - from) * job.progress())) job.cancel(), stop = true;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     auto made = job.take(0);
-    return made ? std::move(*made) : Result<T>(Error{ExitCode::Failed, "cancelled", "", 0, 0, ""});
+    if (made && !stop) return std::move(*made);
+    return Error{ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"};
 }
 
 Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ViewCamera& view, ReferenceSettings s,

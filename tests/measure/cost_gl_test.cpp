@@ -1,0 +1,139 @@
+// A small sweep and a small fit from end to end: what is kept, what a stop leaves, what shards join to.
+#include "core/json.h"
+#include "measure/cost_files.h"
+#include "measure/fit.h"
+#include "scenes.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+Project small_() {
+    Project p = lawn();
+    put(p, "ground", Terrain{}).size = {8, 8};
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    f.minGeom = 1, f.maxGeom = 2, f.minBTF = 3, f.maxBTF = 4;
+    f.slices = 3, f.sliceWidth = 32, f.sliceHeight = 16, f.farSize = 32;
+    put(p, "eye", Camera{{1, 1, 1}, {4, 0, 4}, 50, 0});
+    return p;
+}
+CostRequest request(const TempDir& dir, const std::string& folder) {
+    CostRequest r;
+    r.cameras = {"eye"};
+    r.width = 48, r.height = 36, r.rounds = 1, r.maxMs = 1e6;
+    r.truth.samples = 8, r.truth.lighting = ReferenceLighting::Direct;
+    r.settings = {{"hybrid", {"msaa=4"}}, {"hybrid", {"maxGeom=3", "msaa=1"}}, {"flat", {"msaa=4"}}, {"geometry", {"detail=0.5"}}};
+    r.folder = dir / folder;
+    return r;
+}
+bool go(const std::string&, double) { return true; }
+
+// All but what a clock says.
+std::string withoutTimes(CostRun run) {
+    for (CostRow& r : run.rows) r.msMedian = r.msP95 = 0, r.onFrontier = false, r.machine = 0;
+    run.machines.clear();
+    return writeJson(costJson(run));
+}
+
+TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    auto first = runCost(request(dir, "a"), p, tables(), gpu(), go);
+    ASSERT_TRUE(first) << first.error().text();
+    ASSERT_EQ(first->rows.size(), 4u);
+    for (const CostRow& r : first->rows) {
+        EXPECT_EQ(r.skipped, "") << r.settings;
+        EXPECT_GT(r.msMedian, 0) << r.settings;
+        EXPECT_GT(r.metrics.appearance.distance, 0) << r.settings;
+        EXPECT_GT(r.converged.distance, 0) << r.settings;
+        EXPECT_GT(r.gpuBytes, 0u) << r.settings;
+    }
+    EXPECT_TRUE(std::any_of(first->rows.begin(), first->rows.end(), [](const CostRow& r) { return r.onFrontier; }));
+    const CostFloors& f = first->floors[0];
+    EXPECT_GT(f.seed.distance, 0);
+    EXPECT_GT(f.sampling.distance, 0);
+    EXPECT_GT(f.flat.distance, f.seed.distance);
+    auto again = runCost(request(dir, "a"), p, tables(), gpu(), go);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(writeJson(costJson(*again)), writeJson(costJson(*first))) << "times too: nothing was measured again";
+}
+
+// Whatever moment it is stopped at; and in two shards.
+TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    auto whole = runCost(request(dir, "whole"), p, tables(), gpu(), go);
+    ASSERT_TRUE(whole) << whole.error().text();
+    int stops = 0;
+    for (int patience = 4;; patience *= 3) {
+        auto part = runCost(request(dir, "stopped"), p, tables(), gpu(), [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
+        if (part) {
+            EXPECT_EQ(withoutTimes(*part), withoutTimes(*whole));
+            break;
+        }
+        ASSERT_EQ(part.error().code, ExitCode::Interrupted);
+        for (const auto& entry : std::filesystem::directory_iterator(dir / "stopped")) EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+        ASSERT_LT(++stops, 12);
+    }
+    EXPECT_GE(stops, 2);
+
+    std::vector<CostRun> parts;
+    for (int i = 1; i >= 0; --i) {
+        CostRequest r = request(dir, fmt::format("shard{}", i));
+        std::filesystem::create_directories(r.folder);
+        for (const auto& e : std::filesystem::directory_iterator(dir / "whole"))  // truths need not be traced again
+            if (e.path().filename().string().starts_with("truth")) std::filesystem::copy(e.path(), r.folder / e.path().filename());
+        r.shard = i, r.shards = 2;
+        auto part = runCost(r, p, tables(), gpu(), go);
+        ASSERT_TRUE(part) << part.error().text();
+        EXPECT_EQ(part->rows.size(), 2u);
+        parts.push_back(std::move(*part));
+    }
+    auto merged = mergeCosts(parts);
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_EQ(withoutTimes(*merged), withoutTimes(*whole));
+}
+
+TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
+    NoGlErrors errors;
+    const TempDir dir;
+    CostRequest r = request(dir, "a");
+    r.maxMs = 1e-3;
+    auto run = runCost(r, small_(), tables(), gpu(), go);
+    ASSERT_TRUE(run) << run.error().text();
+    for (const CostRow& row : run->rows) {
+        EXPECT_NE(row.skipped.find("the limit is"), std::string::npos);
+        EXPECT_FALSE(row.onFrontier);
+    }
+    EXPECT_NE(costCsv(*run).find("the limit is"), std::string::npos);
+}
+
+TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    FitRequest r;
+    r.cost = request(dir, "fit");
+    r.candidates = 6;
+    r.budgetMs = 1e6;
+    auto wide = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(wide) << wide.error().text();
+    EXPECT_TRUE(wide->fits);
+    EXPECT_LE(wide->best.appearance, wide->shipped.appearance);
+    EXPECT_LE(wide->best.appearance, wide->gridBest.appearance);
+    EXPECT_TRUE(wide->given.values.empty()) << "all fit, so nothing was given up";
+    EXPECT_GE(wide->tried, 20);  // of the search and of the grid, each once
+    EXPECT_GT(wide->heldOut.fitted, 0);
+    EXPECT_GT(wide->heldOut.shipped, 0);
+    r.budgetMs = 1e-6;
+    auto none = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(none) << none.error().text();
+    EXPECT_FALSE(none->fits);
+    EXPECT_FALSE(none->best.values.empty());
+    EXPECT_GT(none->best.ms, 0);
+}
+
+}  // namespace
+}  // namespace sward::test
