@@ -13,8 +13,8 @@ class EditorAccuracy : public test::EditorFixture {
   protected:
     // A window whose viewport is small, so that pictures come soon.
     void SetUp() override {
-        EditorFixture::SetUp();
-        ui.reset(), app.reset();
+        ASSERT_NE(gpu, nullptr);
+        ASSERT_TRUE(doc.create(dir / "meadow"));
         app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(760, 420), false);
         app->layout.right = 330, app->layout.bottom = 190;
         ui = makeUiDriver(*app);
@@ -58,6 +58,22 @@ TEST_F(EditorAccuracy, TheReferenceStandsRightOfTheLineAndGoesWithAllItsMemory) 
     ASSERT_TRUE(comparison().metrics);
     EXPECT_LT(comparison().metrics->appearance.distance, 0.15);
     EXPECT_GT(comparison().metrics->appearance.distance, 0);
+
+    // Another view starts anew on the same scene; another scene does not.
+    const auto scene = comparison().scene;
+    const double yaw = app->viewport.camera.yaw;
+    ASSERT_TRUE(scene);
+    app->viewport.camera.yaw += 0.1;
+    ok(ui->wait(1));
+    EXPECT_EQ(comparison().sum.passes, 0);
+    EXPECT_EQ(comparison().picture.id(), 0u);
+    EXPECT_EQ(comparison().scene, scene);
+    app->viewport.camera.yaw = yaw;
+    ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "20"));
+    ok(ui->wait(1));
+    EXPECT_FALSE(comparison().scene);
+    ASSERT_TRUE(doc.undo());
+
     ok(ui->set("Accuracy/Against", "off"));
     EXPECT_FALSE(gpu->ledger.contains("editor/comparison"));
     EXPECT_FALSE(comparison().scene || comparison().copy || comparison().renderer || comparison().job.active());
@@ -65,23 +81,7 @@ TEST_F(EditorAccuracy, TheReferenceStandsRightOfTheLineAndGoesWithAllItsMemory) 
     EXPECT_EQ(apart(plain, shot(), 0, 1), 0);
 }
 
-TEST_F(EditorAccuracy, AChangeStartsAnewAndTheSceneServesOtherViews) {
-    ok(ui->set("Accuracy/Against", "reference"));
-    shot();
-    const auto scene = comparison().scene;
-    ASSERT_TRUE(scene);
-    app->viewport.camera.yaw += 0.1;
-    ok(ui->wait(1));
-    EXPECT_EQ(comparison().sum.passes, 0);
-    EXPECT_EQ(comparison().picture.id(), 0u);
-    EXPECT_EQ(comparison().scene, scene);
-    ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "20"));
-    ok(ui->wait(1));
-    EXPECT_FALSE(comparison().scene);
-    ok(ui->set("Accuracy/Against", "off"));
-}
-
-TEST_F(EditorAccuracy, ATechniqueHasARendererOfItsOwnUntilItIsOff) {
+TEST_F(EditorAccuracy, ATechniqueHasARendererOfItsOwnAnErrorViewAndAGripUntilItIsOff) {
     shot();
     const auto before = gpu->ledger;
     ok(ui->set("Accuracy/Against", "flat"));
@@ -91,19 +91,6 @@ TEST_F(EditorAccuracy, ATechniqueHasARendererOfItsOwnUntilItIsOff) {
     EXPECT_FALSE(doc.canUndo());
     const double bias = comparison().metrics ? comparison().metrics->appearance.distance : 0;
     EXPECT_GT(bias, 0);
-    ok(ui->set("Accuracy/Against", "hybrid"));
-    const Image same = shot();
-    EXPECT_GT(apart(split, same, 0.55, 1), 0.01);
-    ASSERT_TRUE(comparison().metrics);
-    EXPECT_LT(comparison().metrics->appearance.distance, 1e-6) << "the same technique on the same project";
-    ok(ui->set("Accuracy/Against", "off"));
-    shot();
-    EXPECT_EQ(gpu->ledger, before);
-}
-
-TEST_F(EditorAccuracy, TheErrorViewAndTheGrip) {
-    ok(ui->set("Accuracy/Against", "flat"));
-    const Image split = shot();
     ok(ui->set("Accuracy/Show", "error"));
     const Image heat = shot();
     EXPECT_GT(apart(split, heat, 0.55, 1), 0.1);
@@ -119,10 +106,19 @@ TEST_F(EditorAccuracy, TheErrorViewAndTheGrip) {
     EXPECT_LT(comparison().split, 0.4f);
     EXPECT_EQ(density(), painted);
     EXPECT_EQ(app->viewport.gesture, Gesture::None);
+    ok(ui->set("Accuracy/Show", "split"));
+    ok(ui->set("Accuracy/Split", "0.5"));
+    ok(ui->set("Accuracy/Against", "hybrid"));
+    const Image same = shot();
+    EXPECT_GT(apart(split, same, 0.55, 1), 0.01);
+    ASSERT_TRUE(comparison().metrics);
+    EXPECT_LT(comparison().metrics->appearance.distance, 1e-6) << "the same technique on the same project";
     ok(ui->set("Accuracy/Against", "off"));
+    shot();
+    EXPECT_EQ(gpu->ledger, before);
 }
 
-TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClick) {
+TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSaysWhy) {
     CostRun run;
     run.project = "meadow", run.width = 320, run.height = 240;
     run.floors.push_back({"camera", {0.004}, {0.006}, {0.1}, 0.01, ""});
@@ -142,9 +138,8 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClick) {
     EXPECT_NE(app->status.find("msaa=4"), std::string::npos) << app->status;
     ok(ui->key("ctrl+z"));
     EXPECT_FALSE(doc.canUndo());
-}
 
-TEST_F(EditorAccuracy, AMeasurementThatFailsSaysWhyAndLeavesNoCopy) {
+    // A measurement that fails says why and leaves no copy.
     setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
     app->accuracy.program = "/bin/false";
     ok(ui->click("Accuracy/Measure"));
