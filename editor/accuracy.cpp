@@ -235,7 +235,12 @@ void drawHeat(EditorApp& app) {
     c.heatDue = false;
     const Result<PicturePair> pair = pairPictures(c.own, c.other, c.grass);
     if (!pair) return;
-    c.heat = uploaded(app.gpu, "editor/comparison", c.own.width, c.own.height, heatmap(errorMap(*pair, c.metric), heatScale(c.metric)));
+    const ErrorMap errors = errorMap(*pair, c.metric);
+    std::vector<uint8_t> rgb = heatmap(errors, heatScale(c.metric));
+    for (size_t i = 0; i < errors.size(); ++i)  // what does not count is the picture in grey, so that one finds one's way
+        if (!std::isfinite(errors[i]))
+            for (size_t k = 0; k < 3; ++k) rgb[3 * i + k] = static_cast<uint8_t>(40 + 60 * std::clamp(c.own.pixels[i].y, 0.0f, 1.0f));
+    c.heat = uploaded(app.gpu, "editor/comparison", c.own.width, c.own.height, rgb);
 }
 
 bool atRest(const EditorApp& app) {

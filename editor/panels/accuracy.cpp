@@ -57,13 +57,11 @@ void scores(EditorApp& app) {
     if (c.against == Against::Off) return ImGui::TextDisabled("Choose what to compare with.");
     if (!c.metrics) return ui::coloredText(ui::kDimText, c.picture.id() == 0 ? comparisonLabel(app).c_str() : "no grass is in view");
     const Metrics& m = *c.metrics;
-    score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.4f}", m.appearance.distance, m.appearance.sigma), "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance moves it.");
+    score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.3f}", m.appearance.distance, m.appearance.sigma), "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance moves it.");
     score("brightness", fmt::format("{:.4f}", m.appearance.bias), "The part of it that is a wrong mean colour or brightness (bias).");
-    ImGui::SameLine(0, 14);
     score("contrast", fmt::format("{:.4f}", m.appearance.contrast), "The part of it that is too flat or too busy.");
     score("flip", fmt::format("{:.3f}", m.flip), "What an eye notices when the two pictures alternate: 0 nothing, 1 most.");
     if (c.against != Against::Reference) return;
-    ImGui::SameLine(0, 14);
     score("samples", fmt::format("{} of {}", c.sum.passes, kMostPasses), "Rays a pixel so far. More come while nothing moves.");
     score("truth's noise", c.sum.passes > 1 ? fmt::format("{:.4f}", c.truthError) : "unknown yet", "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
 }
@@ -85,7 +83,7 @@ void sweepRow(EditorApp& app) {
     if (!s.error.empty())
         ui::coloredText(ui::kErrorText, s.error.c_str());
     else
-        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings at {}x{}. Click a point to adopt it.", s.run->rows.size(), s.run->width, s.run->height).c_str() : "What each way of drawing costs here, and how true it is.");
+        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str() : "Time and truth of each way to draw.");
     if (!s.error.empty()) ui::tooltip(s.error);
 }
 
@@ -107,18 +105,18 @@ void fitResult(EditorApp& app) {
     if (!f.error.empty()) return ImGui::TextWrapped("%s", f.error.c_str());
     if (!f.result) return ImGui::TextWrapped("%s", "Finds the tiers that look truest within this time a frame.");
     const FitShown& r = *f.result;
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms, appearance {:.4f} (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, r.appearance, r.shippedMs, r.shippedAppearance).c_str());
-    ui::record("Fitted", ui::Kind::Label, r.settings);
-    ui::tooltip(r.settings);
-    ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
-    ImGui::PopTextWrapPos();
     const CostSetting setting = settingOf("hybrid", r.settings);
     if (ui::button("Preview")) previewSettings(app, setting);
     ui::tooltip("Shows these settings right of the line in the viewport; the project stays as it is.");
     ImGui::SameLine(0, 6);
     if (ui::button("Adopt", 0, true)) adopt(app, setting);
     ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms, error {:.4f}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, r.appearance, r.shippedMs, r.shippedAppearance).c_str());
+    ui::record("Fitted", ui::Kind::Label, r.settings);
+    ui::tooltip(r.settings);
+    ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    ImGui::PopTextWrapPos();
 }
 
 void fitColumn(EditorApp& app) {
@@ -126,7 +124,7 @@ void fitColumn(EditorApp& app) {
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "Budget");
     ImGui::SameLine(0, 5);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.2f);
     ui::NumberSpec spec;
     spec.softMin = 1, spec.softMax = 100, spec.hardMin = 0.01, spec.hardMax = 1e5, spec.unit = "ms";
     ui::slider("Budget", f.budget, spec);
@@ -150,7 +148,7 @@ void drawAccuracy(EditorApp& app) {
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
     const int columns = ems < 40 ? 1 : 4;  // what does not fit beside goes below
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
-        for (const float share : {0.85f, 0.95f, 2.0f, 1.15f})
+        for (const float share : {0.95f, 1.05f, 1.6f, 1.3f})
             if (columns == 4) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         choices(app);

@@ -64,7 +64,7 @@ void ticks(const Axis& a, const Draw& draw) {
             if (const double v = m * std::pow(10, decade); std::log10(v) >= a.low && std::log10(v) <= a.high) draw(v);
 }
 
-void axes(const Plot& p, const std::string& camera) {
+void axes(const Plot& p) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 line = IM_COL32(255, 255, 255, 26);
     const float em = ImGui::GetFontSize();
@@ -87,7 +87,7 @@ void axes(const Plot& p, const std::string& camera) {
         list.AddText({p.low.x - 5 - ImGui::CalcTextSize(text.c_str()).x, y - em / 2}, ui::kDimText, text.c_str());
         above = y - em / 2;
     });
-    list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, ("appearance error from " + camera).c_str());
+    if (p.high.x - p.low.x > em * 18) list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, "appearance error");
     list.AddRect(p.low, p.high, IM_COL32(255, 255, 255, 60));
 }
 
@@ -98,7 +98,7 @@ void level(const Plot& p, double v, const char* label, float& taken) {
     for (float x = p.low.x; x < p.high.x; x += 8) list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, IM_COL32(255, 255, 255, 110));
     const ImVec2 size = ImGui::CalcTextSize(label);
     const float at = p.high.x - size.x - 6 - taken;
-    list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
+    if (at > p.low.x) list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
     taken += size.x + 14;  // side by side: lines may lie close
 }
 
@@ -190,16 +190,20 @@ std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     const CostRun& run = *app.accuracy.sweep.run;
     const CostFloors& floors = run.floors.front();
     const Plot p = layOut(run, floors, at, size);
-    axes(p, floors.camera);
+    axes(p);
     float taken = 0;
-    level(p, floors.flat.distance, "flat colour: worse is worthless", taken);
-    level(p, floors.sampling.distance, "few samples' noise", taken);
-    level(p, floors.seed.distance, "other blades: as good as true", taken);
+    level(p, floors.flat.distance, "flat colour", taken);
+    level(p, floors.sampling.distance, "sampling noise", taken);
+    level(p, floors.seed.distance, "other blades", taken);
     frontier(p, run);
     legend(p);
     const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
     points(app, p, run, hovered);
-    if (!hovered) return {};
+    if (!hovered) {
+        if (over) ui::tooltip(fmt::format("Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The line: nothing is both quicker and truer.\n"
+                                          "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other blades: as good as true.", floors.camera, run.width, run.height));
+        return {};
+    }
     ImGui::SetTooltip("%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}\nClick to adopt.", hovered->technique, hovered->settings, hovered->msMedian,
                                          hovered->metrics.appearance.distance, hovered->metrics.appearance.sigma, hovered->onFrontier ? "\nNothing is both quicker and truer." : "").c_str());
     return pressed ? std::optional(settingOf(hovered->technique, hovered->settings)) : std::nullopt;
