@@ -1,7 +1,6 @@
 -- Holds the view against the truth and against another technique, drags the line, looks at the errors, and turns it off.
-local copy = project.tempCopy("../../projects/park")
-project.open(copy)
-camera.use("human")
+project.new()
+ui.set("Viewport/Camera", "camera")
 ui.set("Accuracy/Against", "reference")
 ui.screenshot("accuracy_reference.png")
 expect.equal(ui.get("Accuracy/samples"), "8 of 256")
