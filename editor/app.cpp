@@ -125,6 +125,9 @@ void present(EditorApp& app) {
     app.surface->present();
 }
 
+// Something is made beside that will show.
+bool waitsForWork(const EditorApp& app) { return app.occlusion || !app.making.empty() || comparing(app) || measuring(app); }
+
 bool wantsFrame(const EditorApp& app) {
     return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() ||
            !app.deferred.empty() || !app.luaLines.empty() || app.viewport.drawnRevision != app.doc.revision() ||
@@ -161,6 +164,8 @@ EditorApp::~EditorApp() {
     ImGui::SetCurrentContext(imgui);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
+    stopRuns(*this);
+    endComparison(*this);
     freePicture(viewport);
     renderer.reset();
 }
@@ -178,6 +183,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     takeLog(app);
     followProject(app);
     followBake(app);
+    followRuns(app);
     ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(),
                   app.surface->pixelWidth(), app.surface->pixelHeight());
     ImGui_ImplOpenGL3_NewFrame();
@@ -189,6 +195,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     runDeferred(app);
     releaseGroup(app);
     if (app.doc.stroking()) app.doc.pumpStroke(kStrokeMs);
+    followBrushCost(app);
     followRenderer(app);
     updateTitle(app);
     showCursor(app);
@@ -200,7 +207,7 @@ double idleSeconds(const EditorApp& app) {
     const double refine = app.surface->fixedStep() > 0 || !app.doc.isOpen()
                               ? -1
                               : secondsToRefine(app.viewport.resolution, clockSeconds());
-    const double idle = app.book.tooltipDue || app.occlusion || !app.making.empty() ? 0.1 : kIdleSeconds;
+    const double idle = app.book.tooltipDue || waitsForWork(app) ? 0.1 : kIdleSeconds;
     return refine >= 0 ? std::min(refine, idle) : idle;
 }
 
@@ -224,7 +231,7 @@ void runUntilQuit(EditorApp& app) {
         tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.book.tooltipDue || app.occlusion || !app.making.empty() || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || waitsForWork(app) || app.surface->closeRequested()) runFrame(app);
     }
     endAutosave(app);
 }
@@ -296,6 +303,10 @@ void adoptProject(EditorApp& app) {
     app.viewport.resolution.stale = true;
     app.viewport.resolution.fullMs = 0;
     app.selected.clear();
+    stopRuns(app);
+    app.accuracy.sweep = {};
+    app.accuracy.fit = {};
+    compareWith(app, Against::Off);
     app.book.errors.clear();
     if (const Camera* camera = findCamera(app.doc.project(), "")) app.viewport.camera = flyFrom(viewOf(*camera));
     for (const auto& [name, entity] : app.doc.project().entities)

@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "accuracy.h"
 #include "autosave.h"
 #include "bakes.h"
 #include "brush_book.h"
+#include "brush_cost.h"
 #include "camera_control.h"
 #include "core/log.h"
 #include "document.h"
@@ -27,7 +29,7 @@ struct ImGuiContext;
 namespace sward {
 
 // What the left, right or middle button is doing in the viewport since it went down there.
-enum class Gesture { None, Look, Orbit, Pan, Paint, Ring };
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split };
 
 struct Viewport {
     FlyCamera camera;
@@ -104,6 +106,7 @@ struct EditorApp {
 
     Viewport viewport;
     BrushBook brushes;
+    BrushCost brushCost;
     int brushBarRows = 1;  // that the brush bar's widgets took in the last frame
     TierView tierView;
     std::string selected;   // entity, by name
@@ -117,6 +120,7 @@ struct EditorApp {
     FileDialog files;
     UnsavedDialog unsaved;
     Autosave autosave;
+    Accuracy accuracy;
     std::optional<OcclusionBake> occlusion;  // being baked
     std::vector<JobNews> making;             // what the renderer makes beside, as of the last frame
     std::string holding;  // path whose slider holds an undo group

@@ -17,6 +17,7 @@ constexpr PanelRow kPanels[] = {
     {"Console", Dock::Bottom, drawConsole, true},
     {"Profiler", Dock::Bottom, drawProfiler, true},
     {"Tiers", Dock::Bottom, drawTiers, true, "Tiers Panel"},
+    {"Accuracy", Dock::Bottom, drawAccuracy, true},
     {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},

@@ -29,6 +29,7 @@ void drawInspector(EditorApp& app);
 void drawConsole(EditorApp& app);
 void drawProfiler(EditorApp& app);
 void drawTiers(EditorApp& app);
+void drawAccuracy(EditorApp& app);
 void drawStatusBar(EditorApp& app);
 void drawFileDialog(EditorApp& app);
 void drawUnsavedDialog(EditorApp& app);

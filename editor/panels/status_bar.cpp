@@ -45,6 +45,21 @@ void making(EditorApp& app) {
     for (const JobNews& j : app.making) item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
 }
 
+// "+8.1 k" or "-120"
+std::string signedCount(double n) { return (n < 0 ? "-" : "+") + counted(static_cast<uint64_t>(std::llround(std::abs(n)))); }
+
+// What painting adds, while it is done.
+void painting(EditorApp& app) {
+    const BrushCost& c = app.brushCost;
+    if (c.under)
+        item("Under brush", counted(static_cast<uint64_t>(std::llround(*c.under))) + " blades", "Blades of this species that grow within the brush's ring.");
+    if (!c.stroke) return;
+    const std::optional<double> ms = strokeMs(app);
+    item("Stroke", signedCount(*c.stroke) + " blades" + (ms ? fmt::format(", about {:+.2g} ms", *ms) : ""),
+         ms ? "What the stroke added or took, and about what that costs a frame: the measured grass, times the share by which its blades grow."
+            : "What the stroke added or took. With Measure on (Profiler) also what it costs a frame.");
+}
+
 }  // namespace
 
 std::string counted(uint64_t n) {
@@ -69,6 +84,7 @@ void drawStatusBar(EditorApp& app) {
          "What the last drawing of the viewport took.");
     item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, app.viewport.resolution.drawnScale + 0.001)),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
+    painting(app);
     savedDot(app);
     bakeProgress(app);
     making(app);

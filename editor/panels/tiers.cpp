@@ -199,7 +199,7 @@ void drawTiers(EditorApp& app) {
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
     const int columns = ems < 28 ? 1 : ems < 46 ? 2 : 3;  // what does not fit beside goes below
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
-        for (const float share : {1.25f, 0.85f, 1.2f})
+        for (const float share : {1.15f, 0.8f, 1.35f})
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         distances(app, now);

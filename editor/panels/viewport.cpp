@@ -4,6 +4,7 @@
 #include "frame/ground.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
+#include "panels/viewport_compare.h"
 #include "panels/viewport_input.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
@@ -88,7 +89,7 @@ void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, fl
 // the decal: drawn over the image, it follows the pointer at the speed of the interface.
 void brushRing(EditorApp& app) {
     const Viewport& v = app.viewport;
-    if (!v.ground || app.tierView.hover || drawsDecal(app) || app.brushes.tool == kLookTool ||
+    if (!v.ground || app.tierView.hover || app.accuracy.comparison.gripHovered || drawsDecal(app) || app.brushes.tool == kLookTool ||
         (v.gesture != Gesture::None && v.gesture != Gesture::Paint))
         return;
     const Ground ground = findGround(app.doc.project());
@@ -143,12 +144,13 @@ void drawViewport(EditorApp& app) {
     ImGui::InvisibleButton("image", {v.rect.w, v.rect.h}, buttons);
     app.book.next["Viewport"] = ui::record("Image", ui::Kind::Area);
     viewportInput(app, ImGui::IsItemHovered());
-    if (app.doc.isOpen()) drawScene(app);
+    if (app.doc.isOpen()) drawScene(app), followComparison(app);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, true);
     if (app.doc.isOpen() && v.hasImage) {
         list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h},
                       {0, 1}, {1, 0});
+        drawComparison(app);
         brushRing(app);
         drawRings(app);
         drawOverlayLegend(app);

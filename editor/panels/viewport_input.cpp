@@ -5,6 +5,7 @@
 
 #include "brush_target.h"
 #include "frame/ground.h"
+#include "panels/viewport_compare.h"
 #include "panels/viewport_rings.h"
 
 namespace sward {
@@ -43,6 +44,8 @@ void beginGesture(EditorApp& app) {
         takePivot(app, groundAt(app, static_cast<double>(v.rect.x + v.rect.w / 2),
                                 static_cast<double>(v.rect.y + v.rect.h / 2)));
         v.gesture = Gesture::Orbit;
+    } else if (app.in.pressed[0] && grabSplit(app)) {
+        v.gesture = Gesture::Split;
     } else if (app.in.pressed[0] && grabRing(app)) {
         v.gesture = Gesture::Ring;
     } else if (app.in.pressed[0] && app.doc.isOpen() && app.brushes.tool != kLookTool && !app.doc.stroking()) {
@@ -60,6 +63,7 @@ void stepGesture(EditorApp& app) {
         if (v.gesture == Gesture::Orbit) orbit(v.camera, dx, dy);
         if (v.gesture == Gesture::Pan) pan(v.camera, dx, dy, static_cast<double>(v.rect.h));
         if (v.gesture == Gesture::Ring) dragRing(app, x, y);
+        if (v.gesture == Gesture::Split) dragSplit(app, x);
         if (v.gesture != Gesture::Paint) continue;
         if (const auto at = groundAt(app, x, y)) app.doc.strokeTo(at->x - origin.x, at->z - origin.z);
     }
@@ -157,7 +161,8 @@ void viewportInput(EditorApp& app, bool over) {
     Viewport& v = app.viewport;
     v.hovered = over;
     cancelByKey(app);
-    hoverRing(app, over);
+    hoverSplit(app, over);
+    hoverRing(app, over && !app.accuracy.comparison.gripHovered);
     if (v.gesture == Gesture::None && over && app.in.pressed.any())
         beginGesture(app);
     else if (v.gesture != Gesture::None)

@@ -1,0 +1,166 @@
+// What accuracy costs: the comparison's choices and scores, the project's time-appearance plot, a fit to a budget.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <imgui.h>
+
+#include "panels/accuracy_plot.h"
+#include "panels/panels.h"
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+void caption(const char* text, const char* help) {
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ui::tooltip(help);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
+}
+
+void choices(EditorApp& app) {
+    Comparison& c = app.accuracy.comparison;
+    if (!ImGui::BeginTable("choices", 2)) return;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 4.2f);
+    ImGui::TableSetupColumn("value");
+    std::vector<std::string> against(std::begin(kAgainst), std::end(kAgainst) - (c.preview ? 0 : 1));
+    int chosen = static_cast<int>(c.against);
+    caption("Against", "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same grass.");
+    if (ui::combo("Against", against, chosen)) compareWith(app, static_cast<Against>(chosen));
+    const ui::Disabled off(c.against == Against::Off);
+    const std::vector<std::string> shows(std::begin(kCompareShows), std::end(kCompareShows));
+    int show = static_cast<int>(c.show);
+    caption("Show", "split: the other picture right of the line.  error: where the two differ, dark where they agree.");
+    if (ui::combo("Show", shows, show)) c.show = static_cast<CompareShow>(show), c.heatDue = true;
+    caption("Split", "Where the line is; drag its grip in the viewport.");
+    ui::NumberSpec spec;
+    spec.hardMin = 0, spec.hardMax = 1;
+    ui::slider("Split", c.split, spec);
+    const std::vector<std::string> metrics(std::begin(kErrorMetrics), std::end(kErrorMetrics));
+    int metric = static_cast<int>(c.metric);
+    caption("Error", "appearance: does it look the same, whichever blade stands where.  flip: what an eye sees when pictures alternate.\nrmse: pixel by pixel.  ssim: structure, pixel by pixel.");
+    if (ui::combo("Metric", metrics, metric)) chooseMetric(app, static_cast<ErrorMetric>(metric));
+    ImGui::EndTable();
+}
+
+void score(const char* label, const std::string& text, const char* help) {
+    ui::coloredText(ui::kDimText, label);
+    ImGui::SameLine(0, 5);
+    ImGui::TextUnformatted(text.c_str());
+    ui::record(label, ui::Kind::Label, text);
+    ui::tooltip(help);
+}
+
+void scores(EditorApp& app) {
+    const Comparison& c = app.accuracy.comparison;
+    if (c.against == Against::Off) return ImGui::TextDisabled("Choose what to compare with.");
+    if (!c.metrics) return ui::coloredText(ui::kDimText, c.picture.id() == 0 ? comparisonLabel(app).c_str() : "no grass is in view");
+    const Metrics& m = *c.metrics;
+    score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.3f}", m.appearance.distance, m.appearance.sigma), "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance moves it.");
+    score("brightness", fmt::format("{:.4f}", m.appearance.bias), "The part of it that is a wrong mean colour or brightness (bias).");
+    score("contrast", fmt::format("{:.4f}", m.appearance.contrast), "The part of it that is too flat or too busy.");
+    score("flip", fmt::format("{:.3f}", m.flip), "What an eye notices when the two pictures alternate: 0 nothing, 1 most.");
+    if (c.against != Against::Reference) return;
+    score("samples", fmt::format("{} of {}", c.sum.passes, kMostPasses), "Rays a pixel so far. More come while nothing moves.");
+    score("truth's noise", c.sum.passes > 1 ? fmt::format("{:.4f}", c.truthError) : "unknown yet", "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
+}
+
+std::string elapsed(const EditorApp& app, double started) { return fmt::format("{:.0f} s", app.now - started); }
+
+void sweepRow(EditorApp& app) {
+    Sweep& s = app.accuracy.sweep;
+    if (s.child.running()) {
+        if (ui::button("Stop")) stopRuns(app);
+        ImGui::SameLine(0, 8);
+        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {} settings, {}", accuracyCamera(app), rowsMeasured(s), elapsed(app, s.started)).c_str());
+        return;
+    }
+    const ui::Disabled none(!app.doc.isOpen());
+    if (ui::button("Measure")) startSweep(app);
+    ui::tooltip("Draws this project with every technique at many settings, and holds each against the truth. Takes some minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
+    ImGui::SameLine(0, 8);
+    if (!s.error.empty())
+        ui::coloredText(ui::kErrorText, s.error.c_str());
+    else
+        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str() : "Time and truth of each way to draw.");
+    if (!s.error.empty()) ui::tooltip(s.error);
+}
+
+void adopt(EditorApp& app, const CostSetting& setting) {
+    app.deferred.push_back([&app, setting] {
+        const auto left = adoptSettings(app.doc, setting);
+        if (!left) return showError(app, left.error());
+        say(app, "adopted " + setting.technique + " " + setting.text() + (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
+    });
+}
+
+void plotColumn(EditorApp& app) {
+    sweepRow(app);
+    if (const auto chosen = drawCostPlot(app)) adopt(app, *chosen);
+}
+
+void fitResult(EditorApp& app) {
+    Fit& f = app.accuracy.fit;
+    if (!f.error.empty()) return ImGui::TextWrapped("%s", f.error.c_str());
+    if (!f.result) return ImGui::TextWrapped("%s", "Finds the tiers that look truest within this time a frame.");
+    const FitShown& r = *f.result;
+    const CostSetting setting = settingOf("hybrid", r.settings);
+    if (ui::button("Preview")) previewSettings(app, setting);
+    ui::tooltip("Shows these settings right of the line in the viewport; the project stays as it is.");
+    ImGui::SameLine(0, 6);
+    if (ui::button("Adopt", 0, true)) adopt(app, setting);
+    ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms, error {:.4f}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, r.appearance, r.shippedMs, r.shippedAppearance).c_str());
+    ui::record("Fitted", ui::Kind::Label, r.settings);
+    ui::tooltip(r.settings);
+    ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void fitColumn(EditorApp& app) {
+    Fit& f = app.accuracy.fit;
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "Budget");
+    ImGui::SameLine(0, 5);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.2f);
+    ui::NumberSpec spec;
+    spec.softMin = 1, spec.softMax = 100, spec.hardMin = 0.01, spec.hardMax = 1e5, spec.unit = "ms";
+    ui::slider("Budget", f.budget, spec);
+    ui::tooltip("What a frame of 320 x 240 may take on this machine, in milliseconds.");
+    ImGui::SameLine(0, 6);
+    if (f.child.running()) {
+        if (ui::button("Stop fit")) stopRuns(app);
+        return ui::coloredText(ui::kDimText, ("trying settings, " + elapsed(app, f.started)).c_str());
+    }
+    {
+        const ui::Disabled none(!app.doc.isOpen());
+        if (ui::button("Fit to budget")) startFit(app);
+    }
+    fitResult(app);
+}
+
+}  // namespace
+
+void drawAccuracy(EditorApp& app) {
+    ImGui::BeginChild("accuracy");
+    const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
+    const int columns = ems < 40 ? 1 : 4;  // what does not fit beside goes below
+    if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
+        for (const float share : {0.95f, 1.05f, 1.6f, 1.3f})
+            if (columns == 4) ImGui::TableSetupColumn("", 0, share);
+        ImGui::TableNextColumn();
+        choices(app);
+        ImGui::TableNextColumn();
+        scores(app);
+        ImGui::TableNextColumn();
+        plotColumn(app);
+        ImGui::TableNextColumn();
+        fitColumn(app);
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace sward

@@ -1,0 +1,212 @@
+#include "panels/accuracy_plot.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "ui/theme.h"
+
+namespace sward {
+namespace {
+
+struct TechniqueColor {
+    const char* name;
+    ImU32 color;
+};
+constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)}, {"geometry", IM_COL32(255, 120, 90, 255)}, {"slices", IM_COL32(90, 170, 255, 255)}, {"flat", IM_COL32(205, 190, 110, 255)}};
+
+ImU32 colorOf(const std::string& technique) {
+    for (const TechniqueColor& c : kColors)
+        if (technique == c.name) return c.color;
+    return IM_COL32_WHITE;
+}
+
+// A logarithmic axis: values to pixels.
+struct Axis {
+    double low = 1, high = 10;  // decades' logarithms, base 10
+    float from = 0, to = 1;
+    void take(double v) {
+        if (!(v > 0) || !std::isfinite(v)) return;
+        low = std::min(low, std::log10(v)), high = std::max(high, std::log10(v));
+    }
+    float at(double v) const { return from + (to - from) * static_cast<float>((std::log10(std::max(v, 1e-9)) - low) / (high - low)); }
+};
+Axis emptyAxis() { return {1e9, -1e9}; }
+void pad(Axis& a) {
+    if (a.high < a.low) a.low = 0, a.high = 1;
+    const double more = 0.06 * (a.high - a.low) + 0.03;
+    a.low -= more, a.high += more;
+}
+
+struct Plot {
+    Axis x = emptyAxis(), y = emptyAxis();
+    ImVec2 low, high;  // of its inside, window coordinates
+};
+
+bool isDrawn(const CostRow& r) { return r.skipped.empty() && r.msMedian > 0 && r.metrics.appearance.distance > 0; }
+
+Plot layOut(const CostRun& run, const CostFloors& f, ImVec2 at, ImVec2 size) {
+    Plot p;
+    for (const CostRow& r : run.rows)
+        if (isDrawn(r)) p.x.take(r.msMedian), p.y.take(r.metrics.appearance.distance);
+    for (const double v : {f.seed.distance, f.sampling.distance, f.flat.distance}) p.y.take(v);
+    pad(p.x), pad(p.y);
+    const float em = ImGui::GetFontSize();
+    p.low = {at.x + em * 3.2f, at.y + em * 1.3f}, p.high = {at.x + size.x - em * 0.4f, at.y + size.y - em * 1.4f};
+    p.x.from = p.low.x, p.x.to = p.high.x, p.y.from = p.high.y, p.y.to = p.low.y;
+    return p;
+}
+
+// 1, 2 and 5 of each decade.
+template <class Draw>
+void ticks(const Axis& a, const Draw& draw) {
+    for (int decade = static_cast<int>(std::floor(a.low)); decade <= a.high; ++decade)
+        for (const double m : {1.0, 2.0, 5.0})
+            if (const double v = m * std::pow(10, decade); std::log10(v) >= a.low && std::log10(v) <= a.high) draw(v);
+}
+
+void axes(const Plot& p) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 line = IM_COL32(255, 255, 255, 26);
+    const float em = ImGui::GetFontSize();
+    float right = -1e9f;  // of the last label, so that none covers another
+    ticks(p.x, [&](double v) {
+        const std::string text = fmt::format("{:g}", v);
+        const float x = p.x.at(v), half = ImGui::CalcTextSize(text.c_str()).x / 2;
+        list.AddLine({x, p.low.y}, {x, p.high.y}, line);
+        if (x - half < right + 6 || x + half > p.high.x - em * 2) return;
+        list.AddText({x - half, p.high.y + 1}, ui::kDimText, text.c_str());
+        right = x + half;
+    });
+    list.AddText({p.high.x - em * 1.6f, p.high.y + 1}, ui::kDimText, "ms");
+    float above = 1e9f;
+    ticks(p.y, [&](double v) {
+        const std::string text = fmt::format("{:g}", v);
+        const float y = p.y.at(v);
+        list.AddLine({p.low.x, y}, {p.high.x, y}, line);
+        if (y + em / 2 > above) return;
+        list.AddText({p.low.x - 5 - ImGui::CalcTextSize(text.c_str()).x, y - em / 2}, ui::kDimText, text.c_str());
+        above = y - em / 2;
+    });
+    if (p.high.x - p.low.x > em * 18) list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, "appearance error");
+    list.AddRect(p.low, p.high, IM_COL32(255, 255, 255, 60));
+}
+
+void level(const Plot& p, double v, const char* label, float& taken) {
+    if (!(v > 0)) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float y = p.y.at(v);
+    for (float x = p.low.x; x < p.high.x; x += 8) list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, IM_COL32(255, 255, 255, 110));
+    const ImVec2 size = ImGui::CalcTextSize(label);
+    const float at = p.high.x - size.x - 6 - taken;
+    if (at > p.low.x) list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
+    taken += size.x + 14;  // side by side: lines may lie close
+}
+
+void frontier(const Plot& p, const CostRun& run) {
+    std::vector<const CostRow*> rows;
+    for (const CostRow& r : run.rows)
+        if (isDrawn(r) && r.onFrontier) rows.push_back(&r);
+    std::sort(rows.begin(), rows.end(), [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
+    for (size_t i = 1; i < rows.size(); ++i)
+        ImGui::GetWindowDrawList()->AddLine({p.x.at(rows[i - 1]->msMedian), p.y.at(rows[i - 1]->metrics.appearance.distance)},
+                                            {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, IM_COL32(255, 255, 255, 150), 1.5f);
+}
+
+void legend(const Plot& p) {
+    float x = p.high.x;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const TechniqueColor& c : kColors) {
+        const ImVec2 size = ImGui::CalcTextSize(c.name);
+        x -= size.x;
+        list.AddText({x, p.low.y - ImGui::GetFontSize() * 1.3f}, c.color, c.name);
+        x -= 12;
+    }
+}
+
+ImVec2 pointAt(const Plot& p, const CostRow& r) { return {p.x.at(r.msMedian), p.y.at(r.metrics.appearance.distance)}; }
+
+// The row nearest the pointer, if it is on one.
+const CostRow* rowUnder(const Plot& p, const CostRun& run) {
+    const CostRow* best = nullptr;
+    float nearest = 8;
+    const ImVec2 m = ImGui::GetIO().MousePos;
+    for (const CostRow& r : run.rows) {
+        if (!isDrawn(r)) continue;
+        const ImVec2 at = pointAt(p, r);
+        if (const float d = std::hypot(at.x - m.x, at.y - m.y); d < nearest) nearest = d, best = &r;
+    }
+    return best;
+}
+
+void recordPoint(EditorApp& app, const ImVec2& at, const CostRow& r) {
+    const std::string name = fmt::format("Accuracy/Point {} {}", r.technique, r.settings);
+    if (app.book.reveal == name) ImGui::SetScrollHereY(1), app.book.reveal.clear();
+    ui::Widget& w = app.book.next[name];
+    w = {};
+    w.visible = ImGui::IsRectVisible({at.x - 1, at.y - 1}, {at.x + 1, at.y + 1});
+    w.kind = ui::Kind::Area;
+    w.x0 = at.x - 3, w.x1 = at.x + 3, w.y0 = at.y - 3, w.y1 = at.y + 3;
+    w.value = fmt::format("{:.4f}", r.metrics.appearance.distance);
+}
+
+void points(EditorApp& app, const Plot& p, const CostRun& run, const CostRow* hovered) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    bool marked = false;
+    for (const CostRow& r : run.rows) {
+        if (!isDrawn(r)) continue;
+        const ImVec2 at = pointAt(p, r);
+        list.AddCircleFilled(at, &r == hovered ? 5.5f : r.onFrontier ? 4.0f : 3.0f, colorOf(r.technique));
+        recordPoint(app, at, r);
+        if (marked || !isPresent(app.doc, settingOf(r.technique, r.settings))) continue;
+        marked = true;
+        list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
+        list.AddText({at.x + 10, at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "now");
+    }
+    const Comparison& c = app.accuracy.comparison;
+    if (marked || c.against != Against::Reference || !c.metrics || app.viewport.lastMs <= 0) return;
+    const ImVec2 at{std::clamp(p.x.at(app.viewport.lastMs), p.low.x, p.high.x), std::clamp(p.y.at(c.metrics->appearance.distance), p.low.y, p.high.y)};
+    list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
+    list.AddText({std::min(at.x + 10, p.high.x - 60), at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "viewport");
+}
+
+void emptyPlot(const ImVec2& at, const ImVec2& size) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRect(at, {at.x + size.x, at.y + size.y}, IM_COL32(255, 255, 255, 40));
+    const char* text = "time and error of every technique, once measured";
+    const ImVec2 t = ImGui::CalcTextSize(text);
+    if (t.x < size.x) list.AddText({at.x + (size.x - t.x) / 2, at.y + (size.y - t.y) / 2}, ui::kDimText, text);
+}
+
+}  // namespace
+
+std::optional<CostSetting> drawCostPlot(EditorApp& app) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const float left = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - at.y - 4;
+    const ImVec2 size{std::max(room.x, 80.0f), std::max(left, ImGui::GetFontSize() * 6)};
+    const bool pressed = ImGui::InvisibleButton("plot", size);
+    ui::record("Plot", ui::Kind::Area);
+    const bool over = ImGui::IsItemHovered();
+    if (!app.accuracy.sweep.run || app.accuracy.sweep.run->floors.empty()) return emptyPlot(at, size), std::nullopt;
+    const CostRun& run = *app.accuracy.sweep.run;
+    const CostFloors& floors = run.floors.front();
+    const Plot p = layOut(run, floors, at, size);
+    axes(p);
+    float taken = 0;
+    level(p, floors.flat.distance, "flat colour", taken);
+    level(p, floors.sampling.distance, "sampling noise", taken);
+    level(p, floors.seed.distance, "other blades", taken);
+    frontier(p, run);
+    legend(p);
+    const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
+    points(app, p, run, hovered);
+    if (!hovered) {
+        if (over) ui::tooltip(fmt::format("Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The line: nothing is both quicker and truer.\n"
+                                          "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other blades: as good as true.", floors.camera, run.width, run.height));
+        return {};
+    }
+    ImGui::SetTooltip("%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}\nClick to adopt.", hovered->technique, hovered->settings, hovered->msMedian,
+                                         hovered->metrics.appearance.distance, hovered->metrics.appearance.sigma, hovered->onFrontier ? "\nNothing is both quicker and truer." : "").c_str());
+    return pressed ? std::optional(settingOf(hovered->technique, hovered->settings)) : std::nullopt;
+}
+
+}  // namespace sward
