@@ -254,7 +254,7 @@ struct MemoryPool {
 Status checkSettings(const ReferenceSettings& s) {
     const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
     if (s.samples < 1 || s.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no picture", s.samples), fmt::format("1 to {}", kMaxReferenceSamples));
-    if (s.width < 1 || s.height < 1) return usage("a picture has at least one pixel", "");
+    if (s.width < 1 || s.height < 1 || int64_t(s.width) * s.height > kMaxReferencePixels) return usage(fmt::format("{}x{} pixels make no reference", s.width, s.height), "at least 1x1, at most 2^26 pixels, such as 8192x8192");
     if (s.shards < 1 || s.shard < 0 || s.shard >= s.shards) return usage(fmt::format("there is no shard {} of {}", s.shard, s.shards), "write I/N, I from 0 to N-1");
     return {};
 }

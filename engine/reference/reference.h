@@ -30,6 +30,7 @@ struct ReferenceSettings {
     int shard = 0, shards = 1;  // of several machines this one's bands of kShardRows rows: the others' pixels stay 0
 };
 inline constexpr int kMaxReferenceSamples = 1 << 20;
+inline constexpr int64_t kMaxReferencePixels = int64_t(1) << 26;
 inline constexpr int kShardRows = 8;
 inline bool isOfShard(int row, const ReferenceSettings& s) { return row / kShardRows % s.shards == s.shard; }
 
@@ -48,7 +49,7 @@ class ReferenceScene {
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
     ~ReferenceScene();
-    // Failed when cancelled. Usage error: sizes below 1, samples out of range, a shard that is not one of shards.
+    // Failed when cancelled. Usage error: sizes below 1 or beyond kMaxReferencePixels, samples out of range, a shard that is not one of shards.
     Result<Truth> trace(const ViewCamera& camera, const ReferenceSettings& settings, JobControl& control) const;
 
     struct Impl;

@@ -70,7 +70,7 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     ReferenceSettings& s = p.settings;
     const auto width = numberIn(*head, "width", 1, 16384), height = numberIn(*head, "height", 1, 16384), samples = numberIn(*head, "samples", 1, kMaxReferenceSamples);
     const auto shards = numberIn(*head, "shards", 1, 1 << 20), shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1);
-    if (!width || !height || !samples || !shards || !shard || !head->object.contains("of") || !head->object.contains("camera")) return unsound(file, "the part's first line does not say what it is a part of");
+    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard || !head->object.contains("of") || !head->object.contains("camera")) return unsound(file, "the part's first line does not say what it is a part of");
     s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards;
     p.camera = head->object.at("camera").text;
     p.of = std::strtoull(head->object.at("of").text.c_str(), nullptr, 16);

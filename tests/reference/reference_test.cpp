@@ -229,26 +229,6 @@ TEST_F(Parts, MergedEqualTheWholeBitForBit) {
     EXPECT_EQ(whole.error, merged->error);
     EXPECT_EQ(whole.grass, merged->grass);
 }
-TEST_F(Parts, WhatIsMissingTwiceForeignOrDamagedIsNamed) {
-    const auto a = part(0, 2, "a"), b = part(1, 2, "b"), other = part(1, 2, "other", 8);
-    const auto says = [](const std::vector<std::filesystem::path>& files) {
-        const auto merged = mergeParts(files);
-        return merged ? std::string("merged") : merged.error().text();
-    };
-    EXPECT_NE(says({a}).find("shard 1 of 2 is missing"), std::string::npos) << says({a});
-    EXPECT_NE(says({a, b, b}).find("twice"), std::string::npos);
-    EXPECT_NE(says({a, other}).find("another image"), std::string::npos);
-    const std::string bytes = readText(b);
-    for (const size_t keep : {size_t(0), size_t(10), bytes.find('\n'), bytes.find('\n') + 9, bytes.size() - 1}) {
-        writeText(dir / "cut", bytes.substr(0, keep));
-        const auto merged = mergeParts({a, dir / "cut"});
-        ASSERT_FALSE(merged) << keep;
-        EXPECT_EQ(merged.error().code, ExitCode::Unsound);
-        EXPECT_NE(merged.error().text().find("cut"), std::string::npos);
-    }
-    EXPECT_EQ(says({a, b}), "merged");
-}
-
 // Blades of a patch where they stand in a cell, as thin triangles: what GrassRays finds without them.
 struct BruteForce {
     Project p;
