@@ -91,6 +91,7 @@ Kernel kernelOf(const FormulaRow& row, const std::vector<FormulaRow>& rows, cons
 
 constexpr double kCpuSeconds = 2e-4, kGpuSeconds = 1e-3;  // of one timing, at least
 constexpr int kTries = 9;                                 // of which a round keeps the least
+constexpr double kResolvedNs = 0.05;                      // less cannot be told from nothing
 constexpr int kMaxOutputs = 64;
 
 double since(std::chrono::steady_clock::time_point start) {
@@ -188,7 +189,7 @@ void compareTimes(std::vector<KernelRow>& rows, KernelTime KernelRow::*member) {
     for (const KernelRow& r : rows)
         if (!cheapest || (r.*member).ns < cheapest->ns) cheapest = &(r.*member);
     const double least = cheapest->ns;
-    if (!(least > cheapest->spread)) return;  // not to be told from nothing
+    if (!(least > std::max(cheapest->spread, kResolvedNs))) return;
     for (KernelRow& r : rows) (r.*member).times = (r.*member).ns / least;
 }
 

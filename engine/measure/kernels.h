@@ -48,7 +48,7 @@ KernelError kernelError(const Kernel& kernel, const std::vector<double>& outputs
 struct KernelTime {
     double ns = std::numeric_limits<double>::quiet_NaN();      // median, at least 0
     double spread = std::numeric_limits<double>::quiet_NaN();  // half of what lies between the quartiles
-    double times = std::numeric_limits<double>::quiet_NaN();   // of the formula's cheapest form; none where that one's spread is above its time
+    double times = std::numeric_limits<double>::quiet_NaN();   // of the formula's cheapest form; none where that one cannot be told from nothing
 };
 struct KernelRow {
     std::string id, formula, form;

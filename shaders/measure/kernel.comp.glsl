@@ -1,5 +1,5 @@
 // Evaluates a form of a formula many times: each invocation goes through `steps` inputs, from its own on, and keeps the sum of
-// all outputs. With one step the outputs themselves are kept too. Defined ahead of this: FORMULA_INPUTS, FORMULA_OUTPUTS
+// all inputs and outputs. With one step the outputs themselves are kept too. Defined ahead of this: FORMULA_INPUTS, FORMULA_OUTPUTS
 // and FORMULA_BODY, which reads x[] and writes y[] (engine/measure/kernels_gpu.cpp).
 #include "numerics/glsl.h"
 #include "numerics/all.h"
@@ -18,7 +18,10 @@ void main() {
     real y[FORMULA_OUTPUTS];
     real total = 0.0;
     for (int turn = 0; turn < steps; turn++) {
-        for (int i = 0; i < FORMULA_INPUTS; i++) x[i] = allInputs[current * FORMULA_INPUTS + i];
+        for (int i = 0; i < FORMULA_INPUTS; i++) {
+            x[i] = allInputs[current * FORMULA_INPUTS + i];
+            total += x[i];  // or a form that leaves out an input would load less than the empty one
+        }
         for (int i = 0; i < FORMULA_OUTPUTS; i++) y[i] = 0.0;
         { FORMULA_BODY }
         for (int i = 0; i < FORMULA_OUTPUTS; i++) total += y[i];
