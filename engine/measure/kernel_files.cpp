@@ -1,5 +1,6 @@
 // Tables of what formulas cost: for people, as CSV and as JSON.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "measure/kernels.h"
@@ -41,17 +42,17 @@ std::string kernelText(const KernelRun& run) {
     size_t width = 4;
     for (const KernelRow& r : run.rows) width = std::max(width, r.form.size());
     std::string out;
-    const auto line = [&](const std::string& form, const std::string& error, const std::string& failing, const std::string& ns, const std::string& times,
-                          const std::string& shaderNs, const std::string& shaderTimes, const std::string& at) {
-        out += fmt::format("  {:<{}} {:>8} {:>7} {:>18} {:>8} {:>18} {:>8}{}{}\n", form, width, error, failing, ns, times, shaderNs, shaderTimes, at.empty() ? "" : "  ", at);
+    const auto line = [&](const std::array<std::string, 9>& c) {
+        out += fmt::format("  {:<{}} {:>9} {:>8} {:>16} {:>8} {:>13} {:>16} {:>8}{}{}\n", c[0], width, c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8].empty() ? "" : "  ", c[8]);
     };
-    line("form", "error", "no num.", "ns CPU", "times", "ns shader", "times", "at");
+    line({"form", "error CPU", "no value", "ns CPU", "times", "error shader", "ns shader", "times", "largest at"});
     for (size_t i = 0; i < run.rows.size(); ++i) {
         const KernelRow& r = run.rows[i];
         if (i == 0 || run.rows[i - 1].formula != r.formula) out += fmt::format("{}{}{}, {} inputs\n", r.id, r.id.empty() ? "" : " ", r.formula, r.inputs);
-        line(r.form, errorText(r.cpu.largest), std::to_string(r.cpu.notFinite), nsText(r.cpuTime), timesText(r.cpuTime), nsText(r.shaderTime), timesText(r.shaderTime), placeText(r.cpu));
+        line({r.form, errorText(r.cpu.largest), std::to_string(r.cpu.notFinite), nsText(r.cpuTime), timesText(r.cpuTime),
+              run.renderer.empty() ? "-" : errorText(r.shader.largest), nsText(r.shaderTime), timesText(r.shaderTime), placeText(r.cpu)});
     }
-    return out + fmt::format("error: largest, of float on the CPU; no num.: inputs without a finite answer; times: the cheapest form's; median of {} rounds +- half of what lies between quartiles\n"
+    return out + fmt::format("error: largest, of float against double; no value: inputs without a finite answer on the CPU; times: the cheapest form's; rounds: {}, median +- half of what lies between quartiles\n"
                              "shaders: {}\n", run.rounds, run.renderer.empty() ? "not measured, there is no OpenGL context" : run.renderer);
 }
 

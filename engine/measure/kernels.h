@@ -6,7 +6,7 @@
 // computes nothing; the forms of a formula in turn, round by round, so that a change of the machine's load meets all
 // alike; a round keeps the least of nine tries, so that another program's turn is not counted. On the CPU a form is called through a pointer, as the empty one is: nothing is inlined or vectorised. In shaders wall
 // clock with one finish a dispatch.
-// Does not: judge (hardcases.h does). Cost: some 130 forms at 5 rounds take 3 s on the CPU, 20 s more with a software GPU.
+// Does not: judge (hardcases.h does). Cost: 128 forms at 5 rounds take 5 s on the CPU, 25 s more with a software GPU.
 #pragma once
 #include <functional>
 #include <limits>
