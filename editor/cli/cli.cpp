@@ -74,8 +74,11 @@ struct Verbs {
     void addCost() {
         CLI::App* c = verb("cost", "What accuracy costs in time: techniques and settings against the ray-traced truth", [this] { return costVerb(cost); });
         addTruth(c, cost);
+        c->get_option("project")->required(false);
+        CLI::Option* numerics = c->add_flag("--numerics", cost.numerics, "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
+        c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
         c->add_option("--technique", cost.technique, "sweep one alone: hybrid, geometry, slices or flat (default: all)");
-        c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped")->required();
+        c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for numerics.csv and numerics.json");
         c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
         c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: 4 times what the project as it is takes)");
         c->add_option("--shard", cost.shard, "I/N: this machine's share of the rows, for merge");

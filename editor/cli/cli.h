@@ -47,6 +47,7 @@ struct CostOptions : RenderOptions {
     double maxMs = 0;
     std::string lighting = "full", shard;
     uint32_t seed = 1;
+    bool numerics = false, json = false; // the formulas' price instead of a project's
 };
 int costVerb(const CostOptions& options);
 // The parts of a sharded sweep, joined into a cost.json or cost.csv.
@@ -56,7 +57,7 @@ bool isCostPart(const std::filesystem::path& file);
 struct FitOptions : CostOptions {
     double budgetMs = 0;
     int candidates = 40;
-    bool write = false, json = false;
+    bool write = false;
 };
 int fitVerb(const FitOptions& options);
 

@@ -4,8 +4,10 @@
 #include "cli/cost_request.h"
 #include "cli/interrupt.h"
 #include "core/file.h"
+#include "core/log.h"
 #include "measure/cost_files.h"
 #include "measure/cost_report.h"
+#include "measure/kernels.h"
 #include "techniques.h"
 
 namespace sward {
@@ -59,9 +61,32 @@ void printRun(const CostRun& run, const fs::path& folder) {
     std::printf("%s\n", (folder / "report.html").string().c_str());
 }
 
+Status writeKernelFiles(const KernelRun& run, const fs::path& folder) {
+    if (Status s = makeFolderOf(folder / "numerics.csv"); !s) return s;
+    if (Status s = writeFileAtomic(folder / "numerics.csv", kernelCsv(run)); !s) return s;
+    return writeFileAtomic(folder / "numerics.json", writeJson(kernelJson(run)));
+}
+
+int numericsVerb(const CostOptions& o) {
+    if (o.rounds < 1 || o.rounds > 1000) return report({ExitCode::Usage, "--rounds takes 1 to 1000", "", 0, 0, ""});
+    auto gpu = makeHeadlessGpu();
+    if (!gpu) logWarning(gpu.error().text() + "; the shaders' column stays empty");
+    const Interruptible here;
+    const auto run = measureKernels({o.rounds, ""}, gpu ? gpu->get() : nullptr, costProgress());
+    if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
+    if (!run) return report(run.error());
+    if (!o.out.empty())
+        if (Status s = writeKernelFiles(*run, o.out); !s) return report(s.error());
+    std::printf("%s", (o.json ? writeJson(kernelJson(*run)) : kernelText(*run)).c_str());
+    return 0;
+}
+
 }  // namespace
 
 int costVerb(const CostOptions& o) {
+    if (o.numerics) return numericsVerb(o);
+    if (o.project.empty()) return report({ExitCode::Usage, "project is required", "", 0, 0, "name its folder, or ask for --numerics"});
+    if (o.out.empty()) return report({ExitCode::Usage, "--out is required", "", 0, 0, "name a folder for table, plots and report"});
     RenderOptions asItIs = o;  // --technique says what to sweep, not how the project is drawn
     asItIs.technique.clear();
     auto project = openForRendering(asItIs);

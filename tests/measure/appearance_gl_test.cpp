@@ -117,7 +117,7 @@ TEST(AppearanceRanking, OtherBladesAreNearerThanFewerAndFewerThanBlurredAndFlat)
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     for (const Design& d : {kMeadow, kLawn})
-        for (const double distance : {4.0, 8.0, 16.0}) {
+        for (const double distance : {6.0, 10.0, 16.0}) {
             SCOPED_TRACE(fmt::format("{} at {} m", d.name, distance));
             const Ranking k = rankingAt(r, d, distance);
             std::printf("  %s at %g m\n", d.name, distance);

@@ -53,7 +53,7 @@ TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
     const CostFloors& f = first->floors[0];
     EXPECT_GT(f.seed.distance, 0);
     EXPECT_GT(f.sampling.distance, 0);
-    EXPECT_GT(f.flat.distance, f.seed.distance);
+    EXPECT_GT(f.flat.contrast, f.seed.contrast) << "in so small a picture a few blades make the mean, but flat rows have no contrast";
     auto again = runCost(request(dir, "a"), p, tables(), gpu(), go);
     ASSERT_TRUE(again);
     EXPECT_EQ(writeJson(costJson(*again)), writeJson(costJson(*first))) << "times too: nothing was measured again";
