@@ -19,7 +19,8 @@ TEST(Layout, AreasFillTheWindow) {
 
 TEST(Layout, AHiddenPanelGivesItsPlaceAway) {
     Layout l;
-    l.hidden = {"Outliner", "Inspector", "Console", "Profiler", "Tiers"};
+    l.hidden = {"Outliner", "Inspector"};
+    l.hidden.insert(std::begin(kBottomPanels), std::end(kBottomPanels));
     const Areas a = at(l);
     EXPECT_FLOAT_EQ(a.viewport.w, 1280 - 44);
     EXPECT_FLOAT_EQ(a.viewport.h, 800 - 22 - 36 - 24);
@@ -35,7 +36,7 @@ TEST(Layout, TheTabInSightIsTheChosenOneOrTheFirstThatIsNotHidden) {
     EXPECT_EQ(openTab(l), "Profiler");
     l.tab = "nonsense";
     EXPECT_EQ(openTab(l), "Profiler");
-    l.hidden = {"Tiers", "Console", "Profiler"};
+    l.hidden = {std::begin(kBottomPanels), std::end(kBottomPanels)};
     EXPECT_EQ(openTab(l), "");
 }
 
