@@ -80,7 +80,7 @@ struct Verbs {
         c->add_option("--technique", cost.technique, "sweep one alone: hybrid, geometry, slices or flat (default: all)");
         c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for numerics.csv and numerics.json");
         c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
-        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: 4 times what the project as it is takes)");
+        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: twice what the project as it is takes)");
         c->add_option("--shard", cost.shard, "I/N: this machine's share of the rows, for merge");
         CLI::App* f = verb("fit", "The settings with the least appearance error within a budget of time", [this] { return fitVerb(fit); });
         addTruth(f, fit);

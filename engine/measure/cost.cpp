@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
-constexpr double kLimit = 4;  // times what the project's own settings take: the limit, where none is given
+constexpr double kLimit = 2;  // times what the project's own settings take: the limit, where none is given
 
 // --- keys --------------------------------------------------------------------------------------------------------
 // This program as it was built: rows drawn by another are drawn again.

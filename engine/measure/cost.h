@@ -64,7 +64,7 @@ struct CostRequest {
     ReferenceSettings truth;      // size and time are taken from here
     std::vector<CostSetting> settings;
     int rounds = 5;               // of timing
-    double maxMs = 0;             // rows that take longer, or would, are left out; 0: four times what the project's own settings take
+    double maxMs = 0;             // rows that take longer, or would, are left out; 0: twice what the project's own settings take
     int shard = 0, shards = 1;    // of the rows, those whose index is shard modulo shards
     std::filesystem::path folder; // where finished rows are kept
 };
