@@ -4,20 +4,12 @@
 #include <imgui.h>
 
 #include "panels/accuracy_plot.h"
+#include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
 
 namespace sward {
 namespace {
-
-void caption(const char* text, const char* help) {
-    ImGui::TableNextColumn();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ui::tooltip(help);
-    ImGui::TableNextColumn();
-    ImGui::SetNextItemWidth(-1);
-}
 
 void choices(EditorApp& app) {
     Comparison& c = app.accuracy.comparison;

@@ -1,5 +1,7 @@
 #include "panels/field_edit.h"
 
+#include <imgui.h>
+
 namespace sward {
 namespace {
 
@@ -44,6 +46,15 @@ void takeEdit(EditorApp& app, const FieldRef& f, const ui::NumberEdit& edit, dou
         setField(app, f.path, ui::numberText(value, f.row->type == FieldType::Int), label);
     }
     if (edit.typed) setField(app, f.path, *edit.typed, label);
+}
+
+void caption(const char* text, const char* help) {
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ui::tooltip(help);
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
 }
 
 }  // namespace sward

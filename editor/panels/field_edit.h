@@ -1,5 +1,5 @@
 // How widgets change fields of the document: after the frame's widgets, refusals beside the widget, a drag one step.
-// Does not: draw.
+// Does not: draw the widgets.
 #pragma once
 #include "app.h"
 
@@ -14,5 +14,8 @@ ui::NumberSpec numberSpec(const FieldRow& row);
 // What a number's widget gave: a drag is held and set, a typed text set.
 void takeEdit(EditorApp& app, const FieldRef& field, const ui::NumberEdit& edit, double value,
               const std::string& label);
+
+// A row of a table of two columns: its name, told about by a tooltip, and room for a widget across the second.
+void caption(const char* text, const char* help);
 
 }  // namespace sward

@@ -18,15 +18,6 @@ FieldRef fieldNamed(EditorApp& app, const char* name) {
     return *f;
 }
 
-void caption(const char* text, const char* help) {
-    ImGui::TableNextColumn();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text);
-    ui::tooltip(help);
-    ImGui::TableNextColumn();
-    ImGui::SetNextItemWidth(-1);
-}
-
 // A refusal has no line of its own here: the frame is red, and the tooltip says it.
 void showRefusal(const char* label, const char* help) {
     const std::string* error = ui::errorAt(label);

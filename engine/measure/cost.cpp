@@ -108,15 +108,10 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 // --- what it will take -------------------------------------------------------------------------------------------
 // Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres; and
 // the limit, from a third.
-const GrassField* fieldOf(const Project& p) {
-    for (const auto& [name, e] : p.entities)
-        if (const GrassField* f = p.registry.get<GrassField>(e)) return f;
-    return nullptr;
-}
 Status calibrate(Sweep& s, const std::string& camera) {
     Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, camera)), {}};
     p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
-    const GrassField own = *fieldOf(p.project);
+    const GrassField own = *firstOf<GrassField>(p.project);
     double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
     const CostSetting settings[] = {{kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};

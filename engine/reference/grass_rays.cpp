@@ -124,6 +124,7 @@ using Memory = GrassMemory::Tables;
 struct Query {
     RayContext context;
     const RayField* field;
+    size_t number;          // of the species among the field's kinds
     const Kind* kind;
     Memory* memory;
     const Cell* cell;
@@ -382,7 +383,7 @@ void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& 
             if (!cell.scene) return;
             const auto [a, b] = within(ray.origin.y, ray.way.y, cell.base + static_cast<double>(cell.ground.low) - 1e-3, cell.base + static_cast<double>(cell.ground.high) + reach, from, to);
             if (!(a <= b)) return;
-            Query q{{}, &f, &kind, &memory, &cell, x, z, {}, glm::vec3(ray.way), ray.grain};
+            Query q{{}, &f, k, &kind, &memory, &cell, x, z, {}, glm::vec3(ray.way), ray.grain};
             q.origin = glm::vec3(ray.origin + ray.way * a - glm::dvec3(x * size, cell.base, z * size));
             // Into the patch's frame: over the plane of the ground, mirrored, and begun where the cell begins the patch.
             const CellGround& g = cell.ground;
@@ -469,7 +470,7 @@ std::optional<Surface> GrassRays::closest(const Ray& ray, GrassMemory& memory) c
     });
     if (!best) return std::nullopt;
     // The memory may have given the cell's place to another: its number is the query's.
-    const Cell cell = cellAt(*field_, *memory.tables, static_cast<size_t>(std::find_if(field_->kinds.begin(), field_->kinds.end(), [&](const auto& k) { return k.get() == best->kind; }) - field_->kinds.begin()), best->x, best->z);
+    const Cell cell = cellAt(*field_, *memory.tables, best->number, best->x, best->z);
     best->cell = &cell;
     return bladeSurface(*field_, ray, *best, end);
 }
