@@ -75,7 +75,7 @@ void sweepRow(EditorApp& app) {
     if (!s.error.empty())
         ui::coloredText(ui::kErrorText, s.error.c_str());
     else
-        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str() : "Time and truth of each way to draw.");
+        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str() : "Each way to draw, measured.");
     if (!s.error.empty()) ui::tooltip(s.error);
 }
 
