@@ -1,8 +1,10 @@
 #include "techniques.h"
 
 #include "grass/field.h"
+#include "grass/forces.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
+#include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "objects/mesh.h"
 #include "objects/shadow.h"
@@ -12,6 +14,7 @@
 #include "scene/components.h"
 #include "sky/lamps.h"
 #include "sky/sky.h"
+#include "sky/wind.h"
 #include "terrain/ground.h"
 #include "terrain/shade.h"
 
@@ -20,10 +23,11 @@ namespace sward {
 const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
+        windEffect(), gustsEffect(),
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass
-        tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
+        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass
+        farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};
     return all;

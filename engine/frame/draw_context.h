@@ -68,7 +68,7 @@ struct SharedResources {
     GLuint heights = 0;        // the height map's texture; 0: flat
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
-    GLuint orientation = 0, vegetation = 0, occlusion = 0;
+    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     std::array<BladeDraws, MAX_SPECIES> blades{};

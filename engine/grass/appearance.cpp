@@ -238,7 +238,7 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
             const float a = luminance(asBlades(leant[plus], e, light).value()), b = luminance(asBlades(leant[plus + 1], e, light).value());
-            return std::clamp(0.5f * (a - b) / std::max(luminance(blades), 1e-9f), -0.9f, 0.9f);
+            return std::clamp(0.5f * (a - b) / std::max(luminance(blades), 1e-9f), -0.9f, 0.9f) / light.lean;
         };
         out.slices[static_cast<size_t>(i)].w = change(0);
         out.far[static_cast<size_t>(i)].w = change(2);

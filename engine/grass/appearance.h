@@ -47,12 +47,12 @@ struct FieldLight {
     float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
     const BladeShade* shade = nullptr;                // how blades shade blades in direct light; null: depth below the tips does
     int weighting = 0;                                // LightWeighting: how slices weigh their images
-    float lean = 0;                                   // tangent of the lean that full paint gives; 0: nothing is painted
+    float lean = 0;                                   // that paint or wind gives, m per m: where their change is taken; 0: neither is there
 };
 
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
 struct Gains {
-    std::array<glm::vec4, LOOK_VIEWS> slices;  // rgb: factor of vertical slices; w: share by which full paint towards +x brightens
+    std::array<glm::vec4, LOOK_VIEWS> slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
     std::array<glm::vec4, LOOK_VIEWS> far;     // rgb: factor of the horizontal slice; w: the same for +z
     glm::vec3 sliceAmbient, farAmbient;        // ambient light that their texels are taken to receive
 };

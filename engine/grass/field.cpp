@@ -45,6 +45,7 @@ void publishMaps(DrawContext& ctx, const GrassField& f) {
     };
     publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
     publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
+    publish(ctx.shared.forces, f.forces, "grass/force-map", false);
     publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
 }
 
@@ -63,13 +64,13 @@ void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     const GeometryRange range = geometryRange(f);
     CoverGlobals cover{};
     cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, static_cast<float>(f.seed)};
+    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
     for (size_t i = 0; i < state.species.size(); ++i) {
         cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
         cover.height[static_cast<int>(i)] = state.species[i]->look.height;
     }
     const auto [from, upTo] = shadowRange(f);
-    cover.shadows = {from, f32::lodInverse(from, upTo), 0, 0};
+    cover.shadows = {from, f32::lodInverse(from, upTo), f.farDarkening, f.farDarkeningDistance};
     writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
     ctx.shared.cover = state.cover.id();
 }
@@ -102,6 +103,7 @@ void bindField(DrawContext& ctx) {
     if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
     if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
     if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
+    if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
     if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
 }

@@ -85,7 +85,8 @@ FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species
     l.weighting = f.lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
-    l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? std::tan(glm::radians(std::min(s.leanDeg, 80.0f))) : 0.0f;
+    l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
+    if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, 0.25f);
     return l;
 }
 
@@ -104,7 +105,6 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     const Gains& gains = s.gains;
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
     const glm::vec2 within = eye / double(f.cellSize) - cell;
-    const float clumps = sp.clumpSize > 0 ? sp.clumpStrength : 0;
     const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
     const GeometryRange range = geometryRange(f);
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
@@ -115,8 +115,8 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
     g.ambient = glm::vec4(gains.sliceAmbient, 0);
     g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
-    g.clumps = {0.8f * clumps * std::tan(glm::radians(std::min(sp.leanVariationDeg + sp.leanDeg, 80.0f))), 0.8f * clumps * sp.heightVariation, 0.2f * clumps, sp.clumpSize};
-    g.lean = {std::tan(glm::radians(std::min(sp.leanDeg, 80.0f))), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
+    g.clumps = glm::vec4(clumpStrengths(sp), sp.clumpSize);
+    g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
     const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
@@ -325,12 +325,12 @@ void drawFarShadow(DrawContext& ctx) {
 
 // --- rows ------------------------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
                       Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
 };
 constexpr auto kShadow = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
-                      Feature::GroundShadows, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
+                      Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
 };
 const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};

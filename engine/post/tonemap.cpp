@@ -7,9 +7,8 @@ namespace {
 
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, t.final.id());
     glDisable(GL_DEPTH_TEST);
+    if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void fullScreen(DrawContext& ctx) {
@@ -21,7 +20,7 @@ void fullScreen(DrawContext& ctx) {
 void bindDepth(const DrawContext& ctx) { glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id()); }
 
 void drawTonemap(DrawContext& ctx) {
-    resolve(ctx);
+    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.final.id());
     if (!ctx.use(0, depthConstants(ctx.targets))) return;
     glBindTextureUnit(TEX_SCENE, ctx.targets.resolved.id());
     bindDepth(ctx);
@@ -39,7 +38,8 @@ void drawDecal(DrawContext& ctx) {
 
 const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
 const ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
-const Pass kTonemapPasses[] = {{"post/tonemap", Stage::Post, kViewMain | kViewCompare, kSceneColor | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
+const Pass kTonemapPasses[] = {{"post/resolve", Stage::Post, kViewMain | kViewCompare, kSceneColor, kResolved, {}, resolve},
+                               {"post/tonemap", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
 const Pass kDecalPasses[] = {{"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
 
 }  // namespace

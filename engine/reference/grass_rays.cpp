@@ -6,12 +6,15 @@
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "reference/embree.h"
+#include "frame/forces.h"
+#include "scene/wind.h"
 
 namespace sward {
 namespace {
 
 constexpr float kLeanStep = 0.2f;      // metres a metre between the mean leans that scenes are made for
 constexpr float kSpreadStep = 0.1f;   // ... and between their spreads
+constexpr float kAnyLean = 3;          // of blades that are pressed: any way, down to the ground
 constexpr float kBump = 0.005f;        // metres: least class of how far ground leaves the plane through a cell; each next doubles
 constexpr int kPrefixes[] = {16, 48, 112, 255};
 
@@ -33,6 +36,7 @@ struct Cell {
     RTCScene scene = nullptr;  // null: nothing grows
     f32::CellVersion version{glm::vec2(1), glm::vec2(0)};
     double base = 0;           // height of the plane at the cell's corner
+    WindGlobals wind{};        // about the cell's corner; unused in a calm
     CellGround ground;
 };
 struct Kept {
@@ -65,8 +69,11 @@ std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& l
     const float near = std::max(glm::length(reach) - radius, 0.0f), highest = std::sqrt(std::max(size * size - near * near, 0.0f));
     // The curve lies in the hull of root, control and tip. Nothing of it is below the root.
     const glm::vec2 tip = reach, control = glm::vec2(b.control.x, b.control.z) + 0.5f * (reach - own);
+    // The control is moved by half of what the tip is: nothing reaches farther than the longer of both.
+    const float farthest = std::max(most, glm::length(glm::vec2(b.control.x, b.control.z)) + 0.5f * (most + glm::length(own)));
     const float rise = b.control.y / std::max(b.tip.y, size * 0.05f + 1e-30f);
-    const glm::vec2 low = glm::min(glm::vec2(0), glm::min(tip, control)) - radius, high = glm::max(glm::vec2(0), glm::max(tip, control)) + radius;
+    const glm::vec2 low = glm::max(glm::min(glm::vec2(0), glm::min(tip, control)) - radius, glm::vec2(-farthest));
+    const glm::vec2 high = glm::min(glm::max(glm::vec2(0), glm::max(tip, control)) + radius, glm::vec2(farthest));
     const float top = std::max(highest, rise * highest), side = 0.5f * b.width + 1e-5f;
     return {glm::vec3(low.x, 0, low.y) * (1 + scale) - glm::vec3(side, 1e-5f, side), glm::vec3(high.x, top, high.y) * (1 + scale) + glm::vec3(side, 1e-5f, side)};
 }
@@ -113,6 +120,12 @@ struct RayField {
     const Terrain* terrain = nullptr;
     const GrassField* grass = nullptr;
     HeightBounds bounds;
+    const Wind* wind = nullptr;    // null: a calm
+    const Map* gusts = nullptr;    // its picture of gusts, which may be the one that is made
+    Map made;
+    float windSlope = 0;
+    double time = 0;
+    std::vector<Force> forces;
     std::vector<std::unique_ptr<Kind>> kinds;
 };
 
@@ -141,6 +154,19 @@ glm::vec2 paintAt(const GrassField& g, const glm::dvec2& place) {
     return f32::paintOf(t.x, t.y);
 }
 
+glm::vec2 windLeanIn(const RayField& f, const Cell& cell, const glm::vec2& inCell, float grain) {
+    return f.wind ? windLeanAt(cell.wind, *f.gusts, inCell, grain) : glm::vec2(0);
+}
+
+bool pressed(const RayField& f) { return f.grass->forces.present() || !f.forces.empty(); }
+
+// Push and press at a place, as a share of the terrain and in metres.
+glm::vec3 forceOn(const RayField& f, const glm::dvec2& place, const glm::dvec2& ground) {
+    glm::vec3 sum = f.forces.empty() ? glm::vec3(0) : forceAt(f.forces, ground);
+    if (f.grass->forces.present()) sum += f32::paintedForce(paintedAt(f.grass->forces.map, place, static_cast<double>(f.grass->forcesTiling), false));
+    return f32::forceOf(sum);
+}
+
 // The blade where it stands; its root's place as a share of the terrain.
 Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index, glm::dvec2* rootPlace = nullptr) {
     const Blade& b = kind.patch.blades[index];
@@ -153,7 +179,12 @@ Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, 
     const bool clumped = kind.clumps != glm::vec3(0);
     const glm::vec3 clump = clumped ? f32::clumpValues(x, z, inCell, size, kind.species->clumpSize, static_cast<uint32_t>(f.grass->seed)) : glm::vec3(0);
     const f32::BladePlace at = f32::bladePlace(paintAt(*f.grass, place), kind.leanAtFull, clump, kind.clumps);
-    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, at.lean, at.scale);
+    glm::vec2 lean = at.lean + windLeanIn(f, cell, inCell, b.dither);
+    if (pressed(f)) {
+        const glm::vec3 force = forceOn(f, place, ground);
+        lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * cell.version.mirror);
+    }
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, lean, at.scale);
     const float up = static_cast<float>(terrainHeight(*f.terrain, ground.x, ground.y) - cell.base);
     return {{inCell.x, up, inCell.y}, pose.control, pose.tip, pose.facing, b.width, at.lighter};
 }
@@ -282,6 +313,26 @@ CellGround groundUnder(const Terrain& t, double x0, double z0, double x1, double
     return g;
 }
 
+// Whether anything may press on blades between two places, as shares of the terrain.
+bool pressedBetween(const RayField& f, const glm::dvec2& from, const glm::dvec2& to) {
+    const glm::dvec2 low = from * f.terrain->size, high = to * f.terrain->size;
+    for (const Force& force : f.forces) {
+        const glm::dvec2 far(static_cast<double>(force.radius * force.reach));
+        if (glm::all(glm::greaterThanEqual(glm::max(force.from, force.to) + far, low)) && glm::all(glm::lessThanEqual(glm::min(force.from, force.to) - far, high))) return true;
+    }
+    if (!f.grass->forces.present()) return false;
+    const Map& map = f.grass->forces.map;
+    const MapInfo& info = map.info();
+    const double tiling = static_cast<double>(f.grass->forcesTiling);
+    const glm::dvec2 across = (to - from) * tiling;
+    const auto wrap = [](int v, int n) { return (v % n + n) % n; };
+    bool found = false;
+    const auto see = [&](int x, int y) { found = found || map.at(wrap(x, info.width), wrap(y, info.height), 3) > 0; };
+    if (across.x >= 1 || across.y >= 1) eachTexel(info, {0, 0}, {1, 1}, see);
+    else eachTexel(info, from * tiling, to * tiling, see);
+    return found;
+}
+
 int classOf(float value, float step) { return static_cast<int>(std::ceil(value / step - 1e-4f)); }
 
 // Which scene serves a cell; null if nothing grows there.
@@ -294,10 +345,13 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, const Cell& cell, double x
     while (key.prefix + 1 < static_cast<int>(std::size(kPrefixes)) && static_cast<float>(kPrefixes[key.prefix]) / 255 < most) ++key.prefix;
     if (most < 1.0f / 255 || kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])] == 0) return nullptr;
     const auto [paint, differs] = paintOver(*f.grass, from, to);
-    const glm::vec2 lean = paint * kind.leanAtFull * cell.version.mirror;
+    const float half = 0.5f * f.grass->cellSize;
+    const glm::vec2 lean = (paint * kind.leanAtFull + windLeanIn(f, cell, glm::vec2(half), -1)) * cell.version.mirror;
+    const float wind = f.wind ? f.windSlope * 1.4142136f * half + 0.13f * f.wind->strength * f.wind->turbulence : 0.0f;
     key.leanX = static_cast<int>(std::lround(lean.x / kLeanStep)), key.leanZ = static_cast<int>(std::lround(lean.y / kLeanStep));
     const float beside = glm::length(lean - glm::vec2(key.leanX, key.leanZ) * kLeanStep);
-    key.spread = classOf(beside + differs * kind.leanAtFull + 1.4142136f * kind.clumps.x, kSpreadStep);
+    key.spread = classOf(beside + differs * kind.leanAtFull + wind + 1.4142136f * kind.clumps.x, kSpreadStep);
+    if (pressed(f) && pressedBetween(f, from, to)) key.leanX = key.leanZ = 0, key.spread = classOf(kAnyLean, kSpreadStep);
     key.bump = cell.ground.bump > 0 ? std::max(1, 1 + classOf(std::log2(cell.ground.bump / kBump), 1)) : 0;
     return sceneFor(kind, key);
 }
@@ -311,6 +365,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
     c.version = f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time);
     c.scene = sceneOf(f, *f.kinds[kind], c, x0, z0);
     return c;
 }
@@ -429,12 +484,19 @@ GrassRays::GrassRays(GrassRays&&) noexcept = default;
 GrassRays& GrassRays::operator=(GrassRays&&) noexcept = default;
 GrassRays::~GrassRays() = default;
 
-Result<GrassRays> GrassRays::make(const Project& p, const JobControl& control) {
+Result<GrassRays> GrassRays::make(const Project& p, double time, const JobControl& control) {
     auto f = std::make_unique<RayField>();
     f->terrain = findGround(p).terrain;
     f->grass = firstOf<GrassField>(p);
     if (!f->terrain || !f->grass) return GrassRays(std::move(f));
     updateHeightBounds(f->bounds, *f->terrain);
+    f->time = time;
+    f->forces = forcesOf(p, time);
+    f->wind = windOf(p);
+    if (f->wind) {
+        f->gusts = &gustsOf(*f->wind, f->made);
+        f->windSlope = windSlope(windGlobals(*f->wind, {0, 0}, 0), *f->gusts);
+    }
     for (size_t i = 0; i < f->grass->species.size() && i < MAX_SPECIES; ++i) {
         if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
         const Species& s = f->grass->species[i];

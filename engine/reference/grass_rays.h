@@ -28,9 +28,9 @@ struct RayField;
 
 class GrassRays {
   public:
-    // Of the project's first GrassField; `p` must outlive it. A project without grass or terrain has rays that meet nothing.
+    // Of the project's first GrassField as its wind bends it at a scene time; `p` must outlive it. A project without grass or terrain has rays that meet nothing.
     // Failed without memory or when cancelled.
-    static Result<GrassRays> make(const Project& p, const JobControl& control);
+    static Result<GrassRays> make(const Project& p, double time, const JobControl& control);
     GrassRays(GrassRays&&) noexcept;
     GrassRays& operator=(GrassRays&&) noexcept;
     ~GrassRays();

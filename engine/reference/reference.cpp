@@ -274,7 +274,7 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     auto solids = Solids::make(impl->project, control);
     if (!solids) return solids.error();
     impl->solids.emplace(std::move(*solids));
-    auto grass = GrassRays::make(impl->project, control);
+    auto grass = GrassRays::make(impl->project, time, control);
     if (!grass) return grass.error();
     impl->grass.emplace(std::move(*grass));
     return ReferenceScene(std::move(impl));

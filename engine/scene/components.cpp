@@ -31,6 +31,11 @@ constexpr FieldRow distance(const char* name, size_t offset, Range r, const char
     row.allowInf = true;
     return row;
 }
+constexpr FieldRow seconds(const char* name, size_t offset, Range r, const char* help) {
+    FieldRow row = distance(name, offset, r, help);
+    row.unit = "s";
+    return row;
+}
 constexpr FieldRow color(const char* name, size_t offset, Range r, const char* help) {
     return number(FieldType::Color, name, offset, "", r, help);
 }
@@ -185,18 +190,25 @@ constexpr FieldRow kGrassFieldFields[] = {
     whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256}, "width of the mask by which blades shade blades; 0: they do not"),
     number(FieldType::Bool, "groundShadows", offsetof(GrassField, groundShadows), "", {}, "blades shade the ground"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
+    choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs, "blurs what is far, against sparkling: with equal weights, or a bell's"),
+    real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300}, "distance at which that blur is full"),
+    real("farDarkening", offsetof(GrassField, farDarkening), "", kShare, "share of their light that far blades lose, which shows depth; 0: none"),
+    real("farDarkeningDistance", offsetof(GrassField, farDarkeningDistance), "m", {0.1, 1e6, 10, 300}, "distance at which they have lost it"),
     map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
         "direction x, z about 0.5 in which blades lean"),
     map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
         "colour and opacity over the blades' own colour"),
     map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
         "share of the sky that the ground sees"),
+    map("forces", offsetof(GrassField, forces), 4, PixelType::U8,
+        "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
          "repeats of the orientation map over the terrain"),
     real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
          "repeats of the vegetation map over the terrain"),
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
          "repeats of the ambient-occlusion map over the terrain"),
+    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain"),
 };
 // Which tiers a field is drawn with.
 FeatureSet tierFeatures(const GrassField& g) {
@@ -234,6 +246,9 @@ FeatureSet grassFeatures(const void* component) {
     if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
     if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
+    if (g.farBlur != static_cast<int>(FarBlur::None)) s |= featureSet(Feature::FarBlur);
+    if (g.farDarkening > 0) s |= featureSet(Feature::FarDarkening);
+    if (g.forces.present()) s |= featureSet(Feature::ForceMap);
     if (g.ambientOcclusion.present()) s |= featureSet(Feature::GrassOcclusion);
     return s;
 }
@@ -269,6 +284,40 @@ constexpr FieldRow kSkyFields[] = {
 };
 FeatureSet skyFeatures(const void* component) {
     return static_cast<const Sky*>(component)->intensity > 0 ? featureSet(Feature::Sky) : FeatureSet{};
+}
+
+constexpr FieldRow kWindFields[] = {
+    choice("model", offsetof(Wind, model), kWindModels, "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
+    real("strength", offsetof(Wind, strength), "", {0, 2, 0, 1}, "how far a full gust leans a blade, metres a metre; 0: a calm"),
+    real("azimuthDeg", offsetof(Wind, azimuthDeg), "deg", {-360, 360, 0, 360}, "where it blows to, clockwise from north (-z)"),
+    real("speed", offsetof(Wind, speed), "m/s", {0, 100, 0, 15}, "how fast gusts and waves travel"),
+    real("gustSize", offsetof(Wind, gustSize), "m", {0.1, 10000, 2, 30}, "length of a gust along the wind"),
+    real("turbulence", offsetof(Wind, turbulence), "", kShare, "share of small gusts, and how much blades quiver"),
+    real("quiverHz", offsetof(Wind, quiverHz), "Hz", {0, 50, 1, 6}, "how fast blades quiver"),
+    map("gusts", offsetof(Wind, gusts), 1, PixelType::U16, "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
+    real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1}, "of waves: how close they follow each other; in steps of 0.05"),
+    real("c2", offsetof(Wind, c2), "1/m", {0, 10, 0, 0.5}, "of waves: how they bend across the wind"),
+    real("c3", offsetof(Wind, c3), "1/m", {0, 10, 0, 1}, "of waves: the second ones, which overlap the first; in steps of 0.05"),
+    real("epsilon", offsetof(Wind, epsilon), "", {0.1, 10, 0.1, 2}, "of waves: how sharply they bend; below 0.1 neighbours would move without relation"),
+};
+FeatureSet windFeatures(const void* component) {
+    const auto& w = *static_cast<const Wind*>(component);
+    if (!(w.strength > 0)) return {};
+    return w.model == static_cast<int>(WindModel::Noise) ? featureSet(Feature::Wind, Feature::Gusts) : featureSet(Feature::Wind);
+}
+
+constexpr FieldRow kForceFields[] = {
+    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints"),
+    real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5}, "how far from its middle it presses blades down; 0: nowhere"),
+    real("length", offsetof(ForceSource, length), "m", {0, 1000, 0.1, 2}, "of a foot, or of a wheel's tread on the ground"),
+    real("headingDeg", offsetof(ForceSource, headingDeg), "deg", {-360, 360, 0, 360}, "where a foot or wheel points, clockwise from north (-z)"),
+    real("reach", offsetof(ForceSource, reach), "radii", {1, 20, 1, 4}, "how far around it blades are pushed aside"),
+    real("strength", offsetof(ForceSource, strength), "", kShare, "share of its force; 0: none"),
+    seconds("recovery", offsetof(ForceSource, recovery), {0, 1e9, 0, 120}, "time in which its tracks recover; inf: they stay"),
+};
+FeatureSet forceFeatures(const void* component) {
+    const auto& f = *static_cast<const ForceSource*>(component);
+    return f.strength > 0 && f.radius > 0 ? featureSet(Feature::Forces) : FeatureSet{};
 }
 
 constexpr FieldRow kFogFields[] = {
@@ -313,6 +362,8 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<GrassField>("GrassField", "Grass over the whole terrain.", kGrassFieldFields, grassFeatures),
         componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
+        componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
+        componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.", kForceFields, forceFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),

@@ -87,10 +87,15 @@ struct GrassField {
     int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
     bool groundShadows = true;            // blades shade the ground
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
+    int farBlur = 0;                      // index into kFarBlurs
+    float farBlurDistance = 80;           // metres at which the blur is full
+    float farDarkening = 0;               // share of light that far grass loses; 0: none
+    float farDarkeningDistance = 80;      // metres at which it has lost it
     MapField orientation;                 // two channels: direction x, z in [0,1] about 0.5; its length is the strength
     MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
+    MapField forces;                      // RGBA: push x, z about 0.5, press; times A
     MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
-    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1;  // repeats over the terrain
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1;  // repeats over the terrain
 };
 inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat"};
 enum class Technique { Hybrid, Geometry, Slices, Flat };
@@ -109,6 +114,9 @@ enum class WeightsAt { Vertex, Pixel };
 // How part-covered pixels are drawn (section 4.2, figure 21).
 inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
 enum class Transparency { Coverage, Both, Test, Blend };
+// Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a bell's.
+inline constexpr const char* kFarBlurs[] = {"none", "mean", "gaussian"};
+enum class FarBlur { None, Mean, Gaussian };
 inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
 enum class Filtering { Trilinear, Anisotropic };
 
@@ -139,6 +147,43 @@ struct Sky {
 
 inline constexpr const char* kSkyModels[] = {"clear", "uniform"};
 enum class SkyModel { Clear, Uniform };
+
+// Wind over the whole scene: the first by name that blows. Everything that grows leans with it (numerics/gust.h).
+// Waves: Jahrmann and Wimmer 2013, equation 9, travelling at `speed`. Noise: a picture of gusts that the wind carries along.
+struct Wind {
+    int model = 1;                        // index into kWindModels
+    float strength = 0.3f;                // lean of a full gust, metres a metre of blade; 0: a calm
+    float azimuthDeg = 70;                // where it blows to, clockwise from -z (north)
+    float speed = 4;                      // m/s, at which gusts and waves travel
+    float gustSize = 8;                   // metres of a gust along the wind; across it twice as much
+    float turbulence = 0.4f;              // share of small gusts, and how much blades quiver
+    float quiverHz = 3;                   // of a blade
+    MapField gusts;                       // one channel; covers 8 gusts and repeats; absent: made by the program
+    float c1 = 0.2f, c2 = 0.05f, c3 = 0.1f;  // of equation 9, 1/m; c1 and c3 in twentieths, so that waves have a period
+    float epsilon = 0.5f;                 // of equation 9
+};
+inline constexpr const char* kWindModels[] = {"waves", "noise"};
+enum class WindModel { Waves, Noise };
+
+// A track that a source of force left: what it pressed between two places, in the world, and when (scene seconds).
+struct Track {
+    glm::dvec2 from{0}, to{0};
+    double seconds = 0;
+};
+// Presses the grass down where its Transform stands, and aside around it; what moves leaves tracks, which recover.
+// Source: Jahrmann and Wimmer 2013, section 5.2; frame/forces.h.
+struct ForceSource {
+    int shape = 2;                        // index into kForceShapes
+    float radius = 0.3f;                  // metres pressed down; of a foot or wheel, half its width
+    float length = 0.3f;                  // metres of a foot, and of a wheel's tread on the ground
+    float headingDeg = 0;                 // where a foot or wheel points, clockwise from -z (north)
+    float reach = 2;                      // radii out to which blades are pushed aside
+    float strength = 1;                   // share; 0: none
+    float recovery = 20;                  // seconds in which a track recovers; infinite: it stays
+    std::vector<Track> tracks;            // left in playtest; never saved
+};
+inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object"};
+enum class ForceShape { Foot, Wheel, Object };
 
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {

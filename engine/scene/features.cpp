@@ -32,6 +32,12 @@ constexpr FeatureNames kNames[] = {
     {"sun", "SUN"},
     {"lamps", "LAMPS"},
     {"casting-lights", "CASTING_LIGHTS"},
+    {"wind", "WIND"},
+    {"gusts", "GUSTS"},
+    {"forces", "FORCES"},
+    {"force-map", "FORCE_MAP"},
+    {"far-darkening", "FAR_DARKENING"},
+    {"far-blur", "FAR_BLUR"},
     {"sky", "SKY"},
     {"fog", "FOG"},
 };

@@ -30,6 +30,12 @@ enum class Feature : uint8_t {
     Sun,               // the first directional light
     Lamps,             // any other light
     CastingLights,     // a light casts shadows
+    Wind,              // wind blows
+    Gusts,             // in gusts, from a picture; else in waves
+    Forces,            // something presses on the grass
+    ForceMap,          // painted forces do
+    FarDarkening,      // far blades are darker
+    FarBlur,           // what is far is blurred
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
     Count

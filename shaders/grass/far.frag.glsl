@@ -18,6 +18,7 @@
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 #include "lib/far.glsl"
+#include "lib/wind.glsl"
 #include "lib/transparency.glsl"
 
 in vec3 position;
@@ -88,7 +89,7 @@ void main() {
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
-    vec3 gain = slices.shape.w * sliceGain(toEye, paintedLean(uv), true);
+    vec3 gain = slices.shape.w * darkened(d) * sliceGain(toEye, paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0), true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain * lighterHere(r, pixel), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

@@ -60,7 +60,8 @@ vec3 lampsOn(Lit p) {
 }
 // Light on a blade: what no mask holds back into lit, what it may into sunned.
 void lightBlade(Lit p, vec2 uv) {
-    float share = hazeShare(length(p.position));
+    float distance = length(p.position), share = hazeShare(distance);
+    p.color *= darkened(distance);
     vec3 sun = sunOn(p);
     vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
     if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {

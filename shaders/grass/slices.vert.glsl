@@ -16,6 +16,8 @@
 #include "lib/lamps.glsl"
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
+#include "lib/wind.glsl"
+#include "lib/force.glsl"
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
@@ -36,13 +38,15 @@ out vec4 haze;        // its colour times the share that it has; w: what is left
 out vec2 weights;     // by distance, of what slices draw; by distance and view, of that what this family shows
 
 struct Place {
-    vec2 lean;      // horizontal metres a metre of height
+    vec2 wide;      // lean that is the same over many blades: by paint and wind
+    vec2 lean;      // all of it, horizontal metres a metre of height
     float scale;    // of heights
     float lighter;
 };
-Place placeHere(vec2 inCell, vec2 painted) {
+Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
-    p.lean = painted * slices.lean.x;
+    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0);
+    p.lean = p.wide;
     p.scale = 1.0;
     p.lighter = 1.0;
     if (GRASS_CLUMPS && slices.clumps.w > 0.0) {
@@ -50,6 +54,11 @@ Place placeHere(vec2 inCell, vec2 painted) {
         p.lean += c.xy * slices.clumps.x;
         p.scale += c.z * slices.clumps.y;
         p.lighter += c.z * slices.clumps.z;
+    }
+    if (FORCES || FORCE_MAP) {  // a slice has no blades to lay down each its own way: it sinks
+        vec3 pressed = forceHere(foot.xz, uv);
+        p.lean += pressed.xy;
+        p.scale *= 1.0 - 0.9 * pressed.z;
     }
     return p;
 }
@@ -78,7 +87,7 @@ void main() {
     vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = ground * frame.terrain.zw;
     foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
     vec2 painted = paintedLean(uv);
-    Place p = placeHere(inCell, painted);
+    Place p = placeHere(inCell, uv, painted);
     float lean2 = min(dot(p.lean, p.lean), 0.9);
     vec3 position = foot + top * slices.shape.y * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
 
@@ -92,7 +101,7 @@ void main() {
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
     weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y), (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
 
-    brighter = p.lighter * slices.shape.w * sliceGain(-foot / far, painted, false);
+    brighter = p.lighter * darkened(far) * slices.shape.w * sliceGain(-foot / far, p.wide, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);

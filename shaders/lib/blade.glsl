@@ -1,6 +1,8 @@
 // The blade that a vertex belongs to: which one (gl_VertexID), whether it exists there (density, distance), how it is posed
-// (mirror, paint, clumps). Vertex shaders only. Needs: const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl;
+// (mirror, paint, clumps, wind, forces). Vertex shaders only. Needs: const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl;
 // frame.glsl, heights.glsl, cover.glsl; numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
+#include "lib/wind.glsl"
+#include "lib/force.glsl"
 struct Blade {
     vec4 place;      // root x, z; width; threshold
     vec4 control;    // w: hue
@@ -53,6 +55,11 @@ BladePose poseHere(Blade b, Stand s, out float lighter) {
     vec3 clump = vec3(0.0);
     if (GRASS_CLUMPS && species.tipColor.w > 0.0) clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
     BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
+    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z);
+    if (FORCES || FORCE_MAP) {
+        vec3 pressed = forceHere(s.root.xz, s.uv);
+        p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);
+    }
     lighter = p.lighter;
     return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, p.lean, p.scale);
 }

@@ -24,7 +24,7 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
-// Factor that gives slices the mean radiance of the blades they stand for; `lean`: painted direction and strength.
+// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m.
 vec3 sliceGain(vec3 toEye, vec2 lean, bool far) {
     LookTap t = lookTap(toEye);
     vec4 across = slices.gains[t.view.x] * t.weight.x + slices.gains[t.view.y] * t.weight.y + slices.gains[t.view.z] * t.weight.z + slices.gains[t.view.w] * t.weight.w;

@@ -41,13 +41,28 @@ struct LightsGlobals {
     LightGlobals lights[8];    // MAX_LIGHTS
 };
 
+// The wind, about the eye (scene/wind.h).
+struct WindGlobals {
+    SHARED_VEC4 way;           // x, z of the unit vector along which it blows; strength: lean (m per m) of a full gust; turbulence
+    SHARED_VEC4 begin;         // the eye's place in the picture of gusts, in repeats of it: along, across; the same for finer gusts
+    SHARED_VEC4 rate;          // repeats a metre: along, across; the same for finer gusts
+    SHARED_VEC4 phases;        // x: of quivers (turns); y, z, w: WindPhase of the eye (numerics/wind.h)
+    SHARED_VEC4 waves;         // c1, c2, c3, epsilon of equation 9
+};
+
+// The map of what presses on the grass, around the eye (grass/forces.h).
+struct ForceGlobals {
+    SHARED_VEC4 square;        // x, z of its corner relative to the eye; 1/side (1/m); w: 0
+};
+
 // What shaders of all of a field's species read.
 struct CoverGlobals {
     SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
-    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion; w: seed
+    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion, forces
     SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
     SHARED_VEC4 height;        // by species: mean height (m)
-    SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone
+    SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone;
+                               // z: share of light that far grass loses; w: distance at which it has (m)
 };
 
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine = (i/(n-1))^2).
@@ -67,8 +82,8 @@ struct SliceGlobals {
     SHARED_VEC4 farAmbient;    // that the horizontal slice receives; w: tangent of the elevation above which vertical slices give way
     SHARED_VEC4 clumps;        // x: lean (m per m); y: share of height; z: share of lightness; w: clump size (m)
     SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: translucency; z: mean height (cells); w: 2^-(levels finer than a pixel)
-    SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by paint towards +x
-    SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by paint towards +z
+    SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by a lean (m per m) towards +x
+    SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by one towards +z
 };
 
 // What the vertex shader of blades reads of a species.
@@ -113,6 +128,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 #define UBO_SPECIES 2
 #define UBO_NODES 3
 #define UBO_SLICES 4
+#define UBO_WIND 5
+#define UBO_FORCE 8
 #define UBO_SHADOW 6
 #define UBO_LIGHTS 7
 // Storage buffers
@@ -132,6 +149,9 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 #define TEX_SLICE_REFLECTANCE 16
 #define TEX_SLICE_THRESHOLD 17
 #define TEX_SLICE_LIGHT 18
+#define TEX_WIND 19        // as TEX_SHADOW
+#define TEX_FORCE 20       // as TEX_SHADOW
+#define TEX_FORCE_MAP 21
 #define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7       // as blades: bound for each draw

@@ -104,8 +104,9 @@ TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
     const Gains g = gainsOf(lookOf(s), l);
     float most = 0;
     for (int view = 0; view < LOOK_VIEWS; ++view) {
-        most = std::max(most, std::abs(g.slices[static_cast<size_t>(view)].w));
-        EXPECT_LE(std::abs(g.slices[static_cast<size_t>(view)].w), 0.9f);
+        const float change = std::abs(g.slices[static_cast<size_t>(view)].w) * l.lean;
+        most = std::max(most, change);
+        EXPECT_LE(change, 0.9f);
     }
     EXPECT_GT(most, 0.02f) << "painted lean along the light changes nothing";
     l.lean = 0;

@@ -5,10 +5,12 @@
 
 #include "core/file.h"
 #include "core/numerics.h"
+#include "frame/forces.h"
 #include "reference/grass_rays.h"
 #include "reference/reference_part.h"
 #include "reference/solids.h"
 #include "scene/map_io.h"
+#include "scene/wind.h"
 #include "scenes.h"
 #include "sky/daylight.h"
 #include "sky/exposure.h"
@@ -114,7 +116,7 @@ TEST(ReferenceShadow, LiesWhereGeometrySays) {
     const Patch patch = makePatch(f.species[0], f.cellSize, static_cast<uint32_t>(f.seed));
     ASSERT_EQ(patch.blades.size(), 1u);
     JobControl control;
-    auto grass = GrassRays::make(p, control);
+    auto grass = GrassRays::make(p, 0, control);
     ASSERT_TRUE(grass);
     // Where it stands is the population's to say; that its shadow is the blade seen from above is geometry's.
     GrassMemory memory;
@@ -234,8 +236,10 @@ struct BruteForce {
     Project p;
     std::vector<Triangles> triangles{1};
     size_t blades = 0;
+    static constexpr double kTime = 40;  // scene seconds
+    Map gusts;
 
-    BruteForce() {
+    explicit BruteForce(bool windy) {
         p.dir = folder().path;
         Terrain t;
         t.size = {6, 6};
@@ -257,7 +261,20 @@ struct BruteForce {
             for (int x = 0; x < 5; ++x) paint.set(x, y, 0, static_cast<float>(x) / 4), paint.set(x, y, 1, static_cast<float>((x + y) % 3) / 2);
         f.orientation = field(paint, "maps/o.png");
         f.orientationTiling = 1.5f;
-        put(p, "grass", f);
+        GrassField& grass = put(p, "grass", f);
+        if (windy) {
+            Wind wind;
+            wind.strength = 0.8f, wind.gustSize = 1, wind.turbulence = 1;
+            put(p, "wind", wind);
+            ForceSource foot;
+            foot.radius = 0.5f, foot.reach = 3;
+            leaveTrack(foot, {2, 3}, {3.5, 2.5}, kTime - 5);
+            put(p, "foot", foot);
+            Map pressed({6, 6, 4, PixelType::U8});
+            for (int i = 0; i < 4; ++i) pressed.set(4, 4, i, i == 0 ? 0.9f : 0.8f);
+            grass.forces = field(pressed, "maps/f.png");
+            gusts = makeGusts();
+        }
         for (int z = 0; z < 8; ++z)
             for (int x = 0; x < 8; ++x) addCell(*firstOf<Terrain>(p), *firstOf<GrassField>(p), x, z);
     }
@@ -271,7 +288,12 @@ struct BruteForce {
             const glm::vec4 texel = paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
             const f32::BladePlace here = f32::bladePlace(f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
                                                          f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)), clumpStrengths(f.species[0]));
-            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, here.lean, here.scale), {at.x, terrainHeight(t, at.x, at.y), at.y});
+            glm::vec2 lean = here.lean;
+            if (const Wind* wind = windOf(p)) lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts, in, b.dither);
+            glm::vec3 force = forceAt(forcesOf(p, kTime), at);
+            if (f.forces.present()) force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
+            lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
+            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale), {at.x, terrainHeight(t, at.x, at.y), at.y});
         }
     }
     void addBlade(const Blade& b, const f32::BladePose& pose, const glm::dvec3& root) {
@@ -289,12 +311,11 @@ struct BruteForce {
     }
 };
 
-TEST(GrassRays, MeetWhatBruteForceMeetsOnHillsWithPaintClumpsAndDensity) {
-    const BruteForce all;
+void expectEqualToBruteForce(const BruteForce& all) {
     ASSERT_GT(all.blades, 2000u);
     auto brute = RayScene::make(all.triangles);
     JobControl control;
-    auto grass = GrassRays::make(all.p, control);
+    auto grass = GrassRays::make(all.p, BruteForce::kTime, control);
     ASSERT_TRUE(brute);
     ASSERT_TRUE(grass);
     GrassMemory memory;
@@ -313,6 +334,8 @@ TEST(GrassRays, MeetWhatBruteForceMeetsOnHillsWithPaintClumpsAndDensity) {
     EXPECT_GT(hits, rays / 5);
     EXPECT_LT(differ, rays / 500) << "only rays that graze an edge of a triangle";
 }
+TEST(GrassRays, MeetWhatBruteForceMeetsOnHillsWithPaintClumpsAndDensity) { expectEqualToBruteForce(BruteForce(false)); }
+TEST(GrassRays, MeetWhatBruteForceMeetsInWindAndUnderFeet) { expectEqualToBruteForce(BruteForce(true)); }
 
 TEST(GrassRays, BoundsHoldEveryBladeOfTheirClass) {
     Species s;

@@ -1,0 +1,111 @@
+#include "grass/forces.h"
+
+#include "frame/draw_context.h"
+#include "frame/forces.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/forces";
+constexpr int kSide = 512;        // texels
+constexpr double kLeast = 32;     // metres
+constexpr float kWidths = 8;      // of the largest force
+
+// A force as its square is drawn.
+struct Drawn {
+    glm::vec4 line;
+    glm::vec3 size;
+};
+struct ForcesState : EffectState {
+    Texture map;
+    Framebuffer target;
+    VertexArray squares;
+    Buffer drawn, globals;
+    std::vector<Force> forces;
+    glm::dvec2 corner{0};         // of the map, relative to the terrain's corner
+    double side = kLeast;
+};
+
+std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
+    auto s = std::make_unique<ForcesState>();
+    s->map = makeTexture2D(ctx.gpu, kOwner, GL_RGBA16F, kSide, kSide);
+    s->target = makeFramebuffer(s->map.id(), 0, kOwner);
+    s->squares = makeVertexArray(kOwner);
+    return s;
+}
+
+// Where the map lies: about the eye, in whole texels.
+void place(ForcesState& s, const glm::dvec2& eye) {
+    float widest = 0;
+    for (const Force& f : s.forces) widest = std::max(widest, f.radius * f.reach);
+    s.side = std::max(kLeast, static_cast<double>(kWidths * widest));
+    const double texel = s.side / kSide;
+    s.corner = (glm::floor(eye / texel) - glm::dvec2(kSide / 2)) * texel;
+}
+
+void update(DrawContext& ctx) {
+    ForcesState& s = ctx.own<ForcesState>();
+    const glm::dvec2 eye(ctx.eye.x, ctx.eye.z);
+    s.forces = forcesOf(ctx.project, ctx.settings.time);
+    place(s, eye);
+    std::erase_if(s.forces, [&](const Force& f) {
+        const glm::dvec2 far(static_cast<double>(f.radius * f.reach));
+        return glm::any(glm::lessThan(glm::max(f.from, f.to) + far, s.corner)) || glm::any(glm::greaterThan(glm::min(f.from, f.to) - far, s.corner + s.side));
+    });
+    std::vector<Drawn> drawn;
+    for (const Force& f : s.forces) drawn.push_back({glm::vec4(glm::vec2(f.from - eye), glm::vec2(f.to - eye)), {f.radius, f.reach, f.share}});
+    writeBuffer(ctx.gpu, s.drawn, kOwner, drawn.size() * sizeof(Drawn), drawn.data());
+    const ForceGlobals g{glm::vec4(glm::vec2(s.corner - eye), static_cast<float>(1 / s.side), 0)};
+    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FORCE, s.globals.id());
+    glBindTextureUnit(TEX_FORCE, s.map.id());
+}
+
+void describe(const ForcesState& s) {
+    const GLuint squares = s.squares.id();
+    glVertexArrayVertexBuffer(squares, 0, s.drawn.id(), 0, sizeof(Drawn));
+    glVertexArrayBindingDivisor(squares, 0, 1);
+    for (GLuint attribute = 0; attribute < 2; ++attribute) {
+        glEnableVertexArrayAttrib(squares, attribute);
+        glVertexArrayAttribBinding(squares, attribute, 0);
+    }
+    glVertexArrayAttribFormat(squares, 0, 4, GL_FLOAT, GL_FALSE, offsetof(Drawn, line));
+    glVertexArrayAttribFormat(squares, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Drawn, size));
+}
+
+void draw(DrawContext& ctx) {
+    ForcesState& s = ctx.own<ForcesState>();
+    if (!ctx.use()) return;
+    const float none[4] = {0, 0, 0, 0};
+    glClearNamedFramebufferfv(s.target.id(), GL_COLOR, 0, none);
+    glBindFramebuffer(GL_FRAMEBUFFER, s.target.id());
+    glViewport(0, 0, kSide, kSide);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+    describe(s);
+    glBindVertexArray(s.squares.id());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(s.forces.size()));
+    ctx.pass->draws += 1;
+    ctx.pass->instances += s.forces.size();
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
+    glViewport(0, 0, ctx.targets.width, ctx.targets.height);
+}
+
+const System kSystems[] = {{"grass/forces", update}};
+const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
+const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& forcesEffect() {
+    static const EffectRow row{"grass/forces", featureSet(Feature::Forces, Feature::Grass, Feature::Terrain), kSystems, kPasses, makeState,
+                               "something presses on the grass: blades are laid down each its own way, slices sink and lean, the horizontal slice does not follow"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,65 @@
+#include "post/far_blur.h"
+
+#include "frame/draw_context.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "post/far-blur";
+
+struct BlurState : EffectState {
+    Texture across;       // blurred across only
+    Framebuffer target;
+};
+
+void ensureTarget(DrawContext& ctx, BlurState& s) {
+    const ViewTargets& t = ctx.targets;
+    if (s.across.width == t.width && s.across.height == t.height) return;
+    s.across = makeTexture2D(ctx.gpu, kOwner, GL_RGBA16F, t.width, t.height);
+    s.target = makeFramebuffer(s.across.id(), 0, kOwner);
+}
+
+std::string constants(const ViewTargets& t, int blur) { return depthConstants(t) + fmt::format("const bool GAUSSIAN = {};\n", blur == static_cast<int>(FarBlur::Gaussian)); }
+std::vector<std::string> variants() {
+    std::vector<std::string> out;
+    for (const std::string& depth : depthVariants())
+        for (const char* kind : {"false", "true"}) out.push_back(depth + fmt::format("const bool GAUSSIAN = {};\n", kind));
+    return out;
+}
+
+void pass(DrawContext& ctx, GLuint from, GLuint target, int axis) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glBindTextureUnit(TEX_SCENE, from);
+    glUniform2i(0, axis == 0, axis == 1);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
+}
+
+void draw(DrawContext& ctx) {
+    if (ctx.settings.mode != ViewMode::Final) return;  // false colours are no picture
+    BlurState& s = ctx.own<BlurState>();
+    const ViewTargets& t = ctx.targets;
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    if (!ctx.use(0, constants(t, f.farBlur))) return;
+    ensureTarget(ctx, s);
+    glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, t.depth.id());
+    glUniform1f(1, f.farBlurDistance);
+    glDisable(GL_DEPTH_TEST);
+    pass(ctx, t.resolved.id(), s.target.id(), 0);
+    pass(ctx, s.across.id(), t.resolve.id(), 1);
+}
+
+const ProgramRow kPrograms[] = {{"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, {}, variants}};
+const Pass kPasses[] = {{"post/far-blur", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kResolved, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& farBlurEffect() {
+    static const EffectRow row{"post/far-blur", featureSet(Feature::FarBlur), {}, kPasses,
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<BlurState>(); },
+                               "what is far is blurred, against sparkling"};
+    return row;
+}
+
+}  // namespace sward

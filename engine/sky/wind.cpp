@@ -1,0 +1,46 @@
+#include "sky/wind.h"
+
+#include "frame/draw_context.h"
+#include "scene/wind.h"
+
+namespace sward {
+namespace {
+
+struct WindState : EffectState {
+    Buffer block;
+};
+struct GustsState : EffectState {
+    Map made;
+};
+
+// Both are bound for the whole frame: nothing else uses the bindings.
+void runWind(DrawContext& ctx) {
+    const WindGlobals g = windGlobals(*windOf(ctx.project), {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
+    Buffer& block = ctx.own<WindState>().block;
+    writeBuffer(ctx.gpu, block, "sky/wind", sizeof(g), &g);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, block.id());
+}
+void runGusts(DrawContext& ctx) {
+    const Map& gusts = gustsOf(*windOf(ctx.project), ctx.own<GustsState>().made);
+    glBindTextureUnit(TEX_WIND, ctx.maps.get("sky/gusts", "gusts", gusts, false, true));
+}
+
+const System kWindSystems[] = {{"sky/wind", runWind}};
+const System kGustSystems[] = {{"sky/gusts", runGusts}};
+
+}  // namespace
+
+const EffectRow& windEffect() {
+    static const EffectRow row{"sky/wind", featureSet(Feature::Wind), kWindSystems, {},
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindState>(); },
+                               "wind blows: blades bend and quiver each by itself, slices lean with the gust, the horizontal slice brightens and darkens with it"};
+    return row;
+}
+const EffectRow& gustsEffect() {
+    static const EffectRow row{"sky/gusts", featureSet(Feature::Wind, Feature::Gusts), kGustSystems, {},
+                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GustsState>(); },
+                               "the wind comes in gusts, from a picture"};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,16 @@
+// A force's push, added to others', and its press, of which the strongest counts (by the blending).
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/wind.h"
+#include "numerics/gust.h"
+
+in vec2 place;
+flat in vec4 ends;
+flat in vec3 extent;
+out vec4 color;
+
+void main() {
+    vec3 f = longForce(place, ends.zw - ends.xy, extent.x, extent.y, extent.z);
+    color = vec4(f.xy, 0.0, f.z);
+}
