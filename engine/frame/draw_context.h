@@ -29,7 +29,7 @@ struct BladeShade {
 struct CellDraw;  // grass/cells.h
 // A species' blades as they are drawn this frame, for passes that draw them once more. Nothing selected: count 0.
 struct BladeDraws {
-    GLuint mesh = 0, buffer = 0, globals = 0;  // vertex array with cells and indices; SSBO_BLADES; UBO_SPECIES
+    GLuint mesh = 0, indices = 0, buffer = 0, globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
     const CellDraw* cells = nullptr;
     size_t count = 0;
     uint32_t inPatch = 0;  // blades in the patch

@@ -69,7 +69,7 @@ struct PassStats {
 struct FrameStats {
     std::vector<PassStats> passes;
     double bladesVirtual = 0;       // the population: density summed over the terrain
-    uint64_t bladesGeometry = 0;    // submitted after the density range
+    uint64_t bladesGeometry = 0;    // submitted: of the density range, or of the list of those that can be seen
     uint64_t bladesVisible = 0;     // filled by who counts them (measure/frame_stats.h)
     std::vector<std::string> features, programs, systems;  // what ran, if measured
     uint64_t sliceQuads = 0;    // vertical slices submitted

@@ -2,7 +2,7 @@
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
-#include "grass/cells.h"
+#include "grass/blade_list.h"
 #include "grass/field.h"
 #include "grass/ground_shadow.h"
 
@@ -15,9 +15,13 @@ struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
     int segments = 0;
     Buffer blades, indices, cells, commands;
+    Buffer listed;     // indices of the blades that can be seen, where the driver shades vertices on the CPU; else none
     GLsizei seen = 0;  // commands
     VertexArray mesh;
     std::vector<CellDraw> selected;
+    std::vector<float> least;      // of leastShown, for `way` and `samples`
+    Transparency way{};
+    int samples = 0;
 };
 struct GeometryState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
@@ -29,12 +33,7 @@ std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     std::vector<uint32_t> out;
     out.reserve(blades * firstStrip(segments + 1));
     for (int n = 1; n <= segments; ++n)
-        for (size_t b = 0; b < blades; ++b)
-            for (int s = 0; s < n; ++s) {
-                const uint32_t base = static_cast<uint32_t>(b) * 2 * static_cast<uint32_t>(segments + 1);
-                const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / n), c = base + 2 * static_cast<uint32_t>((s + 1) * segments / n);
-                out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
-            }
+        for (size_t b = 0; b < blades; ++b) addStrip(out, static_cast<uint32_t>(b), n, segments);
     return out;
 }
 
@@ -46,22 +45,38 @@ void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int se
     s.blades = makeBuffer(ctx.gpu, kOwner, f.patch.blades.size() * sizeof(Blade), f.patch.blades.data());
     s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
     s.mesh = makeVertexArray(kOwner);
+    s.least.clear();
 }
 
-void uploadCells(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
+void uploadCommands(DrawContext& ctx, SpeciesState& s, const std::vector<DrawCommand>& commands, uint64_t blades) {
+    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
+    s.seen = static_cast<GLsizei>(commands.size());
+    ctx.stats.cells += commands.size();
+    ctx.stats.bladesGeometry += blades;
+}
+
+// One command a cell, over a range of the patch's blades.
+void commandRanges(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
     std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
+    uint64_t blades = 0;
     for (size_t i = 0; i < s.selected.size(); ++i) {
         const CellDraw& c = s.selected[i];
         if (!c.seen) continue;
         commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(i)));
-        ctx.stats.bladesGeometry += bladesDrawn(c, ctx.settings.detail);
+        blades += bladesDrawn(c, ctx.settings.detail);
     }
-    writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
-    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
-    describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
-    s.seen = static_cast<GLsizei>(commands.size());
-    ctx.stats.cells += commands.size();
+    s.listed = {};
+    uploadCommands(ctx, s, commands, blades);
+}
+
+// One command a cell, over those of its blades that can be seen.
+void commandLists(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Transparency way) {
+    if (s.least.empty() || s.way != way || s.samples != ctx.targets.samples) s.least = leastShown(query.patch, way, ctx.targets.samples);
+    s.way = way, s.samples = ctx.targets.samples;
+    const BladeList list = listBlades({query, s.least, query.reach, ctx.settings.detail}, s.selected);
+    writeBuffer(ctx.gpu, s.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
+    uploadCommands(ctx, s, list.commands, list.blades);
 }
 
 // Where grass is dense, a part of its blades leaves the soil a twentieth of the light: the others would not be seen to.
@@ -76,21 +91,22 @@ void cull(DrawContext& ctx) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const bool castingLamps = ctx.shared.lights.count.y > 0;
     state.species.resize(field.species.size());
+    ctx.shared.blades = {};
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
         CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels);
         if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(field.species[i]->look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
-        state.species[i]->selected = selectCells(query);
-    }
-    ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    ctx.shared.blades = {};
-    for (size_t i = 0; i < state.species.size(); ++i) {
         SpeciesState& s = *state.species[i];
         const FieldSpecies& own = *field.species[i];
-        uploadCells(ctx, s, own.patch.blades.size());
-        ctx.shared.blades[i] = {s.mesh.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments, shadingShare(own.look, ctx.globals.sunDirection.y)};
+        s.selected = selectCells(query);
+        writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
+        describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
+        if (ctx.gpu.software) commandLists(ctx, s, query, static_cast<Transparency>(f.transparency));
+        else commandRanges(ctx, s, own.patch.blades.size());
+        ctx.shared.blades[i] = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments, shadingShare(own.look, ctx.globals.sunDirection.y)};
     }
+    ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 void draw(DrawContext& ctx) {
@@ -109,6 +125,7 @@ void draw(DrawContext& ctx) {
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
+        glVertexArrayElementBuffer(s.mesh.id(), s.listed.id() ? s.listed.id() : s.indices.id());
         glBindVertexArray(s.mesh.id());
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
         glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, s.seen, 0);

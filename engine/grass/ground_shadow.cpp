@@ -1,7 +1,8 @@
 #include "grass/ground_shadow.h"
 
 #include "frame/draw_context.h"
-#include "grass/cells.h"
+#include "grass/blade_list.h"
+#include "grass/field.h"
 
 namespace sward {
 namespace {
@@ -15,17 +16,44 @@ constexpr int kStencilBits = 8;
 struct ShadowState : EffectState {
     struct One {
         Buffer commands;
+        Buffer listed;  // indices, where the driver shades vertices on the CPU; else those of the blades' own mesh
         GLsizei count = 0;
+        std::vector<float> least;
+        uint64_t leastOf = 0;  // the patch's key
     };
     std::array<One, MAX_SPECIES> species;
 };
 
-void makeCommands(DrawContext& ctx, ShadowState::One& one, const BladeDraws& blades) {
+std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
     const int quads = std::min(blades.segments, kMostQuads);
-    for (size_t i = 0; i < blades.count; ++i)
-        commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, ctx.settings.detail * blades.shading, static_cast<uint32_t>(i)));
+    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, share, static_cast<uint32_t>(i)));
+    return commands;
+}
+
+// The blades whose shadows can be seen.
+BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, const BladeDraws& blades, float share) {
+    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    const FieldSpecies& species = *ctx.shared.grass->species[i];
+    if (one.leastOf != species.key) one.least = leastShading(species.patch), one.leastOf = species.key;
+    const CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], species.patch, ctx.eye, ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
+    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, std::min(blades.segments, kMostQuads)}, {blades.cells, blades.count});
+}
+
+void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
+    const BladeDraws& blades = ctx.shared.blades[i];
+    const float share = ctx.settings.detail * blades.shading;
+    std::vector<DrawCommand> commands;
+    if (blades.count > 0 && ctx.gpu.software) {
+        BladeList list = shadowList(ctx, one, i, blades, share);
+        commands = std::move(list.commands);
+        writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
+    } else {
+        commands = commandRanges(blades, share);
+        one.listed = {};
+    }
     one.count = static_cast<GLsizei>(commands.size());
     if (one.count > 0) writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     else one.commands = {};
@@ -33,7 +61,7 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, const BladeDraws& bla
 
 void prepare(DrawContext& ctx) {
     ShadowState& state = ctx.own<ShadowState>();
-    for (size_t i = 0; i < MAX_SPECIES; ++i) makeCommands(ctx, state.species[i], ctx.shared.blades[i]);
+    for (size_t i = 0; i < MAX_SPECIES; ++i) makeCommands(ctx, state.species[i], i);
 }
 
 void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
@@ -41,6 +69,7 @@ void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
     if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, blades.buffer);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, blades.globals);
+    glVertexArrayElementBuffer(blades.mesh, one.listed.id() ? one.listed.id() : blades.indices);
     glBindVertexArray(blades.mesh);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, one.commands.id());
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, one.count, 0);

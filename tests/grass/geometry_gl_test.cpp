@@ -123,6 +123,33 @@ TEST(GrassPicture, IsFiniteForSunsAtTheZenithTheHorizonAndBelow) {
     }
 }
 
+TEST(GrassPicture, IsTheSameWhetherBladesAreListedOneByOneOrByRanges) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const bool software = gpu().software;
+    for (const Transparency way : {Transparency::Coverage, Transparency::Blend})
+        for (const int samples : {1, 4}) {
+            Project p = lawn();
+            GrassField& f = grassOf(p);
+            f.minGeom = 2, f.maxGeom = 6;
+            f.transparency = static_cast<int>(way);
+            ViewSettings s = small();
+            s.msaa = samples;
+            s.measure = true;
+            std::vector<uint8_t> images[2];
+            uint64_t vertices[2];
+            for (const bool listed : {false, true}) {
+                gpu().software = listed;
+                EXPECT_TRUE(r.draw(p, eyeHeight(), s));
+                images[listed] = r.readImage();
+                vertices[listed] = passOf(r, "grass/geometry").vertices + passOf(r, "grass/ground-shadow").vertices;
+            }
+            gpu().software = software;
+            EXPECT_EQ(images[0], images[1]) << samples;
+            EXPECT_LT(vertices[1], vertices[0] * 2 / 3) << samples;
+        }
+}
+
 TEST(GrassPicture, PaintedLeanTurnsTheBlades) {
     Renderer r(gpu(), tables());
     Project p = lawn();

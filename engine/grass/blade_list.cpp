@@ -1,0 +1,124 @@
+#include "grass/blade_list.h"
+
+#include <bit>
+
+#include "core/jobs.h"
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+constexpr float kSlack = 1e-4f;  // of densities, weights and metres: the GPU rounds otherwise
+
+// The chance of sample 0..7, of 256 (coveredAlpha in lib/transparency.glsl).
+uint32_t sampleChance(uint32_t seed, uint32_t i) { return f32::hash3(seed, 1 + i / 4, 0) >> (8 * (i % 4)) & 255; }
+
+// The least opacity at which one of the samples is covered.
+float leastCovered(const Blade& b, int samples) {
+    const uint32_t seed = std::bit_cast<uint32_t>(b.dither);
+    uint32_t least = 255;
+    for (uint32_t i = 0; i < static_cast<uint32_t>(std::clamp(samples, 1, 8)); ++i) least = std::min(least, sampleChance(seed, i));
+    return (static_cast<float>(least) + 0.5f) / 256;
+}
+
+float leastOf(const Blade& b, Transparency way, int samples) {
+    switch (way) {
+        case Transparency::Coverage: return leastCovered(b, samples);
+        case Transparency::Both: return 0.1f;
+        case Transparency::Test: return 0.5f;
+        default: return 0.004f;
+    }
+}
+
+struct CellList {
+    std::vector<uint32_t> indices;
+    uint32_t blades = 0;
+};
+
+struct Lister {
+    const BladeListQuery& q;
+    const CellDraw& cell;
+    float low = 0, high = 0;  // of the cell's ground, relative to the eye
+
+    Lister(const BladeListQuery& query, const CellDraw& c) : q(query), cell(c) {
+        const double x = c.cellX * q.cells.cellSize, z = c.cellZ * q.cells.cellSize, size = q.cells.cellSize;
+        const auto [lowest, highest] = q.cells.bounds.over(q.cells.terrain.size, x, z, x + size, z + size);
+        low = static_cast<float>(lowest - q.cells.eye.y), high = static_cast<float>(highest - q.cells.eye.y);
+    }
+
+    float mostOpacity(const Blade& b, const glm::vec2& uv, float distance) const {
+        const float density = q.cells.density ? q.cells.density->sample(uv.x, uv.y) : 1.0f, slack = q.cells.density ? kSlack : 0;
+        const float weight = f32::lodRamp(distance * (1 - kSlack) - kSlack, q.cells.range.min, q.cells.range.inv);
+        const float slices = f32::sliceOpacity(std::max(density - slack, 0.0f), std::max(weight - kSlack, 0.0f), b.threshold, q.cells.fade);
+        return f32::opacityConserving(std::min(density + slack, 1.0f), b.threshold, q.cells.fade) - slices;
+    }
+
+    bool inView(const glm::vec2& at) const {
+        const float r = q.beyond;
+        return q.cells.frustum.touches({at.x - r, low - r, at.y - r}, {at.x + r, high + r, at.y + r});
+    }
+
+    void add(CellList& out, uint32_t i) const {
+        const Blade& b = q.cells.patch.blades[i];
+        const float size = static_cast<float>(q.cells.cellSize);
+        const glm::vec2 root = f32::rootInCell(b.root, cell.mirror, cell.shift, size), at = glm::vec2(cell.x, cell.z) + root;
+        const glm::vec2 uv = (glm::vec2(cell.cellX, cell.cellZ) * size + root) / glm::vec2(q.cells.terrain.size);
+        if (std::max(uv.x, uv.y) > 1 + kSlack || !inView(at)) return;
+        const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
+        if (mostOpacity(b, uv, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
+        addStrip(out.indices, i, q.quads > 0 ? q.quads : cell.segments, q.cells.segments);
+        ++out.blades;
+    }
+};
+
+CellList listCell(const BladeListQuery& q, const CellDraw& c) {
+    CellList out;
+    if (!c.seen && q.beyond <= q.cells.reach) return out;
+    const Lister lister(q, c);
+    const uint32_t last = c.first + bladesDrawn(c, q.share);
+    for (uint32_t i = c.first; i < last; ++i) lister.add(out, i);
+    return out;
+}
+
+}  // namespace
+
+std::vector<float> leastShown(const Patch& patch, Transparency way, int samples) {
+    std::vector<float> out;
+    out.reserve(patch.blades.size());
+    for (const Blade& b : patch.blades) out.push_back(leastOf(b, way, samples));
+    return out;
+}
+
+std::vector<float> leastShading(const Patch& patch) {
+    std::vector<float> out;
+    out.reserve(patch.blades.size());
+    for (const Blade& b : patch.blades) out.push_back(b.dither);
+    return out;
+}
+
+void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments) {
+    const uint32_t base = blade * 2 * static_cast<uint32_t>(segments + 1);
+    for (int s = 0; s < quads; ++s) {
+        const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / quads), c = base + 2 * static_cast<uint32_t>((s + 1) * segments / quads);
+        indices.insert(indices.end(), {a, a + 1, c, c, a + 1, c + 1});
+    }
+}
+
+BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells) {
+    std::vector<CellList> lists(cells.size());
+    parallelFor(cells.size(), [&](size_t i) { lists[i] = listCell(q, cells[i]); });
+    BladeList out;
+    size_t indices = 0;
+    for (const CellList& l : lists) indices += l.indices.size();
+    out.indices.reserve(indices);
+    for (size_t i = 0; i < lists.size(); ++i) {
+        const CellList& l = lists[i];
+        if (l.blades == 0) continue;
+        out.commands.push_back({static_cast<uint32_t>(l.indices.size()), 1, static_cast<uint32_t>(out.indices.size()), 0, static_cast<uint32_t>(i)});
+        out.indices.insert(out.indices.end(), l.indices.begin(), l.indices.end());
+        out.blades += l.blades;
+    }
+    return out;
+}
+
+}  // namespace sward

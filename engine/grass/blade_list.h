@@ -1,0 +1,36 @@
+// The blades of the selected cells that can be seen, one by one, and the indices that draw them: for renderers that shade
+// vertices on the CPU, where a vertex costs many times what a look at its blade does. Pure.
+// Left out are blades outside the view, those that density and distance leave to other tiers (numerics/opacity.h), and those so
+// faded that by their own chance they cover no sample (lib/transparency.glsl). The picture is the same, bit for bit.
+// Does not: decide exactly. It may keep a blade that the shader drops; it never leaves out one that would be seen.
+// Cost: about 20 ns a blade of the cells on each of all threads; 24 bytes a quad that is drawn.
+#pragma once
+#include <span>
+
+#include "grass/cells.h"
+
+namespace sward {
+
+// By blade of a patch: the opacity from which on it may show anything, where pixels that are covered in part are drawn in this
+// way, with so many samples.
+std::vector<float> leastShown(const Patch& patch, Transparency way, int samples);
+// The same of their shadows on the ground: a blade throws one if it is more opaque than its own chance (grass/ground_shadow.h).
+std::vector<float> leastShading(const Patch& patch);
+
+struct BladeListQuery {
+    const CellQuery& cells;
+    std::span<const float> least;  // by blade of the patch
+    float beyond;                  // metres from a root within which all that is drawn of its blade lies
+    float share = 1;               // of each cell's blades, the first ones: ]0, 1]
+    int quads = 0;                 // a blade; 0: as many as the cell says
+};
+struct BladeList {
+    std::vector<uint32_t> indices;      // triangles over the 2 (segments + 1) vertices of each blade of the patch
+    std::vector<DrawCommand> commands;  // one a cell that has any; the instance is its place among the cells
+    uint64_t blades = 0;
+};
+// Adds the indices of a strip of n quads over some of the blade's rows of vertices.
+void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments);
+BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells);
+
+}  // namespace sward

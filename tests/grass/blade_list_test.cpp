@@ -1,0 +1,101 @@
+#include "grass/blade_list.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+struct Field {
+    Terrain terrain;
+    GrassField grass;
+    Patch patch;
+    HeightBounds bounds;
+    Frustum frustum = frustumOf(viewProjection({{10, 1.7, 10}, {16, 0, 15}, 55, 0}, 320, 240));
+    glm::dvec3 eye{10, 1.7, 10};
+
+    Field() {
+        terrain.size = {20, 20};
+        Species& s = grass.species[0];
+        s.bladesPerM2 = 2000, s.height = 0.2f, s.segments = 4;
+        grass.minGeom = 2, grass.maxGeom = 5;
+        patch = makePatch(s, grass.cellSize, 1);
+        Map m({40, 40, 1, PixelType::U16});
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 40; ++x) m.set(x, y, 0, 0.4f + 0.6f * f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
+        s.density = {"maps/d.png", m};
+    }
+    CellQuery query() const { return cellQuery(terrain, bounds, grass, grass.species[0], patch, eye, frustum, 400); }
+};
+using Seen = std::set<std::pair<uint32_t, uint32_t>>;  // cell, blade
+
+// Blades of the cells that are opaque enough to be seen, in view or about to reach into it.
+Seen mustBeListed(const CellQuery& q, const std::vector<float>& least, const std::vector<CellDraw>& cells) {
+    Seen out;
+    for (uint32_t c = 0; c < cells.size(); ++c)
+        for (uint32_t i = cells[c].first; i < cells[c].last; ++i) {
+            const Blade& b = q.patch.blades[i];
+            const glm::vec2 root = f32::rootInCell(b.root, cells[c].mirror, cells[c].shift, 0.5f);
+            const glm::vec3 at(cells[c].x + root.x, -q.eye.y, cells[c].z + root.y);
+            const float density = q.density->sample((cells[c].cellX * 0.5 + root.x) / 20, (cells[c].cellZ * 0.5 + root.y) / 20);
+            const float opacity = f32::geometryOpacity(density, f32::lodRamp(glm::length(at), q.range.min, q.range.inv), b.threshold, q.fade);
+            if (opacity > 0 && opacity >= least[i] && q.frustum.touches(at - glm::vec3(q.reach, 0, q.reach), at + q.reach)) out.emplace(c, i);
+        }
+    return out;
+}
+Seen listed(const BladeList& list, int segments) {
+    Seen out;
+    for (const DrawCommand& c : list.commands)
+        for (uint32_t i = 0; i < c.count; ++i) out.emplace(c.baseInstance, list.indices[c.firstIndex + i] / (2 * static_cast<uint32_t>(segments + 1)));
+    return out;
+}
+
+TEST(BladeList, HoldsEveryBladeThatIsSeenAndFewOthers) {
+    const Field f;
+    const CellQuery q = f.query();
+    const std::vector<CellDraw> cells = selectCells(q);
+    uint64_t inRanges = 0;
+    for (const CellDraw& c : cells) inRanges += c.last - c.first;
+    for (const int samples : {1, 4}) {
+        const std::vector<float> least = leastShown(f.patch, Transparency::Coverage, samples);
+        const BladeList list = listBlades({q, least, q.reach}, cells);
+        const Seen needed = mustBeListed(q, least, cells), there = listed(list, q.segments);
+        EXPECT_EQ(list.blades, there.size()) << "none twice";
+        EXPECT_TRUE(std::includes(there.begin(), there.end(), needed.begin(), needed.end()));
+        EXPECT_GT(needed.size(), 1000u);
+        EXPECT_LT(there.size(), needed.size() * 21 / 20) << "what rounding may decide";
+        EXPECT_LT(there.size(), samples == 1 ? inRanges / 2 : inRanges * 3 / 4);
+    }
+}
+
+TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
+    const Field f;
+    const auto least = [&](Transparency way, int samples) {
+        double sum = 0;
+        for (const float l : leastShown(f.patch, way, samples)) sum += l;
+        return sum / static_cast<double>(f.patch.blades.size());
+    };
+    EXPECT_NEAR(least(Transparency::Coverage, 1), 1.0 / 2, 0.05) << "the mean of the least of n random numbers is 1 / (n + 1)";
+    EXPECT_NEAR(least(Transparency::Coverage, 4), 1.0 / 5, 0.03);
+    EXPECT_NEAR(least(Transparency::Coverage, 8), 1.0 / 9, 0.03);
+    EXPECT_LT(least(Transparency::Blend, 1), 0.005);
+}
+
+TEST(BladeList, AddStripCoversTheBladeFromRootToTip) {
+    for (int segments = 1; segments <= 5; ++segments)
+        for (int quads = 1; quads <= segments; ++quads) {
+            std::vector<uint32_t> indices;
+            addStrip(indices, 3, quads, segments);
+            ASSERT_EQ(indices.size(), 6u * static_cast<size_t>(quads));
+            const uint32_t base = 3 * 2 * static_cast<uint32_t>(segments + 1);
+            EXPECT_EQ(indices.front(), base);
+            EXPECT_EQ(indices.back(), base + 2 * static_cast<uint32_t>(segments) + 1);
+            for (size_t i = 6; i < indices.size(); i += 6) EXPECT_EQ(indices[i], indices[i - 4]) << "quads meet";
+        }
+}
+
+}  // namespace
+}  // namespace sward
