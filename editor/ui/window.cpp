@@ -111,6 +111,9 @@ class Window final : public Surface {
         shown_ = cursor;
         glfwSetCursor(window_, cursors_[static_cast<size_t>(cursor)]);
     }
+    void captureMouse(bool captured) override {
+        glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    }
     GLFWwindow* handle() const { return window_; }
 
   private:
