@@ -76,6 +76,7 @@ void drawPlayFrame(EditorApp& app) {
     outlined({r.x + 18, r.y + 14}, color, fmt::format("{}   {:.2f} s", play->paused() ? "PAUSED" : "PLAYING", play->time()));
     const std::string keys = app.play.captured ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
                              : play->paused()  ? "F6 goes on    F11 one step    F5 stop"
+                             : !play->runs()   ? "A script takes the steps    F11 one step    F5 stop"
                                                : "Click to walk and look    F6 pause    F11 step    F5 stop";
     const ImVec2 size = ImGui::CalcTextSize(keys.c_str());
     outlined({r.x + (r.w - size.x) / 2, r.y + r.h - size.y - 16}, IM_COL32(235, 236, 235, 255), keys);

@@ -56,6 +56,7 @@ struct Roller {
     std::string name;  // of its entity
     double radius = 0.25, friction = 0.06, push = 0.6;  // as Rolling
     glm::dvec3 position{0};  // its centre
+    glm::dvec3 from{0};      // where it was a step ago
     glm::dvec3 velocity{0};  // m/s
     glm::dvec3 spin{0};      // radians a second about each axis
     glm::dquat turn{1, 0, 0, 0};

@@ -62,12 +62,15 @@ void meetGround(Roller& r, const PlayWorld& world) {
     if (r.onGround) r.spin = glm::cross(t.normal, r.velocity) / r.radius;
 }
 
+// On the ground by the way it came, pushed or by itself: it never slips.
 void turn(Roller& r) {
-    const double angle = glm::length(r.spin) * kTickSeconds;
-    if (angle > 0) r.turn = glm::normalize(glm::angleAxis(angle, glm::normalize(r.spin)) * r.turn);
+    const glm::dvec3 by = r.onGround ? glm::cross(r.normal, r.position - r.from) / r.radius : r.spin * kTickSeconds;
+    const double angle = glm::length(by);
+    if (angle > 0) r.turn = glm::normalize(glm::angleAxis(angle, by / angle) * r.turn);
 }
 
 void move(Roller& r, const PlayWorld& world) {
+    r.from = r.position;
     if (r.onGround)
         rollAlong(r);
     else
@@ -78,7 +81,6 @@ void move(Roller& r, const PlayWorld& world) {
     keepInside(r, world);
     meetGround(r, world);
     keepInside(r, world);
-    turn(r);
 }
 
 // The walker is an upright post: it hands on its share of the way and of its speed, and is held back by the rest.
@@ -127,6 +129,7 @@ void stepRollers(PlayState& s, const PlayWorld& world) {
     for (Roller& r : s.rollers) meetWalker(s.walker, r, world);
     for (size_t i = 0; i < s.rollers.size(); ++i)
         for (size_t k = i + 1; k < s.rollers.size(); ++k) meet(s.rollers[i], s.rollers[k], world);
+    for (Roller& r : s.rollers) turn(r);
 }
 
 void addRollers(std::vector<Contact>& contacts, const std::vector<Roller>& rollers) {

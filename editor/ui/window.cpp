@@ -113,6 +113,9 @@ class Window final : public Surface {
     }
     void captureMouse(bool captured) override {
         glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        double x, y;  // back where it was when it was captured, of which no event tells
+        glfwGetCursorPos(window_, &x, &y);
+        if (!captured) onMove(window_, x, y);
     }
     GLFWwindow* handle() const { return window_; }
 
