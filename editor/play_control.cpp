@@ -73,8 +73,9 @@ void togglePlay(EditorApp& app) {
     if (playing(app)) return stopPlay(app);
     if (!app.book.editing.empty() || !app.book.typing.empty())
         return say(app, "finish typing first (Enter, or Esc to give up), then play");
+    if (!app.holding.empty()) return say(app, "let go of what is being dragged first, then play");
     Viewport& v = app.viewport;
-    if (app.holding.empty() && v.gesture == Gesture::Paint) app.doc.endStroke();
+    if (v.gesture == Gesture::Ring) return say(app, "let go of the ring first, then play");
     if (!accept(app, app.doc.startPlay({viewOf(v.camera), 0, true}))) return;
     v.gesture = Gesture::None;
     v.flying = false;

@@ -127,7 +127,8 @@ int stateTable(lua_State* L, State& state) {
     const PlayState& s = play->state();
     const Walker& w = s.walker;
     lua_newtable(L);
-    field(L, "tick", static_cast<double>(s.tick));
+    lua_pushinteger(L, s.tick);
+    lua_setfield(L, -2, "tick");
     field(L, "time", static_cast<double>(s.tick) / kTicksPerSecond);
     field(L, "paused", play->paused());
     pushPlace(L, w.position);

@@ -153,6 +153,41 @@ TEST_F(EditorPlay, PressedAmidAStrokeItFinishesTheStroke) {
     EXPECT_EQ(doc.undoLabel(), "stroke");
 }
 
+TEST_F(EditorPlay, AHalfTypedValueAndADraggedSliderAreNotLost) {
+    const std::string path = "lawn.GrassField.maxGeom", label = "Inspector/" + path;
+    ASSERT_TRUE(ui->get(label));
+    const ui::Widget w = app->book.widgets.at(label);
+    const double x = static_cast<double>(w.x0 + w.x1) / 2, y = static_cast<double>(w.y0 + w.y1) / 2;
+    key(GLFW_KEY_LEFT_CONTROL, true);
+    app->queue.push({InputKind::Move, x, y, 0, false});
+    app->queue.push({InputKind::Button, 0, 0, 0, true});
+    app->queue.push({InputKind::Button, 0, 0, 0, false});
+    key(GLFW_KEY_LEFT_CONTROL, false);
+    ok(ui->wait(8));
+    app->queue.push({InputKind::Char, 0, 0, '7', false});
+    ok(ui->wait(2));
+    ok(ui->key("f5"));
+    EXPECT_FALSE(playing(*app));
+    EXPECT_NE(get("Status/Message").find("typing"), std::string::npos) << get("Status/Message");
+    ok(ui->key("enter"));
+    EXPECT_EQ(field(path), "7");
+
+    app->queue.push({InputKind::Move, x, y, 0, false});
+    app->queue.push({InputKind::Button, 0, 0, 0, true});
+    ok(ui->wait(3));
+    app->queue.push({InputKind::Move, x + 20, y, 0, false});
+    ok(ui->wait(3));
+    const std::string dragged = field(path);
+    EXPECT_NE(dragged, "7");
+    ok(ui->key("f5"));
+    EXPECT_FALSE(playing(*app));
+    app->queue.push({InputKind::Button, 0, 0, 0, false});
+    ok(ui->wait(3));
+    EXPECT_EQ(field(path), dragged);
+    ok(ui->key("f5"));
+    EXPECT_TRUE(playing(*app));
+}
+
 TEST_F(EditorPlay, ClosingTheProgramStopsItAndAsksForUnsavedWork) {
     ok(ui->set("Inspector/lawn.GrassField.maxGeom", "9"));
     ok(ui->key("f5"));
