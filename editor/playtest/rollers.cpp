@@ -83,7 +83,7 @@ void move(Roller& r, const PlayWorld& world) {
     keepInside(r, world);
 }
 
-// The walker is an upright post: it hands on its share of the way and of its speed, and is held back by the rest.
+// The walker is an upright post: it hands on its share of the way and of its speed, and is held back by what is left.
 void meetWalker(Walker& w, Roller& r, const PlayWorld& world) {
     const glm::dvec2 gap = across(r.position - w.position);
     const double distance = glm::length(gap), depth = kBodyRadius + r.radius - distance;
@@ -94,10 +94,11 @@ void meetWalker(Walker& w, Roller& r, const PlayWorld& world) {
     const double gain = std::max(r.push * walks - rolls, 0.0);
     r.velocity += glm::dvec3(n.x, 0, n.y) * gain;
     r.position += glm::dvec3(n.x, 0, n.y) * (depth * r.push);
-    const glm::dvec2 back = insideEdges(world, across(w.position) - n * (depth * (1 - r.push)), kBodyRadius);
+    settleRoller(r, world);
+    const double left = std::max(kBodyRadius + r.radius - glm::length(across(r.position - w.position)), 0.0);
+    const glm::dvec2 back = insideEdges(world, across(w.position) - n * left, kBodyRadius);
     w.position = {back.x, w.onGround ? groundHeight(world, back) : std::max(w.position.y, groundHeight(world, back)), back.y};
     w.velocity -= glm::dvec3(n.x, 0, n.y) * (walks * (1 - r.push));
-    settleRoller(r, world);
 }
 
 // As solid balls of one stuff: the larger moves the smaller.

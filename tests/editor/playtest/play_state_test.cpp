@@ -260,6 +260,18 @@ TEST(PlayRollers, TheWalkerPushesThemByTheirShare) {
     }
 }
 
+TEST(PlayRollers, WhatLiesAtTheEdgeHoldsTheWalkerBack) {
+    const PlayWorld world = worldOf();
+    PlayState s = stateAt(world, 58, 32);
+    s.rollers = {ball(61, 0.5, 32, 0.5)};
+    s.rollers[0].push = 1;
+    PlayInput in = walk();
+    in.run = true;
+    steps(s, world, in, 600);
+    EXPECT_NEAR(s.rollers[0].position.x, 63.5, 1e-9);
+    EXPECT_NEAR(s.walker.position.x, 63.5 - 0.5 - kBodyRadius, 0.02);
+}
+
 TEST(PlayRollers, TheLargerMovesTheSmallerAndNoneLieInEachOther) {
     const PlayWorld world = worldOf();
     PlayState s = stateAt(world, 2, 60);
