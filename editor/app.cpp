@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "panels/panels.h"
 #include "panels/viewport_scene.h"
+#include "playtest/playtest.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
@@ -76,7 +77,7 @@ void releaseGroup(EditorApp& app) {
 }
 
 void followBake(EditorApp& app) {
-    if (!app.occlusion) return;
+    if (!app.occlusion || playing(app)) return;  // it waits for the end of play
     const std::optional<Status> end = finishOcclusion(app.doc, *app.occlusion);
     if (!end) return;
     app.occlusion.reset();
@@ -128,8 +129,10 @@ void present(EditorApp& app) {
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) { return app.occlusion || !app.making.empty() || comparing(app) || measuring(app); }
 
+bool moves(const EditorApp& app) { return playing(app) && app.doc.play()->runs(); }
+
 bool wantsFrame(const EditorApp& app) {
-    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() ||
+    return app.framesWanted > 0 || app.queue.pending() || app.viewport.flying || app.doc.stroking() || moves(app) ||
            !app.deferred.empty() || !app.luaLines.empty() || app.viewport.drawnRevision != app.doc.revision() ||
            hasFreshLog(app);
 }
@@ -184,7 +187,8 @@ void runFrame(EditorApp& app, double waitSeconds) {
     followProject(app);
     followBake(app);
     followRuns(app);
-    ui::feedInput(app.in, static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(),
+    followPlay(app);
+    ui::feedInput(widgetInput(app), static_cast<float>(app.deltaSeconds), app.surface->width(), app.surface->height(),
                   app.surface->pixelWidth(), app.surface->pixelHeight());
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -272,6 +276,7 @@ void openDialog(EditorApp& app, FileTask task) {
 }  // namespace
 
 void requestQuit(EditorApp& app) {
+    stopPlay(app);
     askFirst(app, [&app] { app.quit = true; });
 }
 

@@ -19,6 +19,7 @@
 #include "document.h"
 #include "frame/renderer.h"
 #include "layout.h"
+#include "play_control.h"
 #include "resolution.h"
 #include "tier_view.h"
 #include "ui/surface.h"
@@ -109,6 +110,7 @@ struct EditorApp {
     BrushCost brushCost;
     int brushBarRows = 1;  // that the brush bar's widgets took in the last frame
     TierView tierView;
+    PlayControl play;
     std::string selected;   // entity, by name
     std::string newEntity;  // being typed in the outliner
     bool measure = false;   // the profiler's

@@ -47,6 +47,8 @@ void shiftErases(EditorApp& app) {
     say(app, app.brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
 }
 
+bool played(EditorApp& app) { return playing(app); }
+
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.occlusion && app.holding.empty(); }
 void bakeOcclusion(EditorApp& app) {
     Result<OcclusionBake> bake = startOcclusion(app.doc, {});
@@ -60,7 +62,7 @@ constexpr Command kCommands[] = {
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
     {"File", "Save", "ctrl+s", "", save, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
-    {"File", "Quit", "ctrl+q", "", requestQuit, always},
+    {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", undo, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", redo, canRedo},
     {"Brush", "Larger", "]", "", size<1>, opened},
@@ -71,6 +73,9 @@ constexpr Command kCommands[] = {
     {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
     {"Brush", "Shift Erases", "", "", shiftErases, always, true,
      [](EditorApp& app) { return app.brushes.shiftErases; }},
+    {"Play", "Start or Stop", "f5", "", togglePlay, opened, true, played, true},
+    {"Play", "Pause", "f6", "", togglePause, opened, true, nullptr, true},
+    {"Play", "One Step", "f11", "", stepOnce, opened, true, nullptr, true},
     {"Bake", "Ambient Occlusion", "", "", bakeOcclusion, canBake},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
@@ -85,7 +90,12 @@ bool dialogOpen(const EditorApp& app) {
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
-bool goesPastText(const Command& c) { return std::string(c.menu) == "File"; }
+bool goesPastText(const Command& c) { return std::string(c.menu) == "File" || std::string(c.menu) == "Play"; }
+
+// Letters walk while the mouse is captured; what else waits for the end of play says so.
+void refuseInPlay(EditorApp& app, const Command& c, const Chord& pressed) {
+    if (pressed.ctrl || !app.play.captured) say(app, fmt::format("{}: not while playing; F5 stops", c.label));
+}
 
 }  // namespace
 
@@ -98,6 +108,10 @@ void runShortcuts(EditorApp& app) {
         const bool flying = app.viewport.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
         for (const Command& c : commands()) {
             if (!matches(c.chord, pressed) && !matches(c.chord2, pressed)) continue;
+            if (playing(app) && !c.inPlay && !typing(app)) {
+                refuseInPlay(app, c, pressed);
+                break;
+            }
             if (flying || (typing(app) && !goesPastText(c)) || (!c.anywhere && !app.viewport.hovered) ||
                 !c.enabled(app))
                 continue;

@@ -16,6 +16,7 @@ struct Command {
     bool (*enabled)(EditorApp&);
     bool anywhere = true;                   // false: only while the pointer is over the viewport
     bool (*checked)(EditorApp&) = nullptr;  // of what is switched on and off
+    bool inPlay = false;                    // also while the project is played
 };
 std::span<const Command> commands();
 // Runs the commands of the keys that went down in this frame, unless a text line or a dialog has the keyboard.

@@ -1,4 +1,4 @@
-// The document: files · edits · strokes · undo and redo.
+// The document: files · play · edits · strokes · undo and redo.
 #include "document.h"
 
 #include <set>
@@ -6,6 +6,7 @@
 #include "field_walk.h"
 #include "history.h"
 #include "new_map.h"
+#include "playtest/playtest.h"
 #include "stroke.h"
 
 namespace fs = std::filesystem;
@@ -15,6 +16,10 @@ namespace {
 
 Error usage(std::string message, std::string remedy = "") {
     return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
+}
+Error notWhilePlaying() {
+    return {ExitCode::Failed, "the project is being played and cannot be changed, saved or left", "", 0, 0,
+            "stop first: F5, or play.stop()"};
 }
 Error notOpen() { return {ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"}; }
 
@@ -31,6 +36,7 @@ struct Document::Impl {
     std::optional<Project> project;
     Project saved;  // as it is on disk
     uint64_t revision = 1;
+    std::unique_ptr<Playtest> play;
     struct {
         uint64_t revision = 0;
         bool value = false;
@@ -60,6 +66,7 @@ struct Document::Impl {
         const void* value = componentOf(*project, entity, row);
         return value ? row.clone(value) : nullptr;
     }
+    Status ready() const;
     void show(Project p);
     void record(const std::string& label, std::vector<Change> changes);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
@@ -70,6 +77,12 @@ struct Document::Impl {
 };
 
 // --- files -------------------------------------------------------------------------------------------------------
+
+Status Document::Impl::ready() const {
+    if (!project) return notOpen();
+    if (play) return notWhilePlaying();
+    return {};
+}
 
 void Document::Impl::show(Project p) {
     stroke.reset();
@@ -85,6 +98,7 @@ Document::Document(const Tables& tables, size_t undoBytes) : impl_(std::make_uni
 Document::~Document() = default;
 
 Status Document::open(const fs::path& dir) {
+    if (impl_->play) return notWhilePlaying();
     Result<Project> loaded = loadProject(dir, impl_->rows());
     if (!loaded) return loaded.error();
     impl_->show(std::move(*loaded));
@@ -92,6 +106,7 @@ Status Document::open(const fs::path& dir) {
 }
 
 Status Document::create(const fs::path& dir) {
+    if (impl_->play) return notWhilePlaying();
     Result<Project> made = newProject(dir);
     if (!made) return made.error();
     impl_->show(std::move(*made));
@@ -99,7 +114,7 @@ Status Document::create(const fs::path& dir) {
 }
 
 Result<std::vector<std::string>> Document::save() {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     Project& p = *impl_->project;
     auto written = saveProject(p, impl_->rows(), &impl_->saved);
@@ -112,7 +127,7 @@ Result<std::vector<std::string>> Document::save() {
 
 // A project called after its folder is called after the new one.
 Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     Project& p = *impl_->project;
     const fs::path oldDir = p.dir;
@@ -134,7 +149,7 @@ Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
 }
 
 Status Document::takeOver(const fs::path& dir, const std::string& label) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<Project> other = loadProject(dir, impl_->rows());
     if (!other) return other.error();
@@ -176,6 +191,23 @@ Project& Document::project() {
 const Tables& Document::tables() const { return impl_->tables; }
 uint64_t Document::revision() const { return impl_->revision; }
 
+// --- play --------------------------------------------------------------------------------------------------------
+
+Status Document::startPlay(const PlayStart& start) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    if (impl_->groupDepth > 0)
+        return Error{ExitCode::Failed, "play cannot start while a value is being changed", "", 0, 0, "let go of it first"};
+    impl_->finishStroke();
+    Result<std::unique_ptr<Playtest>> play = Playtest::start(project(), impl_->rows(), start);
+    if (!play) return play.error();
+    impl_->play = std::move(*play);
+    return {};
+}
+
+void Document::stopPlay() { impl_->play.reset(); }
+Playtest* Document::play() { return impl_->play.get(); }
+const Playtest* Document::play() const { return impl_->play.get(); }
+
 // --- edits -------------------------------------------------------------------------------------------------------
 
 void Document::Impl::record(const std::string& label, std::vector<Change> changes) {
@@ -199,7 +231,7 @@ Status Document::Impl::changeField(const std::string& label, const FieldRef& fie
 }
 
 Status Document::setField(const std::string& path, const std::string& text) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<FieldRef> field = findField(project(), impl_->rows(), path);
     if (!field) return field.error();
@@ -207,7 +239,7 @@ Status Document::setField(const std::string& path, const std::string& text) {
 }
 
 Status Document::addEntity(const std::string& name) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<Entity> made = sward::addEntity(project(), name);
     if (!made) return made.error();
@@ -216,7 +248,7 @@ Status Document::addEntity(const std::string& name) {
 }
 
 Status Document::removeEntity(const std::string& name) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     if (!project().entities.contains(name)) return usage(fmt::format("there is no entity \"{}\"", name));
     std::vector<Change> changes;
@@ -229,7 +261,7 @@ Status Document::removeEntity(const std::string& name) {
 }
 
 Status Document::addComponent(const std::string& entity, const std::string& component) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const ComponentRow* row = findComponent(impl_->rows(), component);
     if (!row) return usage(fmt::format("there is no component \"{}\"", component));
@@ -241,7 +273,7 @@ Status Document::addComponent(const std::string& entity, const std::string& comp
 }
 
 Status Document::removeComponent(const std::string& entity, const std::string& component) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const ComponentRow* row = findComponent(impl_->rows(), component);
     auto before = row ? impl_->stateOf(entity, *row) : nullptr;
@@ -253,7 +285,7 @@ Status Document::removeComponent(const std::string& entity, const std::string& c
 
 // The new element has the defaults of its kind, and a name that no other has.
 Status Document::addListElement(const std::string& listPath) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<FieldRef> field = findField(project(), impl_->rows(), listPath);
     if (!field) return field.error();
@@ -274,7 +306,7 @@ Status Document::addListElement(const std::string& listPath) {
 }
 
 Status Document::removeListElement(const std::string& elementPath) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const size_t open = elementPath.rfind('[');
     if (open == std::string::npos || !elementPath.ends_with("]"))
@@ -295,7 +327,7 @@ Status Document::removeListElement(const std::string& elementPath) {
 }
 
 Status Document::setMap(const std::string& mapPath, Map map, const std::string& label) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<FieldRef> field = findMap(project(), impl_->rows(), mapPath);
     if (!field) return field.error();
@@ -314,7 +346,7 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
 }
 
 Status Document::createMap(const std::string& mapPath) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     const Result<FieldRef> field = findField(project(), impl_->rows(), mapPath);
     if (!field) return field.error();
     if (field->row->type != FieldType::Map) return usage(field->path + " is not a map");
@@ -385,7 +417,7 @@ Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
 }
 
 Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create) {
-    if (!isOpen()) return notOpen();
+    if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     Impl::ActiveStroke stroke;
     for (const BrushSettings& brush : brushes) {
@@ -450,7 +482,7 @@ bool Document::stroking() const { return impl_->stroke.has_value(); }
 
 bool Document::Impl::step(bool forward) {
     finishStroke();
-    const UndoStep* next = project && groupDepth == 0 ? history.next(forward) : nullptr;
+    const UndoStep* next = project && !play && groupDepth == 0 ? history.next(forward) : nullptr;
     if (!next) return false;
     applyChanges(*project, next->changes, forward);
     history.moved(forward);
@@ -458,8 +490,8 @@ bool Document::Impl::step(bool forward) {
     return true;
 }
 
-bool Document::canUndo() const { return impl_->groupDepth == 0 && (impl_->stroke || impl_->history.next(false)); }
-bool Document::canRedo() const { return impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true); }
+bool Document::canUndo() const { return !impl_->play && impl_->groupDepth == 0 && (impl_->stroke || impl_->history.next(false)); }
+bool Document::canRedo() const { return !impl_->play && impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true); }
 std::string Document::undoLabel() const {
     if (impl_->stroke) return "stroke";
     const UndoStep* next = impl_->history.next(false);

@@ -25,6 +25,9 @@ struct UndoStep {
     std::vector<Change> changes;
 };
 
+class Playtest;
+struct PlayStart;
+
 class Document {
   public:
     explicit Document(const Tables& tables, size_t undoBytes = size_t(512) << 20);
@@ -42,6 +45,14 @@ class Document {
     Project& project();
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo
+
+    // --- play: a copy runs while the project stays as it is; until it stops, files, edits, strokes, undo and redo are
+    // refused. A stroke under way is finished first. Fails while a group is open (something is being dragged), while it
+    // is played already, and as Playtest::start does.
+    Status startPlay(const PlayStart& start);
+    void stopPlay();
+    Playtest* play();  // null: not played
+    const Playtest* play() const;
 
     // --- edits: each is one undo step, unless within a group
     Status setField(const std::string& path, const std::string& text);
@@ -77,7 +88,7 @@ class Document {
     void endStroke();       // works off the rest on later pumps; the step is complete then
     bool stroking() const;  // from beginStroke until the step is complete
 
-    // --- undo and redo: not while a group is open (false then). When the history outgrows its bytes the oldest steps
+    // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes the oldest steps
     // go, but never the newest; counted are the tiles that a step alone keeps.
     bool canUndo() const;
     bool canRedo() const;

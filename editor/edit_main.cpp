@@ -2,6 +2,7 @@
 
 #include "app.h"
 #include "bakes.h"
+#include "playtest/playtest.h"
 #include "script/script.h"
 #include "techniques.h"
 #include "ui/driver.h"
@@ -33,6 +34,7 @@ int editMain(const std::filesystem::path& project) {
     ScriptHost host{document, driver.get()};
     host.print = [](const std::string& line) { logInfo(line); };
     host.useCamera = [&app](const std::string& name) { goToCamera(app, name); };
+    host.playStart = [&app] { return PlayStart{viewOf(app.viewport.camera), 0, true}; };
     offerBakes(host);
     ScriptConsole console(host);
     app.runLua = [&console](const std::string& line) { return console.run(line); };

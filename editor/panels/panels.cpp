@@ -9,15 +9,16 @@ namespace {
 
 constexpr PanelRow kPanels[] = {
     {"Menu", Dock::Menu, drawMenuBar, false},
-    {"Brush", Dock::BrushBar, drawBrushBar, false},
-    {"Tools", Dock::Tools, drawToolStrip, false},
+    {"Play", Dock::Menu, drawPlayBar, false},
+    {"Brush", Dock::BrushBar, drawBrushBar, false, nullptr, true},
+    {"Tools", Dock::Tools, drawToolStrip, false, nullptr, true},
     {"Viewport", Dock::Viewport, drawViewport, false},
-    {"Outliner", Dock::Outliner, drawOutliner, true},
-    {"Inspector", Dock::Inspector, drawInspector, true},
+    {"Outliner", Dock::Outliner, drawOutliner, true, nullptr, true},
+    {"Inspector", Dock::Inspector, drawInspector, true, nullptr, true},
     {"Console", Dock::Bottom, drawConsole, true},
     {"Profiler", Dock::Bottom, drawProfiler, true},
-    {"Tiers", Dock::Bottom, drawTiers, true, "Tiers Panel"},
-    {"Accuracy", Dock::Bottom, drawAccuracy, true},
+    {"Tiers", Dock::Bottom, drawTiers, true, "Tiers Panel", true},
+    {"Accuracy", Dock::Bottom, drawAccuracy, true, nullptr, true},
     {"Status", Dock::StatusBar, drawStatusBar, false},
     {"Files", Dock::Dialog, drawFileDialog, false},
     {"Unsaved", Dock::Dialog, drawUnsavedDialog, false},
@@ -58,13 +59,18 @@ bool beginArea(const char* name, const Rect& r, int flags) {
     return true;
 }
 
+void drawRow(EditorApp& app, const PanelRow& row) {
+    const ui::Disabled waits(row.edits && playing(app));
+    row.draw(app);
+}
+
 void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area) {
     const bool viewport = row.dock == Dock::Viewport;
     if (viewport) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     const bool shown = beginArea(row.name, area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (viewport) ImGui::PopStyleVar();
     if (!shown) return;
-    row.draw(app);
+    drawRow(app, row);
     ImGui::End();
 }
 
@@ -85,7 +91,7 @@ void drawBottom(EditorApp& app) {
     ImGui::Separator();
     if (open) {
         const ui::Scope scope(open->name);
-        open->draw(app);
+        drawRow(app, *open);
     }
     ImGui::End();
 }

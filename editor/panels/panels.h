@@ -15,12 +15,14 @@ struct PanelRow {
     void (*draw)(EditorApp&);
     bool hideable;               // listed in the View menu
     const char* menu = nullptr;  // what it is called there, if not by its name
+    bool edits = false;          // greyed while the project is played
 };
 std::span<const PanelRow> panelRows();
 // All of them, each in its area, with the splitters between.
 void drawPanels(EditorApp& app);
 
 void drawMenuBar(EditorApp& app);
+void drawPlayBar(EditorApp& app);
 void drawBrushBar(EditorApp& app);
 void drawToolStrip(EditorApp& app);
 void drawViewport(EditorApp& app);

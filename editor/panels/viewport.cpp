@@ -4,6 +4,7 @@
 #include "frame/ground.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
+#include "panels/play_bar.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_input.h"
 #include "panels/viewport_rings.h"
@@ -51,7 +52,11 @@ void header(EditorApp& app) {
     ui::coloredText(ui::kDimText, "Camera");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
-    if (ui::combo("Camera", cameras, chosen)) goToCamera(app, cameras[static_cast<size_t>(chosen)]);
+    const bool moved = [&] {
+        const ui::Disabled walks(playing(app));
+        return ui::combo("Camera", cameras, chosen);
+    }();
+    if (moved) goToCamera(app, cameras[static_cast<size_t>(chosen)]);
     ui::tooltip("Moves the view to one of the project's cameras.");
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
@@ -63,7 +68,8 @@ void header(EditorApp& app) {
     if (ui::combo("Mode", modes, mode)) v.mode = static_cast<ViewMode>(mode);
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, v.gesture == Gesture::Look
+    ui::coloredText(ui::kDimText, playing(app) ? "The project stays as it is and cannot be changed until play stops."
+                                  : v.gesture == Gesture::Look
                                       ? "W A S D fly, E up, Q down, wheel: speed"
                                       : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
 }
@@ -144,16 +150,20 @@ void drawViewport(EditorApp& app) {
     ImGui::InvisibleButton("image", {v.rect.w, v.rect.h}, buttons);
     app.book.next["Viewport"] = ui::record("Image", ui::Kind::Area);
     viewportInput(app, ImGui::IsItemHovered());
-    if (app.doc.isOpen()) drawScene(app), followComparison(app);
+    if (app.doc.isOpen()) drawScene(app);
+    if (app.doc.isOpen() && !playing(app)) followComparison(app);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, true);
     if (app.doc.isOpen() && v.hasImage) {
         list.AddImage(ui::textureId(v.picture), {v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h},
                       {0, 1}, {1, 0});
-        drawComparison(app);
-        brushRing(app);
-        drawRings(app);
+        if (!playing(app)) {
+            drawComparison(app);
+            brushRing(app);
+            drawRings(app);
+        }
         drawOverlayLegend(app);
+        drawPlayFrame(app);
     } else {
         list.AddRectFilled({v.rect.x, v.rect.y}, {v.rect.x + v.rect.w, v.rect.y + v.rect.h}, IM_COL32(24, 25, 24, 255));
         emptyHint(v.rect);

@@ -7,6 +7,7 @@
 #include "frame/ground.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_rings.h"
+#include "playtest/playtest.h"
 
 namespace sward {
 namespace {
@@ -126,6 +127,13 @@ void cancelByKey(EditorApp& app) {
     app.viewport.gesture = Gesture::None;
 }
 
+// While it is played a click takes the mouse; nothing is flown or painted.
+void playInput(EditorApp& app, bool over) {
+    app.viewport.ground.reset();
+    app.viewport.flying = false;
+    if (over && app.in.pressed[0] && app.doc.play()->runs()) captureMouse(app, true);
+}
+
 double focalPixels(const Viewport& v) {
     return static_cast<double>(v.rect.h) / 2 / std::tan(glm::radians(static_cast<double>(v.camera.fovDeg)) / 2);
 }
@@ -160,6 +168,7 @@ std::optional<glm::dvec2> projectPoint(const Viewport& v, const glm::dvec3& p) {
 void viewportInput(EditorApp& app, bool over) {
     Viewport& v = app.viewport;
     v.hovered = over;
+    if (playing(app)) return playInput(app, over);
     cancelByKey(app);
     hoverSplit(app, over);
     hoverRing(app, over && !app.accuracy.comparison.gripHovered);

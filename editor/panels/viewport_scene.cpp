@@ -74,7 +74,7 @@ void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
 
 double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
-    const Status status = app.renderer->draw(app.doc.project(), camera, settings);
+    const Status status = app.renderer->draw(projectShown(app), camera, settings);
     app.renderer->finish();
     if (!status && app.notice.empty()) showError(app, status.error());
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -118,7 +118,7 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
 void countAtRest(EditorApp& app, const ViewCamera& camera) {
     Viewport& v = app.viewport;
     const bool coarse = v.resolution.drawnScale < 1 && app.surface->fixedStep() == 0;
-    if (coarse || v.countedRevision == app.doc.revision()) return;
+    if (coarse || playing(app) || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
     v.bladesVirtual = virtualBlades(app.doc.project());
     v.bladesVisible =
@@ -145,12 +145,13 @@ void drawScene(EditorApp& app) {
         static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
     settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
     settings.mode = v.mode;
+    settings.time = timeShown(app);
     settings.measure = app.measure;
     settings.background = app.surface->fixedStep() == 0 && !app.refineNow;  // scripts and screenshots wait: the same picture each time
     settings.decal = decalOf(app);
     settings.overlay = overlayOf(app);
     if (settings.width < 1 || settings.height < 1) return;
-    const ViewCamera camera = viewOf(v.camera);
+    const ViewCamera camera = viewShown(app);
     const uint64_t revision = app.doc.revision();
     const bool changed =
         revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);

@@ -4,14 +4,19 @@
 namespace sward::script {
 namespace {
 
+void refuseInPlay(lua_State* L, State& state) {
+    openProject(L);
+    if (state.document().play()) raise(L, "there is no undo while the project is played; play.stop() ends it");
+}
+
 // True if there was a step.
 int undo(lua_State* L, State& state) {
-    openProject(L);
+    refuseInPlay(L, state);
     lua_pushboolean(L, state.document().undo());
     return 1;
 }
 int redo(lua_State* L, State& state) {
-    openProject(L);
+    refuseInPlay(L, state);
     lua_pushboolean(L, state.document().redo());
     return 1;
 }

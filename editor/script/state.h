@@ -108,6 +108,7 @@ void openMeshCalls(lua_State* L);
 void openBakeCalls(lua_State* L);
 void openBrushCalls(lua_State* L);
 void openEditCalls(lua_State* L);
+void openPlayCalls(lua_State* L);
 void openUiCalls(lua_State* L);
 void openExpectCalls(lua_State* L);
 

@@ -32,6 +32,8 @@ class Surface {
     virtual void present() = 0;
     virtual void setTitle(const std::string&) {}
     virtual void setCursor(Cursor) {}
+    // Hides the pointer and lets it move without end, for turning one's head; or shows it again where it was.
+    virtual void captureMouse(bool) {}
     // Fixed seconds a frame, or 0: as the clock says.
     virtual double fixedStep() const { return 0; }
 };

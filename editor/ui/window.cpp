@@ -111,6 +111,12 @@ class Window final : public Surface {
         shown_ = cursor;
         glfwSetCursor(window_, cursors_[static_cast<size_t>(cursor)]);
     }
+    void captureMouse(bool captured) override {
+        glfwSetInputMode(window_, GLFW_CURSOR, captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        double x, y;  // back where it was when it was captured, of which no event tells
+        glfwGetCursorPos(window_, &x, &y);
+        if (!captured) onMove(window_, x, y);
+    }
     GLFWwindow* handle() const { return window_; }
 
   private:

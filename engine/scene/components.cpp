@@ -1,5 +1,5 @@
 // The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog
-// · Camera · rows · features of a scene.
+// · StaticMesh · Rolling · Camera · rows · features of a scene.
 #include "scene/components.h"
 
 #include <cstddef>
@@ -343,6 +343,14 @@ FeatureSet staticMeshFeatures(const void* component) {
     return m.castShadows ? featureSet(Feature::Objects, Feature::ObjectShadows) : featureSet(Feature::Objects);
 }
 
+// --- Rolling -----------------------------------------------------------------------------------------------------
+constexpr FieldRow kRollingFields[] = {
+    real("radius", offsetof(Rolling, radius), "m", {0.01, 100, 0.05, 2}, "size of the ball around its place that rolls in a playtest"),
+    real("friction", offsetof(Rolling, friction), "", {0, 10, 0, 0.5}, "what stops it: it rests on slopes of less than about this"),
+    real("push", offsetof(Rolling, push), "", kShare, "share of the walker's motion that it takes; 0: it stands like a wall"),
+};
+FeatureSet rollingFeatures(const void*) { return {}; }
+
 // --- Camera ------------------------------------------------------------------------------------------------------
 constexpr FieldRow kCameraFields[] = {
     number(FieldType::Vec3, "eye", offsetof(Camera, eye), "m", kPosition, "where the camera stands"),
@@ -366,6 +374,7 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.", kForceFields, forceFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
+        componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),
     };
     return kRows;

@@ -199,6 +199,14 @@ struct StaticMesh {
     bool castShadows = true;
 };
 
+// What rolls in a playtest: down slopes, and pushed by the walker and by others of its kind. A ball about the Transform's place
+// (with a StaticMesh: about the mesh's origin). Out of play it stands still.
+struct Rolling {
+    float radius = 0.25f;
+    float friction = 0.06f;               // of rolling: on a slope of less than about this it comes to rest
+    float push = 0.6f;                    // share of the walker's motion that it takes; 0: it stands like a wall
+};
+
 struct Camera {
     glm::dvec3 eye{2, 1.7, 2};
     glm::dvec3 target{20, 0, 20};

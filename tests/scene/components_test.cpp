@@ -223,6 +223,8 @@ TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_TRUE(featuresOf("Sky", &sky).none());
     Fog fog;
     EXPECT_EQ(featuresOf("Fog", &fog), featureSet(Feature::Fog));
+    const Rolling rolling;
+    EXPECT_TRUE(featuresOf("Rolling", &rolling).none()) << "it draws nothing by itself";
     fog.visibility = std::numeric_limits<float>::infinity();
     EXPECT_TRUE(featuresOf("Fog", &fog).none());
 }

@@ -1,0 +1,88 @@
+// play.* as scripts see it; tests/scripts/play.lua walks through a sample project.
+#include <gtest/gtest.h>
+
+#include "playtest/playtest.h"
+#include "script/script.h"
+#include "support.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+struct Stage {
+    test::TempDir dir;
+    Document doc{tables()};
+    ScriptHost host{doc};
+    // The error's text; "" if there is none.
+    std::string fault(const std::string& text) {
+        test::writeText(dir / "test.lua", text);
+        const Status s = runScript(dir / "test.lua", host);
+        return s ? "" : s.error().text();
+    }
+};
+#define EXPECT_FAULT(run, script, part)                                         \
+    do {                                                                        \
+        const std::string fault_ = (run).fault(script);                         \
+        EXPECT_NE(fault_.find(part), std::string::npos) << "fault: " << fault_; \
+    } while (0)
+
+TEST(ScriptPlay, StartsStepsHashesAndStops) {
+    Stage r;
+    EXPECT_EQ(r.fault(R"(
+        project.new()
+        play.start { at = { 20, 20 }, time = 100 }
+        expect.equal(play.state().tick, 6000)
+        play.input { move = { x = 0, y = 1 }, look = { 90, -5 } }
+        play.step(60)
+        local s, hash = play.state(), play.hash()
+        expect.less(20.5, s.walker.x)
+        expect.near(s.walker.z, 20, 1e-9)
+        expect.near(s.walker.yaw, 90, 1e-9)
+        expect.near(s.time, 101, 1e-9)
+        expect.equal(#s.contacts, 1)
+        expect.equal(#hash, 16)
+        play.pause(true)
+        expect.truthy(play.state().paused)
+        play.step()
+        expect.truthy(play.hash() ~= hash)
+        play.stop()
+        expect.equal(play.state(), nil)
+        play.stop()
+        play.start { at = { 20, 20 }, time = 100 }
+        play.input { move = { 0, 1 }, look = { 90, -5 } }
+        for i = 1, 60 do play.step() end
+        expect.equal(play.hash(), hash, "one by one as all at once"))"), "");
+    EXPECT_NE(r.doc.play(), nullptr);
+}
+
+TEST(ScriptPlay, CallsThatMakeNoSenseAreRefused) {
+    Stage r;
+    EXPECT_FAULT(r, "play.start()", "no project is open");
+    EXPECT_FAULT(r, "project.new() play.step()", "nothing is played");
+    EXPECT_FAULT(r, "project.new() play.start() play.start()", "play.stop()");
+    r.doc.stopPlay();
+    EXPECT_FAULT(r, "project.new() play.start() play.step(0.5)", "whole number");
+    r.doc.stopPlay();
+    EXPECT_FAULT(r, "project.new() play.start() play.input { move = { 0, 0 / 0 } }", "move must be {x, y}");
+    r.doc.stopPlay();
+    EXPECT_FAULT(r, "project.new() play.start() play.input { turn = 3 }", "no option is called turn");
+    r.doc.stopPlay();
+    EXPECT_FAULT(r, "project.new() play.start() play.input { look = 3 }", "look must be {yaw, pitch}");
+    r.doc.stopPlay();
+    EXPECT_FAULT(r, "project.new() play.start { at = { 1 } }", "at must be {x, z}");
+    EXPECT_FAULT(r, "project.new() play.start() while true do play.step(10000000) end", "instructions");
+}
+
+TEST(ScriptPlay, WhileItIsPlayedEveryChangeSaysWhyNot) {
+    Stage r;
+    ASSERT_EQ(r.fault("project.new() entity.set('sun.Light.elevationDeg', 10) play.start()"), "");
+    for (const char* call : {"project.save()", "project.new()", "project.saveAs('q')", "edit.undo()", "edit.redo()", "entity.add('x', {})",
+                             "entity.remove('sun')", "entity.set('sun.Light.elevationDeg', 1)", "map.fill('density', 0)",
+                             "brush.select{map = 'density', radius = 2} brush.stroke{{1, 1}}"})
+        EXPECT_FAULT(r, call, "play.stop()");
+    r.doc.stopPlay();
+    EXPECT_EQ(r.fault("expect.truthy(edit.undo())"), "");
+}
+
+}  // namespace
+}  // namespace sward
