@@ -65,15 +65,21 @@ Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<co
     placeWalker(play->now_, play->world_, start.view.eye.x, start.view.eye.z, look.yaw, look.pitch);
     play->now_.rollers = rollersOf(p, play->world_);
     play->before_ = play->now_;
+    play->tracks_.begin(play->project_, play->now_);
     play->input_.yaw = look.yaw;
     play->input_.pitch = look.pitch;
     play->show();
     return play;
 }
 
+void Playtest::takeStep() {
+    stepPlay(now_, world_, input_);
+    tracks_.press(project_, now_);
+}
+
 // The picture then shows the last step itself.
 void Playtest::step(int64_t steps) {
-    for (int64_t i = 0; i < steps; ++i) stepPlay(now_, world_, input_);
+    for (int64_t i = 0; i < steps; ++i) takeStep();
     before_ = now_;
     due_ = 0;
     show();
@@ -86,7 +92,7 @@ bool Playtest::advance(double seconds) {
     due_ = std::max(0.0, due_ - steps);
     for (int i = 0; i < steps; ++i) {
         before_ = now_;
-        stepPlay(now_, world_, input_);
+        takeStep();
     }
     show();
     return seconds > 0;

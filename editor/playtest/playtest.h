@@ -8,6 +8,7 @@
 
 #include "frame/renderer.h"
 #include "playtest/play_state.h"
+#include "playtest/tracks.h"
 
 namespace sward {
 
@@ -44,12 +45,14 @@ class Playtest {
 
   private:
     Playtest() = default;
+    void takeStep();
     void show();
 
     Project project_;
     PlayWorld world_;
     PlayState before_, now_;
     PlayInput input_;
+    Tracks tracks_;
     ViewCamera view_;       // field of view and exposure
     double due_ = 0;        // ticks of the clock, not yet taken; in [0, 1)
     bool byClock_ = true, paused_ = false;

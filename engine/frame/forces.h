@@ -1,6 +1,6 @@
 // What presses on the grass: what stands on it now, and the tracks that it left, which recover.
 // Source: Jahrmann and Wimmer 2013, section 5.2; J-8. Formulas: numerics/gust.h. Does not: bend blades, walk.
-// One list for all techniques and for the reference; it has what still presses, so its length does not grow with time.
+// Shapes of tracks: editor/playtest/tracks.h. One list for all techniques and for the reference; it has what still presses, so its length does not grow with time.
 #pragma once
 #include <glm/glm.hpp>
 #include <span>

@@ -96,7 +96,7 @@ void draw(DrawContext& ctx) {
     glViewport(0, 0, ctx.targets.width, ctx.targets.height);
 }
 
-const System kSystems[] = {{"grass/forces", update}};
+const System kSystems[] = {{"grass/forces/list", update}};
 const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
 const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
 
