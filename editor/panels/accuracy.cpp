@@ -140,7 +140,7 @@ void drawAccuracy(EditorApp& app) {
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
     const int columns = ems < 40 ? 1 : 4;  // what does not fit beside goes below
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
-        for (const float share : {0.95f, 1.05f, 1.6f, 1.3f})
+        for (const float share : {0.95f, 0.9f, 2.2f, 1.25f})
             if (columns == 4) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         choices(app);

@@ -70,14 +70,14 @@ std::string strip(const CostRow& row, const CostFloors& floors, const fs::path& 
 
 // --- the table ---------------------------------------------------------------------------------------------------
 std::string tableOf(const CostRun& run, const std::string& camera) {
-    std::string out = "<table><thead><tr><th>technique<th>settings<th>frontier<th>ms<th>p95<th>appearance<th>&plusmn;<th>bias<th>contrast<th>converged<th>FLIP<th>SSIM<th>RMSE<th>GPU MB<th>skipped</tr></thead><tbody>\n";
+    std::string out = "<table><thead><tr><th>technique<th>settings<th>frontier<th>ms<th>&plusmn;<th>frames<th>p95<th>appearance<th>&plusmn;<th>bias<th>contrast<th>converged<th>FLIP<th>SSIM<th>RMSE<th>GPU MB<th>skipped</tr></thead><tbody>\n";
     for (const CostRow& r : run.rows) {
         if (r.camera != camera) continue;
         const bool drawn = r.skipped.empty();
         const auto value = [&](double v, const char* format) { return "<td>" + (drawn ? cell(v, format) : std::string()); };
         const Appearance& a = r.metrics.appearance;
         out += fmt::format("<tr{}><td>{}<td>{}<td>{}", r.onFrontier ? " class=\"frontier\"" : "", escaped(r.technique), escaped(r.settings), r.onFrontier ? "yes" : "");
-        out += value(r.msMedian, "{:.1f}") + value(r.msP95, "{:.1f}") + value(a.distance, "{:.5f}") + value(a.sigma, "{:.5f}") + value(a.bias, "{:.5f}") + value(a.contrast, "{:.5f}");
+        out += value(r.msMedian, "{:.1f}") + value(r.msSigma, "{:.1f}") + "<td>" + (drawn ? std::to_string(r.msFrames) : "") + value(r.msP95, "{:.1f}") + value(a.distance, "{:.5f}") + value(a.sigma, "{:.5f}") + value(a.bias, "{:.5f}") + value(a.contrast, "{:.5f}");
         out += value(r.converged.distance, "{:.5f}") + value(r.metrics.flip, "{:.4f}") + value(r.metrics.ssim, "{:.4f}") + value(r.metrics.rmse, "{:.4f}");
         out += value(static_cast<double>(r.gpuBytes) / 1e6, "{:.1f}") + "<td>" + escaped(r.skipped) + "</tr>\n";
     }

@@ -16,7 +16,7 @@ class EditorAccuracy : public test::EditorFixture {
         ASSERT_NE(gpu, nullptr);
         ASSERT_TRUE(doc.create(dir / "meadow"));
         app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(760, 420), false);
-        app->layout.right = 330, app->layout.bottom = 190;
+        app->layout.right = 330, app->layout.bottom = app->layout.accuracy = 190;
         ui = makeUiDriver(*app);
         ok(ui->wait(3));
     }
