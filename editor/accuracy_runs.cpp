@@ -72,6 +72,12 @@ void dropCopy(Run& run) {
     run.copy.clear();
 }
 
+template <class Run>
+void stopRun(Run& run) {
+    run.child.stop();
+    dropCopy(run);
+}
+
 // The end of a run: its exit code, once.
 template <class Run>
 std::optional<int> ended(EditorApp& app, Run& run) {
@@ -159,12 +165,9 @@ void followRuns(EditorApp& app) {
 
 bool measuring(const EditorApp& app) { return app.accuracy.sweep.child.running() || app.accuracy.fit.child.running(); }
 
-void stopRuns(EditorApp& app) {
-    app.accuracy.sweep.child.stop();
-    app.accuracy.fit.child.stop();
-    dropCopy(app.accuracy.sweep);
-    dropCopy(app.accuracy.fit);
-}
+void stopSweep(EditorApp& app) { stopRun(app.accuracy.sweep); }
+void stopFit(EditorApp& app) { stopRun(app.accuracy.fit); }
+void stopRuns(EditorApp& app) { stopSweep(app), stopFit(app); }
 
 int rowsMeasured(const Sweep& sweep) {
     int rows = 0;

@@ -78,13 +78,15 @@ glm::vec2 offsetOf(int i) {
     const glm::vec2 at = glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f);
     return at - 0.5f;
 }
-// The mean of the frame that was drawn last and others.
-Result<Picture> convergedPicture(Sweep& s, Prepared& p) {
+// The mean of the frame that was drawn last and others, whose times are added.
+Result<Picture> convergedPicture(Sweep& s, Prepared& p, std::vector<double>& ms) {
     std::vector<float> sum = s.renderer.readLinear();
     for (int i = 1; i < kConvergedFrames; ++i) {
         if (!s.progress("", -1)) return stopped();
         p.view.jitter = offsetOf(i);
-        if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st.error();
+        const auto took = frameMs(s, p);
+        if (!took) return took.error();
+        ms.push_back(*took);
         const std::vector<float> frame = s.renderer.readLinear();
         for (size_t k = 0; k < sum.size(); ++k) sum[k] += frame[k];
     }
@@ -100,7 +102,7 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
     auto drawn = pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
     if (!drawn) return drawn.error();
     row.metrics = metricsOf(*drawn);
-    auto frames = convergedPicture(s, p);
+    auto frames = convergedPicture(s, p, row.ms);
     if (!frames) return frames.error();
     auto converged = pairPictures(std::move(*frames), truth.picture, truth.grass);
     if (!converged) return converged.error();
@@ -143,12 +145,15 @@ std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
     const double expected = s.msOfRest + s.msPerBlade * blades;
     return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.msLimit) : "";
 }
-// Two frames, the first of which also makes what it draws with; the second gives the row its first time.
+// A frame that makes what the setting draws with, and one that is the row's first time; beyond the limit another, since what is left out
+// takes others with it.
 Status drawTwice(Sweep& s, Prepared& p, CostRow& row) {
     if (auto first = frameMs(s, p); !first) return first.error();
     auto ms = frameMs(s, p);
     if (!ms) return ms.error();
-    row.msMedian = *ms;
+    if (*ms > s.msLimit)
+        if (auto again = frameMs(s, p); again) ms = std::min(*ms, *again);
+    row.ms = {*ms};
     if (*ms > s.msLimit) row.skipped = fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.msLimit);
     return {};
 }
@@ -196,13 +201,6 @@ fs::path timesFile(const Sweep& s) {
     for (const CostRow& row : s.run.rows) all += s.keyOf(row);
     return s.request.folder / ("times-" + hashHex(hashText(all)) + ".json");
 }
-// The frame that each row's picture was is the first round.
-CostTimes timesSoFar(const Sweep& s) {
-    CostTimes t = keptTimes(timesFile(s), s.run.rows.size());
-    for (size_t i = 0; i < t.ms.size(); ++i)
-        if (t.ms[i].empty() && s.run.rows[i].skipped.empty()) t.ms[i].push_back(s.run.rows[i].msMedian);
-    return t;
-}
 Status timeRow(Sweep& s, size_t i, std::vector<double>& ms) {
     auto p = prepare(s, i);
     if (!p) return p.error();
@@ -213,22 +211,26 @@ Status timeRow(Sweep& s, size_t i, std::vector<double>& ms) {
     return {};
 }
 Status timeAll(Sweep& s) {
-    CostTimes t = timesSoFar(s);
-    size_t round = 1;
-    for (const auto& row : t.ms) round = std::max(round, row.size());
-    for (; round < static_cast<size_t>(s.request.rounds); ++round) {
+    CostTimes t = keptTimes(timesFile(s), s.run.rows.size());
+    int round = 1;  // the first were the pictures' frames
+    for (const auto& row : t.ms) round = std::max(round, 1 + static_cast<int>(row.size()));
+    for (; round < s.request.rounds; ++round) {
         auto next = t.ms;
         for (size_t i = 0; i < s.run.rows.size(); ++i) {
-            if (!s.run.rows[i].skipped.empty() || static_cast<int>(round) >= roundsFor(t.ms[i].front(), s.request.rounds)) continue;
-            const double share = (static_cast<double>(round) + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
+            const CostRow& row = s.run.rows[i];
+            if (!row.skipped.empty() || row.ms.empty() || round >= roundsFor(row.ms.front(), s.request.rounds)) continue;
+            const double share = (round + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
             if (!s.progress(fmt::format("times, round {} of {}", round + 1, s.request.rounds), share)) return stopped();
             if (Status st = timeRow(s, i, next[i]); !st) return st;
         }
         t.ms = std::move(next);
         if (Status st = keepTimes(t); !st) return st;
     }
-    for (size_t i = 0; i < s.run.rows.size(); ++i)
-        if (s.run.rows[i].skipped.empty()) takeTimes(s.run.rows[i], t.ms[i]);
+    for (size_t i = 0; i < s.run.rows.size(); ++i) {
+        std::vector<double> ms = s.run.rows[i].ms;
+        ms.insert(ms.end(), t.ms[i].begin(), t.ms[i].end());
+        if (s.run.rows[i].skipped.empty()) takeTimes(s.run.rows[i], std::move(ms));
+    }
     return {};
 }
 

@@ -27,7 +27,7 @@ struct CostRow {
     std::string camera, technique, settings;
     double msMedian = std::numeric_limits<double>::quiet_NaN(), msP95 = msMedian;
     double msSigma = msMedian;    // standard error of the median, from the scatter of the timed frames; not-a-number of one
-    int msFrames = 0;             // timed
+    std::vector<double> ms;       // the timed frames
     Metrics metrics;              // as drawn
     Appearance converged;
     uint64_t gpuBytes = 0;

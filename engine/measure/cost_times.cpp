@@ -13,16 +13,16 @@ int roundsFor(double ms, int rounds) {
     return std::min(rounds, std::max(kLeastRounds, static_cast<int>(std::min(fit, 1e6))));
 }
 
-void takeTimes(CostRow& row, const std::vector<double>& ms) {
+void takeTimes(CostRow& row, std::vector<double> ms) {
     row.msMedian = quantileOf(ms, 0.5), row.msP95 = quantileOf(ms, 0.95);
-    row.msFrames = static_cast<int>(ms.size());
     row.msSigma = std::numeric_limits<double>::quiet_NaN();
-    if (ms.size() < 2) return;
-    const double n = static_cast<double>(ms.size());
+    row.ms = std::move(ms);
+    if (row.ms.size() < 2) return;
+    const double n = static_cast<double>(row.ms.size());
     double mean = 0, squares = 0;
-    for (const double v : ms) mean += v / n;
-    for (const double v : ms) squares += (v - mean) * (v - mean);
-    row.msSigma = std::sqrt(std::numbers::pi / 2 * squares / (n - 1) / n);
+    for (const double v : row.ms) mean += v / n;
+    for (const double v : row.ms) squares += (v - mean) * (v - mean);
+    row.msSigma = std::sqrt(std::numbers::pi / 2 * squares / (n - 1) / n);  // pi / 2: a median's variance against a mean's
 }
 
 CostTimes keptTimes(const std::filesystem::path& file, size_t rows) {
