@@ -65,7 +65,9 @@ void sweepRow(EditorApp& app) {
     if (s.child.running()) {
         if (ui::button("Stop")) stopSweep(app);
         ImGui::SameLine(0, 8);
-        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {} settings, {}", accuracyCamera(app), rowsMeasured(s), elapsed(app, s.started)).c_str());
+        const int rows = rowsMeasured(s);
+        const std::string done = rows == 0 ? "the truth first" : fmt::format("{} settings", rows);
+        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {}, {}", accuracyCamera(app), done, elapsed(app, s.started)).c_str());
         return;
     }
     const ui::Disabled none(!app.doc.isOpen());
