@@ -107,7 +107,7 @@ void finishFit(EditorApp& app, int code) {
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
     Result<FitShown> shown = text && !text->empty() ? fitFrom(*text) : Result<FitShown>(Error{ExitCode::Failed, failure("fit", code, f.folder / "fit.err"), "", 0, 0, ""});
     if (shown)
-        f.result = std::move(*shown), say(app, "fitted to the budget");
+        f.result = std::move(*shown), say(app, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
     else
         f.error = shown.error().text();
 }

@@ -110,7 +110,7 @@ void fitResult(EditorApp& app) {
     ImGui::TextUnformatted(fmt::format("{}{:.3g} ms{}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, error, r.shippedMs, r.shippedAppearance).c_str());
     ui::record("Fitted", ui::Kind::Label, r.settings);
     ui::tooltip(r.settings);
-    ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    if (r.fits) ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
     ImGui::PopTextWrapPos();
 }
 

@@ -219,7 +219,7 @@ void choose(const Search& s, FitResult& r) {
         if (r.best.values.empty() || better(c, r.best, s.request.budgetMs)) r.best = c;
     r.fits = r.best.ms <= s.request.budgetMs;
     for (const auto& [values, c] : s.seen)
-        if (c.ms > s.request.budgetMs && c.appearance < r.best.appearance && (r.given.values.empty() || c.ms < r.given.ms)) r.given = c;
+        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance && (r.given.values.empty() || c.ms < r.given.ms)) r.given = c;
     r.tried = static_cast<int>(s.seen.size());
 }
 

@@ -25,7 +25,7 @@ struct FitResult {
     FitCandidate best;                 // that fits; else the quickest that was seen
     FitCandidate shipped;
     FitCandidate gridBest;             // of the grid's that fit; appearance infinite: none does
-    FitCandidate given;                // the next better that does not fit; appearance infinite: none was seen
+    FitCandidate given;                // the next better that does not fit, if one fits; appearance infinite: none was seen
     FitHeldOut heldOut;
     int tried = 0;
 };
