@@ -135,7 +135,9 @@ void startSweep(EditorApp& app);
 void startFit(EditorApp& app);
 void followRuns(EditorApp& app);                // once a frame: takes in what has ended
 bool measuring(const EditorApp& app);
-void stopRuns(EditorApp& app);                  // kills them and drops their copies
+void stopSweep(EditorApp& app);                 // kills it and drops its copy
+void stopFit(EditorApp& app);
+void stopRuns(EditorApp& app);                  // both
 int rowsMeasured(const Sweep& sweep);           // so far, by the files that it keeps
 std::string accuracyCamera(EditorApp& app);     // the project's camera that is shown, or the first; "" without one
 

@@ -72,6 +72,12 @@ void dropCopy(Run& run) {
     run.copy.clear();
 }
 
+template <class Run>
+void stopRun(Run& run) {
+    run.child.stop();
+    dropCopy(run);
+}
+
 // The end of a run: its exit code, once.
 template <class Run>
 std::optional<int> ended(EditorApp& app, Run& run) {
@@ -101,7 +107,7 @@ void finishFit(EditorApp& app, int code) {
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
     Result<FitShown> shown = text && !text->empty() ? fitFrom(*text) : Result<FitShown>(Error{ExitCode::Failed, failure("fit", code, f.folder / "fit.err"), "", 0, 0, ""});
     if (shown)
-        f.result = std::move(*shown), say(app, "fitted to the budget");
+        f.result = std::move(*shown), say(app, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
     else
         f.error = shown.error().text();
 }
@@ -159,12 +165,9 @@ void followRuns(EditorApp& app) {
 
 bool measuring(const EditorApp& app) { return app.accuracy.sweep.child.running() || app.accuracy.fit.child.running(); }
 
-void stopRuns(EditorApp& app) {
-    app.accuracy.sweep.child.stop();
-    app.accuracy.fit.child.stop();
-    dropCopy(app.accuracy.sweep);
-    dropCopy(app.accuracy.fit);
-}
+void stopSweep(EditorApp& app) { stopRun(app.accuracy.sweep); }
+void stopFit(EditorApp& app) { stopRun(app.accuracy.fit); }
+void stopRuns(EditorApp& app) { stopSweep(app), stopFit(app); }
 
 int rowsMeasured(const Sweep& sweep) {
     int rows = 0;

@@ -28,9 +28,11 @@ std::string openTab(const Layout& l) {
     return first == std::end(kBottomPanels) ? "" : *first;
 }
 
+float& bottomHeight(Layout& l) { return openTab(l) == "Accuracy" ? l.accuracy : l.bottom; }
+
 void clampLayout(Layout& l, float width, float height) {
     l.right = std::clamp(l.right, std::min(kLeastRight, width / 2), std::max(kLeastRight, width - 2 * kLeastViewport));
-    l.bottom = std::clamp(l.bottom, kLeastBottom, std::max(kLeastBottom, height - 2 * kLeastViewport));
+    for (float* bottom : {&l.bottom, &l.accuracy}) *bottom = std::clamp(*bottom, kLeastBottom, std::max(kLeastBottom, height - 2 * kLeastViewport));
     l.outliner = std::clamp(l.outliner, 0.1f, 0.9f);
 }
 
@@ -43,7 +45,7 @@ Areas areasOf(const Layout& given, float width, float height, float menuHeight, 
     const float top = menuHeight + barHeight, middle = std::max(0.f, height - top - statusHeight);
     const float right = outliner || inspector ? std::min(l.right, std::max(0.f, width - toolsWidth)) : 0;
     const float left = std::min(toolsWidth, width), centre = std::max(0.f, width - left - right);
-    const float low = bottom ? std::min(l.bottom, middle) : 0;
+    const float low = bottom ? std::min(bottomHeight(l), middle) : 0;
     Areas a;
     a.menu = {0, 0, width, menuHeight};
     a.brushBar = {0, menuHeight, width, barHeight};
@@ -79,6 +81,7 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "right") readNumber(line, l.right, 100, 4000);
         if (name == "outliner") readNumber(line, l.outliner, 0.1f, 0.9f);
         if (name == "bottom") readNumber(line, l.bottom, 50, 4000);
+        if (name == "accuracy") readNumber(line, l.accuracy, 50, 4000);
         if (name == "hidden" && line >> word) l.hidden.insert(word);
         if (name == "tab" && line >> word) l.tab = word;
         if (name == "shift" && line >> word) l.shiftErases = word == "erases";
@@ -90,7 +93,7 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     std::ofstream out(file);
-    out << fmt::format("right {}\noutliner {}\nbottom {}\ntab {}\n", l.right, l.outliner, l.bottom, l.tab);
+    out << fmt::format("right {}\noutliner {}\nbottom {}\naccuracy {}\ntab {}\n", l.right, l.outliner, l.bottom, l.accuracy, l.tab);
     if (l.shiftErases) out << "shift erases\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());

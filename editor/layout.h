@@ -17,6 +17,7 @@ struct Layout {
     float right = 350;             // width of the right column
     float outliner = 0.28f;        // its upper part, as a share of its height
     float bottom = 170;            // height of the bottom panels
+    float accuracy = 290;          // ... while Accuracy is in sight, whose plot needs more
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
     bool shiftErases = false;      // a habit of the hand, not of a project
@@ -25,6 +26,8 @@ struct Layout {
 inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers", "Accuracy"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
+// The height that counts for the tab in sight.
+float& bottomHeight(Layout& layout);
 
 // Where everything goes in a window of this size, once menu, brush bar and status bar took their heights.
 struct Areas {

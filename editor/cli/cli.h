@@ -43,7 +43,7 @@ struct MergeCommand {
 int mergeVerb(const MergeCommand& options);
 
 struct CostOptions : RenderOptions {
-    int samples = 64, rounds = 5;
+    int samples = 32, rounds = 5;
     double maxMs = 0;
     std::string lighting = "full", shard;
     uint32_t seed = 1;

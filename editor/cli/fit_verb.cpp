@@ -10,16 +10,18 @@ namespace sward {
 namespace {
 
 std::string textOf(const FitCandidate& c) { return CostSetting{"hybrid", c.values}.text(); }
-std::string described(const FitCandidate& c) { return fmt::format("{:.1f} ms, appearance {:.5f}: {}", c.ms, c.appearance, textOf(c)); }
+std::string described(const FitCandidate& c) {
+    return fmt::format("{:.1f} ms, appearance {}: {}", c.ms, std::isfinite(c.appearance) ? fmt::format("{:.5f}", c.appearance) : "not taken", textOf(c));
+}
 bool known(const FitCandidate& c) { return !c.values.empty(); }
 
+Json numberJson(double v) { return std::isfinite(v) ? Json(v) : Json(); }
 Json candidateJson(const FitCandidate& c) {
     if (!known(c)) return {};
     Json j;
-    j["ms"] = c.ms, j["appearance"] = c.appearance, j["settings"] = textOf(c);
+    j["ms"] = c.ms, j["appearance"] = numberJson(c.appearance), j["settings"] = textOf(c);
     return j;
 }
-Json numberJson(double v) { return std::isfinite(v) ? Json(v) : Json(); }
 Json fitJson(const FitResult& r, double budgetMs) {
     Json j;
     j["budget_ms"] = budgetMs, j["fits"] = r.fits, j["tried"] = r.tried;

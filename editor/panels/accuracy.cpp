@@ -63,9 +63,11 @@ std::string elapsed(const EditorApp& app, double started) { return fmt::format("
 void sweepRow(EditorApp& app) {
     Sweep& s = app.accuracy.sweep;
     if (s.child.running()) {
-        if (ui::button("Stop")) stopRuns(app);
+        if (ui::button("Stop")) stopSweep(app);
         ImGui::SameLine(0, 8);
-        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {} settings, {}", accuracyCamera(app), rowsMeasured(s), elapsed(app, s.started)).c_str());
+        const int rows = rowsMeasured(s);
+        const std::string done = rows == 0 ? "the truth first" : fmt::format("{} settings", rows);
+        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {}, {}", accuracyCamera(app), done, elapsed(app, s.started)).c_str());
         return;
     }
     const ui::Disabled none(!app.doc.isOpen());
@@ -104,10 +106,11 @@ void fitResult(EditorApp& app) {
     if (ui::button("Adopt", 0, true)) adopt(app, setting);
     ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms, error {:.4f}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, r.appearance, r.shippedMs, r.shippedAppearance).c_str());
+    const std::string error = std::isfinite(r.appearance) ? fmt::format(", error {:.4f}", r.appearance) : "";
+    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms{}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, error, r.shippedMs, r.shippedAppearance).c_str());
     ui::record("Fitted", ui::Kind::Label, r.settings);
     ui::tooltip(r.settings);
-    ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    if (r.fits) ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
     ImGui::PopTextWrapPos();
 }
 
@@ -123,7 +126,7 @@ void fitColumn(EditorApp& app) {
     ui::tooltip("What a frame of 320 x 240 may take on this machine, in milliseconds.");
     ImGui::SameLine(0, 6);
     if (f.child.running()) {
-        if (ui::button("Stop fit")) stopRuns(app);
+        if (ui::button("Stop fit")) stopFit(app);
         return ui::coloredText(ui::kDimText, ("trying settings, " + elapsed(app, f.started)).c_str());
     }
     {
@@ -138,13 +141,12 @@ void fitColumn(EditorApp& app) {
 void drawAccuracy(EditorApp& app) {
     ImGui::BeginChild("accuracy");
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
-    const int columns = ems < 40 ? 1 : 4;  // what does not fit beside goes below
+    const int columns = ems < 40 ? 1 : 3;  // what does not fit beside goes below
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchProp)) {
-        for (const float share : {0.95f, 1.05f, 1.6f, 1.3f})
-            if (columns == 4) ImGui::TableSetupColumn("", 0, share);
+        for (const float share : {1.1f, 2.2f, 1.25f})
+            if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         choices(app);
-        ImGui::TableNextColumn();
         scores(app);
         ImGui::TableNextColumn();
         plotColumn(app);

@@ -181,8 +181,8 @@ void emptyPlot(const ImVec2& at, const ImVec2& size) {
 
 std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    const float left = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - at.y - 4;
-    const ImVec2 size{std::max(room.x, 80.0f), std::max(left, ImGui::GetFontSize() * 6)};
+    const float left = ImGui::GetWindowHeight() - ImGui::GetCursorPosY() - 4;  // whatever part of the panel is scrolled to
+    const ImVec2 size{std::max(room.x, 80.0f), std::max(left, ImGui::GetFontSize() * 10)};
     const bool pressed = ImGui::InvisibleButton("plot", size);
     ui::record("Plot", ui::Kind::Area);
     const bool over = ImGui::IsItemHovered();

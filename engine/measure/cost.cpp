@@ -9,6 +9,7 @@
 #include "core/log.h"
 #include "gpu/timer.h"
 #include "measure/cost_files.h"
+#include "measure/cost_times.h"
 #include "measure/cost_truth.h"
 #include "measure/frame_stats.h"
 #include "scene/map_io.h"
@@ -43,6 +44,7 @@ struct Sweep {
     std::vector<CostTruth> truths = {};              // by camera
     CostRun run = {};
     std::vector<size_t> settings = {};                // of each row, index into request.settings
+    std::vector<size_t> slow = {};                    // rows that were left out
     double msPerBlade = 0, msOfRest = 0, msLimit = 0;
 
     std::string keyOf(const CostRow& row) const {
@@ -71,33 +73,36 @@ Result<double> frameMs(Sweep& s, Prepared& p) {
     s.renderer.finish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
-float halton(int i, int base) {
-    float share = 1, sum = 0;
-    for (; i > 0; i /= base) share /= static_cast<float>(base), sum += share * static_cast<float>(i % base);
-    return sum;
+// The i-th offset in pixels of frames that add up; none of the first. Additive recurrence by the plastic number (Roberts 2018).
+glm::vec2 offsetOf(int i) {
+    const glm::vec2 at = glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f);
+    return at - 0.5f;
 }
-Result<Picture> convergedPicture(Sweep& s, Prepared& p) {
-    std::vector<float> sum;
-    for (int i = 1; i <= kConvergedFrames; ++i) {
+// The mean of the frame that was drawn last and others, whose times are added.
+Result<Picture> convergedPicture(Sweep& s, Prepared& p, std::vector<double>& ms) {
+    std::vector<float> sum = s.renderer.readLinear();
+    for (int i = 1; i < kConvergedFrames; ++i) {
         if (!s.progress("", -1)) return stopped();
-        p.view.jitter = {halton(i, 2) - 0.5f, halton(i, 3) - 0.5f};
-        if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st.error();
+        p.view.jitter = offsetOf(i);
+        const auto took = frameMs(s, p);
+        if (!took) return took.error();
+        ms.push_back(*took);
         const std::vector<float> frame = s.renderer.readLinear();
-        sum.resize(frame.size(), 0);
-        for (size_t k = 0; k < sum.size(); ++k) sum[k] += frame[k] / kConvergedFrames;
+        for (size_t k = 0; k < sum.size(); ++k) sum[k] += frame[k];
     }
+    for (float& v : sum) v /= kConvergedFrames;
     p.view.jitter = {0, 0};
     return pictureOfLinear(p.view.width, p.view.height, sum);
 }
+// Of the frame that was drawn last.
 Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
-    if (Status st = s.renderer.draw(p.project, p.camera, p.view); !st) return st;
     row.gpuBytes = s.renderer.stats().gpuBytes;
     row.image = "row-" + s.keyOf(row) + ".png";
     if (Status st = writeImagePng(s.request.folder / row.image, p.view.width, p.view.height, 3, s.renderer.readImage()); !st) return st;
     auto drawn = pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
     if (!drawn) return drawn.error();
     row.metrics = metricsOf(*drawn);
-    auto frames = convergedPicture(s, p);
+    auto frames = convergedPicture(s, p, row.ms);
     if (!frames) return frames.error();
     auto converged = pairPictures(std::move(*frames), truth.picture, truth.grass);
     if (!converged) return converged.error();
@@ -117,10 +122,10 @@ Status calibrate(Sweep& s, const std::string& camera) {
     const CostSetting settings[] = {{kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
     for (size_t i = 0; i < 3; ++i) {
         if (Status st = applySetting(p.project, s.tables, settings[i], p.view); !st) return st;
-        for (int frame = 0; frame < 2; ++frame) {
+        for (int frame = 0; frame < 3; ++frame) {  // the first makes what it draws with; of the others the quicker, since load only adds
             auto took = frameMs(s, p);
             if (!took) return took.error();
-            ms[i] = *took;
+            ms[i] = frame < 2 ? *took : std::min(ms[i], *took);
         }
         blades = s.renderer.stats().bladesGeometry;
     }
@@ -131,108 +136,100 @@ Status calibrate(Sweep& s, const std::string& camera) {
 }
 // Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by, so what is
 // expected is too much rather than too little.
-std::string tooSlow(const Sweep& s, const Prepared& p) {
+std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
+    const CostSetting& setting = s.request.settings[s.settings[row]];
+    for (const size_t slow : s.slow)
+        if (s.run.rows[slow].camera == s.run.rows[row].camera && drawsNoLess(setting, s.request.settings[s.settings[slow]]))
+            return fmt::format("draws no less than {}: {}", s.run.rows[slow].settings, s.run.rows[slow].skipped);
     const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) * static_cast<double>(p.view.detail);
     const double expected = s.msOfRest + s.msPerBlade * blades;
     return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.msLimit) : "";
 }
-// The same after a frame. The first of a setting also makes what it draws with, so that one beyond the limit is drawn again.
-Result<std::string> tookTooLong(Sweep& s, Prepared& p) {
+// A frame that makes what the setting draws with, and one that is the row's first time; beyond the limit another, since what is left out
+// takes others with it.
+Status drawTwice(Sweep& s, Prepared& p, CostRow& row) {
+    if (auto first = frameMs(s, p); !first) return first.error();
     auto ms = frameMs(s, p);
-    if (ms && *ms > s.msLimit) ms = frameMs(s, p);
     if (!ms) return ms.error();
-    return *ms > s.msLimit ? fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.msLimit) : std::string();
+    if (*ms > s.msLimit)
+        if (auto again = frameMs(s, p); again) ms = std::min(*ms, *again);
+    row.ms = {*ms};
+    if (*ms > s.msLimit) row.skipped = fmt::format("a frame took {:.0f} ms, the limit is {:.0f}", *ms, s.msLimit);
+    return {};
 }
 Status draw(Sweep& s, size_t i) {
     CostRow& row = s.run.rows[i];
     auto p = prepare(s, i);
     if (!p) return p.error();
-    row.skipped = tooSlow(s, *p);
-    if (row.skipped.empty()) {
-        auto why = tookTooLong(s, *p);
-        if (!why) return why.error();
-        row.skipped = *why;
-    }
+    row.skipped = tooSlow(s, i, *p);
+    if (row.skipped.empty())
+        if (Status st = drawTwice(s, *p, row); !st) return st;
     if (row.skipped.empty()) {
         const auto truth = std::find_if(s.truths.begin(), s.truths.end(), [&](const CostTruth& t) { return t.floors.camera == row.camera; });
         if (Status st = measure(s, *p, row, *truth); !st) return st;
     }
     return writeFileAtomic(s.fileOf(row), writeJson(costRowJson(row)));
 }
+// True if the row was drawn before.
+bool takeKept(const Sweep& s, CostRow& row) {
+    auto kept = readJson(s.fileOf(row));
+    if (!kept) return false;
+    auto read = costRowFrom(*kept);
+    if (!read || (read->skipped.empty() && !fs::exists(s.request.folder / read->image))) return false;
+    read->index = row.index;
+    row = std::move(*read);
+    return true;
+}
 Status drawAll(Sweep& s) {
     std::string calibrated;
     for (size_t i = 0; i < s.run.rows.size(); ++i) {
         CostRow& row = s.run.rows[i];
         if (!s.progress(row.camera + ": " + row.technique + " " + row.settings, static_cast<double>(i) / static_cast<double>(s.run.rows.size()))) return stopped();
-        if (auto kept = readJson(s.fileOf(row)); kept) {
-            const int index = row.index;
-            auto read = costRowFrom(*kept);
-            if (read && (!read->skipped.empty() || fs::exists(s.request.folder / read->image))) {
-                row = *read, row.index = index;
-                continue;
-            }
+        if (!takeKept(s, row)) {
+            if (calibrated != row.camera)
+                if (Status st = calibrate(s, calibrated = row.camera); !st) return st;
+            if (Status st = draw(s, i); !st) return st;
         }
-        if (calibrated != row.camera)
-            if (Status st = calibrate(s, calibrated = row.camera); !st) return st;
-        if (Status st = draw(s, i); !st) return st;
+        if (!row.skipped.empty()) s.slow.push_back(i);
     }
     return {};
 }
 
 // --- timing ------------------------------------------------------------------------------------------------------
-// One list of milliseconds for each row, one number for each whole round.
-struct Times {
-    fs::path file;
-    std::vector<std::vector<double>> ms;
-};
-std::string timesKey(const Sweep& s) {
+fs::path timesFile(const Sweep& s) {
     std::string all;
     for (const CostRow& row : s.run.rows) all += s.keyOf(row);
-    return hashHex(hashText(all));
+    return s.request.folder / ("times-" + hashHex(hashText(all)) + ".json");
 }
-Times keptTimes(const Sweep& s) {
-    Times t{s.request.folder / ("times-" + timesKey(s) + ".json"), std::vector<std::vector<double>>(s.run.rows.size())};
-    const auto read = readJson(t.file);
-    if (!read || !read->isArray() || read->array.size() != t.ms.size()) return t;
-    for (size_t i = 0; i < t.ms.size(); ++i)
-        for (const Json& v : read->array[i].array) t.ms[i].push_back(v.number);
-    return t;
-}
-Status keepTimes(const Times& t) {
-    Json all = Json::makeArray();
-    for (const auto& row : t.ms) {
-        Json one = Json::makeArray();
-        for (const double v : row) one.push(v);
-        all.push(std::move(one));
-    }
-    return writeFileAtomic(t.file, writeJson(all));
-}
-size_t roundsOf(const Times& t) {
-    size_t most = 0;
-    for (const auto& row : t.ms) most = std::max(most, row.size());
-    return most;
+Status timeRow(Sweep& s, size_t i, std::vector<double>& ms) {
+    auto p = prepare(s, i);
+    if (!p) return p.error();
+    if (auto warm = frameMs(s, *p); !warm) return warm.error();
+    auto took = frameMs(s, *p);
+    if (!took) return took.error();
+    ms.push_back(*took);
+    return {};
 }
 Status timeAll(Sweep& s) {
-    Times t = keptTimes(s);
-    for (int round = static_cast<int>(roundsOf(t)); round < s.request.rounds; ++round) {
+    CostTimes t = keptTimes(timesFile(s), s.run.rows.size());
+    int round = 1;  // the first were the pictures' frames
+    for (const auto& row : t.ms) round = std::max(round, 1 + static_cast<int>(row.size()));
+    for (; round < s.request.rounds; ++round) {
         auto next = t.ms;
         for (size_t i = 0; i < s.run.rows.size(); ++i) {
-            if (!s.run.rows[i].skipped.empty()) continue;
+            const CostRow& row = s.run.rows[i];
+            if (!row.skipped.empty() || row.ms.empty() || round >= roundsFor(row.ms.front(), s.request.rounds)) continue;
             const double share = (round + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
             if (!s.progress(fmt::format("times, round {} of {}", round + 1, s.request.rounds), share)) return stopped();
-            auto p = prepare(s, i);
-            if (!p) return p.error();
-            if (auto warm = frameMs(s, *p); !warm) return warm.error();
-            auto took = frameMs(s, *p);
-            if (!took) return took.error();
-            next[i].push_back(*took);
+            if (Status st = timeRow(s, i, next[i]); !st) return st;
         }
         t.ms = std::move(next);
         if (Status st = keepTimes(t); !st) return st;
     }
     for (size_t i = 0; i < s.run.rows.size(); ++i) {
-        s.run.rows[i].msMedian = quantileOf(t.ms[i], 0.5);
-        s.run.rows[i].msP95 = quantileOf(t.ms[i], 0.95);
+        std::vector<double> ms = s.run.rows[i].ms;
+        ms.insert(ms.end(), t.ms[i].begin(), t.ms[i].end());
+        if (s.run.rows[i].skipped.empty()) takeTimes(s.run.rows[i], std::move(ms));
     }
     return {};
 }

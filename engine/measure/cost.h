@@ -1,8 +1,9 @@
 // What accuracy costs in time: a project's cameras drawn by every technique at many settings; for each picture how long it takes and how
 // far it is from the ray-traced truth; and which of them nothing beats in both (the frontier).
 // Times: wall clock with one finish a frame, taken in rounds over all rows, so that a change of the machine's load meets all alike; each
-// after one frame of the same setting that is not counted. Errors: metrics.h over the truth's grass, of the picture as it is drawn, and
-// of the mean of kConvergedFrames frames moved by fractions of a pixel, which has no noise of sampling left.
+// after one frame of the same setting that is not counted (cost_times.h). Errors: metrics.h over the truth's grass, of the picture as it
+// is drawn, and of the mean of kConvergedFrames frames, the drawn one and others moved by fractions of a pixel, which has less noise of sampling.
+// What takes longer than a limit is left out and named: after a frame, or unseen, where a setting that takes no more did already.
 // Rows, truths and times are kept in a folder as they are finished, under a hash of all that they follow from; a sweep that was
 // stopped goes on from there, and one that is run again only reads.
 // Does not: write tables, plots or reports (cost_files.h, cost_report.h).
@@ -25,6 +26,8 @@ inline constexpr int kConvergedFrames = 4;
 struct CostRow {
     std::string camera, technique, settings;
     double msMedian = std::numeric_limits<double>::quiet_NaN(), msP95 = msMedian;
+    double msSigma = msMedian;    // standard error of the median, from the scatter of the timed frames; not-a-number of one
+    std::vector<double> ms;       // the timed frames
     Metrics metrics;              // as drawn
     Appearance converged;
     uint64_t gpuBytes = 0;
@@ -63,7 +66,7 @@ struct CostRequest {
     double time = 0;              // scene seconds
     ReferenceSettings truth;      // size and time are taken from here
     std::vector<CostSetting> settings;
-    int rounds = 5;               // of timing
+    int rounds = 5;               // of timing, at most; slow rows are timed in fewer
     double maxMs = 0;             // rows that take longer, or would, are left out; 0: twice what the project's own settings take
     int shard = 0, shards = 1;    // of the rows, those whose index is shard modulo shards
     std::filesystem::path folder; // where finished rows are kept

@@ -86,8 +86,10 @@ Json costRowJson(const CostRow& r) {
     Json j;
     j["index"] = r.index, j["camera"] = r.camera, j["technique"] = r.technique, j["settings"] = r.settings, j["machine"] = r.machine;
     j["skipped"] = r.skipped, j["on_frontier"] = r.onFrontier, j["image"] = r.image;
-    j["ms_median"] = number(r.msMedian), j["ms_p95"] = number(r.msP95), j["gpu_bytes"] = r.gpuBytes;
+    j["ms_median"] = number(r.msMedian), j["ms_p95"] = number(r.msP95), j["ms_sigma"] = number(r.msSigma), j["gpu_bytes"] = r.gpuBytes;
     j["drawn"] = appearanceJson(r.metrics.appearance), j["converged"] = appearanceJson(r.converged);
+    j["ms"] = Json::makeArray();
+    for (const double ms : r.ms) j["ms"].push(ms);
     j["flip"] = number(r.metrics.flip), j["ssim"] = number(r.metrics.ssim), j["rmse"] = number(r.metrics.rmse), j["psnr"] = number(r.metrics.psnr);
     return j;
 }
@@ -99,7 +101,8 @@ Result<CostRow> costRowFrom(const Json& json) {
     row.skipped = r.text("skipped"), row.image = r.text("image");
     const Json* frontier = r.member("on_frontier");
     row.onFrontier = frontier && frontier->boolean;
-    row.msMedian = r.number("ms_median"), row.msP95 = r.number("ms_p95");
+    row.msMedian = r.number("ms_median"), row.msP95 = r.number("ms_p95"), row.msSigma = r.number("ms_sigma");
+    r.each("ms", [&](const Json& v) { row.ms.push_back(v.isNumber() ? v.number : std::numeric_limits<double>::quiet_NaN()); });
     const double bytes = r.number("gpu_bytes");
     row.gpuBytes = bytes > 0 && bytes < 1e18 ? static_cast<uint64_t>(bytes) : 0;
     row.metrics.appearance = r.appearance("drawn"), row.converged = r.appearance("converged");

@@ -45,10 +45,13 @@ void drawAxes(Plot& p, const Axis& x, const Axis& y) {
 
 void drawFloors(Plot& p, const CostFloors& f, const Axis& x, const Axis& y) {
     const std::pair<double, const char*> lines[] = {{f.seed.distance, "other blades of the field"}, {f.sampling.distance, "the truth at 4 samples a pixel"}, {f.flat.distance, "flat rows"}};
+    std::vector<double> taken;  // heights that have a label; one that lies close goes left of it
     for (const auto& [value, label] : lines) {
         if (!(value > 0)) continue;
+        const auto close = std::count_if(taken.begin(), taken.end(), [&](double other) { return std::abs(other - y.at(value)) < 13; });
+        taken.push_back(y.at(value));
         p.lines.push_back({{{x.from, y.at(value)}, {x.to, y.at(value)}}, kFloor, 1.2, 6});
-        p.texts.push_back({{x.to - 4, y.at(value) - 5}, label, kFloor, 11, PlotAnchor::End});
+        p.texts.push_back({{x.to - 4 - 180 * static_cast<double>(close), y.at(value) - 5}, label, kFloor, 11, PlotAnchor::End});
     }
 }
 

@@ -18,11 +18,11 @@ constexpr const char* kHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <style>
 :root { color-scheme: light dark; --line: #8884; --soft: #8882; }
-body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 1180px; margin: 2em auto; padding: 0 1em; }
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 1320px; margin: 2em auto; padding: 0 1em; }
 h1 { font-size: 1.5em; } h2 { font-size: 1.2em; margin-top: 2em; } h3 { font-size: 1em; margin: 1.5em 0 .4em; }
 table { border-collapse: collapse; font-size: 13px; width: 100%; }
-th, td { padding: .25em .6em; border-bottom: 1px solid var(--line); text-align: right; font-variant-numeric: tabular-nums; }
-th:nth-child(-n+3), td:nth-child(-n+3), td:last-child { text-align: left; }
+th, td { padding: .25em .45em; border-bottom: 1px solid var(--line); text-align: right; font-variant-numeric: tabular-nums; }
+th:nth-child(-n+3), td:nth-child(-n+3) { text-align: left; } td:nth-child(2) { min-width: 21em; }
 th { cursor: pointer; white-space: nowrap; } tr.frontier { background: var(--soft); font-weight: 600; }
 .strip { display: grid; grid-template-columns: repeat(4, 1fr); gap: .5em; } .strip figure { margin: 0; }
 .strip img { width: 100%; display: block; } figcaption { font-size: 12px; opacity: .8; }
@@ -70,18 +70,24 @@ std::string strip(const CostRow& row, const CostFloors& floors, const fs::path& 
 
 // --- the table ---------------------------------------------------------------------------------------------------
 std::string tableOf(const CostRun& run, const std::string& camera) {
-    std::string out = "<table><thead><tr><th>technique<th>settings<th>frontier<th>ms<th>p95<th>appearance<th>&plusmn;<th>bias<th>contrast<th>converged<th>FLIP<th>SSIM<th>RMSE<th>GPU MB<th>skipped</tr></thead><tbody>\n";
+    std::string out = "<table><thead><tr><th>technique<th>settings<th>frontier<th>ms<th>&plusmn;<th>frames<th>p95<th>appearance<th>&plusmn;<th>bias<th>contrast<th>converged<th>FLIP<th>SSIM<th>RMSE<th>GPU MB</tr></thead><tbody>\n";
     for (const CostRow& r : run.rows) {
-        if (r.camera != camera) continue;
-        const bool drawn = r.skipped.empty();
-        const auto value = [&](double v, const char* format) { return "<td>" + (drawn ? cell(v, format) : std::string()); };
+        if (r.camera != camera || !r.skipped.empty()) continue;
+        const auto value = [&](double v, const char* format) { return "<td>" + cell(v, format); };
         const Appearance& a = r.metrics.appearance;
         out += fmt::format("<tr{}><td>{}<td>{}<td>{}", r.onFrontier ? " class=\"frontier\"" : "", escaped(r.technique), escaped(r.settings), r.onFrontier ? "yes" : "");
-        out += value(r.msMedian, "{:.1f}") + value(r.msP95, "{:.1f}") + value(a.distance, "{:.5f}") + value(a.sigma, "{:.5f}") + value(a.bias, "{:.5f}") + value(a.contrast, "{:.5f}");
+        out += value(r.msMedian, "{:.1f}") + value(r.msSigma, "{:.1f}") + "<td>" + std::to_string(r.ms.size()) + value(r.msP95, "{:.1f}") + value(a.distance, "{:.5f}") + value(a.sigma, "{:.5f}") + value(a.bias, "{:.5f}") + value(a.contrast, "{:.5f}");
         out += value(r.converged.distance, "{:.5f}") + value(r.metrics.flip, "{:.4f}") + value(r.metrics.ssim, "{:.4f}") + value(r.metrics.rmse, "{:.4f}");
-        out += value(static_cast<double>(r.gpuBytes) / 1e6, "{:.1f}") + "<td>" + escaped(r.skipped) + "</tr>\n";
+        out += value(static_cast<double>(r.gpuBytes) / 1e6, "{:.1f}") + "</tr>\n";
     }
     return out + "</tbody></table>\n";
+}
+std::string leftOut(const CostRun& run, const std::string& camera) {
+    std::string rows;
+    int n = 0;
+    for (const CostRow& r : run.rows)
+        if (r.camera == camera && !r.skipped.empty()) rows += "<li>" + escaped(r.technique + " " + r.settings + ": " + r.skipped) + "\n", ++n;
+    return n == 0 ? "" : fmt::format("<details><summary>Left out: {} settings</summary><ul>\n{}</ul></details>\n", n, rows);
 }
 std::string floorsText(const CostFloors& f) {
     return fmt::format("<p>To hold scores against: other blades of the same field {:.5f}; the truth at few samples a pixel {:.5f}; the truth with flat rows for grass {:.5f}. Mean standard error of the truth "
@@ -93,7 +99,7 @@ std::string floorsText(const CostFloors& f) {
 std::string cameraPart(const CostRun& run, const CostFloors& f, const fs::path& work) {
     std::string out = "<h2>Camera " + escaped(f.camera) + "</h2>\n" + floorsText(f);
     if (const Plot plot = costPlot(run, f.camera); plot.width > 0) out += plotSvg(plot);
-    out += tableOf(run, f.camera);
+    out += tableOf(run, f.camera) + leftOut(run, f.camera);
     std::vector<const CostRow*> frontier;
     for (const CostRow& r : run.rows)
         if (r.camera == f.camera && r.onFrontier) frontier.push_back(&r);

@@ -40,6 +40,15 @@ void addFlat(const GrassField&, std::vector<CostSetting>& out) {
     for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"flat", {msaa}});
 }
 
+// Name and number of a value that more of makes more work; nothing of another value.
+std::optional<std::pair<std::string, double>> amountOf(const std::string& value) {
+    const size_t equals = value.find('=');
+    const std::string name = value.substr(0, equals);
+    for (const char* n : {"minGeom", "maxGeom", "minBTF", "maxBTF", "detail", "msaa"})
+        if (name == n && equals != std::string::npos) return std::pair(name, value.substr(equals + 1) == "inf" ? 1e30 : std::atof(value.c_str() + equals + 1));
+    return {};
+}
+
 Status setField(Project& p, const Tables& tables, const std::string& path, const std::string& value) {
     auto f = findField(p, tables.components, path);
     return f ? setFieldText(*f, value) : Status(f.error());
@@ -83,6 +92,16 @@ Result<std::vector<CostSetting>> costSettings(const Project& project, const std:
     }
     if (out.empty()) return Error{ExitCode::Usage, "there is no technique \"" + technique + "\"", "", 0, 0, names};
     return out;
+}
+
+bool drawsNoLess(const CostSetting& a, const CostSetting& b) {
+    if (a.technique != b.technique || a.values.size() != b.values.size()) return false;
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        const auto more = amountOf(a.values[i]), less = amountOf(b.values[i]);
+        const bool amounts = more && less && more->first == less->first;
+        if (amounts ? more->second < less->second : a.values[i] != b.values[i]) return false;
+    }
+    return true;
 }
 
 Status applySetting(Project& project, const Tables& tables, const CostSetting& setting, ViewSettings& view) {

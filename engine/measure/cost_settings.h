@@ -26,6 +26,8 @@ std::span<const CostTechnique> costTechniques();
 // All settings for a project's grass (the first field by name), some 40, in the table's order; of one technique if it is
 // named. Usage error: no such technique. Unsound: the project has no grass.
 Result<std::vector<CostSetting>> costSettings(const Project& project, const std::string& technique = {});
+// Whether `a` draws all that `b` draws and perhaps more: no distance, share of detail or number of samples is smaller, all else is equal.
+bool drawsNoLess(const CostSetting& a, const CostSetting& b);
 // Makes it the project's (each field of grass) and the view's. Usage error: a name or value that does not exist.
 Status applySetting(Project& project, const Tables& tables, const CostSetting& setting, ViewSettings& view);
 

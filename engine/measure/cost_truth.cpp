@@ -8,6 +8,22 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kFewSamples = 4;  // of techniques with the usual multisampling
+// Of other blades strips alone are traced, each a row of the largest blocks that appearance compares: a third of the rays, and by how
+// much less the floor is known its own standard error says.
+constexpr int kStripRows = kAppearanceBlocks[std::size(kAppearanceBlocks) - 1], kStripEvery = 3;
+static_assert(kStripRows % kShardRows == 0);
+
+// The weights that are left in the strips, and the shards of which the strips are the first; all of it, if no grass is in them.
+std::pair<std::vector<float>, int> seedStrips(const std::vector<float>& grass, int width) {
+    std::vector<float> left = grass;
+    bool any = false;
+    for (size_t i = 0; i < grass.size(); ++i) {
+        const bool in = static_cast<int>(i) / width / kStripRows % kStripEvery == 0;
+        any |= in && grass[i] > 0;
+        if (!in) left[i] = 0;
+    }
+    return any ? std::pair(std::move(left), kStripEvery * kStripRows / kShardRows) : std::pair(grass, 1);
+}
 
 // Names what the truth follows from: the project without how its grass is drawn.
 uint64_t populationHash(const Project& p, const Tables& tables) {
@@ -26,7 +42,7 @@ uint64_t populationHash(const Project& p, const Tables& tables) {
 // Where a traced picture is kept: RGB and the share of grass as one EXR, the standard errors as another beside it.
 fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ReferenceSettings& s) {
     const std::string of = fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), camera, s.width, s.height, r.time, s.samples, s.seed,
-                                       static_cast<int>(s.lighting), SWARD_VERSION);
+                                       static_cast<int>(s.lighting), SWARD_VERSION) + (s.shards > 1 ? " strips" : "");
     return r.folder / ("truth-" + hashHex(hashText(of)) + ".exr");
 }
 
@@ -70,6 +86,19 @@ Result<Traced> kept(const fs::path& file) {
     return t;
 }
 
+// All of the picture, or with shards the strips of it.
+Result<Truth> traceIn(const ReferenceScene& scene, const ViewCamera& view, ReferenceSettings s, JobControl& control) {
+    if (s.shards == 1) return scene.trace(view, s, control);
+    auto whole = scene.trace(view, s, control);
+    for (s.shard = 1; whole && s.shard < kStripRows / kShardRows; ++s.shard) {
+        const auto band = scene.trace(view, s, control);
+        if (!band) return band;
+        for (size_t i = 0; i < band->color.size(); ++i) whole->color[i] += band->color[i], whole->error[i] += band->error[i];
+        for (size_t i = 0; i < band->grass.size(); ++i) whole->grass[i] += band->grass[i];
+    }
+    return whole;
+}
+
 // The job reads what its maker holds, so it is waited for after a cancel too.
 template <class T>
 Result<T> awaited(Job<T>& job, const CostProgress& progress, const std::string& what, double from, double to) {
@@ -92,7 +121,7 @@ Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tabl
     Job<ReferenceScene> scene("scene", 0, [&](JobControl& control) { return ReferenceScene::make(p, tables, r.time, control); });
     auto made = awaited(scene, progress, what, 0, 0.05);
     if (!made) return made.error();
-    Job<Truth> job("truth", 0, [&](JobControl& control) { return made->trace(view, s, control); });
+    Job<Truth> job("truth", 0, [&](JobControl& control) { return traceIn(*made, view, s, control); });
     auto truth = awaited(job, progress, what, 0.05, 1);
     if (!truth) return truth.error();
     if (Status st = keep(file, *truth); !st) return st.error();
@@ -132,12 +161,16 @@ Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const 
     Project other = snapshot(project, tables.components);
     for (const auto& [name, e] : other.entities)
         if (GrassField* f = other.registry.get<GrassField>(e)) f->seed += f->seed < 1000000 ? 1 : -1;
-    auto reseeded = traced(r, other, tables, camera, view, r.truth, progress, camera + ": truth of other blades");
+    const auto [weights, shards] = seedStrips(truth->grass, r.width);
+    ReferenceSettings strips = r.truth;
+    strips.shards = shards;
+    auto reseeded = traced(r, other, tables, camera, view, strips, progress, camera + ": truth of other blades");
     if (!reseeded) return reseeded.error();
-    const std::pair<Appearance*, Picture> floors[] = {
-        {&truth->floors.seed, reseeded->picture}, {&truth->floors.sampling, sparse->picture}, {&truth->floors.flat, flatRows(truth->picture, truth->grass)}};
-    for (const auto& [floor, picture] : floors) {
-        auto pair = pairPictures(picture, truth->picture, truth->grass);
+    const std::tuple<Appearance*, Picture, const std::vector<float>*> floors[] = {{&truth->floors.seed, reseeded->picture, &weights},
+                                                                                  {&truth->floors.sampling, sparse->picture, &truth->grass},
+                                                                                  {&truth->floors.flat, flatRows(truth->picture, truth->grass), &truth->grass}};
+    for (const auto& [floor, picture, by] : floors) {
+        auto pair = pairPictures(picture, truth->picture, *by);
         if (!pair) return pair.error();
         *floor = appearance(*pair);
     }

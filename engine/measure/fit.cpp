@@ -9,7 +9,9 @@
 namespace sward {
 namespace {
 
-constexpr int kFrames = 5;        // of a timing's median, after one that is not counted
+constexpr int kFrames = 5, kLeastFrames = 3;  // of a timing's median, after one that is not counted
+constexpr double kTimedMs = 1500;             // more than the least number only within this time
+constexpr double kHopeless = 1.5;             // times the budget: a candidate slower than that from one camera is not drawn from others
 constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
@@ -50,37 +52,71 @@ struct Search {
 Error stopped() { return {ExitCode::Interrupted, "interrupted; nothing was changed", "", 0, 0, ""}; }
 
 // --- measuring one -----------------------------------------------------------------------------------------------
-Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const ViewCamera& camera, std::vector<double>* ms) {
-    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit), static_cast<double>(s.seen.size()) / std::max(1, s.limit))) return stopped();
-    Project p = snapshot(s.project, s.tables.components);
+struct Drawing {
+    Project project;
+    ViewCamera camera;
     ViewSettings view;
-    view.width = s.request.cost.width, view.height = s.request.cost.height, view.time = s.request.cost.time;
-    if (Status st = applySetting(p, s.tables, {"hybrid", values}, view); !st) return st.error();
-    for (int i = 0; i < 1 + (ms ? kFrames : 0); ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        if (Status st = s.renderer.draw(p, camera, view); !st) return st.error();
-        s.renderer.finish();
-        if (i > 0) ms->push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+};
+Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const ViewCamera& camera) {
+    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit), static_cast<double>(s.seen.size()) / std::max(1, s.limit))) return stopped();
+    Drawing d{snapshot(s.project, s.tables.components), camera, {}};
+    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height, d.view.time = s.request.cost.time;
+    if (Status st = applySetting(d.project, s.tables, {"hybrid", values}, d.view); !st) return st.error();
+    return d;
+}
+Result<double> frameMs(Search& s, Drawing& d) {
+    const auto start = std::chrono::steady_clock::now();
+    if (Status st = s.renderer.draw(d.project, d.camera, d.view); !st) return st.error();
+    s.renderer.finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+// The median of some frames; of one alone, if that took longer than `most`.
+Result<double> medianMs(Search& s, Drawing& d, double most) {
+    if (auto warm = frameMs(s, d); !warm) return warm;
+    std::vector<double> ms;
+    double sum = 0;
+    for (int i = 0; i < kFrames && (i < kLeastFrames || sum < kTimedMs); ++i) {
+        auto took = frameMs(s, d);
+        if (!took) return took;
+        ms.push_back(*took), sum += *took;
+        if (i == 0 && *took > most) break;
     }
-    return pictureOfLinear(view.width, view.height, s.renderer.readLinear());
+    return quantileOf(ms, 0.5);
+}
+Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const ViewCamera& camera) {
+    auto d = drawingOf(s, values, camera);
+    if (!d) return d.error();
+    if (auto ms = frameMs(s, *d); !ms) return ms.error();
+    return pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear());
 }
 Result<double> errorOf(const Picture& picture, const CostTruth& truth) {
     auto pair = pairPictures(picture, truth.picture, truth.grass);
     if (!pair) return pair.error();
     return appearance(*pair).distance;
 }
-// Each candidate once; asked again it is remembered.
-Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values) {
+// Time and error from one camera, added to the candidate's; the error unless it is far too slow.
+Status measureFrom(Search& s, const View& v, FitCandidate& c, double most) {
+    auto d = drawingOf(s, c.values, v.camera);
+    if (!d) return d.error();
+    auto ms = medianMs(s, *d, most);
+    if (!ms) return ms.error();
+    c.ms = std::max(c.ms, *ms);
+    if (*ms > most) return {};
+    auto error = errorOf(pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear()), v.truth);
+    if (!error) return error.error();
+    c.appearance += *error / static_cast<double>(s.views.size());
+    return {};
+}
+// Each candidate once; asked again it is remembered. One that takes far more than the budget from a camera has no error.
+Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values, bool whole = false) {
     if (const auto it = s.seen.find(values); it != s.seen.end()) return it->second;
+    const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
     FitCandidate c{values, 0, 0};
     for (const View& v : s.views) {
-        std::vector<double> ms;
-        auto picture = pictureOf(s, values, v.camera, &ms);
-        if (!picture) return picture.error();
-        auto error = errorOf(*picture, v.truth);
-        if (!error) return error.error();
-        c.ms = std::max(c.ms, quantileOf(ms, 0.5));
-        c.appearance += *error / static_cast<double>(s.views.size());
+        if (Status st = measureFrom(s, v, c, most); !st) return st.error();
+        if (c.ms <= most) continue;
+        c.appearance = std::numeric_limits<double>::infinity();
+        break;
     }
     return s.seen[values] = c;
 }
@@ -156,7 +192,7 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
         const std::pair<double*, const FitCandidate*> all[] = {{&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
         for (const auto& [sum, candidate] : all) {
             if (candidate->values.empty()) continue;
-            auto picture = pictureOf(s, candidate->values, camera, nullptr);
+            auto picture = pictureOf(s, candidate->values, camera);
             if (!picture) return picture.error();
             auto error = errorOf(*picture, *truth);
             if (!error) return error.error();
@@ -183,7 +219,7 @@ void choose(const Search& s, FitResult& r) {
         if (r.best.values.empty() || better(c, r.best, s.request.budgetMs)) r.best = c;
     r.fits = r.best.ms <= s.request.budgetMs;
     for (const auto& [values, c] : s.seen)
-        if (c.ms > s.request.budgetMs && c.appearance < r.best.appearance && (r.given.values.empty() || c.ms < r.given.ms)) r.given = c;
+        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance && (r.given.values.empty() || c.ms < r.given.ms)) r.given = c;
     r.tried = static_cast<int>(s.seen.size());
 }
 
@@ -216,7 +252,7 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     if (!field) return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
-    auto shipped = measured(s, valuesOf(s.own, {}));
+    auto shipped = measured(s, valuesOf(s.own, {}), true);
     if (!shipped) return shipped.error();
     if (Status st = search(s, {}); !st) return st.error();
     auto grid = gridBest(s);

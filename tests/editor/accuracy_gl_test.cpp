@@ -1,5 +1,6 @@
 // The accuracy panel through its real widgets, at a small size.
 #include <epoxy/gl.h>
+#include <signal.h>
 
 #include "core/file.h"
 #include "editor_fixture.h"
@@ -16,7 +17,7 @@ class EditorAccuracy : public test::EditorFixture {
         ASSERT_NE(gpu, nullptr);
         ASSERT_TRUE(doc.create(dir / "meadow"));
         app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(760, 420), false);
-        app->layout.right = 330, app->layout.bottom = 190;
+        app->layout.right = 330, app->layout.bottom = app->layout.accuracy = 190;
         ui = makeUiDriver(*app);
         ok(ui->wait(3));
     }
@@ -148,6 +149,55 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     EXPECT_NE(app->accuracy.sweep.error.find("exit code 1"), std::string::npos) << app->accuracy.sweep.error;
     EXPECT_FALSE(app->accuracy.sweep.run);
     EXPECT_TRUE(app->accuracy.sweep.copy.empty());
+    unsetenv("XDG_STATE_HOME");
+}
+
+TEST_F(EditorAccuracy, AFitIsPreviewedRightOfTheLineAndChangesNothingUntilItIsAdopted) {
+    const Image plain = shot();
+    FitShown fitted;
+    fitted.fits = true, fitted.ms = 5, fitted.appearance = 0.02;
+    fitted.settings = "minGeom=0 maxGeom=0.1 minBTF=0.1 maxBTF=0.1 sharpness=0";
+    app->accuracy.fit.result = fitted;
+    ok(ui->click("Accuracy/Preview"));
+    const Image split = shot();
+    EXPECT_EQ(comparison().against, Against::Settings);
+    EXPECT_EQ(apart(plain, split, 0, 0.45), 0);
+    EXPECT_GT(apart(plain, split, 0.55, 1), 0.005);
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_EQ(field("lawn.GrassField.maxGeom"), "12");
+    ok(ui->click("Accuracy/Adopt"));
+    ok(ui->wait(2));
+    EXPECT_EQ(field("lawn.GrassField.maxGeom"), "0.1");
+    const Image adopted = shot();
+    EXPECT_LT(apart(adopted, split, 0.55, 1), 0.002) << "what was previewed is what is drawn";
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(doc.canUndo());
+    ok(ui->set("Accuracy/Against", "off"));
+    EXPECT_EQ(apart(plain, shot(), 0, 1), 0);
+}
+
+TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
+    setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+    const std::filesystem::path program = dir / "measures";
+    test::writeText(program, "#!/bin/sh\necho $$ > \"$0.part\" && mv \"$0.part\" \"$0.pid\"\nexec sleep 600\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    app->accuracy.program = program.string();
+    for (const auto& [start, stop] : {std::pair{"Accuracy/Measure", "Accuracy/Stop"}, {"Accuracy/Fit to budget", "Accuracy/Stop fit"}}) {
+        std::filesystem::remove(dir / "measures.pid");
+        ok(ui->click(start));
+        ASSERT_TRUE(measuring(*app)) << start;
+        for (int i = 0; i < 2000 && !std::filesystem::exists(dir / "measures.pid"); ++i) ok(ui->wait(1));
+        const std::filesystem::path copy = app->accuracy.sweep.copy.empty() ? app->accuracy.fit.copy : app->accuracy.sweep.copy;
+        EXPECT_TRUE(std::filesystem::exists(copy / "project.json")) << "it measures a copy";
+        const std::string pid = *readFile(dir / "measures.pid", 64);
+        EXPECT_EQ(kill(std::stoi(pid), 0), 0);
+        ok(ui->click(stop));
+        EXPECT_FALSE(measuring(*app));
+        EXPECT_FALSE(std::filesystem::exists(copy));
+        EXPECT_NE(kill(std::stoi(pid), 0), 0) << "the program still runs";
+        EXPECT_TRUE(ui->exists(start));
+    }
+    EXPECT_TRUE(app->accuracy.sweep.error.empty() && app->accuracy.fit.error.empty()) << "who stops it needs no message";
     unsetenv("XDG_STATE_HOME");
 }
 

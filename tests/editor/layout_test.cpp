@@ -40,6 +40,17 @@ TEST(Layout, TheTabInSightIsTheChosenOneOrTheFirstThatIsNotHidden) {
     EXPECT_EQ(openTab(l), "");
 }
 
+TEST(Layout, ThePlotOfAccuracyHasAHeightOfItsOwn) {
+    Layout l;
+    const float usual = at(l).bottom.h;
+    l.tab = "Accuracy";
+    EXPECT_GT(at(l).bottom.h, usual);
+    bottomHeight(l) = 333;
+    EXPECT_FLOAT_EQ(at(l).bottom.h, 333);
+    l.tab = "Console";
+    EXPECT_FLOAT_EQ(at(l).bottom.h, usual);
+}
+
 TEST(Layout, ATinyWindowHasNoNegativeSizes) {
     for (const float size : {1.f, 50.f, 200.f}) {
         const Areas a = at({}, size, size);
@@ -53,11 +64,12 @@ TEST(Layout, ATinyWindowHasNoNegativeSizes) {
 TEST(Layout, WhatWasSavedIsLoaded) {
     const test::TempDir dir;
     Layout l;
-    l.right = 401, l.bottom = 99, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"}, l.shiftErases = true;
+    l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"}, l.shiftErases = true;
     ASSERT_TRUE(saveLayout(dir / "a/b/layout.txt", l));
     const Layout back = loadLayout(dir / "a/b/layout.txt");
     EXPECT_EQ(back.right, 401);
     EXPECT_EQ(back.bottom, 99);
+    EXPECT_EQ(back.accuracy, 222);
     EXPECT_EQ(back.outliner, 0.5f);
     EXPECT_EQ(back.tab, "Profiler");
     EXPECT_EQ(back.hidden, l.hidden);

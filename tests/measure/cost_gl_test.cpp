@@ -30,7 +30,7 @@ bool go(const std::string&, double) { return true; }
 
 // All but what a clock says.
 std::string withoutTimes(CostRun run) {
-    for (CostRow& r : run.rows) r.msMedian = r.msP95 = 0, r.onFrontier = false, r.machine = 0;
+    for (CostRow& r : run.rows) r.msMedian = r.msP95 = r.msSigma = 0, r.ms.clear(), r.onFrontier = false, r.machine = 0;
     run.machines.clear();
     return writeJson(costJson(run));
 }

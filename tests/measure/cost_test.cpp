@@ -7,6 +7,7 @@
 #include "measure/cost_files.h"
 #include "measure/cost_plot.h"
 #include "measure/cost_report.h"
+#include "measure/cost_times.h"
 #include "measure/fit.h"
 #include "support.h"
 #include "techniques.h"
@@ -71,6 +72,41 @@ TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
     EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"felt=1"}}, view).error().code, ExitCode::Usage);
 }
 
+TEST(CostSettings, WhatDrawsNoLessThanASlowOneIsTakenForSlow) {
+    const CostSetting slow{"hybrid", {"maxGeom=5", "maxBTF=9", "msaa=1"}};
+    EXPECT_TRUE(drawsNoLess(slow, slow));
+    EXPECT_TRUE(drawsNoLess({"hybrid", {"maxGeom=5", "maxBTF=20", "msaa=4"}}, slow));
+    EXPECT_TRUE(drawsNoLess({"hybrid", {"maxGeom=inf", "maxBTF=9", "msaa=1"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=4.9", "maxBTF=20", "msaa=4"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=9", "maxBTF=9"}}, slow)) << "says nothing of samples";
+    EXPECT_FALSE(drawsNoLess({"geometry", {"maxGeom=5", "maxBTF=9", "msaa=1"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"sharpness=2", "msaa=4"}}, {"hybrid", {"sharpness=1", "msaa=4"}})) << "what sharpness costs is not known";
+}
+
+TEST(CostTimes, SlowRowsAreTimedInFewerRoundsAndTheirMedianIsWorthLess) {
+    EXPECT_EQ(roundsFor(1, 5), 5);
+    EXPECT_EQ(roundsFor(1e6, 5), kLeastRounds);
+    EXPECT_EQ(roundsFor(1e6, 1), 1);
+    for (double ms = 1; ms < 1e4; ms *= 1.5) EXPECT_LE(roundsFor(1.5 * ms, 50), roundsFor(ms, 50));
+    CostRow few, many;
+    takeTimes(few, {10, 12, 11});
+    takeTimes(many, {10, 12, 11, 10, 12, 11, 10, 12, 11, 10, 12, 11});
+    EXPECT_EQ(few.msMedian, 11);
+    EXPECT_EQ(few.msP95, 12);
+    EXPECT_NEAR(few.msSigma, std::sqrt(std::acos(-1.0) / 2 / 3), 1e-12);  // their deviation is 1
+    EXPECT_LT(many.msSigma, few.msSigma / 1.9);
+    takeTimes(few, {10});
+    EXPECT_TRUE(std::isnan(few.msSigma));
+}
+TEST(CostTimes, KeptOnesComeBackAndOfOtherRowsAreNone) {
+    const TempDir dir;
+    ASSERT_TRUE(keepTimes({dir / "times.json", {{1.5, 2.25}, {}}}));
+    EXPECT_EQ(keptTimes(dir / "times.json", 2).ms, (std::vector<std::vector<double>>{{1.5, 2.25}, {}}));
+    EXPECT_EQ(keptTimes(dir / "times.json", 3).ms, std::vector<std::vector<double>>(3));
+    writeText(dir / "times.json", "[[1, \"x\"], ");
+    EXPECT_EQ(keptTimes(dir / "times.json", 2).ms, std::vector<std::vector<double>>(2));
+}
+
 TEST(CostFrontier, HoldsWhatNoneBeatsInBoth) {
     std::vector<CostRow> rows = {row(0, 10, 0.1), row(1, 20, 0.05), row(2, 25, 0.06), row(3, 40, 0.01), row(4, 9, 0.3), row(5, 10, 0.1), row(6, 1, 0.001, "other"), row(7, 1, 0.0001)};
     rows[7].skipped = "too slow";
@@ -99,6 +135,7 @@ TEST(CostFiles, CsvHasTheColumnsPromised) {
 }
 TEST(CostFiles, JsonComesBackBitForBit) {
     CostRun before = run({row(0, 10.0 / 3, 0.1 / 3), row(1, std::numeric_limits<double>::quiet_NaN(), 0.05)}, 2);
+    before.rows[0].ms = {3, 10.0 / 3}, before.rows[0].msSigma = 0.1;
     before.rows[0].metrics.appearance.sigma = std::numeric_limits<double>::quiet_NaN();
     const std::string text = writeJson(costJson(before));
     auto json = parseJson(text, "cost.json");
