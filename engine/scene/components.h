@@ -83,7 +83,7 @@ struct GrassField {
     int weightsAt = 0;                    // index into kWeightsAt
     int transparency = 0;                 // index into kTransparencies
     int filtering = 0;                    // index into kFilterings
-    float sharpness = 3;               // levels of detail by which slices are sampled finer than a pixel
+    float sharpness = 2;               // levels of detail by which slices are sampled finer than a pixel
     int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
     bool groundShadows = true;            // blades shade the ground
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
