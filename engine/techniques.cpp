@@ -3,6 +3,7 @@
 #include "grass/field.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
+#include "grass/tessellated.h"
 #include "post/map_overlay.h"
 #include "objects/mesh.h"
 #include "objects/shadow.h"
@@ -22,7 +23,7 @@ const Tables& tables() {
         sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass
+        maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(),  // grass
         tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

@@ -123,7 +123,7 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
 
 bool DrawContext::use(size_t index, const std::string& constants) {
     const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, plan.features) + constants);
+    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation}, featureConstants(p.features, plan.features) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;
