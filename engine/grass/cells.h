@@ -48,10 +48,10 @@ float bladeReach(const Species& species, const Patch& patch);
 struct BladeLevels {
     int smoothness = 0;      // the greatest level; 0: blades are not tessellated
     float maxDistance = 0;   // m
-    float quadsAtOneMetre = 0;  // quads of a blade at a distance of 1 m, at most; 0: the distance decides
+    float quadsAtOneMetre = 0;  // quads of the tallest blade in the middle of the picture at 1 m; 0: the distance decides
     float reach = 0;         // of a blade from its root, m
 };
-// The level that no blade whose root is at least so far away exceeds.
+// The level that no blade whose root is at least so far away needs more than.
 int mostLevel(const BladeLevels& l, float distance);
 
 struct CellQuery {

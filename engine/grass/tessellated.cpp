@@ -12,17 +12,18 @@ constexpr const char* kOwner = "grass/tessellated";
 constexpr float kNear = 0.05f;          // metres: the near plane
 constexpr float kMostWidening = 6;      // of blades, where others are left out
 constexpr float kPlainPixels = 1.5f;    // blades of one quad that are thinner are plain triangles
-constexpr uint32_t kPieceBlades = 256;  // blades that share a draw
-constexpr uint32_t kGroup = 64;         // as in the compute shader
-constexpr uint32_t kMostGroups = 32768; // along x
+constexpr uint32_t kPieceBlades = 256;  // of a cell that one group writes and one command draws: kGroup of tessellated.comp.glsl
+constexpr uint32_t kFarSlots = 1024;    // plain triangles that one group writes and one command draws, as there
+constexpr uint32_t kCommandBytes = 20;
+constexpr uint32_t kMostGroups = 65535; // of a dispatch
 constexpr size_t kBatchBytes = 64u << 20;  // of vertices that are there at once
 
-// Cells [firstCell, lastCell) with slots [firstSlot, lastSlot), and their draws.
+// Cells [firstCell, lastCell) with slots [firstSlot, lastSlot) of which all vertices fit.
 struct Batch {
     uint32_t firstCell, lastCell, firstSlot, lastSlot;
-    uint32_t firstCommand, commands;
     size_t bytes;
     bool far;  // plain triangles alone
+    uint32_t groups() const { return far ? (lastSlot - firstSlot + kFarSlots - 1) / kFarSlots : lastCell - firstCell; }
 };
 struct SpeciesState {
     uint64_t key = 0, imageHash = 0;
@@ -83,31 +84,25 @@ struct PieceWriter {
     size_t vertexSize;
     std::vector<TessCell>& cells;
     std::vector<Batch>& batches;
-    std::vector<DrawCommand>& commands;
     uint32_t& slots;
 
     uint32_t vertices() const { return static_cast<uint32_t>(batches.back().bytes / vertexSize); }
     void beginBatch() {
         const auto cell = static_cast<uint32_t>(cells.size());
-        batches.push_back({cell, cell, slots, slots, static_cast<uint32_t>(commands.size()), 0, 0, far});
+        batches.push_back({cell, cell, slots, slots, 0, far});
     }
     void add(const CellDraw& c, uint32_t first, uint32_t count) {
         const uint32_t each = verticesOf(far, c.segments);
-        if (batches.empty() || batches.back().far != far || batches.back().bytes + count * each * vertexSize > kBatchBytes) beginBatch();
+        if (batches.empty() || batches.back().far != far || cells.size() - batches.back().firstCell == kMostGroups || batches.back().bytes + count * each * vertexSize > kBatchBytes) beginBatch();
         Batch& b = batches.back();
         cells.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift, first, slots, static_cast<uint32_t>(c.segments), vertices()});
-        if (!far) {
-            const auto quads = static_cast<uint32_t>(c.segments);
-            commands.push_back({count * quads * 6, 1, stripStart(c.segments), static_cast<int32_t>(vertices()), 0});
-            ++b.commands;
-        }
         slots += count;
         ++b.lastCell;
         b.lastSlot = slots;
         b.bytes += count * each * vertexSize;
     }
     void cell(const CellDraw& c, uint32_t blades) {
-        const uint32_t piece = far ? 16 * kPieceBlades : kPieceBlades;
+        const uint32_t piece = far ? 64 * kPieceBlades : kPieceBlades;
         for (uint32_t done = 0; done < blades; done += piece) add(c, c.first + done, std::min(piece, blades - done));
     }
 };
@@ -117,26 +112,18 @@ bool isFar(const CellDraw& c, float widest, float pixels) { return c.segments ==
 
 void listCells(DrawContext& ctx, SpeciesState& s, std::span<const CellDraw> selected, float widest) {
     std::vector<TessCell> cells;
-    std::vector<DrawCommand> commands;
     s.batches.clear();
     s.slots = 0;
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const bool far : {false, true}) {
-        PieceWriter writer{far, vertexBytes(ctx.plan.features), cells, s.batches, commands, s.slots};
+        PieceWriter writer{far, vertexBytes(ctx.plan.features), cells, s.batches, s.slots};
         for (const CellDraw& c : selected)
             if (isFar(c, widest, pixels) == far) writer.cell(c, bladesDrawn(c, ctx.settings.detail));
     }
     s.cellCount = static_cast<uint32_t>(cells.size());
     writeBuffer(ctx.gpu, s.cells, kOwner, cells.size() * sizeof(TessCell), cells.data());
-    writeBuffer(ctx.gpu, s.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     ctx.stats.cells += selected.size();
     ctx.stats.bladesGeometry += s.slots;
-}
-
-// How far from the middle a level picture's corner is, as the square of the tangent: things there are so much longer on screen.
-float cornerStretch(const DrawContext& ctx) {
-    const float t = std::tan(glm::radians(ctx.camera.fovDeg) / 2), aspect = static_cast<float>(ctx.settings.width) / static_cast<float>(ctx.settings.height);
-    return 1 + t * t * (1 + aspect * aspect);
 }
 
 CellQuery queryOf(DrawContext& ctx, const GrassField& f, const Species& species, const Patch& patch) {
@@ -145,7 +132,7 @@ CellQuery queryOf(DrawContext& ctx, const GrassField& f, const Species& species,
     q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
-    if (f.levelBy == static_cast<int>(LevelBy::Pixels)) q.levels.quadsAtOneMetre = q.reach * pixels * cornerStretch(ctx) / f.pixelsPerQuad;
+    if (f.levelBy == static_cast<int>(LevelBy::Pixels)) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
     return q;
 }
 
@@ -159,7 +146,8 @@ void select(DrawContext& ctx) {
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateSpecies(ctx, *state.species[i], *field.species[i], f, f.species[i]);
-        const std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, f.species[i], field.species[i]->patch));
+        std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, f.species[i], field.species[i]->patch));
+        std::stable_sort(selected.begin(), selected.end(), [](const CellDraw& a, const CellDraw& b) { return a.nearest < b.nearest; });  // what is behind is then not shaded
         listCells(ctx, *state.species[i], selected, 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -214,7 +202,7 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         GLenum type;
         GLuint offset;
     };
-    static constexpr Attribute kAttributes[] = {{4, GL_FLOAT, 0}, {4, GL_HALF_FLOAT, 16}, {4, GL_UNSIGNED_BYTE, 24}, {1, GL_UNSIGNED_INT, 28}, {4, GL_HALF_FLOAT, 32}, {2, GL_HALF_FLOAT, 40}};
+    static constexpr Attribute kAttributes[] = {{4, GL_FLOAT, 0}, {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28}, {4, GL_HALF_FLOAT, 32}, {2, GL_HALF_FLOAT, 40}};
     glVertexArrayVertexBuffer(mesh, 0, vertices, 0, static_cast<GLsizei>(stride));
     for (GLuint i = 0; i < std::size(kAttributes); ++i) {
         const Attribute& a = kAttributes[i];
@@ -225,14 +213,15 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         glEnableVertexArrayAttrib(mesh, i);
         glVertexArrayAttribBinding(mesh, i, 0);
         if (a.type == GL_UNSIGNED_INT) glVertexArrayAttribIFormat(mesh, i, a.size, a.type, a.offset);
-        else glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type == GL_UNSIGNED_BYTE, a.offset);
+        else glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type == GL_UNSIGNED_SHORT, a.offset);
     }
 }
 
 void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
-    size_t most = 0;
-    for (const Batch& b : s.batches) most = std::max(most, b.bytes);
+    size_t most = 0, groups = 0;
+    for (const Batch& b : s.batches) most = std::max(most, b.bytes), groups = std::max<size_t>(groups, b.groups());
     writeBuffer(ctx.gpu, s.vertices, kOwner, most, nullptr);
+    writeBuffer(ctx.gpu, s.commands, kOwner, groups * kCommandBytes, nullptr);
     if (s.indicesTo != smoothness) {
         const auto indices = stripIndices(smoothness);
         s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
@@ -246,25 +235,23 @@ void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
 bool writeStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const std::string& constants) {
     if (!ctx.use(kWriter, constants + fmt::format("const bool FAR = {};\n", b.far))) return false;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_VERTICES, s.vertices.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
     glUniform4ui(0, b.firstCell, b.lastCell, b.firstSlot, b.lastSlot);
-    const uint32_t groups = (b.lastSlot - b.firstSlot + kGroup - 1) / kGroup, rows = (groups + kMostGroups - 1) / kMostGroups;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // of the batch before
-    glDispatchCompute((groups + rows - 1) / rows, rows, 1);
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+    glDispatchCompute(b.groups(), 1, 1);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     return true;
 }
 
 void drawStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const std::string& constants) {
     if (!ctx.use(kStrips, constants)) return;
     glBindVertexArray(s.strips.id());
-    if (b.far) {
-        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * (b.lastSlot - b.firstSlot)));
-    } else {
-        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(b.firstCommand * sizeof(DrawCommand)), static_cast<GLsizei>(b.commands), 0);
-    }
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+    const auto commands = static_cast<GLsizei>(b.groups());
+    if (b.far) glMultiDrawArraysIndirect(GL_TRIANGLES, nullptr, commands, kCommandBytes);
+    else glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
     ctx.pass->draws += 1;
-    ctx.pass->instances += b.far ? 1 : b.commands;
+    ctx.pass->instances += static_cast<uint64_t>(commands);
 }
 
 void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const std::string& constants) {

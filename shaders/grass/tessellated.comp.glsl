@@ -1,12 +1,17 @@
 // Blades as vertices of strips, ready to be drawn: one invocation a blade poses it, chooses its level, and writes and lights its rows.
 // A cell's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip. Plain triangles, in
 // cells that have none but those (FAR), are three vertices. Light is taken in the middle of a row, for both its ends.
+// Blades that cover no sample are not lit, and lie behind the eye. Each group of invocations also writes the command that draws its blades.
 #include "lib/tess.glsl"
 #include "lib/tess_cells.glsl"
-layout(local_size_x = 64) in;
+const uint kGroup = 256u, kFarSlots = 1024u;  // as in grass/tessellated.cpp
+const float kSnap = 1.0 / 64.0;               // pixels by which a rasteriser may move a vertex
+layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
+layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // five words each
 
-// Words of a vertex: clip position (4); light, as halves (2); across, along, opacity (1); grain (1); where blades shade blades,
+// Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance turns
+// on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade blades,
 // what the sun adds, as halves (2), and where in the mask (1).
 const uint kWords = BLADE_SHADOWS && CASTING_LIGHTS ? 11u : 8u;
 
@@ -17,70 +22,111 @@ void place(uint vertex, vec4 at) {
     words[w + 2u] = floatBitsToUint(at.z);
     words[w + 3u] = floatBitsToUint(at.w);
 }
-void look(uint vertex, BladeLight l, vec4 strip, uint grain) {
+// fromRoot: of the vertex itself; only its place in the shadow mask is its own, the rest of the light the row's.
+void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     uint w = vertex * kWords + 4u;
     vec4 lit = min(l.lit, vec4(kBrightest)), sunned = min(l.sunned, vec4(kBrightest));
     words[w] = packHalf2x16(lit.xy);
     words[w + 1u] = packHalf2x16(lit.zw);
-    words[w + 2u] = packUnorm4x8(strip);
-    words[w + 3u] = grain;
+    words[w + 2u] = packUnorm2x16(strip.yz);
+    words[w + 3u] = t.grain | (strip.x > 0.5 ? 1u << 31 : 0u) | (t.plain ? 1u << 30 : 0u);
     if (kWords == 8u) return;
     words[w + 4u] = packHalf2x16(sunned.xy);
     words[w + 5u] = packHalf2x16(sunned.zw);
-    words[w + 6u] = packHalf2x16(l.maskAt);
+    words[w + 6u] = packHalf2x16(maskOf(t, fromRoot));
+}
+
+// Whether any sample of the picture may lie within the blade: its box on screen, widened by half its width, holds a row and a column
+// of samples. Rows and columns are where samples of each pixel are by convention; other numbers of them have none to count on.
+bool covers(TessBlade t) {
+    vec4 root = frame.viewProj * vec4(t.root, 1.0), tip = frame.viewProj * vec4(t.root + t.pose.tip, 1.0);
+    vec4 control = t.plain ? root : frame.viewProj * vec4(t.root + t.pose.control, 1.0);
+    float nearest = min(min(root.w, tip.w), control.w);
+    if (!(nearest > tess.level.z)) return true;
+    vec2 a = root.xy / root.w, b = tip.xy / tip.w, c = control.xy / control.w;
+    float margin = 0.5 * t.width * tess.level.w / nearest + kSnap;
+    vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.viewport.xy - margin, high = (max(max(a, b), c) * 0.5 + 0.5) * frame.viewport.xy + margin;
+    if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.viewport.xy))) return false;
+    float n = frame.mode.z;
+    bool regular = n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0;
+    return !regular || all(greaterThanEqual(floor(high * n - 0.5), ceil(low * n - 0.5)));
 }
 
 const vec4 kDropped = vec4(0.0, 0.0, 2.0, 1.0);  // behind the near plane
+void drop(uint vertex, uint count) {
+    for (uint i = 0u; i < count; ++i) place(vertex + i, kDropped);
+}
 
+// middle: relative to the root.
 BladeLight rowLight(TessBlade t, float v, out vec3 middle) {
     BladeFrame f = bladeFrameFacing(t.pose.control, t.pose.tip, t.pose.facing, v);
     vec3 shown;
-    middle = t.root + f.position;
-    return lightPoint(t, f.position, f.normal, v, shown);
+    middle = f.position;
+    return lightPoint(t, middle, f.normal, v, shown);
+}
+void writeVertex(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
+    place(vertex, frame.viewProj * vec4(t.root + fromRoot, 1.0));
+    look(vertex, t, l, fromRoot, strip);
 }
 
 // Three vertices: both ends of the root, and the tip.
 void writeTriangle(TessBlade t, uint vertex) {
-    if (t.level == 0) {
-        for (uint i = 0u; i < 3u; ++i) place(vertex + i, kDropped);
-        return;
-    }
     vec3 middle, end = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width);
     BladeLight root = rowLight(t, 0.0, middle);
-    for (uint i = 0u; i < 2u; ++i) {
-        place(vertex + i, frame.viewProj * vec4(i == 0u ? middle - end : middle + end, 1.0));
-        look(vertex + i, root, vec4(0.0, 0.0, t.opacity, 1.0), t.grain);
-    }
+    writeVertex(vertex, t, root, -end, vec3(0.0, 0.0, t.opacity));
+    writeVertex(vertex + 1u, t, root, end, vec3(0.0, 0.0, t.opacity));
     BladeLight tip = rowLight(t, 1.0, middle);
-    place(vertex + 2u, frame.viewProj * vec4(middle, 1.0));
-    look(vertex + 2u, tip, vec4(0.0, 1.0, t.opacity, 1.0), t.grain);
+    writeVertex(vertex + 2u, t, tip, middle, vec3(0.0, 1.0, t.opacity));
 }
 
 void writeStrip(TessBlade t, uint vertex, int rows) {
     vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width);
     for (int row = 0; row <= rows; ++row) {
         uint at = vertex + 2u * uint(row);
-        if (t.level == 0) {
-            place(at, kDropped);
-            place(at + 1u, kDropped);
-            continue;
-        }
         float v = float(min(row, t.level)) / float(t.level);
         vec3 middle, end = t.plain ? side * (1.0 - v) : side;
         BladeLight l = rowLight(t, v, middle);
-        for (uint i = 0u; i < 2u; ++i) {
-            place(at + i, frame.viewProj * vec4(i == 0u ? middle - end : middle + end, 1.0));
-            look(at + i, l, vec4(float(i), v, t.opacity, t.plain ? 1.0 : 0.0), t.grain);
-        }
+        writeVertex(at, t, l, middle - end, vec3(0.0, v, t.opacity));
+        writeVertex(at + 1u, t, l, middle + end, vec3(1.0, v, t.opacity));
     }
 }
 
-void main() {
-    uint slot = work.z + gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * gl_WorkGroupSize.x) + gl_GlobalInvocationID.x;
-    if (slot >= work.w) return;
-    TessCell c = cells[cellOf(slot)];
-    uint own = slot - c.slot;
+// A group writes the triangles of kFarSlots slots, whichever cells they are of.
+void farGroup() {
+    uint first = work.z + gl_WorkGroupID.x * kFarSlots, start = 3u * (first - work.z), end = min(first + kFarSlots, work.w);
+    for (uint slot = first + gl_LocalInvocationIndex; slot < end; slot += kGroup) {
+        TessCell c = cells[cellOf(slot)];
+        TessBlade t = tessBlade(c, c.first + slot - c.slot);
+        uint vertex = 3u * (slot - work.z);
+        if (t.level > 0 && covers(t)) writeTriangle(t, vertex);
+        else drop(vertex, 3u);
+    }
+    if (gl_LocalInvocationIndex > 0u) return;
+    commands[5u * gl_WorkGroupID.x] = 3u * (end - first);
+    commands[5u * gl_WorkGroupID.x + 1u] = 1u;
+    commands[5u * gl_WorkGroupID.x + 2u] = start;
+    commands[5u * gl_WorkGroupID.x + 3u] = 0u;
+}
+
+// A group writes the strips of one piece of a cell.
+void nearGroup() {
+    uint number = work.x + gl_WorkGroupID.x, own = gl_LocalInvocationIndex;
+    TessCell c = cells[number];
+    uint count = (number + 1u < work.y ? cells[number + 1u].slot : work.w) - c.slot, each = 2u * (c.level + 1u);
+    if (own == 0u) {
+        commands[5u * gl_WorkGroupID.x] = 6u * c.level * count;
+        commands[5u * gl_WorkGroupID.x + 1u] = 1u;
+        commands[5u * gl_WorkGroupID.x + 2u] = 3u * c.level * (c.level - 1u) * kGroup;
+        commands[5u * gl_WorkGroupID.x + 3u] = c.vertex;
+        commands[5u * gl_WorkGroupID.x + 4u] = 0u;
+    }
+    if (own >= count) return;
     TessBlade t = tessBlade(c, c.first + own);
-    if (FAR) writeTriangle(t, c.vertex + 3u * own);
-    else writeStrip(t, c.vertex + 2u * (c.level + 1u) * own, int(c.level));
+    if (t.level > 0 && covers(t)) writeStrip(t, c.vertex + each * own, int(c.level));
+    else drop(c.vertex + each * own, each);
+}
+
+void main() {
+    if (FAR) farGroup();
+    else nearGroup();
 }

@@ -32,11 +32,12 @@ TessBlade patchBlade() {
 void main() {
     TessBlade t = patchBlade();
     float u = gl_TessCoord.x, v = gl_TessCoord.y;
-    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), half_ = side * (0.5 * t.width);
-    SplineFrame f = splineFrame(-half_, t.pose.control - half_, t.pose.tip - half_, half_, t.pose.control + half_, t.pose.tip + half_, side, t.plain ? mix(u, 0.5, v) : u, v);
-    vec3 shown;
-    BladeLight light = lightPoint(t, f.position, f.normal, v, shown);
-    lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
+    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width);
+    SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end, t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
+    vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
+    BladeLight light = lightPoint(t, middle, f.normal, v, shown);
+    lit = light.lit, sunned = light.sunned;
+    maskAt = mix(maskOf(t, middle - across), maskOf(t, middle + across), u);  // stages put a vertex between the two of a row
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;
     gl_Position = frame.viewProj * vec4(t.root + f.position, 1.0);

@@ -79,7 +79,13 @@ TessBlade tessBlade(TessCell c, uint index) {
     return t;
 }
 
-// Light on a point of it; normal: either of the two. shown: the normal that is seen.
+// Where in the shadow mask a vertex of it is.
+vec2 maskOf(TessBlade t, vec3 fromRoot) {
+    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0)) return vec2(0.0);
+    return maskPoint(fromRoot, t.pose.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+}
+
+// Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.
 BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
     vec3 position = t.root + fromRoot;
     shown = dot(normal, position) > 0.0 ? -normal : normal;

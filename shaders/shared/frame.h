@@ -144,6 +144,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
 #define SSBO_VERTICES 2
+#define SSBO_COMMANDS 3
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1
