@@ -12,8 +12,8 @@ constexpr const char* kOwner = "grass/tessellated";
 constexpr float kNear = 0.05f;          // metres: the near plane
 constexpr float kMostWidening = 6;      // of blades, where others are left out
 constexpr float kPlainPixels = 1.5f;    // blades of one quad that are thinner are plain triangles
-constexpr uint32_t kPieceBlades = 256;  // of a cell that one group writes and one command draws: kGroup of tessellated.comp.glsl
-constexpr uint32_t kFarSlots = 1024;    // plain triangles that one group writes and one command draws, as there
+constexpr uint32_t kPieceBlades = 256;  // of a cell that one group writes: kGroup of tessellated.comp.glsl
+constexpr uint32_t kBatchAlign = 16;    // cells: batches begin at multiples of 768 bytes, where buffers may be bound
 constexpr uint32_t kCommandBytes = 20;
 constexpr uint32_t kMostGroups = 65535; // of a dispatch
 constexpr size_t kBatchBytes = 64u << 20;  // of vertices that are there at once
@@ -23,7 +23,7 @@ struct Batch {
     uint32_t firstCell, lastCell, firstSlot, lastSlot;
     size_t bytes;
     bool far;  // plain triangles alone
-    uint32_t groups() const { return far ? (lastSlot - firstSlot + kFarSlots - 1) / kFarSlots : lastCell - firstCell; }
+    uint32_t groups() const { return lastCell - firstCell; }
 };
 struct SpeciesState {
     uint64_t key = 0, imageHash = 0;
@@ -87,7 +87,13 @@ struct PieceWriter {
     uint32_t& slots;
 
     uint32_t vertices() const { return static_cast<uint32_t>(batches.back().bytes / vertexSize); }
+    // Each batch is followed by a cell of no blades, which ends its last one.
+    void endBatch() {
+        do cells.push_back({{}, {}, {}, {}, 0, slots, 1, 0});
+        while (cells.size() % kBatchAlign != 0);
+    }
     void beginBatch() {
+        if (!batches.empty()) endBatch();
         const auto cell = static_cast<uint32_t>(cells.size());
         batches.push_back({cell, cell, slots, slots, 0, far});
     }
@@ -102,8 +108,7 @@ struct PieceWriter {
         b.bytes += count * each * vertexSize;
     }
     void cell(const CellDraw& c, uint32_t blades) {
-        const uint32_t piece = far ? 64 * kPieceBlades : kPieceBlades;
-        for (uint32_t done = 0; done < blades; done += piece) add(c, c.first + done, std::min(piece, blades - done));
+        for (uint32_t done = 0; done < blades; done += kPieceBlades) add(c, c.first + done, std::min(kPieceBlades, blades - done));
     }
 };
 
@@ -120,6 +125,7 @@ void listCells(DrawContext& ctx, SpeciesState& s, std::span<const CellDraw> sele
         for (const CellDraw& c : selected)
             if (isFar(c, widest, pixels) == far) writer.cell(c, bladesDrawn(c, ctx.settings.detail));
     }
+    cells.push_back({{}, {}, {}, {}, 0, s.slots, 1, 0});
     s.cellCount = static_cast<uint32_t>(cells.size());
     writeBuffer(ctx.gpu, s.cells, kOwner, cells.size() * sizeof(TessCell), cells.data());
     ctx.stats.cells += selected.size();
@@ -177,7 +183,7 @@ void drawPatches(DrawContext& ctx, TessState& state, const std::string& constant
         const SpeciesState& s = *state.species[i];
         if (s.slots == 0) continue;
         bindSpecies(ctx, i, s);
-        glUniform4ui(0, 0, s.cellCount, 0, s.slots);
+        glUniform1ui(0, s.cellCount);
         glDrawArrays(GL_PATCHES, 0, static_cast<GLsizei>(s.slots));
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
@@ -236,7 +242,7 @@ bool writeStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const 
     if (!ctx.use(kWriter, constants + fmt::format("const bool FAR = {};\n", b.far))) return false;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_VERTICES, s.vertices.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
-    glUniform4ui(0, b.firstCell, b.lastCell, b.firstSlot, b.lastSlot);
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id(), static_cast<GLintptr>(b.firstCell * sizeof(TessCell)), static_cast<GLsizeiptr>((b.groups() + 1) * sizeof(TessCell)));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // of the batch before
     glDispatchCompute(b.groups(), 1, 1);
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
@@ -248,10 +254,10 @@ void drawStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const s
     glBindVertexArray(s.strips.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
     const auto commands = static_cast<GLsizei>(b.groups());
-    if (b.far) glMultiDrawArraysIndirect(GL_TRIANGLES, nullptr, commands, kCommandBytes);
+    if (b.far) glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * (b.lastSlot - b.firstSlot)));
     else glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
     ctx.pass->draws += 1;
-    ctx.pass->instances += static_cast<uint64_t>(commands);
+    ctx.pass->instances += b.far ? 1 : static_cast<uint64_t>(commands);
 }
 
 void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const std::string& constants) {

@@ -1,11 +1,11 @@
 // Blades as vertices of strips, ready to be drawn: one invocation a blade poses it, chooses its level, and writes and lights its rows.
 // A cell's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip. Plain triangles, in
 // cells that have none but those (FAR), are three vertices. Light is taken in the middle of a row, for both its ends.
-// Blades that cover no sample are not lit, and lie behind the eye. Each group of invocations also writes the command that draws its blades.
+// Blades that cover no sample are not lit, and lie in a point. Strips are drawn by commands that their groups write.
 #include "lib/tess.glsl"
-#include "lib/tess_cells.glsl"
-const uint kGroup = 256u, kFarSlots = 1024u;  // as in grass/tessellated.cpp
-const float kSnap = 1.0 / 64.0;               // pixels by which a rasteriser may move a vertex
+layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };  // of this batch, and one beyond
+const uint kGroup = 256u;        // as kPieceBlades in grass/tessellated.cpp
+const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
 layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
 layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // five words each
@@ -52,7 +52,9 @@ bool covers(TessBlade t) {
     return !regular || all(greaterThanEqual(floor(high * n - 0.5), ceil(low * n - 0.5)));
 }
 
-const vec4 kDropped = vec4(0.0, 0.0, 2.0, 1.0);  // behind the near plane
+// All of a blade's vertices in one point: triangles without an area. Within the view, because a software rasteriser takes a slow way
+// with every vertex of a batch of which one must be clipped.
+const vec4 kDropped = vec4(0.0, 0.0, 0.5, 1.0);
 void drop(uint vertex, uint count) {
     for (uint i = 0u; i < count; ++i) place(vertex + i, kDropped);
 }
@@ -91,42 +93,25 @@ void writeStrip(TessBlade t, uint vertex, int rows) {
     }
 }
 
-// A group writes the triangles of kFarSlots slots, whichever cells they are of.
-void farGroup() {
-    uint first = work.z + gl_WorkGroupID.x * kFarSlots, start = 3u * (first - work.z), end = min(first + kFarSlots, work.w);
-    for (uint slot = first + gl_LocalInvocationIndex; slot < end; slot += kGroup) {
-        TessCell c = cells[cellOf(slot)];
-        TessBlade t = tessBlade(c, c.first + slot - c.slot);
-        uint vertex = 3u * (slot - work.z);
-        if (t.level > 0 && covers(t)) writeTriangle(t, vertex);
-        else drop(vertex, 3u);
-    }
-    if (gl_LocalInvocationIndex > 0u) return;
-    commands[5u * gl_WorkGroupID.x] = 3u * (end - first);
-    commands[5u * gl_WorkGroupID.x + 1u] = 1u;
-    commands[5u * gl_WorkGroupID.x + 2u] = start;
-    commands[5u * gl_WorkGroupID.x + 3u] = 0u;
+// The command that draws `count` strips of this group, of c.level quads each.
+void command(TessCell c, uint count) {
+    uint w = 5u * gl_WorkGroupID.x;
+    commands[w] = 6u * c.level * count;
+    commands[w + 1u] = 1u;
+    commands[w + 2u] = 3u * c.level * (c.level - 1u) * kGroup;
+    commands[w + 3u] = c.vertex;
+    commands[w + 4u] = 0u;
 }
 
-// A group writes the strips of one piece of a cell.
-void nearGroup() {
-    uint number = work.x + gl_WorkGroupID.x, own = gl_LocalInvocationIndex;
-    TessCell c = cells[number];
-    uint count = (number + 1u < work.y ? cells[number + 1u].slot : work.w) - c.slot, each = 2u * (c.level + 1u);
-    if (own == 0u) {
-        commands[5u * gl_WorkGroupID.x] = 6u * c.level * count;
-        commands[5u * gl_WorkGroupID.x + 1u] = 1u;
-        commands[5u * gl_WorkGroupID.x + 2u] = 3u * c.level * (c.level - 1u) * kGroup;
-        commands[5u * gl_WorkGroupID.x + 3u] = c.vertex;
-        commands[5u * gl_WorkGroupID.x + 4u] = 0u;
-    }
+// A group writes one piece of a cell. Its cell's number hangs on nothing but the group's, so that compilers load it once a group.
+void main() {
+    TessCell c = cells[gl_WorkGroupID.x];
+    uint own = gl_LocalInvocationIndex, count = cells[gl_WorkGroupID.x + 1u].slot - c.slot, each = FAR ? 3u : 2u * (c.level + 1u);
+    if (!FAR && own == 0u) command(c, count);
     if (own >= count) return;
     TessBlade t = tessBlade(c, c.first + own);
-    if (t.level > 0 && covers(t)) writeStrip(t, c.vertex + each * own, int(c.level));
-    else drop(c.vertex + each * own, each);
-}
-
-void main() {
-    if (FAR) farGroup();
-    else nearGroup();
+    uint vertex = c.vertex + each * own;
+    if (!(t.level > 0 && covers(t))) drop(vertex, each);
+    else if (FAR) writeTriangle(t, vertex);
+    else writeStrip(t, vertex, int(c.level));
 }
