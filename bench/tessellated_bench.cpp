@@ -66,7 +66,7 @@ SWARD_LIMITS("tessellated-plain", [] {
     f.species[0].smoothness = 6;
     const ViewSettings s = sized(640, 480, 1);
     std::vector<double> ms;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 12; ++i) {
         const double took = frameMs(renderer, p, overPlain(), s);
         if (i > 1) ms.push_back(took);
     }

@@ -40,6 +40,12 @@ struct CellSelection {
                                  glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
     }
 
+    bool within(const Box& b, float reach) const {
+        const double r = reach;
+        return q.frustum.holds(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
+                               glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
+    }
+
     // A quadratic curve cut into n chords leaves them by its sagitta / n^2.
     int segmentsAt(double distance) const {
         if (q.levels.smoothness > 0) return mostLevel(q.levels, static_cast<float>(distance));
@@ -55,7 +61,7 @@ struct CellSelection {
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
         const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1, static_cast<float>(nearest(b))});
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1, static_cast<float>(nearest(b)), within(b, q.reach)});
     }
 
     // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.

@@ -18,6 +18,7 @@ struct CellDraw {
     int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
     int32_t seen;           // 1: its blades may be in view; 0: only their shadows
     float nearest;          // distance from the eye, metres
+    int32_t whole;          // 1: all that its blades reach is in view
 };
 inline constexpr float kChordPixels = 0.5f;
 

@@ -153,7 +153,9 @@ void select(DrawContext& ctx) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateSpecies(ctx, *state.species[i], *field.species[i], f, f.species[i]);
         std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, f.species[i], field.species[i]->patch));
-        std::stable_sort(selected.begin(), selected.end(), [](const CellDraw& a, const CellDraw& b) { return a.nearest < b.nearest; });  // what is behind is then not shaded
+        // What is behind is then not shaded; and what is cut by the picture's edge is drawn last, because a software rasteriser takes a slow
+        // way with whole batches of vertices of which one must be clipped.
+        std::stable_sort(selected.begin(), selected.end(), [](const CellDraw& a, const CellDraw& b) { return std::pair(-a.whole, a.nearest) < std::pair(-b.whole, b.nearest); });
         listCells(ctx, *state.species[i], selected, 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
