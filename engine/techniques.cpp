@@ -4,6 +4,7 @@
 #include "grass/forces.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
+#include "grass/tessellated.h"
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "objects/mesh.h"
@@ -26,7 +27,7 @@ const Tables& tables() {
         windEffect(), gustsEffect(),
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(),  // grass
+        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(),  // grass
         farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

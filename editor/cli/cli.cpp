@@ -39,7 +39,7 @@ struct Verbs {
         v->add_option("project", o.project, "folder of the project")->required();
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
-        v->add_option("--technique", o.technique, "hybrid, geometry, slices or flat (default: the project's)");
+        v->add_option("--technique", o.technique, "hybrid, tessellated, geometry, slices or flat (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
         v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
@@ -77,7 +77,7 @@ struct Verbs {
         c->get_option("project")->required(false);
         CLI::Option* numerics = c->add_flag("--numerics", cost.numerics, "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
         c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
-        c->add_option("--technique", cost.technique, "sweep one alone: hybrid, geometry, slices or flat (default: all)");
+        c->add_option("--technique", cost.technique, "sweep one alone: hybrid, tessellated, geometry, slices or flat (default: all)");
         c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for numerics.csv and numerics.json");
         c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
         c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: twice what the project as it is takes)");

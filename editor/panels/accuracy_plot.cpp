@@ -12,7 +12,7 @@ struct TechniqueColor {
     const char* name;
     ImU32 color;
 };
-constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)}, {"geometry", IM_COL32(255, 120, 90, 255)}, {"slices", IM_COL32(90, 170, 255, 255)}, {"flat", IM_COL32(205, 190, 110, 255)}};
+constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)}, {"geometry", IM_COL32(255, 120, 90, 255)}, {"slices", IM_COL32(90, 170, 255, 255)}, {"flat", IM_COL32(205, 190, 110, 255)}, {"tessellated", IM_COL32(215, 120, 225, 255)}};
 
 ImU32 colorOf(const std::string& technique) {
     for (const TechniqueColor& c : kColors)

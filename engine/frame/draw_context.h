@@ -16,6 +16,7 @@ namespace sward {
 struct Frustum {
     std::array<glm::vec4, 6> planes;
     bool touches(const glm::vec3& low, const glm::vec3& high) const;
+    bool holds(const glm::vec3& low, const glm::vec3& high) const;  // all of the box
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 

@@ -17,6 +17,7 @@ const char* whyAbsent(Feature f) {
         case Feature::GrassGeometry: return "no grass is drawn blade by blade (technique, or maxGeom 0)";
         case Feature::GrassSlices: return "no grass is drawn as vertical slices (technique, or maxBTF not beyond minGeom)";
         case Feature::GrassFar: return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
+        case Feature::GrassTessellated: return "no grass is drawn by the technique \"tessellated\"";
         case Feature::GrassDensity: return "no species has a density map: density is 1 everywhere";
         case Feature::GrassOrientation: return "no GrassField has an orientation map";
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";

@@ -100,6 +100,14 @@ bool Frustum::touches(const glm::vec3& low, const glm::vec3& high) const {
     return true;
 }
 
+bool Frustum::holds(const glm::vec3& low, const glm::vec3& high) const {
+    for (const glm::vec4& p : planes) {
+        const glm::vec3 near(p.x > 0 ? low.x : high.x, p.y > 0 ? low.y : high.y, p.z > 0 ? low.z : high.z);
+        if (glm::dot(glm::vec3(p), near) + p.w < 0) return false;
+    }
+    return true;
+}
+
 Frustum frustumOf(const glm::mat4& m) {
     const auto row = [&](int r) { return glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]); };
     // Left, right, bottom, top, near; the sixth repeats the near one: there is no far plane.
@@ -123,7 +131,7 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
 
 bool DrawContext::use(size_t index, const std::string& constants) {
     const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, plan.features) + constants);
+    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation}, featureConstants(p.features, plan.features) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;

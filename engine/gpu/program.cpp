@@ -140,7 +140,9 @@ fs::file_time_type newestOf(const fs::path& folder, const std::vector<std::strin
 Result<GLuint> Programs::build(Entry& entry) {
     const std::pair<GLenum, const char*> stages[] = {{GL_VERTEX_SHADER, entry.sources.vertex},
                                                      {GL_FRAGMENT_SHADER, entry.sources.fragment},
-                                                     {GL_COMPUTE_SHADER, entry.sources.compute}};
+                                                     {GL_COMPUTE_SHADER, entry.sources.compute},
+                                                     {GL_TESS_CONTROL_SHADER, entry.sources.control},
+                                                     {GL_TESS_EVALUATION_SHADER, entry.sources.evaluation}};
     std::vector<GLuint> shaders;
     std::vector<std::string> files;
     std::optional<Error> error;

@@ -31,6 +31,8 @@ struct ProgramSources {
     const char* vertex = nullptr;
     const char* fragment = nullptr;
     const char* compute = nullptr;
+    const char* control = nullptr;     // of tessellation
+    const char* evaluation = nullptr;
 };
 
 // What a reload did: programs made anew, and the compilers' logs of those that kept their last good version.

@@ -40,8 +40,15 @@ struct CellSelection {
                                  glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
     }
 
+    bool within(const Box& b, float reach) const {
+        const double r = reach;
+        return q.frustum.holds(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
+                               glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
+    }
+
     // A quadratic curve cut into n chords leaves them by its sagitta / n^2.
     int segmentsAt(double distance) const {
+        if (q.levels.smoothness > 0) return mostLevel(q.levels, static_cast<float>(distance));
         const double pixels = q.sagitta * q.pixelsPerMetre / std::max(distance, 0.05);
         return std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / kChordPixels))), 1, q.segments);
     }
@@ -49,12 +56,12 @@ struct CellSelection {
     void leaf(int x, int z, const Box& b) {
         const float nearWs = f32::lodRamp(static_cast<float>(nearest(b)), q.range.min, q.range.inv);
         const auto [least, most] = q.density ? densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
-        const float high = f32::highestThresholdDrawn(most, q.fade), low = f32::lowestThresholdDrawn(f32::sliceDensity(least, nearWs), q.fade);
+        const float high = f32::highestThresholdDrawn(f32::densityKept(most, static_cast<float>(nearest(b)), q.thinning), q.fade), low = f32::lowestThresholdDrawn(f32::sliceDensity(least, nearWs), q.fade);
         const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
         const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
         if (most <= 0 || first >= last) return;
         const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1});
+        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1, static_cast<float>(nearest(b)), within(b, q.reach)});
     }
 
     // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.
@@ -88,8 +95,16 @@ GeometryRange geometryRange(const GrassField& f) {
         case Technique::Geometry: return {0, 0, inf};
         case Technique::Slices:
         case Technique::Flat: return {0, -1, 0};
+        case Technique::Tessellated: return {f.maxDistance, -1, f.maxDistance};
         default: return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
     }
+}
+
+int mostLevel(const BladeLevels& l, float distance) {
+    const auto smoothness = static_cast<float>(l.smoothness);
+    if (l.quadsAtOneMetre <= 0) return std::max(f32::tessLevel(smoothness, distance, l.maxDistance), 1);
+    const float nearest = distance - l.reach;  // of the blade's tip
+    return nearest > 0.05f ? static_cast<int>(std::clamp(std::ceil(l.quadsAtOneMetre / nearest), 1.0f, smoothness)) : l.smoothness;
 }
 
 float bladeSagitta(const Patch& patch) {

@@ -17,6 +17,8 @@ struct CellDraw {
     uint32_t first, last;
     int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
     int32_t seen;           // 1: its blades may be in view; 0: only their shadows
+    float nearest;          // distance from the eye, metres
+    int32_t whole;          // 1: all that its blades reach is in view
 };
 inline constexpr float kChordPixels = 0.5f;
 
@@ -43,6 +45,16 @@ float bladeSagitta(const Patch& patch);
 // How far a species' blades rise above and reach beyond their cell, metres.
 float bladeReach(const Species& species, const Patch& patch);
 
+// How finely blades are tessellated (numerics/tess.h).
+struct BladeLevels {
+    int smoothness = 0;      // the greatest level; 0: blades are not tessellated
+    float maxDistance = 0;   // m
+    float quadsAtOneMetre = 0;  // quads of the tallest blade in the middle of the picture at 1 m; 0: the distance decides
+    float reach = 0;         // of a blade from its root, m
+};
+// The level that no blade whose root is at least so far away needs more than.
+int mostLevel(const BladeLevels& l, float distance);
+
 struct CellQuery {
     const Terrain& terrain;
     const HeightBounds& bounds;
@@ -58,6 +70,8 @@ struct CellQuery {
     float pixelsPerMetre;   // at a distance of 1 m
     glm::dvec3 eye;         // relative to the terrain's corner
     const Frustum& frustum;
+    float thinning = 0;     // share of the blades that is missing at each metre from the eye
+    BladeLevels levels{};   // where blades are tessellated: CellDraw.segments is then the greatest level in the cell
     float shadow = 0;       // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
 };
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,

@@ -54,6 +54,7 @@ std::pair<float, float> shadowRange(const GrassField& f) {
     const float inf = std::numeric_limits<float>::infinity();
     switch (static_cast<Technique>(f.technique)) {
         case Technique::Geometry: return {inf, inf};
+        case Technique::Tessellated: return {0, 0};  // soil is shaded in the mean alone
         case Technique::Slices:
         case Technique::Flat: return {f.minBTF, f.maxBTF};
         default: return {std::max(f.minBTF, f.maxGeom), std::max(f.maxBTF, f.maxGeom)};

@@ -39,6 +39,11 @@ void addSlices(const GrassField& own, std::vector<CostSetting>& out) {
 void addFlat(const GrassField&, std::vector<CostSetting>& out) {
     for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"flat", {msaa}});
 }
+// Fewer blades and less far, coarser blades, and who tessellates.
+void addTessellated(const GrassField& own, std::vector<CostSetting>& out) {
+    for (const double far : {0.5, 1.0}) out.push_back({"tessellated", {distance("maxDistance", own.maxDistance, far), "msaa=4"}});
+    for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1"}) out.push_back({"tessellated", {one}});
+}
 
 // Name and number of a value that more of makes more work; nothing of another value.
 std::optional<std::pair<std::string, double>> amountOf(const std::string& value) {
@@ -75,7 +80,7 @@ std::string CostSetting::text() const {
 }
 
 std::span<const CostTechnique> costTechniques() {
-    static constexpr CostTechnique kRows[] = {{"hybrid", addHybrid}, {"geometry", addGeometry}, {"slices", addSlices}, {"flat", addFlat}};
+    static constexpr CostTechnique kRows[] = {{"hybrid", addHybrid}, {"geometry", addGeometry}, {"slices", addSlices}, {"flat", addFlat}, {"tessellated", addTessellated}};
     return kRows;
 }
 

@@ -123,6 +123,7 @@ constexpr FieldRow kSpeciesFields[] = {
     real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
          "how much the lean differs, both ways"),
     number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
+    number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16}, "quads along a blade at most, where it is tessellated"),
     imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
     color("rootColor", offsetof(Species, rootColor), kReflectance, "reflectance at the root"),
     color("midColor", offsetof(Species, midColor), kReflectance, "reflectance half-way up"),
@@ -189,6 +190,14 @@ constexpr FieldRow kGrassFieldFields[] = {
          "how much finer than a pixel slices are sampled: 0 smooth, more as grainy as blades"),
     whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256}, "width of the mask by which blades shade blades; 0: they do not"),
     number(FieldType::Bool, "groundShadows", offsetof(GrassField, groundShadows), "", {}, "blades shade the ground"),
+    real("maxDistance", offsetof(GrassField, maxDistance), "m", {0.1, 1e6, 5, 200}, "tessellated: from here no blade is drawn"),
+    choice("levelBy", offsetof(GrassField, levelBy), kLevelsBy, "tessellated: what says how fine a blade is, its distance or its length on screen"),
+    real("pixelsPerQuad", offsetof(GrassField, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40}, "tessellated by pixels: length of a blade's quad on screen"),
+    real("thinning", offsetof(GrassField, thinning), "", kShare, "tessellated: share of the blades that is missing at maxDistance"),
+    flag("widening", offsetof(GrassField, widening), "tessellated: blades that are left are wider, so as to cover as much"),
+    real("lowerFrom", offsetof(GrassField, lowerFrom), "", kShare, "tessellated: share of maxDistance from which blades get lower; 1: they do not"),
+    choice("tessellation", offsetof(GrassField, tessellation), kTessellations,
+           "tessellated: by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
     choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs, "blurs what is far, against sparkling: with equal weights, or a bell's"),
     real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300}, "distance at which that blur is full"),
@@ -216,6 +225,7 @@ FeatureSet tierFeatures(const GrassField& g) {
         case Technique::Geometry: return featureSet(Feature::GrassGeometry);
         case Technique::Slices: return featureSet(Feature::GrassSlices, Feature::GrassFar);
         case Technique::Flat: return featureSet(Feature::GrassFar);
+        case Technique::Tessellated: return featureSet(Feature::GrassTessellated);
         default: break;
     }
     FeatureSet s;
@@ -240,7 +250,7 @@ FeatureSet grassFeatures(const void* component) {
     if (density) s |= featureSet(Feature::GrassDensity);
     if (clumps) s |= featureSet(Feature::GrassClumps);
     const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
-    if (stands && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if ((stands || has(s, Feature::GrassTessellated)) && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
     if (stands && g.groundShadows) s |= featureSet(Feature::GroundShadows);
     if (translucency) s |= featureSet(Feature::Translucency);
     if (gloss) s |= featureSet(Feature::Gloss);

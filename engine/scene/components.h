@@ -49,6 +49,7 @@ struct Species {
     float leanDeg = 8;                    // mean lean from the vertical towards the painted (or own) direction
     float leanVariationDeg = 10;
     int segments = 3;                     // quads a blade
+    int smoothness = 5;                   // quads a blade has at most where it is tessellated
     std::string texture;                  // PNG with alpha; empty: made by the program
     glm::vec3 rootColor{0.045f, 0.065f, 0.02f};
     glm::vec3 midColor{0.055f, 0.125f, 0.03f};
@@ -86,6 +87,14 @@ struct GrassField {
     float sharpness = 2;               // levels of detail by which slices are sampled finer than a pixel
     int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
     bool groundShadows = true;            // blades shade the ground
+    // Of the technique "tessellated" (Jahrmann and Wimmer 2013):
+    float maxDistance = 25;               // metres from which no blade is drawn
+    int levelBy = 0;                      // index into kLevelsBy
+    float pixelsPerQuad = 8;              // that a quad of a blade is long, by pixels
+    float thinning = 0.75f;               // share of the blades that is missing at maxDistance; linear in the distance
+    bool widening = true;                 // those that are left are wider, so as to cover as much
+    float lowerFrom = 0.8f;               // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
+    int tessellation = 0;                 // index into kTessellations
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
     int farBlur = 0;                      // index into kFarBlurs
     float farBlurDistance = 80;           // metres at which the blur is full
@@ -97,8 +106,8 @@ struct GrassField {
     MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
     float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1;  // repeats over the terrain
 };
-inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat"};
-enum class Technique { Hybrid, Geometry, Slices, Flat };
+inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
+enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
 // How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a light.
 inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
 enum class Storage { Factored, Compressed, Full };
@@ -111,6 +120,12 @@ inline constexpr const char* kLightWeights[] = {"cosine", "atan", "poly9", "poly
 enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
 inline constexpr const char* kWeightsAt[] = {"vertex", "pixel"};
 enum class WeightsAt { Vertex, Pixel };
+// By what a blade is tessellated: its distance (equation 4) or its length on screen (equation 5).
+inline constexpr const char* kLevelsBy[] = {"distance", "pixels"};
+enum class LevelBy { Distance, Pixels };
+// Who tessellates: the GPU's tessellation stages; a compute pass that writes strips; whichever is the faster of them here.
+inline constexpr const char* kTessellations[] = {"auto", "stages", "strips"};
+enum class Tessellation { Auto, Stages, Strips };
 // How part-covered pixels are drawn (section 4.2, figure 21).
 inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
 enum class Transparency { Coverage, Both, Test, Blend };

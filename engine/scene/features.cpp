@@ -17,6 +17,7 @@ constexpr FeatureNames kNames[] = {
     {"grass-geometry", "GRASS_GEOMETRY"},
     {"grass-slices", "GRASS_SLICES"},
     {"grass-far", "GRASS_FAR"},
+    {"grass-tessellated", "GRASS_TESSELLATED"},
     {"grass-density", "GRASS_DENSITY"},
     {"grass-orientation", "GRASS_ORIENTATION"},
     {"grass-vegetation", "GRASS_VEGETATION"},

@@ -15,6 +15,7 @@ enum class Feature : uint8_t {
     GrassGeometry,     // blades are drawn one by one, near the eye or everywhere
     GrassSlices,       // vertical slices are drawn, at middle distance or everywhere
     GrassFar,          // the horizontal slice is drawn
+    GrassTessellated,  // blades are drawn one by one, each as finely as its distance asks
     GrassDensity,      // a density map decides where
     GrassOrientation,  // a painted direction turns the lean
     GrassVegetation,   // a colour map tints blades

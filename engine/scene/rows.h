@@ -122,6 +122,8 @@ struct ProgramRow {
     FeatureSet features;
     // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are none.
     std::vector<std::string> (*variants)() = nullptr;
+    const char* control = nullptr;     // tessellation stages; null where they are absent
+    const char* evaluation = nullptr;
 };
 
 struct Pass {

@@ -20,7 +20,8 @@
 #include "lib/shadow.glsl"
 #include "lib/mask.glsl"
 #include "lib/cover.glsl"
-#include "lib/blade.glsl"
+#include "lib/strip.glsl"
+#include "lib/blade_light.glsl"
 
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
 centroid out vec4 lit;   // radiance; w: share of it that is haze
@@ -28,51 +29,6 @@ centroid out vec4 sunned;    // radiance where the sun reaches between the neigh
 centroid out vec2 maskAt;    // where in their shadow mask
 centroid out vec3 strip;         // across, along; opacity
 flat out uint grain;             // a random number of the blade
-
-vec3 colorHere(Blade b, float v, float lighter, vec2 uv) {
-    vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), b.control.w, b.tip.w * lighter);
-    if (!GRASS_VEGETATION) return c;
-    vec4 paint = textureLod(vegetationMap, uv * cover.tiling.y, 0.0);
-    return mix(c, paint.rgb, paint.a);
-}
-
-// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what of
-// the light is left so near to the root, where no mask says it.
-struct Lit {
-    vec3 color, normal, toEye, position, fromRoot;
-    vec2 facing;
-    float open, density;
-};
-vec3 sunOn(Lit p) {
-    if (!SUN) return vec3(0.0);
-    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) * sunVisible(p.position, vec3(0.0));
-}
-// Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
-vec3 lampsOn(Lit p) {
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, p.position);
-        float share = p.open;
-        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskPoint(p.fromRoot, p.facing, l.direction, species.mask.xy).xy, p.density);
-        sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
-    }
-    return sum;
-}
-// Light on a blade: what no mask holds back into lit, what it may into sunned.
-void lightBlade(Lit p, vec2 uv) {
-    float distance = length(p.position), share = hazeShare(distance);
-    p.color *= darkened(distance);
-    vec3 sun = sunOn(p);
-    vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {
-        sunned = vec4(sun * (1.0 - share), p.density);
-        maskAt = maskPoint(p.fromRoot, p.facing, frame.sunDirection.xyz, species.mask.xy).xy;
-    } else {
-        rest += sun * p.open;
-    }
-    lit = vec4(rest, share);
-    if (FOG) lit.rgb = mix(lit.rgb, horizonColor(p.position.xz), share);
-}
 
 void main() {
     Blade b = bladeHere();
@@ -91,7 +47,8 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.place.z * frame.mode.w);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    lightBlade(Lit(colorHere(b, s.v, lighter, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
+    BladeLight light = lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
+    lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.facing.z);

@@ -17,7 +17,7 @@
 #include "lib/lamps.glsl"
 #include "lib/shadow.glsl"
 #include "lib/cover.glsl"
-#include "lib/blade.glsl"
+#include "lib/strip.glsl"
 #include "lib/ground_light.glsl"
 
 layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1

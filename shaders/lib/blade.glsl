@@ -1,5 +1,6 @@
-// The blade that a vertex belongs to: which one (gl_VertexID), whether it exists there (density, distance), how it is posed
-// (mirror, paint, clumps, wind, forces). Vertex shaders only. Needs: const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl;
+// Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind, forces). No fragment shaders.
+// Needs, of the cell that it stands in: ivec2 cell; vec2 cellCorner (relative to the eye); vec2 mirror, shift (numerics/population.h,
+// CellVersion), as strip.glsl or tess.glsl declare them; const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl;
 // frame.glsl, heights.glsl, cover.glsl; numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
@@ -11,11 +12,6 @@ struct Blade {
 };
 layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
-layout(location = 0) in ivec2 cell;
-layout(location = 1) in vec2 cellCorner;  // relative to the eye
-layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
-layout(location = 3) in vec2 shift;
-
 // Where a vertex's blade stands.
 struct Stand {
     vec2 inCell, ground, uv;  // its root in the cell, relative to the terrain's corner (m), and as a share of the terrain
@@ -32,13 +28,10 @@ float density(vec2 uv) {
                        texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
 
-Blade bladeHere() { return blades[gl_VertexID / (2 * (int(species.counts.x) + 1))]; }
-
-Stand standHere(Blade b) {
+Stand standAt(Blade b, float v, float across) {
     Stand s;
-    int corner = gl_VertexID % (2 * (int(species.counts.x) + 1));
-    s.v = float(corner / 2) / species.counts.x;
-    s.across = float(corner & 1) - 0.5;
+    s.v = v;
+    s.across = across;
     s.inCell = rootInCell(b.place.xy, mirror, shift, species.clumps.w);
     s.ground = vec2(cell) * species.clumps.w + s.inCell;
     s.uv = s.ground * frame.terrain.zw;

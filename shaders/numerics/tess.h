@@ -30,6 +30,12 @@ FN real tessLevelOnScreenPublished(vec4 root, vec4 tip, vec2 size, real pixelsPe
     return min((upper - lower) * size.y / pixelsPerQuad, s);
 }
 
+// Of the density at a distance d, what is left where blades are thinned (section 6.3): linear, `missing` of it gone at each metre.
+FN real densityKept(real density, real d, real missing) { return density * clamp(1.0f - d * missing, real(0.0), real(1.0)); }
+// How high a blade stands there, as a share of its height, if blades are low from `dmax` on; inv: 1 over the metres in which they
+// get so, at least kTiny of them.
+FN real heightKept(real d, real dmax, real inv) { return clamp((dmax - d) * inv, real(0.0), real(1.0)); }
+
 // Level of a macro-cell: 0 while the distance to its bounding sphere is below 2 base, one more with each doubling, at most
 // `most` (<= 24). 0 for an eye inside the sphere. Exact comparisons: CPU and GPU agree on every cell.
 FN int macroLevel(real distance, real radius, real base, int most) {

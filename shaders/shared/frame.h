@@ -4,10 +4,16 @@
 #pragma once
 #define SHARED_MAT4 glm::mat4
 #define SHARED_VEC4 glm::vec4
+#define SHARED_VEC2 glm::vec2
+#define SHARED_IVEC2 glm::ivec2
+#define SHARED_UINT uint32_t
 namespace sward {
 #else
 #define SHARED_MAT4 mat4
 #define SHARED_VEC4 vec4
+#define SHARED_VEC2 vec2
+#define SHARED_IVEC2 ivec2
+#define SHARED_UINT uint
 #endif
 
 struct FrameGlobals {
@@ -97,6 +103,24 @@ struct SpeciesGlobals {
     SHARED_VEC4 mask;          // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
+// How a species' blades are tessellated (grass/tessellated.h).
+struct TessGlobals {
+    SHARED_VEC4 range;         // x: distance from which no blade is drawn (m); y: share of blades missing at each metre; z: 1 / metres over
+                               // which blades get lower before that; w: how much wider blades become, at most (1: not)
+    SHARED_VEC4 level;         // x: greatest level; y: pixels a quad (0: levels by distance); z: near plane (m); w: pixels of a metre at 1 m
+    SHARED_VEC4 plain;         // x: pixels below which a blade of level 1 is a plain triangle; y: its width as a factor of the blade's; z, w: 0
+};
+// A cell of which blades are drawn, one after the other with those of other cells.
+struct TessCell {
+    SHARED_IVEC2 cell;
+    SHARED_VEC2 corner;        // relative to the eye
+    SHARED_VEC2 mirror, shift; // numerics/population.h, CellVersion
+    SHARED_UINT first;         // blade of the patch
+    SHARED_UINT slot;          // place of its first blade among all cells' blades
+    SHARED_UINT level;         // greatest of its blades'
+    SHARED_UINT vertex;        // of its first blade's strip
+};
+
 // An object that stands somewhere: rows of the matrix to eye-relative positions.
 struct ObjectInstance {
     SHARED_VEC4 row[3];
@@ -118,7 +142,7 @@ struct TerrainNode {
 #define NODES_PER_DRAW 256
 
 #ifdef __cplusplus
-static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
+static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(SpeciesGlobals) == 112);
 }
 #endif
 
@@ -132,8 +156,12 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(SpeciesGlobals) == 112);
 #define UBO_FORCE 8
 #define UBO_SHADOW 6
 #define UBO_LIGHTS 7
+#define UBO_TESS 8
 // Storage buffers
 #define SSBO_BLADES 0
+#define SSBO_CELLS 1
+#define SSBO_VERTICES 2
+#define SSBO_COMMANDS 3
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1

@@ -129,6 +129,7 @@ TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"blades alone", technique(Technique::Geometry)},
         {"slices alone", technique(Technique::Slices)},
         {"the horizontal slice alone", technique(Technique::Flat)},
+        {"tessellated blades", technique(Technique::Tessellated)},
         {"no vertical slices", [&](Project& p) { grass(p).minBTF = grass(p).maxBTF = 0; }},
         {"no slices at all", [&](Project& p) { grass(p).minGeom = grass(p).maxGeom = std::numeric_limits<float>::infinity(); }},
         {"blades that do not shade blades", [&](Project& p) { grass(p).shadowMask = 0; }},
@@ -150,6 +151,26 @@ TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
         change(p);
         expectSame(never, traceOf(renderer, p), what);
         EXPECT_TRUE(with.plan != never.plan) << what;
+    }
+}
+
+TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
+    NoGlErrors errors;
+    for (const Technique other : {Technique::Hybrid, Technique::Geometry, Technique::Flat}) {
+        const auto become = [](Project& p, Technique t) { p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(t); };
+        Project p = everything();
+        become(p, other);
+        Trace never;
+        {
+            Renderer fresh(gpu(), tables());
+            never = traceOf(fresh, p);
+        }
+        for (const std::string& program : never.programs) EXPECT_EQ(program.find("tessellated"), std::string::npos) << program;
+        Renderer renderer(gpu(), tables());
+        become(p, Technique::Tessellated);
+        EXPECT_GT(traceOf(renderer, p).ledger.count("grass/tessellated"), 0u);
+        become(p, other);
+        expectSame(never, traceOf(renderer, p), kTechniques[static_cast<size_t>(other)]);
     }
 }
 

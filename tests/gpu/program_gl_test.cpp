@@ -90,7 +90,7 @@ TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
 void expectCompiles(Programs& programs, const ProgramRow& p, const FeatureSet& scene) {
     const std::vector<std::string> variants = p.variants ? p.variants() : std::vector<std::string>{""};
     for (const std::string& constants : variants) {
-        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute}, featureConstants(p.features, scene) + constants);
+        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation}, featureConstants(p.features, scene) + constants);
         EXPECT_TRUE(program) << (program ? "" : program.error().text()) << " with " << constants;
     }
 }

@@ -1,0 +1,116 @@
+// What tessellated blades cost: a frame by the blade, the GPU's stages against strips, and the CPU's part.
+#include <ctime>
+
+#include "bench/limits.h"
+#include "frame/renderer.h"
+#include "techniques.h"
+#include "tests/grass/comparison.h"
+
+namespace {
+using namespace sward;
+using namespace sward::test;
+
+Gpu* gpu() {
+    static std::unique_ptr<Gpu> instance = [] {
+        auto made = makeHeadlessGpu();
+        return made ? std::move(*made) : nullptr;
+    }();
+    if (instance) makeCurrent(*instance);
+    return instance.get();
+}
+
+// 645 x 645 blades on 32.25 m, without shadows among themselves; seen as a whole from its edge.
+constexpr Design kPlain{"416,025 plain blades", 400, 0.3f, 0.012f, 32.25, 0, 0, 0, 0};
+Project plain() {
+    Project p = designed(kPlain, kPlain.side);
+    GrassField& f = grassIn(p);
+    f.technique = static_cast<int>(Technique::Tessellated);
+    f.cellSize = 0.75f;
+    f.shadowMask = 0;
+    f.groundShadows = false;
+    f.species[0].clumpSize = 0;
+    f.maxDistance = 60;
+    f.thinning = 0;
+    f.lowerFrom = 1;
+    return p;
+}
+ViewCamera overPlain() { return {{16, 1.7, -14}, {16, 0, 16}, 55, 0}; }
+
+double frameMs(Renderer& r, Project& p, const ViewCamera& c, const ViewSettings& s) {
+    bool drawn = false;
+    const double took = 1000 * seconds([&] {
+        drawn = bool(r.draw(p, c, s));
+        r.finish();
+    });
+    return drawn ? took : NAN;
+}
+void printPass(Renderer& r, Project& p, const ViewCamera& c, ViewSettings s) {
+    const std::clock_t before = std::clock();
+    frameMs(r, p, c, s);
+    std::fprintf(stderr, "  %.0f ms of all cores together\n", 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+    s.measure = true;
+    frameMs(r, p, c, s);
+    for (const PassStats& pass : r.stats().passes)
+        std::fprintf(stderr, "  %-20s %7.1f ms %9lu vertices %9lu fragments\n", pass.name.c_str(), pass.ms, static_cast<unsigned long>(pass.vertices), static_cast<unsigned long>(pass.fragments));
+    std::fprintf(stderr, "  %lu blades, %.2f ms of the CPU's\n", static_cast<unsigned long>(r.stats().bladesGeometry), r.stats().cpuCullMs);
+}
+
+// Blades of 12, 6 to 2 and 1 triangles, by their length on screen.
+SWARD_LIMITS("tessellated-plain", [] {
+    if (!gpu()) return reportLimit("frame time a plain blade", NAN, 0.25, "us");
+    Renderer renderer(*gpu(), tables());
+    Project p = plain();
+    GrassField& f = grassIn(p);
+    f.levelBy = static_cast<int>(LevelBy::Pixels);
+    f.pixelsPerQuad = 8;
+    f.species[0].smoothness = 6;
+    const ViewSettings s = sized(640, 480, 1);
+    std::vector<double> ms;
+    for (int i = 0; i < 12; ++i) {
+        const double took = frameMs(renderer, p, overPlain(), s);
+        if (i > 1) ms.push_back(took);
+    }
+    printPass(renderer, p, overPlain(), s);
+    reportLimit("frame time a plain blade", 1000 * median(ms) / static_cast<double>(renderer.stats().bladesGeometry), 0.25, "us");
+});
+
+// All blades at one level; both ways in turn.
+void raceAt(int level) {
+    const ViewSettings s = sized(320, 240, 1);
+    std::array<std::vector<double>, 2> ms;
+    Renderer renderers[2] = {Renderer(*gpu(), tables()), Renderer(*gpu(), tables())};
+    Project p = plain();
+    GrassField& f = grassIn(p);
+    f.species[0].smoothness = level;
+    f.species[0].bladesPerM2 = 100;
+    f.maxDistance = 1e5f;  // so that nothing is far
+    for (int i = 0; i < 7; ++i)
+        for (size_t way = 0; way < 2; ++way) {
+            f.tessellation = static_cast<int>(way == 0 ? Tessellation::Stages : Tessellation::Strips);
+            const double took = frameMs(renderers[way], p, overPlain(), s);
+            if (i > 0) ms[way].push_back(took);
+        }
+    std::fprintf(stderr, "level %d: stages %.1f ms, strips %.1f ms\n", level, median(ms[0]), median(ms[1]));
+    reportLimit(("strips as a share of stages, level " + std::to_string(level)).c_str(), median(ms[1]) / median(ms[0]), 1, "x");
+}
+SWARD_LIMITS("tessellated-ways", [] {
+    if (!gpu()) return reportLimit("strips as a share of stages", NAN, 1, "x");
+    if (gpu()->software)
+        for (const int level : {1, 3, 5}) raceAt(level);
+});
+
+// What the CPU does of a frame of a million blades.
+SWARD_LIMITS("tessellated-cpu", [] {
+    if (!gpu()) return reportLimit("the CPU's part of a million tessellated blades", NAN, 0.5, "ms");
+    Renderer renderer(*gpu(), tables());
+    Project p = plain();
+    grassIn(p).species[0].bladesPerM2 = 1000;
+    std::vector<double> ms;
+    for (int i = 0; i < 5; ++i) {
+        frameMs(renderer, p, overPlain(), sized(64, 48, 1));
+        if (i > 0) ms.push_back(renderer.stats().cpuCullMs);
+    }
+    reportLimit("the CPU's part of a million tessellated blades", median(ms), 0.5, "ms");
+});
+
+}  // namespace

@@ -1,0 +1,24 @@
+// A blade's level: equations 4 and 5 of Jahrmann and Wimmer 2013, decided in the vertex stage; 0 draws nothing.
+#include "lib/frame.glsl"
+layout(vertices = 1) out;
+
+in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladeLook[];
+flat in uint bladeGrain[];
+out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
+flat out uint stemGrain[];
+
+void main() {
+    stemRoot[gl_InvocationID] = bladeRoot[gl_InvocationID];
+    stemControl[gl_InvocationID] = bladeControl[gl_InvocationID];
+    stemTip[gl_InvocationID] = bladeTip[gl_InvocationID];
+    stemFacing[gl_InvocationID] = bladeFacing[gl_InvocationID];
+    stemLook[gl_InvocationID] = bladeLook[gl_InvocationID];
+    stemGrain[gl_InvocationID] = bladeGrain[gl_InvocationID];
+    float along = bladeRoot[gl_InvocationID].w, across = min(along, 1.0);
+    gl_TessLevelOuter[0] = along;
+    gl_TessLevelOuter[1] = across;
+    gl_TessLevelOuter[2] = along;
+    gl_TessLevelOuter[3] = across;
+    gl_TessLevelInner[0] = across;
+    gl_TessLevelInner[1] = along;
+}

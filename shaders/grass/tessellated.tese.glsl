@@ -1,0 +1,44 @@
+// A vertex of a tessellated blade: on two parallel quadratic splines, with their frame (Jahrmann and Wimmer 2013, equations 7 and 8;
+// J-7), lit there.
+#include "lib/tess.glsl"
+layout(quads, equal_spacing, ccw) in;
+
+in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
+flat in uint stemGrain[];
+centroid out vec4 lit;     // as in geometry.vert.glsl
+centroid out vec4 sunned;
+centroid out vec2 maskAt;
+centroid out vec3 strip;   // across (-1: a plain triangle), along; opacity
+flat out uint grain;
+
+TessBlade patchBlade() {
+    TessBlade t;
+    t.pose.control = stemControl[0].xyz;
+    t.pose.tip = stemTip[0].xyz;
+    t.pose.facing = stemFacing[0].xy;
+    t.root = stemRoot[0].xyz;
+    t.uv = stemLook[0].zw;
+    t.width = stemControl[0].w;
+    t.opacity = stemTip[0].w;
+    t.density = stemFacing[0].w;
+    t.hue = stemLook[0].x;
+    t.lightness = stemLook[0].y;
+    t.grain = stemGrain[0];
+    t.level = int(stemRoot[0].w);
+    t.plain = stemFacing[0].z > 0.5;
+    return t;
+}
+
+void main() {
+    TessBlade t = patchBlade();
+    float u = gl_TessCoord.x, v = gl_TessCoord.y;
+    vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width);
+    SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end, t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
+    vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
+    BladeLight light = lightPoint(t, middle, f.normal, v, shown);
+    lit = light.lit, sunned = light.sunned;
+    maskAt = mix(maskOf(t, middle - across), maskOf(t, middle + across), u);  // stages put a vertex between the two of a row
+    strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
+    grain = t.grain;
+    gl_Position = frame.viewProj * vec4(t.root + f.position, 1.0);
+}

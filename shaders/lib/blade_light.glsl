@@ -1,0 +1,55 @@
+// How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
+// Needs: const bool GRASS_VEGETATION, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS; blade.glsl, light.glsl, lamps.glsl, leaf.glsl,
+// shadow.glsl, mask.glsl, cover.glsl.
+// hue, lightness: as numerics/population.h bladeTint takes them; uv: the root as a share of the terrain.
+vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
+    vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), hue, lightness);
+    if (!GRASS_VEGETATION) return c;
+    vec4 paint = textureLod(vegetationMap, uv * cover.tiling.y, 0.0);
+    return mix(c, paint.rgb, paint.a);
+}
+
+// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what of
+// the light is left so near to the root, where no mask says it.
+struct Lit {
+    vec3 color, normal, toEye, position, fromRoot;
+    vec2 facing;
+    float open, density;
+};
+vec3 sunOn(Lit p) {
+    if (!SUN) return vec3(0.0);
+    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) * sunVisible(p.position, vec3(0.0));
+}
+// Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
+vec3 lampsOn(Lit p) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, p.position);
+        float share = p.open;
+        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskPoint(p.fromRoot, p.facing, l.direction, species.mask.xy).xy, p.density);
+        sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
+    }
+    return sum;
+}
+struct BladeLight {
+    vec4 lit;       // radiance; w: share of it that is haze
+    vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
+    vec2 maskAt;    // where in their shadow mask
+};
+// Light on a blade: what no mask holds back into lit, what it may into sunned.
+BladeLight lightBlade(Lit p, vec2 uv) {
+    BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec2(0.0));
+    float distance = length(p.position), share = hazeShare(distance);
+    p.color *= darkened(distance);
+    vec3 sun = sunOn(p);
+    vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {
+        o.sunned = vec4(sun * (1.0 - share), p.density);
+        o.maskAt = maskPoint(p.fromRoot, p.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+    } else {
+        rest += sun * p.open;
+    }
+    o.lit = vec4(rest, share);
+    if (FOG) o.lit.rgb = mix(o.lit.rgb, horizonColor(p.position.xz), share);
+    return o;
+}

@@ -1,0 +1,95 @@
+// A blade to be tessellated: whether it is drawn, how it is posed and how finely (Jahrmann and Wimmer 2013, sections 5.1 and 6.3).
+// All that is decided once a blade. Any stage but fragments. Brings what blade_light.glsl needs with it.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/blade.h"
+#include "numerics/spline.h"
+#include "numerics/tess.h"
+#include "numerics/clump.h"
+#include "numerics/population.h"
+#include "numerics/leaf.h"
+#include "numerics/weights.h"
+#include "numerics/shadow.h"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/lamps.glsl"
+#include "lib/leaf.glsl"
+#include "lib/shadow.glsl"
+#include "lib/mask.glsl"
+#include "lib/cover.glsl"
+ivec2 cell;                            // of the blade at hand
+vec2 cellCorner, mirror, shift;
+#include "lib/blade.glsl"
+#include "lib/blade_light.glsl"
+layout(std140, binding = UBO_TESS) uniform TessBlock { TessGlobals tess; };
+
+struct TessBlade {
+    BladePose pose;
+    vec3 root;       // relative to the eye
+    vec2 uv;         // as a share of the terrain
+    float width;     // m
+    float opacity, density, hue, lightness;
+    uint grain;
+    int level;       // quads along it; 0: it is not drawn
+    bool plain;      // so thin that it is one triangle
+};
+
+void takeCell(TessCell c) {
+    cell = c.cell;
+    cellCorner = c.corner;
+    mirror = c.mirror;
+    shift = c.shift;
+}
+
+int levelOf(BladePose pose, vec3 root) {
+    if (!(tess.level.y > 0.0)) return max(tessLevel(tess.level.x, length(root), tess.range.x), 1);
+    return tessLevelOnScreen(frame.viewProj * vec4(root, 1.0), frame.viewProj * vec4(root + pose.tip, 1.0), frame.viewport.xy, tess.level.z, tess.level.y, tess.level.x);
+}
+
+// Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of fading.
+TessBlade tessBlade(TessCell c, uint index) {
+    takeCell(c);
+    TessBlade t;
+    t.level = 0;
+    Blade b = blades[index];
+    Stand s = standAt(b, 0.0, 0.0);
+    if (!exists(s)) return t;
+    float distance = length(s.root), kept = densityKept(1.0, distance, tess.range.y);
+    float high = geometryOpacity(s.density * kept, 0.0, b.place.w, species.counts.z) / s.opacity * heightKept(distance, tess.range.x, tess.range.z);
+    if (!(high > 0.0)) return t;
+    t.pose = poseHere(b, s, t.lightness);
+    t.pose.control *= min(high, 1.0);
+    t.pose.tip *= min(high, 1.0);
+    t.lightness *= b.tip.w;
+    t.hue = b.control.w;
+    t.root = s.root;
+    t.uv = s.uv;
+    t.density = s.density;
+    t.opacity = s.opacity;
+    t.grain = floatBitsToUint(b.facing.z);
+    t.width = b.place.z * frame.mode.w * min(1.0 / max(kept, 0.01), tess.range.w);
+    t.level = min(levelOf(t.pose, s.root), int(c.level));
+    t.plain = t.level == 1 && t.width * tess.level.w < tess.plain.x * distance;
+    if (t.plain) t.width *= tess.plain.y;
+    return t;
+}
+
+// Where in the shadow mask a vertex of it is.
+vec2 maskOf(TessBlade t, vec3 fromRoot) {
+    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0)) return vec2(0.0);
+    return maskPoint(fromRoot, t.pose.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+}
+
+// Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.
+BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
+    vec3 position = t.root + fromRoot;
+    shown = dot(normal, position) > 0.0 ? -normal : normal;
+    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, mix(species.rootColor.w, 1.0, v), t.density), t.uv);
+    if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
+    return l;
+}
