@@ -296,6 +296,7 @@ const System kSystems[] = {{"grass/tessellated/cells", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
     return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
+                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
                       Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
                       Feature::Lamps, Feature::Sky, Feature::Fog);
 }

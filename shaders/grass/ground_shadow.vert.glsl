@@ -34,7 +34,7 @@ void main() {
     Blade b = bladeHere();
     Stand s = standHere(b);
     left = vec3(1.0);
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // dropped: behind the near plane
+    gl_Position = vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
     // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep whole ones out.
     if (!exists(s) || s.opacity < b.facing.z) return;
     vec3 n = groundNormal(s.ground, kNormalStep);

@@ -153,10 +153,10 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define UBO_NODES 3
 #define UBO_SLICES 4
 #define UBO_WIND 5
-#define UBO_FORCE 8
 #define UBO_SHADOW 6
 #define UBO_LIGHTS 7
 #define UBO_TESS 8
+#define UBO_FORCE 9
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
