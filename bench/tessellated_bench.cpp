@@ -25,6 +25,7 @@ Project plain() {
     Project p = designed(kPlain, kPlain.side);
     GrassField& f = grassIn(p);
     f.technique = static_cast<int>(Technique::Tessellated);
+    f.beyond = static_cast<int>(Beyond::Nothing);
     f.cellSize = 0.75f;
     f.shadowMask = 0;
     f.groundShadows = false;

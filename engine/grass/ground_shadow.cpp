@@ -88,9 +88,7 @@ void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
 void draw(DrawContext& ctx) {
     const ShadowState& state = ctx.own<ShadowState>();
     if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
-    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
-    if (ctx.shared.orientation) glBindTextureUnit(TEX_ORIENTATION, ctx.shared.orientation);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
+    bindField(ctx);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glEnable(GL_BLEND);

@@ -106,7 +106,9 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
     const glm::vec2 within = eye / double(f.cellSize) - cell;
     const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
-    const GeometryRange range = geometryRange(f);
+    GeometryRange range = geometryRange(f);
+    if (static_cast<Technique>(f.technique) == Technique::Tessellated)  // takes over while blades get lower
+        range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance), f.maxDistance};
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
     g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
     g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, s.slices.farDepth};

@@ -196,6 +196,7 @@ constexpr FieldRow kGrassFieldFields[] = {
     real("thinning", offsetof(GrassField, thinning), "", kShare, "tessellated: share of the blades that is missing at maxDistance"),
     flag("widening", offsetof(GrassField, widening), "tessellated: blades that are left are wider, so as to cover as much"),
     real("lowerFrom", offsetof(GrassField, lowerFrom), "", kShare, "tessellated: share of maxDistance from which blades get lower; 1: they do not"),
+    choice("beyond", offsetof(GrassField, beyond), kBeyonds, "tessellated: what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
     choice("tessellation", offsetof(GrassField, tessellation), kTessellations,
            "tessellated: by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
@@ -225,7 +226,7 @@ FeatureSet tierFeatures(const GrassField& g) {
         case Technique::Geometry: return featureSet(Feature::GrassGeometry);
         case Technique::Slices: return featureSet(Feature::GrassSlices, Feature::GrassFar);
         case Technique::Flat: return featureSet(Feature::GrassFar);
-        case Technique::Tessellated: return featureSet(Feature::GrassTessellated);
+        case Technique::Tessellated: return g.beyond == static_cast<int>(Beyond::Slice) ? featureSet(Feature::GrassTessellated, Feature::GrassFar) : featureSet(Feature::GrassTessellated);
         default: break;
     }
     FeatureSet s;

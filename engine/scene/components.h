@@ -94,6 +94,7 @@ struct GrassField {
     float thinning = 0.75f;               // share of the blades that is missing at maxDistance; linear in the distance
     bool widening = true;                 // those that are left are wider, so as to cover as much
     float lowerFrom = 0.8f;               // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
+    int beyond = 0;                       // index into kBeyonds
     int tessellation = 0;                 // index into kTessellations
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
     int farBlur = 0;                      // index into kFarBlurs
@@ -129,6 +130,9 @@ enum class Tessellation { Auto, Stages, Strips };
 // How part-covered pixels are drawn (section 4.2, figure 21).
 inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
 enum class Transparency { Coverage, Both, Test, Blend };
+// What is drawn where tessellated blades end: the hybrid's horizontal slice; or, as published, bare ground.
+inline constexpr const char* kBeyonds[] = {"slice", "nothing"};
+enum class Beyond { Slice, Nothing };
 // Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a bell's.
 inline constexpr const char* kFarBlurs[] = {"none", "mean", "gaussian"};
 enum class FarBlur { None, Mean, Gaussian };

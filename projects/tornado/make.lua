@@ -10,7 +10,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
-    cellSize = 1, minGeom = 6, maxGeom = 14, minBTF = 30, maxBTF = 45, slices = 16, sliceWidth = 512, farSize = 512,
+    technique = "tessellated", maxDistance = 45, thinning = 0.6, cellSize = 1, minGeom = 6, maxGeom = 14, minBTF = 30, maxBTF = 45, slices = 16, sliceWidth = 512, farSize = 512,
     species = {
         { name = "tall", bladesPerM2 = 1600, height = 0.5, heightVariation = 0.25, width = 0.008, bend = 0.5, leanDeg = 10,
           leanVariationDeg = 12, segments = 4, clumpSize = 0.5, clumpStrength = 0.5, translucency = 0.7, gloss = 0.4,
@@ -21,8 +21,8 @@ entity.add("sun", { Light = { azimuthDeg = 150, elevationDeg = 34, intensity = 0
 entity.add("sky", { Sky = { turbidity = 6 } })
 entity.add("haze", { Fog = { visibility = 700 } })
 entity.add("wind", { Wind = { model = "waves", strength = 0.25, azimuthDeg = 110, speed = 6, c1 = 0.2, c2 = 0.06, c3 = 0.1, epsilon = 0.4 } })
-entity.add("human", { Camera = { eye = { 30, 7, 52 }, target = { 30, 0, 27 }, fovDeg = 55 } })
-entity.add("low", { Camera = { eye = { 20, 1.2, 42 }, target = { 30, 0.3, 26 }, fovDeg = 55 } })
+entity.add("human", { Camera = { eye = { 30, 6, 43 }, target = { 30, 0, 26 }, fovDeg = 60 } })
+entity.add("low", { Camera = { eye = { 24, 1.6, 35 }, target = { 30, 0.3, 26 }, fovDeg = 55 } })
 
 -- Blades lie along circles around the foot, drawn inwards; flat near it, less with the distance, none in the eye.
 map.create { path = forces, width = 512, height = 512, type = "u8", value = { 0.5, 0.5, 0, 0 } }

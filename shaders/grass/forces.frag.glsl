@@ -2,6 +2,8 @@
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/population.h"
 #include "numerics/wind.h"
 #include "numerics/gust.h"
 

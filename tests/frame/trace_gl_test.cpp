@@ -46,6 +46,12 @@ Project everything() {
     f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f));
     f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f));
     f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
+    f.forces = field(filled({16, 16, 4, PixelType::U8}, 0.6f));
+    f.farBlur = static_cast<int>(FarBlur::Gaussian);
+    f.farDarkening = 0.3f;
+    put<Wind>(p, "wind");
+    put<ForceSource>(p, "stone");
+    put(p, "stone", Transform{{10, 0, 8}});
     t.height = field(filled({32, 32, 1, PixelType::F32}, 0.5f));
     t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
     t.castShadows = true;
@@ -135,6 +141,12 @@ TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"blades that do not shade blades", [&](Project& p) { grass(p).shadowMask = 0; }},
         {"blades that do not shade the ground", [&](Project& p) { grass(p).groundShadows = false; }},
         {"lights that cast no shadows", [](Project& p) { for (const auto& [name, e] : p.entities) if (Light* l = p.registry.get<Light>(e)) l->castShadows = false; }},
+        {"a calm", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->strength = 0; }},
+        {"wind in waves", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = static_cast<int>(WindModel::Waves); }},
+        {"a force without strength", [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "stone"))->strength = 0; }},
+        {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
+        {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
+        {"bare ground beyond tessellated blades", [&](Project& p) { grass(p).technique = static_cast<int>(Technique::Tessellated), grass(p).beyond = static_cast<int>(Beyond::Nothing); }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
     for (const auto& [what, change] : changes) {

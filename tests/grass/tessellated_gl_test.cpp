@@ -18,6 +18,7 @@ Project lawnBy(Technique technique) {
     f.maxDistance = 200;
     f.thinning = 0;
     f.lowerFrom = 1;
+    f.beyond = static_cast<int>(Beyond::Nothing);
     return p;
 }
 std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& c = eyeHeight(), const ViewSettings& s = small()) {
@@ -236,6 +237,33 @@ TEST(Tessellated, IsTheSameNinetyThousandUnitsFromTheOrigin) {
     int worst = 0;
     for (size_t i = 0; i < here.size(); ++i) worst = std::max(worst, std::abs(here[i] - there[i]));
     EXPECT_LE(worst, 1);
+}
+
+// Bare ground lies beyond the last blade as published; else the horizontal slice takes over while blades get lower.
+TEST(Tessellated, GrassGoesOnBeyondTheLastBlade) {
+    Renderer r(gpu(), tables());
+    const auto greenFar = [&](Beyond beyond) {
+        Project p = lawnBy(Technique::Tessellated);
+        p.registry.get<Terrain>(findEntity(p, "ground"))->size = {200, 200};
+        GrassField& f = grassOf(p);
+        f.maxDistance = 6, f.lowerFrom = 0.7f, f.beyond = static_cast<int>(beyond);
+        f.species[0].bladesPerM2 = 1000;
+        f.sliceWidth = f.sliceHeight = f.farSize = 32;
+        const ViewCamera away{{100, 1.7, 100}, {130, 0, 130}, 40};
+        const auto picture = pictureOf(r, p, away);
+        double green = 0;
+        int n = 0;
+        const ViewSettings s = small();
+        for (int y = s.height / 2; y < s.height * 2 / 3; ++y)  // below the horizon, beyond the last blade
+            for (int x = 0; x < s.width; ++x, ++n) {
+                const uint8_t* c = &picture[3 * static_cast<size_t>(y * s.width + x)];
+                green += c[1] - c[0];
+            }
+        return green / n;
+    };
+    const double bare = greenFar(Beyond::Nothing), grown = greenFar(Beyond::Slice);
+    EXPECT_LT(bare, 2) << "soil is not green";
+    EXPECT_GT(grown, bare + 5);
 }
 
 }  // namespace
