@@ -1,6 +1,8 @@
 // Index: making slices · uniforms · vertical slices · the horizontal slice · rows.
 #include "grass/slices.h"
 
+#include <numeric>
+
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
@@ -274,6 +276,14 @@ void filterFar(GLuint texture, const GrassField& f) {
     glTextureParameterf(texture, GL_TEXTURE_MAX_ANISOTROPY, anisotropic ? 8.0f : 1.0f);
 }
 
+// Species from the lowest slice to the highest: they are blended over each other without depth, and eyes are above.
+std::vector<size_t> lowestFirst(const FieldState& field) {
+    std::vector<size_t> order(field.species.size());
+    std::iota(order.begin(), order.end(), size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return field.species[a]->slices.top < field.species[b]->slices.top; });
+    return order;
+}
+
 void drawFar(DrawContext& ctx) {
     FarState& state = ctx.own<FarState>();
     if (!ctx.shared.grass || state.selected.empty()) return;
@@ -284,7 +294,7 @@ void drawFar(DrawContext& ctx) {
     const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
     glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
+    for (const size_t i : lowestFirst(*ctx.shared.grass)) {
         const FieldSpecies& s = *ctx.shared.grass->species[i];
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
         for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight}) filterFar(t->id(), f);

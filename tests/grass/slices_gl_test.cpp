@@ -243,5 +243,26 @@ TEST(Transparency, LayersOfSamplesHideWhatTheirOpacitySays) {
                 EXPECT_NEAR(layers.hidden(alpha, n, samples), 1 - std::pow(1 - alpha, n), 0.02) << n << " layers of " << alpha << ", " << samples << " samples";
 }
 
+// The horizontal slices of several species lie over each other: which is listed first must not decide which hides the other.
+TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
+    NoGlErrors errors;
+    const auto redness = [](bool tallFirst) {
+        Project p = meadow(Technique::Flat);
+        GrassField& f = grassOf(p);
+        Species low = f.species[0], tall = f.species[0];
+        low.name = "low", low.height = 0.05f;
+        tall.name = "tall", tall.height = 0.5f;
+        tall.rootColor = tall.midColor = tall.tipColor = {0.4f, 0.05f, 0.05f};
+        f.species = tallFirst ? std::vector{tall, low} : std::vector{low, tall};
+        const auto pixels = picture(p);
+        double red = 0, green = 0;
+        for (size_t k = 0; k < pixels.size(); k += 3) red += pixels[k], green += pixels[k + 1];
+        return red / green;
+    };
+    const double first = redness(true), last = redness(false);
+    EXPECT_GT(last, 2) << "the tall grass is red";
+    EXPECT_NEAR(first, last, 0.05 * last);
+}
+
 }  // namespace
 }  // namespace sward::test

@@ -1,0 +1,60 @@
+-- A meadow with boulders, over which a giant has walked (Jahrmann and Wimmer 2013, figures 6 and 10). Tessellated blades, wind in gusts.
+-- Writes project.json, maps/ and models/ beside itself.
+
+local size = 120
+local height, tall, tint = "ground.Terrain.height", "grass.GrassField.species[tall].density", "grass.GrassField.vegetation"
+
+project.new()
+for _, name in ipairs(entity.list()) do entity.remove(name) end
+
+entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
+entity.add("grass", { GrassField = {
+    technique = "tessellated", maxDistance = 40, thinning = 0.6, cellSize = 1, slices = 16, sliceWidth = 512, farSize = 512,
+    species = {
+        { name = "tall", bladesPerM2 = 1500, height = 0.45, heightVariation = 0.3, width = 0.007, bend = 0.55, leanDeg = 10, smoothness = 5,
+          leanVariationDeg = 14, segments = 4, clumpSize = 0.45, clumpStrength = 0.6, translucency = 0.8, gloss = 0.4,
+          rootColor = { 0.05, 0.06, 0.02 }, midColor = { 0.08, 0.125, 0.035 }, tipColor = { 0.16, 0.17, 0.06 } },
+        { name = "low", bladesPerM2 = 2500, height = 0.14, heightVariation = 0.3, width = 0.005, bend = 0.5, leanDeg = 12, smoothness = 3,
+          leanVariationDeg = 14, segments = 3, clumpSize = 0.3, clumpStrength = 0.5, translucency = 0.6 },
+    },
+} })
+entity.add("sun", { Light = { azimuthDeg = 215, elevationDeg = 36 } })
+entity.add("sky", { Sky = { turbidity = 3 } })
+entity.add("haze", { Fog = { visibility = 2200 } })
+entity.add("wind", { Wind = { strength = 0.22, azimuthDeg = 60, speed = 4, gustSize = 9, turbulence = 0.4 } })
+
+map.create { path = height, width = 256, height = 256, type = "f32" }
+map.noise(height, { scale = 45, octaves = 3, amount = 6, seed = 17, mode = "set" })
+map.blur(height, 3)
+
+map.create { path = tall, width = 960, height = 960, type = "u16", value = 1 }
+map.noise(tall, { scale = 9, octaves = 4, amount = 0.9, seed = 23, mode = "multiply" })
+map.curve(tall, { { 0, 0 }, { 0.25, 0.1 }, { 0.7, 0.9 }, { 1, 1 } })
+
+map.create { path = tint, width = 480, height = 480, type = "u8", value = { 0.58, 0.53, 0.26, 0 } }
+map.noise(tint, { scale = 16, octaves = 4, amount = 0.7, seed = 5, mode = "set", channels = { 4 } })
+map.curve(tint, { { 0.4, 0 }, { 0.7, 0.35 } }, { channels = { 4 } })
+
+-- Boulders, and bare ground under each.
+local stone = { 0.13, 0.125, 0.11 }
+for i, s in ipairs { { 1.5, 1.0, 1.2 }, { 0.8, 0.6, 0.9 }, { 2.4, 1.7, 2.0 } } do
+    mesh.write("models/boulder" .. i .. ".glb", { { shape = "ball", at = { 0, s[2] * 0.4, 0 }, size = s, rough = 0.2, seed = 70 + i, color = stone } })
+end
+for i, at in ipairs { { 52, 74, 1 }, { 54.4, 72.8, 2 }, { 68, 62, 3 }, { 71, 64.5, 2 }, { 40, 60, 1 }, { 84, 80, 3 }, { 34, 44, 2 }, { 62, 88, 2 } } do
+    entity.add("boulder" .. i, { Transform = { position = { at[1], 0, at[2] } },
+                                 StaticMesh = { file = "models/boulder" .. at[3] .. ".glb", rotationDeg = { 0, 67 * i % 360, 0 } } })
+    map.disc(tall, { x = at[1], z = at[2], radius = ({ 0.9, 0.55, 1.4 })[at[3]], soft = 0.4, value = 0 })
+end
+
+-- The giant's feet: 3.2 m long, 1.2 m wide, one after the other.
+for i = 0, 7 do
+    local side = i % 2 * 2 - 1
+    entity.add("print" .. i, { Transform = { position = { 46 + 4.2 * i + side * 0.9, 0, 86 - 5.2 * i + side * 0.8 } },
+                               ForceSource = { shape = "foot", radius = 0.6, length = 3.2, headingDeg = 39, reach = 1.8 } })
+end
+
+local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
+entity.add("human", { Camera = { eye = above(49, 96, 2.4), target = above(56, 76, 0), fovDeg = 55 } })
+entity.add("low", { Camera = { eye = above(45, 80, 0.9), target = above(60, 68, 0.6), fovDeg = 55 } })
+entity.add("whole", { Camera = { eye = above(40, 112, 14), target = above(62, 66, 0), fovDeg = 55 } })
+project.saveAs(".")
