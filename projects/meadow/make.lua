@@ -46,15 +46,35 @@ for i, at in ipairs { { 52, 74, 1 }, { 54.4, 72.8, 2 }, { 68, 62, 3 }, { 71, 64.
     map.disc(tall, { x = at[1], z = at[2], radius = ({ 0.9, 0.55, 1.4 })[at[3]], soft = 0.4, value = 0 })
 end
 
--- The giant's feet: 3.2 m long, 1.2 m wide, one after the other.
-for i = 0, 7 do
-    local side = i % 2 * 2 - 1
-    entity.add("print" .. i, { Transform = { position = { 46 + 4.2 * i + side * 0.9, 0, 86 - 5.2 * i + side * 0.8 } },
-                               ForceSource = { shape = "foot", radius = 0.6, length = 3.2, headingDeg = 39, reach = 1.8 } })
+-- The giant's feet: 5 m long and 2 m wide, one after the other. Pressed flat inside, pushed away around.
+local forces = "grass.GrassField.forces"
+local prints, heading, half, radius, reach = {}, math.rad(28), 1.5, 1.0, 1.7
+local ax, az = math.sin(heading), -math.cos(heading)
+for i = 0, 6 do
+    local along, side = 7.5 * i - 4, (i % 2 * 2 - 1) * 1.7
+    prints[#prints + 1] = { 46 + ax * along - az * side, 92 + az * along + ax * side }
 end
+map.create { path = forces, width = 768, height = 768, type = "u8", value = { 0.5, 0.5, 0, 0 } }
+map.fill(forces, function(x, z)
+    for _, p in ipairs(prints) do
+        local dx, dz = x - p[1], z - p[2]
+        if math.abs(dx) < 4 and math.abs(dz) < 4 then
+            local t = math.max(-half, math.min(half, dx * ax + dz * az))
+            local ox, oz = dx - t * ax, dz - t * az
+            local r = math.sqrt(ox * ox + oz * oz)
+            if r < radius * reach then
+                local push = r < radius and math.min(1, 2 * r / radius) or (radius * reach - r) / (radius * (reach - 1))
+                local press = math.max(0, math.min(1, (radius - r) / (0.2 * radius)))
+                local share = math.max(push, press)
+                return 0.5 + 0.5 * push / share * ox / math.max(r, 0.01), 0.5 + 0.5 * push / share * oz / math.max(r, 0.01), press / share, share
+            end
+        end
+    end
+    return 0.5, 0.5, 0, 0
+end)
 
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
-entity.add("human", { Camera = { eye = above(49, 96, 2.4), target = above(56, 76, 0), fovDeg = 55 } })
+entity.add("human", { Camera = { eye = above(44, 101, 5.5), target = above(52, 84, 0), fovDeg = 58 } })
 entity.add("low", { Camera = { eye = above(45, 80, 0.9), target = above(60, 68, 0.6), fovDeg = 55 } })
 entity.add("whole", { Camera = { eye = above(40, 112, 14), target = above(62, 66, 0), fovDeg = 55 } })
 project.saveAs(".")

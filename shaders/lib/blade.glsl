@@ -43,8 +43,9 @@ Stand standAt(Blade b, float v, float across) {
 }
 bool exists(Stand s) { return s.opacity > 0.0 && s.uv.x <= 1.0 && s.uv.y <= 1.0; }
 
-// Lean and scale that the place adds to the patch's blade.
-BladePose poseHere(Blade b, Stand s, out float lighter) {
+// Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's light: the
+// density by which they shade each other falls with the press.
+BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     vec3 clump = vec3(0.0);
     if (GRASS_CLUMPS && species.tipColor.w > 0.0) clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
     BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
@@ -52,6 +53,7 @@ BladePose poseHere(Blade b, Stand s, out float lighter) {
     if (FORCES || FORCE_MAP) {
         vec3 pressed = forceHere(s.root.xz, s.uv);
         p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);
+        s.density *= 1.0 - pressed.z;
     }
     lighter = p.lighter;
     return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, p.lean, p.scale);
