@@ -45,7 +45,8 @@ class LazyUi final : public UiDriver {
         if (!gpu) return gpu.error();
         gpu_ = std::move(*gpu);
         driver_ = makeHeadlessUi(document_, *gpu_, 1280, 800);
-        return camera_.empty() ? Status{} : driver_->set("Viewport/Camera", camera_);
+        if (camera_.empty() || document_.play()) return {};  // in play the view is the walker's
+        return driver_->set("Viewport/Camera", camera_);
     }
     template <class F>
     Status with(F&& f) {
