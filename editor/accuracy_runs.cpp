@@ -23,8 +23,7 @@ fs::path folderFor(EditorApp& app) { return stateDir() / "cost" / hashHex(projec
 Status writeCopy(EditorApp& app, const fs::path& to) {
     std::error_code fault;
     fs::remove_all(to, fault);
-    fs::create_directories(to.parent_path(), fault);
-    if (fault) return fileError("cannot be made", to.parent_path(), fault.value());
+    if (Status s = makeFolderOf(to); !s) return s;
     Project copy = snapshot(app.doc.project(), app.doc.tables().components), original;
     original.dir = copy.dir;
     copy.dir = to;

@@ -105,7 +105,6 @@ Result<Project> openForRendering(const RenderOptions& options);
 Result<std::vector<std::string>> cameraNames(const Project& project, const std::string& wanted);
 // Where each camera's picture goes.
 std::filesystem::path outputOf(const RenderOptions& options, const Project& project, const std::string& camera, bool several);
-Status makeFolderOf(const std::filesystem::path& file);
 // "I/N"; empty: 0 of 1. Usage error otherwise.
 Result<std::pair<int, int>> parseShard(const std::string& text);
 // "1024x768"; Usage error otherwise. Each side from 1 to 16384.

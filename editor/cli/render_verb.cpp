@@ -16,14 +16,6 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     return std::pair{w, h};
 }
 
-Status makeFolderOf(const fs::path& file) {
-    if (!file.has_parent_path()) return {};
-    std::error_code ec;
-    fs::create_directories(file.parent_path(), ec);
-    if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), file.parent_path().string(), 0, 0, "choose another --out"};
-    return {};
-}
-
 Result<std::vector<std::string>> cameraNames(const Project& p, const std::string& wanted) {
     std::vector<std::string> all;
     for (const auto& [name, e] : p.entities)

@@ -1,4 +1,5 @@
 // map.*: create, fill, noise, blur, curve, import, export, mean, at, hash, size, exists.
+#include "core/file.h"
 #include "core/hash.h"
 #include "scene/import.h"
 #include "script/files.h"
@@ -196,6 +197,7 @@ int import(lua_State* L, State& state) {
 // map.export(name, file, {flip =, range =})
 int exportTo(lua_State* L, State& state) {
     const auto file = writablePath(L, textArg(L, 2));
+    orRaise(L, makeFolderOf(file));
     orRaise(L, exportMap(openProject(L), state.rows(), textArg(L, 1), file, transferOptions(L)));
     return 0;
 }

@@ -84,7 +84,7 @@ int write(lua_State* L, State&) {
     const Mesh mesh = makeMesh(solids);
     if (mesh.indices.empty()) raise(L, "the object has no shape");
     const std::string bytes = orRaise(L, encodeGlb(mesh));
-    std::filesystem::create_directories(file.parent_path());
+    orRaise(L, makeFolderOf(file));
     orRaise(L, writeFileAtomic(file, bytes));
     lua_pushinteger(L, static_cast<lua_Integer>(mesh.indices.size() / 3));
     return 1;

@@ -1,4 +1,5 @@
 // ui.*: the editor's real widgets, by label path, over the host's UiDriver.
+#include "core/file.h"
 #include "script/files.h"
 #include "script/state.h"
 
@@ -62,7 +63,9 @@ int wait(lua_State* L, State& state) {
 
 int screenshot(lua_State* L, State& state) {
     UiDriver& ui = driver(L, state);
-    orRaise(L, ui.screenshot(writablePath(L, textArg(L, 1))));
+    const auto file = writablePath(L, textArg(L, 1));
+    orRaise(L, makeFolderOf(file));
+    orRaise(L, ui.screenshot(file));
     return 0;
 }
 

@@ -111,6 +111,14 @@ Status writeFileSynced(const fs::path& file, std::string_view bytes) {
     return fileError("cannot be written", file, fault);
 }
 
+Status makeFolderOf(const fs::path& file) {
+    if (!file.has_parent_path()) return {};
+    std::error_code fault;
+    fs::create_directories(file.parent_path(), fault);
+    if (fault) return fileError("cannot be made", file.parent_path(), fault.value());
+    return {};
+}
+
 Status writeFileAtomic(const fs::path& file, std::string_view bytes) {
     const fs::path part = partPath(file);
     if (Status s = writeFileSynced(part, bytes); !s) {

@@ -23,6 +23,8 @@ Status writeFileSynced(const std::filesystem::path& file, std::string_view bytes
 Status syncPath(const std::filesystem::path& path);
 // A name in the same folder for the file while it is being written; ends in ".part". Unique to this process and call.
 std::filesystem::path partPath(const std::filesystem::path& file);
+// The folder that the file is to be in, with those above it; nothing to do if it is there.
+Status makeFolderOf(const std::filesystem::path& file);
 // "Verb FILE: reason" from errno-like codes, with a remedy for a full disk and for missing permissions.
 Error fileError(const std::string& verb, const std::filesystem::path& file, int errorNumber);
 

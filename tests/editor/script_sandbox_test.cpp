@@ -132,12 +132,14 @@ TEST(ScriptSandbox, FilesOutsideAreOutOfReach) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png') map.export('density', 'p/ok.png')"), "");
     EXPECT_TRUE(fs::exists(c.dir / "inside/p/ok.png"));
+    ASSERT_EQ(c.fault("map.export('density', 'new/folder/ok.png')"), "") << "folders are made";
     fs::copy_file(c.dir / "inside/ok.png", c.dir / "outside.png");
     const std::string outside = (c.dir / "outside.png").string(), refusal = "scripts reach only files";
     EXPECT_TRUE(says(c.fault("map.import('density', '" + outside + "')"), refusal));
     EXPECT_TRUE(says(c.fault("map.import('density', '../outside.png')"), refusal));
     EXPECT_TRUE(says(c.fault("map.import('density', 'p/../../outside.png')"), refusal));
     EXPECT_TRUE(says(c.fault("map.export('density', '../new.png')"), refusal));
+    EXPECT_TRUE(says(c.fault("map.export('density', '../other/new.png')"), refusal));
     EXPECT_TRUE(says(c.fault("map.export('density', '/tmp/sward-escape.png')"), refusal));
     EXPECT_TRUE(says(c.fault("project.new('../other')"), refusal));
     EXPECT_TRUE(says(c.fault("project.saveAs('../other')"), refusal));
