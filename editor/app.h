@@ -34,6 +34,7 @@ enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split };
 
 struct Viewport {
     FlyCamera camera;
+    float pathSecond = 0;           // where the inspector last moved it along a path
     ViewMode mode = ViewMode::Final;
     Rect rect;  // window coordinates
     bool hovered = false;

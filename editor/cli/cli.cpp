@@ -38,6 +38,7 @@ struct Verbs {
     static void addViews(CLI::App* v, RenderOptions& o) {
         v->add_option("project", o.project, "folder of the project")->required();
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
+        v->add_option("--path", o.path, "name of a CameraPath to film along, instead of cameras");
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--technique", o.technique, "hybrid, tessellated, geometry, slices or flat (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
@@ -45,7 +46,7 @@ struct Verbs {
         v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
         v->add_option("--time", o.time, "scene time in seconds");
         v->add_option("--frames", o.frames, "measure N frames after 3 warm-ups; with --fps write them");
-        v->add_option("--fps", o.fps, "with --frames: write frame_0000.png and so on at this rate");
+        v->add_option("--fps", o.fps, "with --frames or --path: write frame_0000.png and so on at this rate (along a path 25)");
         v->add_option("--out", o.out, "file (one camera) or folder (several); .png or .exr");
         v->add_option("--stats", o.stats, "write statistics as JSON to this file");
     }
@@ -67,7 +68,7 @@ struct Verbs {
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--time", o.time, "scene time in seconds");
-        v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 64)");
+        v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 32)");
         v->add_option("--lighting", o.lighting, "of the truth: full, or direct (lit as techniques light, only shadows traced)");
         v->add_option("--seed", o.seed, "of the truth's rays, never of the scene (default: 1)");
     }
@@ -90,9 +91,9 @@ struct Verbs {
         f->add_flag("--json", fit.json, "print JSON");
     }
     void addCompare() {
-        CLI::App* v = verb("compare", "Metrics of two images of the same size", [this] { return compareVerb(compare); });
-        v->add_option("a", compare.a, "first image")->required();
-        v->add_option("b", compare.b, "second image")->required();
+        CLI::App* v = verb("compare", "Metrics of two images of the same size, or of two folders with the pictures of a film: what pops", [this] { return compareVerb(compare); });
+        v->add_option("a", compare.a, "first image, or folder")->required();
+        v->add_option("b", compare.b, "second image, or folder: the truth")->required();
         v->add_option("--mask", compare.mask, "image whose first channel says how much of each pixel is grass and counts");
         v->add_option("--heatmap", compare.heatmap, "write a map of the errors to this .png");
         v->add_option("--metric", compare.metric, "of the heat map: appearance (default), flip, rmse or ssim");

@@ -17,6 +17,7 @@ int runCommandLine(int argc, char** argv);
 struct RenderOptions {
     std::string project;
     std::string camera;                  // empty: all
+    std::string path;                    // a CameraPath to film along instead; empty: none
     std::string size = "1024x768";
     std::string technique;               // empty: the project's
     std::vector<std::string> set;        // PATH=VALUE
@@ -103,6 +104,11 @@ int report(const Error& error);
 Result<Project> openForRendering(const RenderOptions& options);
 // Which cameras, in the order of their names. Errors: none, or none of that name.
 Result<std::vector<std::string>> cameraNames(const Project& project, const std::string& wanted);
+// Of what pictures are taken: the cameras, or the path alone, whose rate and length then stand in `options` (25 a second, all of
+// it, where they are not given). Errors: as cameraNames; no path of that name, or one without keys; a path and a camera.
+Result<std::vector<std::string>> shotNames(RenderOptions& options, const Project& project);
+// The camera of that name, or where it is on the path that many seconds from its beginning.
+ViewCamera shotAt(const RenderOptions& options, const Project& project, const std::string& name, double seconds);
 // Where each camera's picture goes.
 std::filesystem::path outputOf(const RenderOptions& options, const Project& project, const std::string& camera, bool several);
 // "I/N"; empty: 0 of 1. Usage error otherwise.

@@ -2,9 +2,11 @@
 #include "core/log.h"
 #include "measure/heatmap.h"
 #include "measure/metrics.h"
+#include "measure/popping.h"
 #include "scene/map_io.h"
 
 namespace sward {
+namespace fs = std::filesystem;
 namespace {
 
 Result<ErrorMetric> parseMetric(const std::string& text) {
@@ -47,12 +49,86 @@ Result<PicturePair> readPair(const CompareOptions& o) {
     return pair;
 }
 
+// --- films: two folders with pictures of the same names
+// In the order of their names; the standard errors that `reference` writes beside its pictures are none.
+std::vector<std::string> picturesIn(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code fault;
+    for (const fs::directory_entry& e : fs::directory_iterator(folder, fault)) {
+        const std::string name = e.path().filename().string();
+        if (name.ends_with(".png") || (name.ends_with(".exr") && !name.ends_with(".error.exr"))) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Result<std::vector<std::string>> filmNames(const CompareOptions& o) {
+    const std::vector<std::string> a = picturesIn(o.a), b = picturesIn(o.b);
+    std::vector<std::string> alone;
+    std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(alone));
+    if (!alone.empty())
+        return Error{ExitCode::Failed, alone.front() + " is in one of both folders alone", o.a + ", " + o.b, 0, 0, "film both with the same --frames"};
+    return a;
+}
+
+struct Film {
+    std::vector<std::string> names;
+    Popping popping;
+    double appearance = 0;  // mean over the pictures
+    uint64_t nonFinite = 0;
+};
+Result<Film> compareFilms(const CompareOptions& o) {
+    auto names = filmNames(o);
+    if (!names) return names.error();
+    Film film{std::move(*names), {}, 0, 0};
+    auto popped = popping(film.names.size(), [&](size_t i) -> Result<PicturePair> {
+        CompareOptions one = o;
+        one.a = (fs::path(o.a) / film.names[i]).string(), one.b = (fs::path(o.b) / film.names[i]).string();
+        auto pair = readPair(one);
+        if (!pair) return pair;
+        film.appearance += appearance(*pair).distance / static_cast<double>(film.names.size());
+        film.nonFinite += pair->nonFinite;
+        return pair;
+    });
+    if (!popped) return Error{popped.error().code, popped.error().message, popped.error().file.empty() ? o.a + ", " + o.b : popped.error().file, 0, 0, popped.error().remedy};
+    film.popping = std::move(*popped);
+    return film;
+}
+
+Json filmJson(const Film& f) {
+    const auto worst = static_cast<size_t>(f.popping.worstStep);
+    Json j;
+    j["pictures"] = static_cast<int>(f.names.size()), j["appearance"] = f.appearance, j["popping"] = f.popping.mean, j["popping_worst"] = f.popping.worst;
+    j["worst_step"].push(f.names[worst]), j["worst_step"].push(f.names[worst + 1]);
+    j["steps"] = Json::makeArray();
+    for (const double step : f.popping.steps) j["steps"].push(step);
+    j["non_finite"] = f.nonFinite;
+    return j;
+}
+
+std::string filmText(const Film& f) {
+    const auto worst = static_cast<size_t>(f.popping.worstStep);
+    return fmt::format("popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nappearance   {:.5f}  mean of {} pictures\n", f.popping.mean, f.popping.steps.size(), f.popping.worst,
+                       f.names[worst], f.names[worst + 1], f.appearance, f.names.size());
+}
+
+int compareFilmsVerb(const CompareOptions& o) {
+    if (!o.heatmap.empty()) return report({ExitCode::Usage, "a heat map is of two images, not of films", o.heatmap, 0, 0, "leave --heatmap out"});
+    const auto film = compareFilms(o);
+    if (!film) return report(film.error());
+    if (film->nonFinite > 0) logWarning(fmt::format("{} pixels are not finite and were left out", film->nonFinite));
+    std::printf("%s", (o.json ? writeJson(filmJson(*film)) : filmText(*film)).c_str());
+    return 0;
+}
+
 }  // namespace
 
 int compareVerb(const CompareOptions& o) {
     auto metric = parseMetric(o.metric);
     if (!metric) return report(metric.error());
     if (Status s = checkOptions(o); !s) return report(s.error());
+    std::error_code fault;
+    if (fs::is_directory(o.a, fault) && fs::is_directory(o.b, fault)) return compareFilmsVerb(o);
     auto pair = readPair(o);
     if (!pair) return report(pair.error());
     if (pair->nonFinite > 0)

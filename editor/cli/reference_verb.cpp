@@ -58,6 +58,7 @@ struct Shot {
     ReferenceSettings settings;
     std::string camera;
     double time;
+    ViewCamera view;
 };
 
 uint64_t partHash(const Shot& s) {
@@ -68,7 +69,7 @@ uint64_t partHash(const Shot& s) {
 
 Result<Json> trace(const Shot& s, const fs::path& file) {
     const auto start = std::chrono::steady_clock::now();
-    Job<Truth> job("reference " + s.camera, 0, [&s](JobControl& control) { return s.scene.trace(viewOf(*findCamera(s.project, s.camera)), s.settings, control); });
+    Job<Truth> job("reference " + s.camera, 0, [&s](JobControl& control) { return s.scene.trace(s.view, s.settings, control); });
     auto truth = waitFor(job, 0);
     if (!truth) return truth.error();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -97,19 +98,19 @@ fs::path fileOf(const ReferenceOptions& o, const Project& p, const std::string& 
     return fs::path(file).replace_extension(fmt::format(".{}-of-{}.part", s.shard, s.shards));
 }
 
-Result<Json> traceAll(const ReferenceOptions& o, const Project& project, ReferenceSettings settings) {
-    const auto cameras = cameraNames(project, o.camera);
+Result<Json> traceAll(ReferenceOptions o, const Project& project, ReferenceSettings settings) {
+    const auto cameras = shotNames(o, project);
     if (!cameras) return cameras.error();
     const bool film = o.fps > 0 && o.frames > 0, several = cameras->size() > 1;
     Json all = Json::makeArray();
     for (int frame = 0; frame < (film ? o.frames : 1); ++frame) {
-        const double time = o.time + (film ? frame / o.fps : 0);
+        const double since = film ? frame / o.fps : 0, time = o.time + since;
         Job<ReferenceScene> job("scene", 0, [&](JobControl& control) { return ReferenceScene::make(project, tables(), time, control); });
         auto scene = waitFor(job, 0);
         if (!scene) return scene.error();
         for (const std::string& camera : *cameras) {
             const fs::path file = film ? (several ? fs::path(o.out) / camera : fs::path(o.out)) / fmt::format("frame_{:04d}.png", frame) : fileOf(o, project, camera, several, settings);
-            auto told = trace({o, project, *scene, settings, camera, time}, file);
+            auto told = trace({o, project, *scene, settings, camera, time, shotAt(o, project, camera, since)}, file);
             if (!told) return told.error();
             all.push(std::move(*told));
         }

@@ -16,18 +16,6 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     return std::pair{w, h};
 }
 
-Result<std::vector<std::string>> cameraNames(const Project& p, const std::string& wanted) {
-    std::vector<std::string> all;
-    for (const auto& [name, e] : p.entities)
-        if (p.registry.get<Camera>(e)) all.push_back(name);
-    if (wanted.empty() && !all.empty()) return all;
-    if (std::find(all.begin(), all.end(), wanted) != all.end()) return std::vector<std::string>{wanted};
-    std::string list;
-    for (const std::string& n : all) list += (list.empty() ? "" : ", ") + n;
-    return Error{wanted.empty() ? ExitCode::Unsound : ExitCode::Usage, wanted.empty() ? "the project has no camera" : "there is no camera \"" + wanted + "\"",
-                 p.dir.string(), 0, 0, all.empty() ? "add an entity with a Camera" : "its cameras: " + list};
-}
-
 fs::path outputOf(const RenderOptions& o, const Project& p, const std::string& camera, bool several) {
     if (o.out.empty()) return p.name + "-" + camera + ".png";
     return several ? fs::path(o.out) / (camera + ".png") : fs::path(o.out);
@@ -92,28 +80,29 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
     return record;
 }
 
-Status writeFilm(Shot& shot, const RenderOptions& o, const fs::path& folder, int w, int h) {
+Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, const fs::path& folder, int w, int h) {
     for (int i = 0; i < o.frames; ++i) {
         shot.settings.time = o.time + i / o.fps;
+        shot.view = shotAt(o, shot.project, name, i / o.fps);
         if (Status s = shot.renderer.draw(shot.project, shot.view, shot.settings); !s) return s;
         if (Status s = writePicture(shot.renderer, folder / fmt::format("frame_{:04d}.png", i), w, h); !s) return s;
     }
     return {};
 }
 
-Status renderAll(const RenderOptions& o, Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
-    auto cameras = cameraNames(project, o.camera);
+Status renderAll(RenderOptions o, Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
+    const auto cameras = shotNames(o, project);
     if (!cameras) return cameras.error();
     Renderer renderer(gpu, tables());
     const bool several = cameras->size() > 1;
     std::vector<FrameRecord> records;
     for (const std::string& name : *cameras) {
-        Shot shot{renderer, project, gpu, viewOf(*findCamera(project, name)), {}};
+        Shot shot{renderer, project, gpu, shotAt(o, project, name, 0), {}};
         shot.settings.width = w, shot.settings.height = h;
         shot.settings.msaa = o.msaa, shot.settings.mode = mode, shot.settings.time = o.time;
         const fs::path file = outputOf(o, project, name, several);
         if (o.fps > 0 && o.frames > 0) {
-            if (Status s = writeFilm(shot, o, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s) return s;
+            if (Status s = writeFilm(shot, o, name, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s) return s;
             continue;
         }
         if (!o.stats.empty() || o.frames > 0) {

@@ -1,6 +1,7 @@
 // The chosen entity's components, made from their field tables. Fields themselves: inspector_fields.cpp.
 #include <imgui.h>
 
+#include "panels/inspector_camera.h"
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
@@ -65,6 +66,7 @@ void component(EditorApp& app, const ComponentRow& row, void* value) {
             drawField(app, {field, &f, &row, app.selected, path + "." + f.name},
                       static_cast<const char*>(row.defaults()) + f.offset);
     }
+    drawCameraTools(app, row, value);
     ImGui::Spacing();
 }
 

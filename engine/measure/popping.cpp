@@ -41,17 +41,21 @@ double stepPopping(const PicturePair& before, const PicturePair& after) {
 
 }  // namespace
 
-Result<Popping> popping(const std::vector<PicturePair>& path) {
-    if (path.size() < 2) return Error{ExitCode::Failed, "popping takes at least two pictures of a path", "", 0, 0, "take more"};
+Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>(size_t)>& picture) {
+    if (pictures < 2) return Error{ExitCode::Failed, "popping takes at least two pictures of a path", "", 0, 0, "take more"};
     Popping out;
-    for (size_t i = 0; i + 1 < path.size(); ++i) {
-        if (path[i + 1].truth.width != path[0].truth.width || path[i + 1].truth.height != path[0].truth.height)
-            return Error{ExitCode::Failed, fmt::format("picture {} of the path differs in size from the first", i + 1), "", 0, 0, "render all at one --size"};
-        const double step = out.steps.emplace_back(stepPopping(path[i], path[i + 1]));
-        out.mean += step;
-        if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i);
+    auto before = picture(0);
+    if (!before) return before.error();
+    for (size_t i = 1; i < pictures; ++i) {
+        auto after = picture(i);
+        if (!after) return after.error();
+        if (after->truth.width != before->truth.width || after->truth.height != before->truth.height)
+            return Error{ExitCode::Failed, fmt::format("picture {} of the path differs in size from the first", i), "", 0, 0, "render all at one --size"};
+        const double step = out.steps.emplace_back(stepPopping(*before, *after));
+        out.mean += step / static_cast<double>(pictures - 1);
+        if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i) - 1;
+        before = std::move(after);
     }
-    out.mean /= static_cast<double>(out.steps.size());
     return out;
 }
 

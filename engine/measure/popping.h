@@ -7,6 +7,8 @@
 // flicker elsewhere: that sequence's popping is the floor to hold a technique's against.
 // Source: ours. Does not: follow blades from picture to picture.
 #pragma once
+#include <functional>
+
 #include "measure/picture.h"
 
 namespace sward {
@@ -17,8 +19,9 @@ struct Popping {
     int worstStep = -1;           // from picture worstStep to the next
     std::vector<double> steps;
 };
-// Pairs of one path in order, at least two, of one size. A pixel counts by the smaller of its weights before and after a step; a step
-// in which none counts has 0. Failed if there are fewer than two, or their sizes differ.
-Result<Popping> popping(const std::vector<PicturePair>& path);
+// Pictures 0 to n-1 of one path, asked for in order, at least two, of one size; two are held at a time. A pixel counts by the smaller of its
+// weights before and after a step; a step in which none counts has 0. Failed if there are fewer than two, or their sizes differ; else
+// what a picture fails with.
+Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>(size_t)>& picture);
 
 }  // namespace sward

@@ -1,5 +1,5 @@
 // The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog
-// · StaticMesh · Rolling · Camera · rows · features of a scene.
+// · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
 #include "scene/components.h"
 
 #include <cstddef>
@@ -371,6 +371,26 @@ constexpr FieldRow kCameraFields[] = {
 };
 FeatureSet cameraFeatures(const void*) { return {}; }
 
+// --- CameraPath --------------------------------------------------------------------------------------------------
+constexpr FieldRow kCameraKeyFields[] = {
+    number(FieldType::String, "name", offsetof(CameraKey, name), "", {}, "what this key is called"),
+    real("seconds", offsetof(CameraKey, seconds), "s", {0, 86400, 0, 60}, "when the camera is here, from the path's beginning"),
+    number(FieldType::Vec3, "eye", offsetof(CameraKey, eye), "m", kPosition, "where the camera stands"),
+    number(FieldType::Vec3, "target", offsetof(CameraKey, target), "m", kPosition, "the point it looks at"),
+    real("fovDeg", offsetof(CameraKey, fovDeg), "deg", {1, 170, 20, 100}, "vertical field of view"),
+};
+constexpr ListRow kCameraKeyList = listRow<CameraKey>(kCameraKeyFields);
+constexpr FieldRow cameraKeysField() {
+    FieldRow row = number(FieldType::List, "keys", offsetof(CameraPath, keys), "", {}, "where the camera is when");
+    row.list = &kCameraKeyList;
+    return row;
+}
+constexpr FieldRow kCameraPathFields[] = {
+    cameraKeysField(),
+    real("exposure", offsetof(CameraPath, exposure), "stops", {-20, 20, -4, 4}, "brightens (+) or darkens (-) the pictures"),
+};
+FeatureSet cameraPathFeatures(const void*) { return {}; }
+
 }  // namespace
 
 std::span<const ComponentRow> sharedComponentRows() {
@@ -387,6 +407,7 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),
+        componentRow<CameraPath>("CameraPath", "A way of the camera, for films.", kCameraPathFields, cameraPathFeatures),
     };
     return kRows;
 }

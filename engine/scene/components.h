@@ -233,6 +233,20 @@ struct Camera {
     float exposure = 0;                   // stops
 };
 
+// Where a camera is at a second of its way.
+struct CameraKey {
+    std::string name = "key";
+    float seconds = 0;
+    glm::dvec3 eye{2, 1.7, 2};
+    glm::dvec3 target{20, 0, 20};
+    float fovDeg = 55;
+};
+// A way that a camera takes, through its keys (scene/camera_path.h): for films, and for what changes from picture to picture.
+struct CameraPath {
+    std::vector<CameraKey> keys;          // used in the order of their seconds
+    float exposure = 0;                   // stops
+};
+
 // The rows of the components above, in file order.
 std::span<const ComponentRow> sharedComponentRows();
 

@@ -101,5 +101,37 @@ TEST_F(CompareVerb, WeighsByAMaskAndDrawsTheErrors) {
     EXPECT_EQ(run({"compare", a, b, "--mask", png("small.png", 5, 5, 255)}).code, 1);
 }
 
+// --- films
+struct CompareFilms : CompareVerb {
+    // Pictures of even grey: film(name, {1, 2}) has two.
+    std::string film(const std::string& name, const std::vector<uint8_t>& values, int width = 16) {
+        std::filesystem::create_directories(dir / name);
+        for (size_t i = 0; i < values.size(); ++i) png(fmt::format("{}/frame_{:04d}.png", name, i), width, 16, values[i]);
+        return (dir / name).string();
+    }
+};
+TEST_F(CompareFilms, TellWhatPopsAndWhere) {
+    const std::string truth = film("truth", {100, 100, 100, 100}), drawn = film("drawn", {120, 120, 171, 171});
+    writeText(dir / "truth/frame_0000.error.exr", "no picture of the film");
+    const Said said = run({"compare", drawn, truth, "--json"});
+    ASSERT_EQ(said.code, 0) << said.log;
+    const auto j = parseJson(said.out, "compare");
+    ASSERT_TRUE(j) << said.out;
+    EXPECT_EQ(j->find("pictures")->number, 4);
+    EXPECT_NEAR(j->find("popping")->number, 0.2 / 3, 1e-6);
+    EXPECT_NEAR(j->find("popping_worst")->number, 0.2, 1e-6);
+    EXPECT_EQ(j->find("worst_step")->array[0].text, "frame_0001.png");
+    EXPECT_NEAR(j->find("appearance")->number, (2 * 20 + 2 * 71) / 4.0 / 255, 1e-6);
+    EXPECT_NE(run({"compare", drawn, truth}).out.find("from frame_0001.png to frame_0002.png"), std::string::npos);
+}
+TEST_F(CompareFilms, RefuseWhatIsNoPairOfFilms) {
+    const std::string four = film("four", {1, 2, 3, 4});
+    EXPECT_NE(run({"compare", four, film("three", {1, 2, 3})}).log.find("frame_0003.png is in one of both folders alone"), std::string::npos);
+    EXPECT_EQ(run({"compare", four, film("wide", {1, 2, 3, 4}, 24)}).code, 1);
+    EXPECT_EQ(run({"compare", film("a", {1}), film("b", {1})}).code, 1) << "one picture has no step";
+    EXPECT_EQ(run({"compare", four, four, "--heatmap", "h.png"}).code, 2);
+    EXPECT_EQ(run({"compare", four, (dir / "four/frame_0000.png").string()}).code, 3);
+}
+
 }  // namespace
 }  // namespace sward::test
