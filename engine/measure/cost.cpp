@@ -286,10 +286,4 @@ void markFrontier(std::vector<CostRow>& rows) {
         row.onFrontier = row.skipped.empty() && std::isfinite(row.msMedian) && std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) { return beats(other, row); });
 }
 
-double quantileOf(std::vector<double> values, double share) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
-}
-
 }  // namespace sward

@@ -79,7 +79,5 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
 
 // Sets onFrontier: no other drawn row of the same camera and machine is as quick and as near and better in one of both.
 void markFrontier(std::vector<CostRow>& rows);
-// The value below which a share of the values lies (nearest rank); not-a-number of none.
-double quantileOf(std::vector<double> values, double share);
 
 }  // namespace sward

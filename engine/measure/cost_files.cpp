@@ -18,6 +18,9 @@ Json appearanceJson(const Appearance& a) {
     return j;
 }
 
+// 0 of what no int holds.
+int whole(double v) { return v >= -2e9 && v <= 2e9 ? static_cast<int>(v) : 0; }
+
 // Reads members, noting the first that is missing or of another kind.
 struct Reader {
     const Json& json;
@@ -34,10 +37,7 @@ struct Reader {
         if (j && !j->isNumber() && !j->isNull() && missing.empty()) missing = name;
         return j && j->isNumber() ? j->number : std::numeric_limits<double>::quiet_NaN();
     }
-    int integer(const char* name) {
-        const double v = number(name);
-        return v >= -2e9 && v <= 2e9 ? static_cast<int>(v) : 0;
-    }
+    int integer(const char* name) { return whole(number(name)); }
     std::string text(const char* name) {
         const Json* j = member(name);
         return j && j->isString() ? j->text : "";
@@ -137,7 +137,7 @@ Result<CostRun> costFrom(const Json& json, const std::string& file) {
     run.project = r.text("project"), run.hash = r.text("hash"), run.samples = r.integer("samples"), run.lighting = r.text("lighting"), run.total = r.integer("total");
     std::vector<double> size;
     r.each("size", [&](const Json& v) { size.push_back(v.number); });
-    if (size.size() == 2) run.width = static_cast<int>(size[0]), run.height = static_cast<int>(size[1]);
+    if (size.size() == 2) run.width = whole(size[0]), run.height = whole(size[1]);
     r.each("machines", [&](const Json& v) {
         Reader m{v, {}};
         run.machines.push_back({m.text("renderer"), m.text("timing"), m.integer("cores")});

@@ -13,6 +13,12 @@ int roundsFor(double ms, int rounds) {
     return std::min(rounds, std::max(kLeastRounds, static_cast<int>(std::min(fit, 1e6))));
 }
 
+double quantileOf(std::vector<double> values, double share) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
+}
+
 void takeTimes(CostRow& row, std::vector<double> ms) {
     row.msMedian = quantileOf(ms, 0.5), row.msP95 = quantileOf(ms, 0.95);
     row.msSigma = std::numeric_limits<double>::quiet_NaN();

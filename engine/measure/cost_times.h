@@ -15,6 +15,8 @@ namespace sward {
 inline constexpr double kTimedSeconds = 2;  // a row, with the frame before each that is not counted
 inline constexpr int kLeastRounds = 2;      // of every row, if as many are asked for
 
+// The value below which a share of the values lies (nearest rank); not-a-number of none.
+double quantileOf(std::vector<double> values, double share);
 // Rounds in which a row takes part whose first frame took `ms`.
 int roundsFor(double ms, int rounds);
 // Sets ms, and msMedian, msP95 and msSigma from it.

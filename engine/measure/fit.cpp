@@ -1,5 +1,6 @@
 // Index: candidates · measuring one · the search · the grid · cameras that were not seen · all of it.
 #include "measure/fit.h"
+#include "measure/cost_times.h"
 
 #include <map>
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "measure/cost.h"
+#include "measure/cost_times.h"
 #include "measure/kernels_gpu.h"
 
 namespace sward {
