@@ -88,8 +88,10 @@ struct MaskState : EffectState {
     std::array<One, MAX_SPECIES> species;
 };
 
+// Two levels and no more: a thin blade's coordinates leap from pixel to pixel, and the mean over all heights that they would ask
+// for is the dark of the roots, where what is seen of dense grass are its tips.
 Texture uploadMask(Gpu& gpu, const BladeMask& m) {
-    Texture t = makeTexture2D(gpu, kOwner, GL_RGBA8, m.width, m.height, 0, true);
+    Texture t = makeTexture2D(gpu, kOwner, GL_RGBA8, m.width, m.height, 2, true);
     glTextureParameteri(t.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTextureSubImage2D(t.id(), 0, 0, 0, m.width, m.height, GL_RGBA, GL_UNSIGNED_BYTE, m.pixels.data());
     glGenerateTextureMipmap(t.id());

@@ -88,6 +88,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
+    if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, 0.25f);
     return l;
 }

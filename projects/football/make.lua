@@ -36,6 +36,11 @@ entity.add("sky", { Sky = { turbidity = 3 } })
 entity.add("haze", { Fog = { visibility = 4000 } })
 entity.add("whole", { Camera = { eye = { 62.5, 40, -60 }, target = { 62.5, 0, 36 }, fovDeg = 55 } })
 entity.add("human", { Camera = { eye = { 52, 1.7, 14 }, target = { 58, 0, 24 }, fovDeg = 55 } })
+entity.add("walk", { CameraPath = { keys = {  -- someone walks onto the pitch and along it
+    { name = "start", seconds = 0, eye = { 52, 1.7, 10 }, target = { 56, 0, 22 } },
+    { name = "turn", seconds = 6, eye = { 55, 1.7, 19 }, target = { 64, 0, 26 } },
+    { name = "end", seconds = 12, eye = { 63, 1.6, 25 }, target = { 76, 0.2, 30 } },
+} } })
 entity.add("low", { Camera = { eye = { 54, 0.25, 22 }, target = { 61, 0.1, 42 }, fovDeg = 55 } })
 
 local density = "turf.GrassField.species[ryegrass].density"

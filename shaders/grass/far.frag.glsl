@@ -66,10 +66,12 @@ uint grain(Repeated r) {
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
 }
 
-float lighterHere(Repeated r, float pixel) {
-    if (!GRASS_CLUMPS || slices.clumps.w <= 0.0 || pixel > slices.clumps.w) return 1.0;
+// What clumps add to the lean (x, y) and to the lightness (z), less where a pixel holds several of them.
+vec3 clumpsHere(Repeated r, float pixel) {
+    float left = 1.0 - pixel / (2.0 * slices.clumps.w);
+    if (!GRASS_CLUMPS || slices.clumps.w <= 0.0 || left <= 0.0) return vec3(0.0);
     vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
-    return 1.0 + c.z * slices.clumps.z * (1.0 - pixel / slices.clumps.w);
+    return left * c * slices.clumps.xxz;
 }
 
 void main() {
@@ -89,8 +91,9 @@ void main() {
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
-    vec3 gain = slices.shape.w * darkened(d) * sliceGain(toEye, paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0), true);
-    vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain * lighterHere(r, pixel), vec3(0.0), vec3(kBrightest));
+    vec3 clump = clumpsHere(r, pixel);
+    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0) + clump.xy, true);
+    vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 1.0, 0.5);

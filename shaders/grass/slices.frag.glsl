@@ -71,7 +71,7 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
 
 void main() {
     level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
-    fine = max(level - 2.0, 0.0);
+    fine = max(level - 1.5, 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;

@@ -38,7 +38,7 @@ out vec4 haze;        // its colour times the share that it has; w: what is left
 out vec2 weights;     // by distance, of what slices draw; by distance and view, of that what this family shows
 
 struct Place {
-    vec2 wide;      // lean that is the same over many blades: by paint and wind
+    vec2 wide;      // lean that is the same over many blades: by paint, wind and clumps
     vec2 lean;      // all of it, horizontal metres a metre of height
     float scale;    // of heights
     float lighter;
@@ -46,15 +46,15 @@ struct Place {
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
     p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0);
-    p.lean = p.wide;
     p.scale = 1.0;
     p.lighter = 1.0;
     if (GRASS_CLUMPS && slices.clumps.w > 0.0) {
         vec3 c = clumpValues(cell.x, cell.y, inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
-        p.lean += c.xy * slices.clumps.x;
+        p.wide += c.xy * slices.clumps.x;
         p.scale += c.z * slices.clumps.y;
         p.lighter += c.z * slices.clumps.z;
     }
+    p.lean = p.wide;
     if (FORCES || FORCE_MAP) {  // a slice has no blades to lay down each its own way: it sinks
         vec3 pressed = forceHere(foot.xz, uv);
         p.lean += pressed.xy;

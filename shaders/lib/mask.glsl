@@ -8,7 +8,7 @@ vec3 maskPoint(vec3 fromRoot, vec2 facing, vec3 towards, vec2 size) {
     MaskPoint p = maskPointOf(fromRoot, facing, towards, size.x, size.y);
     return vec3(p.turn, p.height, towards.y > 0.0 ? 1.0 : 0.0);
 }
-// Share of light that passes the neighbours there, at a density; interpolated coordinates choose the mipmap.
+// Share of light that passes the neighbours there, at a density; at most at half its resolution (grass/mask.cpp).
 float maskLight(vec2 at, float density) { return maskVisibility(texture(bladeMask, at), density); }
 // The same for a vertex, over a texel's surroundings.
 float maskLightAtVertex(vec2 at, float density) { return maskVisibility(textureLod(bladeMask, at, 1.0), density); }
