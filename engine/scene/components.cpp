@@ -360,7 +360,7 @@ constexpr FieldRow kFlowersFields[] = {
     real("heightVariation", offsetof(Flowers, heightVariation), "", kShare, "how much heights differ, as a share, both ways"),
     real("headSize", offsetof(Flowers, headSize), "m", {0, 5, 0.005, 0.2}, "of a head, across; 0: none"),
     color("color", offsetof(Flowers, color), {0, 1, 0, 1}, "reflectance of petals: of each flower's somewhere between this"),
-    color("secondColor", offsetof(Flowers, secondColor), {0, 1, 0, 1}, "and this"),
+    color("secondColor", offsetof(Flowers, secondColor), {0, 1, 0, 1}, "reflectance of petals: and this"),
     color("centerColor", offsetof(Flowers, centerColor), {0, 1, 0, 1}, "reflectance of the middle of a head"),
     color("stemColor", offsetof(Flowers, stemColor), {0, 1, 0, 1}, "reflectance of stem and leaves"),
     imageFile("texture", offsetof(Flowers, texture), "image with alpha: its top square the head, what is below it the stem; none: made by the program"),

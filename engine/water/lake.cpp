@@ -18,14 +18,13 @@ std::optional<glm::vec4> waterInView(DrawContext& ctx, const Water& water) {
     const HeightBounds& bounds = ctx.shared.bounds;
     std::optional<glm::vec4> square;
     if (!(ctx.eye.y > level)) return square;
-    const int side = bounds.parts.size() > 1 ? kBoundsGrid : 1;
+    const glm::dvec2 part = t.size / static_cast<double>(kBoundsGrid), eye(ctx.eye.x, ctx.eye.z);
     const float height = static_cast<float>(level - ctx.eye.y);
-    for (int z = 0; z < side; ++z)
-        for (int x = 0; x < side; ++x) {
-            const double lowest = static_cast<double>(side > 1 ? bounds.parts[static_cast<size_t>(z * side + x)].first : bounds.low);
+    for (int z = 0; z < kBoundsGrid; ++z)
+        for (int x = 0; x < kBoundsGrid; ++x) {
+            const double lowest = static_cast<double>(bounds.parts.size() > 1 ? bounds.parts[static_cast<size_t>(z * kBoundsGrid + x)].first : bounds.low);
             if (!(lowest < level)) continue;
-            const glm::vec2 low(glm::dvec2(x, z) / static_cast<double>(side) * t.size - glm::dvec2(ctx.eye.x, ctx.eye.z));
-            const glm::vec2 high = low + glm::vec2(t.size / static_cast<double>(side));
+            const glm::vec2 low(glm::dvec2(x, z) * part - eye), high(glm::dvec2(x + 1, z + 1) * part - eye);
             if (ctx.frustum.touches({low.x, height, low.y}, {high.x, height, high.y})) grow(square, low, high);
         }
     return square;

@@ -16,11 +16,11 @@ entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.34, 
 entity.add("grass", { GrassField = {
     cellSize = 1, minGeom = 4, maxGeom = 9, minBTF = 26, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
-        { name = "lush", bladesPerM2 = 2600, height = 0.3, heightVariation = 0.35, width = 0.0065, bend = 0.75,
+        { name = "lush", bladesPerM2 = 4200, height = 0.3, heightVariation = 0.4, width = 0.0065, bend = 0.75,
           leanDeg = 12, leanVariationDeg = 16, segments = 4, clumpSize = 0.5, clumpStrength = 0.65, translucency = 0.8, gloss = 0.5,
           rootColor = { 0.04, 0.055, 0.018 }, midColor = { 0.06, 0.12, 0.028 }, tipColor = { 0.115, 0.17, 0.05 } },
-        { name = "reed", bladesPerM2 = 110, height = 1.15, heightVariation = 0.35, width = 0.017, bend = 0.3,
-          leanDeg = 4, leanVariationDeg = 7, segments = 5, clumpSize = 0.9, clumpStrength = 0.6, translucency = 0.7, gloss = 0.6,
+        { name = "reed", bladesPerM2 = 130, height = 1.0, heightVariation = 0.4, width = 0.016, bend = 0.55,
+          leanDeg = 6, leanVariationDeg = 11, segments = 5, clumpSize = 0.9, clumpStrength = 0.6, translucency = 0.7, gloss = 0.6,
           rootColor = { 0.07, 0.07, 0.03 }, midColor = { 0.075, 0.12, 0.035 }, tipColor = { 0.16, 0.17, 0.075 } },
         { name = "dry", bladesPerM2 = 900, height = 0.34, heightVariation = 0.4, width = 0.005, bend = 0.8,
           leanDeg = 14, leanVariationDeg = 24, segments = 4, clumpSize = 0.6, clumpStrength = 0.8, translucency = 0.5,
@@ -30,9 +30,9 @@ entity.add("grass", { GrassField = {
 entity.add("lake", { Water = { level = 0, clarity = 3.2, color = { 0.012, 0.032, 0.028 }, ripples = 0.22, rippleSize = 0.9 } })
 entity.add("daisies", { Flowers = { flowersPerM2 = 26, height = 0.34, heightVariation = 0.3, headSize = 0.042, color = { 0.74, 0.72, 0.66 }, secondColor = { 0.74, 0.66, 0.42 }, maxDistance = 45 } })
 entity.add("asters", { Flowers = { flowersPerM2 = 16, height = 0.4, heightVariation = 0.3, headSize = 0.05, color = { 0.36, 0.13, 0.46 }, secondColor = { 0.58, 0.2, 0.4 }, seed = 7, maxDistance = 45 } })
-entity.add("sun", { Light = { azimuthDeg = 322, elevationDeg = 34 } })
-entity.add("sky", { Sky = { turbidity = 3.2 } })
-entity.add("haze", { Fog = { visibility = 1600 } })
+entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
+entity.add("sky", { Sky = { turbidity = 2.4 } })
+entity.add("haze", { Fog = { visibility = 2200 } })
 entity.add("wind", { Wind = { strength = 0.16, azimuthDeg = 200, speed = 3, gustSize = 9, turbulence = 0.4 } })
 
 -- A smooth closed curve through points, as a line of many; `by` grows it about its middle.
@@ -95,7 +95,7 @@ map.curve(reed, { { 0.45, 0 }, { 0.62, 0.9 }, { 1, 1 } })
 
 -- Tussocks on the sand, ever fewer.
 map.noise(dry, { scale = 1.7, octaves = 3, amount = 1, seed = 34, mode = "set" })
-map.curve(dry, { { 0.6, 0 }, { 0.72, 0.55 }, { 0.9, 0.8 } })
+map.curve(dry, { { 0.54, 0 }, { 0.68, 0.6 }, { 0.9, 0.9 } })
 map.noise(dry, { scale = 15, octaves = 2, amount = 0.9, seed = 35, mode = "multiply" })
 map.polygon(dry, { points = shore(1.2), soft = 8, value = 0 })
 
@@ -107,6 +107,9 @@ map.polygon(asters, { points = shore(1.25), soft = 9 })
 map.noise(asters, { scale = 5, octaves = 4, amount = 1.6, seed = 37, mode = "multiply" })
 map.curve(asters, { { 0.62, 0 }, { 0.9, 0.9 }, { 1, 1 } })
 for _, path in ipairs { daisies, asters } do map.polygon(path, { points = shore(1.03), soft = 2, value = 0 }) end
+
+-- No stalk right before the eye of the one who stands there.
+for _, path in ipairs { reed, dry } do map.disc(path, { x = 57, z = 82.5, radius = 3.5, soft = 1, value = 0 }) end
 
 map.create { path = orientation, width = 240, height = 240, type = "u16", value = 0.5 }
 map.noise(orientation, { scale = 12, octaves = 2, amount = 0.9, seed = 41, channels = { 1 } })
@@ -185,9 +188,9 @@ put("rock2", 92, 82, 30, 1.6)
 -------------------------------------------------------------------------------------------------------------- cameras
 
 local function above(x, z, metres) return { x, math.max(map.at(height, x, z), 0) + metres, z } end
-entity.add("whole", { Camera = { eye = { 60, 40, 142 }, target = { 60, 0, 62 }, fovDeg = 50 } })
+entity.add("whole", { Camera = { eye = { 66, 27, 112 }, target = { 61, 0, 58 }, fovDeg = 55 } })
 entity.add("human", { Camera = { eye = above(57, 82.5, 1.7), target = { 63, 0.4, 50 }, fovDeg = 58 } })
-entity.add("low", { Camera = { eye = above(70.5, 71.5, 0.62), target = { 64, 0.55, 50 }, fovDeg = 55 } })
+entity.add("low", { Camera = { eye = above(61, 65.5, 0.42), target = { 66, 0.75, 44 }, fovDeg = 55 } })
 
 project.saveAs(".")
 bake.ambientOcclusion { samples = 64, size = 256 }

@@ -3,6 +3,7 @@
 #include "frame/flower_image.h"
 #include "objects.h"
 #include "reference/reference.h"
+#include "scene/map_io.h"
 
 namespace sward::test {
 namespace {
@@ -70,18 +71,24 @@ TEST(Flowers, CoverAsMuchAsInTheRayTracedTruth) {
 TEST(Flowers, GrowWhereTheMapSays) {
     NoGlErrors errors;
     Project p = bed();
-    const double all = meanRed(drawn(p));
-    Map half = filled({64, 64, 1, PixelType::U16}, 0);
-    flowersIn(p).density = field(half);
-    EXPECT_LT(meanRed(drawn(p)), 0.02 * all);
-    flowersIn(p).density = field(filled({64, 64, 1, PixelType::U16}, 0.5f));
-    EXPECT_NEAR(meanRed(drawn(p)) / all, 0.55, 0.12);  // they hide each other less
+    const auto red = [&] { return meanRed(drawn(p)); };
+    const auto with = [&](const MapField& density, float tiling) {
+        flowersIn(p).density = density;
+        flowersIn(p).densityTiling = tiling;
+        return red();
+    };
+    const MapInfo info{64, 64, 1, PixelType::U16};
+    const double all = red(), none = with(field(filled(info, 0)), 1);
+    Project bare = bed();
+    removeEntity(bare, "bed");
+    EXPECT_EQ(none, meanRed(drawn(bare)));
+    const double half = with(field(filled(info, 0.5f)), 1);
+    EXPECT_NEAR((half - none) / (all - none), 0.55, 0.12);  // they hide each other less
+    Map stripes(info);
     for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x) half.set(x, y, 0, y % 32 < 16 ? 1.0f : 0.0f);
-    flowersIn(p).density = field(half);
-    const double stripes = meanRed(drawn(p));
-    flowersIn(p).densityTiling = 5;
-    EXPECT_NEAR(meanRed(drawn(p)) / stripes, 1, 0.3);
+        for (int x = 0; x < 64; ++x) stripes.set(x, y, 0, y < 32 ? 1.0f : 0.0f);
+    EXPECT_LT(with(field(stripes), 1), all);  // the far half is bare
+    EXPECT_NEAR((with(field(stripes), 16) - none) / (half - none), 1, 0.15);  // stripes of 0.4 m
 }
 
 TEST(Flowers, ThinOutWithoutPopping) {

@@ -48,10 +48,14 @@ Truth traced(const Project& p, const ViewCamera& c, int samples) {
     return *t;
 }
 
-// How red a pixel is against what it is beside.
+// How red a row is against how blue, over a few pixels about x: rays are thrown back by chance.
 double redness(const std::vector<float>& image, int x, int y) {
-    const float* v = &image[3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x))];
-    return static_cast<double>(v[0]) / std::max(static_cast<double>(v[2]), 1e-6);
+    double red = 0, blue = 1e-6;
+    for (int i = x - 4; i <= x + 4; ++i) {
+        const float* v = &image[3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(i))];
+        red += static_cast<double>(v[0]), blue += static_cast<double>(v[2]);
+    }
+    return red / blue;
 }
 // The row, with fractions, in which the mirrored cube's top edge lies in a column: from red to sky, looking down the picture.
 double mirroredEdge(const std::vector<float>& image, int x, int from) {
@@ -70,7 +74,7 @@ TEST(Water, StillWaterMirrorsAnObjectToThePixel) {
     const TempDir folder;
     Project p = lake(folder);
     const ViewCamera c = ashore();
-    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
+    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 256).color;
     // The front's upper edge stands at y = 2, its image at 2 * 0.5 - 2.
     const double edge = rowOf(c, {15, -1, 13});
     const int inside = static_cast<int>(edge) - 4;
