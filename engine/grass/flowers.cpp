@@ -150,8 +150,8 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/flowers/cells", update}};
 const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::Grass, Feature::GrassOcclusion, Feature::FlowerDensity, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap,
-                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
-const Pass kPasses[] = {{"grass/flowers", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+const Pass kPasses[] = {{"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

@@ -14,7 +14,6 @@
 #include "lib/density.glsl"
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
-#include "lib/mirror.glsl"
 #include "numerics/flower.h"
 layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
 layout(binding = TEX_FLOWERS) uniform sampler2D densityHere;
@@ -69,7 +68,6 @@ void main() {
     shown = petal = vec3(0.0);
     grain = 0u;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
-    cutAtWater(-1e6);
     if (!(size > 0.0)) return;
     float rises = min(size, 1.0);
     vec3 stem = flowerStem(f, flowers.shape.x * (1.0 + flowers.shape.y * f.taller), leanAt(f, at, place)) * rises;
@@ -82,6 +80,5 @@ void main() {
     petal = mix(flowers.petal.rgb, flowers.second.rgb, f.second);
     grain = hash3(uint(cell.x), uint(cell.y), number);
     lit = vec4(lightOn(position, shown, head ? 1.0 : flowerOpen(top), place), hazeShare(length(position)));
-    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }
