@@ -74,7 +74,20 @@ struct SharedResources {
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     std::array<BladeDraws, MAX_SPECIES> blades{};
     std::array<BladeShade, MAX_SPECIES> shades{};
+    GLuint reflection = 0;              // what the water mirrors; 0: nothing
+    glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
     LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
+};
+
+// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows it.
+struct ViewTargets;
+struct ViewRequest {
+    unsigned view = 0;            // ViewBits
+    ViewCamera camera;
+    glm::mat4 viewProj{1};        // from positions relative to the camera's eye to clip
+    float cutAt = 0;              // height relative to that eye, below which nothing is drawn
+    ViewSettings settings;
+    ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
 
 // The targets of one view.
@@ -84,6 +97,8 @@ struct ViewTargets {
     int width = 0, height = 0, samples = 0;
     bool stencil = false;      // whether depth has one: D32F_S8
 };
+// `owner`: who is charged. levels: of what is resolved; 0: all. image: with what is shown on a screen.
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil, int levels, bool image);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
@@ -102,6 +117,8 @@ struct DrawContext {
     FrameGlobals& globals;   // systems may write; uploaded before the first pass
     FrameStats& stats;
     Frustum frustum;
+    glm::dvec3 around{0};      // in the world: what is made around the eye once for all views is made around this
+    std::function<void(const ViewRequest&)> view = {};  // draws one; in stage Reflect only
     glm::dvec3 eye{0};         // relative to the terrain's corner, or to the world without a terrain
     EffectState* state = nullptr;  // of the effect whose pass or system runs
     PassStats* pass = nullptr;     // of the pass that runs

@@ -35,6 +35,16 @@ const char* whyAbsent(Feature f) {
         case Feature::CastingLights: return "no Light that shines casts shadows";
         case Feature::Sky: return "no Sky has an intensity above 0";
         case Feature::Fog: return "no Fog has a finite visibility";
+        case Feature::Wind: return "no Wind has a strength above 0";
+        case Feature::Gusts: return "no Wind of the model \"noise\" blows";
+        case Feature::Forces: return "no ForceSource has a strength and a radius above 0";
+        case Feature::ForceMap: return "no GrassField has a forces map";
+        case Feature::FarDarkening: return "no GrassField has a farDarkening above 0";
+        case Feature::FarBlur: return "no GrassField has a farBlur";
+        case Feature::Water: return "no entity has Water";
+        case Feature::WaterReflection: return "no Water has a reflection above 0";
+        case Feature::Flowers: return "no entity has Flowers of any number and size";
+        case Feature::FlowerDensity: return "no Flowers have a density map";
         case Feature::Count: break;
     }
     return "";

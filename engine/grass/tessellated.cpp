@@ -298,14 +298,14 @@ FeatureSet bladeFeatures() {
     return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
                       Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
                       Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog);
+                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 }
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
     {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), writerVariants},
     {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants},
 };
-const Pass kPasses[] = {{"grass/tessellated", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog
-// · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
+// · Water · Flowers · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
 #include "scene/components.h"
 
 #include <cstddef>
@@ -339,6 +339,40 @@ FeatureSet fogFeatures(const void* component) {
     return static_cast<const Fog*>(component)->visibility < kInf ? featureSet(Feature::Fog) : FeatureSet{};
 }
 
+// --- Water, Flowers ----------------------------------------------------------------------------------------------
+constexpr FieldRow kWaterFields[] = {
+    real("level", offsetof(Water, level), "m", {-1e5, 1e5, -10, 50}, "height of the surface, as the terrain's heights count; it stands where the ground is lower"),
+    real("clarity", offsetof(Water, clarity), "m", {0.01, 10000, 0.2, 20}, "distance over which what lies under water loses all but 2% of its contrast"),
+    color("color", offsetof(Water, color), kReflectance, "of deep water: share of the light from above that it sends back"),
+    real("ripples", offsetof(Water, ripples), "", {0, 2, 0, 1}, "slopes of ripples as a share of the open sea's in this wind; without wind it lies still"),
+    real("rippleSize", offsetof(Water, rippleSize), "m", {0.05, 1000, 0.2, 10}, "length of the longest ripples"),
+    real("reflection", offsetof(Water, reflection), "", kShare, "pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone"),
+};
+FeatureSet waterFeatures(const void* component) {
+    return static_cast<const Water*>(component)->reflection > 0 ? featureSet(Feature::Water, Feature::WaterReflection) : featureSet(Feature::Water);
+}
+
+constexpr FieldRow kFlowersFields[] = {
+    map("density", offsetof(Flowers, density), 1, PixelType::U16, "where they stand: share of flowersPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling, "repeats of the density map over the terrain"),
+    real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50}, "flowers on a square metre at density 1; 0: none"),
+    real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),
+    real("heightVariation", offsetof(Flowers, heightVariation), "", kShare, "how much heights differ, as a share, both ways"),
+    real("headSize", offsetof(Flowers, headSize), "m", {0, 5, 0.005, 0.2}, "of a head, across; 0: none"),
+    color("color", offsetof(Flowers, color), {0, 1, 0, 1}, "reflectance of petals: of each flower's somewhere between this"),
+    color("secondColor", offsetof(Flowers, secondColor), {0, 1, 0, 1}, "reflectance of petals: and this"),
+    color("centerColor", offsetof(Flowers, centerColor), {0, 1, 0, 1}, "reflectance of the middle of a head"),
+    color("stemColor", offsetof(Flowers, stemColor), {0, 1, 0, 1}, "reflectance of stem and leaves"),
+    imageFile("texture", offsetof(Flowers, texture), "image with alpha: its top square the head, what is below it the stem; none: made by the program"),
+    real("maxDistance", offsetof(Flowers, maxDistance), "m", {0.1, 10000, 5, 200}, "from here none is drawn"),
+    number(FieldType::Int, "seed", offsetof(Flowers, seed), "", {0, 2147483647, 0, 1000}, "another number: other flowers"),
+};
+FeatureSet flowersFeatures(const void* component) {
+    const auto& f = *static_cast<const Flowers*>(component);
+    if (!(f.flowersPerM2 > 0) || !(f.headSize > 0)) return {};
+    return f.density.present() ? featureSet(Feature::Flowers, Feature::FlowerDensity) : featureSet(Feature::Flowers);
+}
+
 // --- StaticMesh --------------------------------------------------------------------------------------------------
 constexpr FieldRow kStaticMeshFields[] = {
     meshFile("file", offsetof(StaticMesh, file), "object to show: .glb or .gltf in the project's folder"),
@@ -404,6 +438,8 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
         componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.", kForceFields, forceFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
+        componentRow<Water>("Water", "Water up to a level: it stands where the ground is lower.", kWaterFields, waterFeatures),
+        componentRow<Flowers>("Flowers", "Flowers over the terrain.", kFlowersFields, flowersFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),

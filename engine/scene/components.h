@@ -209,6 +209,34 @@ struct Fog {
     float visibility = 4000;              // metres at which contrast has fallen to 2% (Koschmieder)
 };
 
+// Water up to a level: it stands wherever the terrain lies lower. The first by name counts. Formulas: numerics/water.h.
+struct Water {
+    float level = 0;                      // metres, in the terrain's heights
+    float clarity = 2.5f;                 // metres over which what lies under water loses all but 2% of its contrast
+    glm::vec3 color{0.014f, 0.03f, 0.026f};  // of deep water: share of the light from above that it sends back
+    float ripples = 0.35f;                // slopes as a share of the open sea's in this wind; in a calm it lies still
+    float rippleSize = 1.2f;              // metres of the longest ripples
+    float reflection = 0.5f;              // pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone
+};
+
+// Flowers over the terrain, each a head on a stem that turns to the eye. Any number of entities may have some.
+// Source: Jahrmann and Wimmer 2013 (flowers as instanced billboards). Formulas: numerics/flower.h.
+struct Flowers {
+    MapField density;                     // one channel; absent: 1 everywhere
+    float densityTiling = 1;              // repeats over the terrain
+    float flowersPerM2 = 3;               // at density 1
+    float height = 0.3f;                  // metres from the ground to the head
+    float heightVariation = 0.3f;         // share of the height, both ways
+    float headSize = 0.035f;              // metres across
+    glm::vec3 color{0.72f, 0.7f, 0.64f};  // of petals; of each flower's somewhere between this ...
+    glm::vec3 secondColor{0.72f, 0.7f, 0.64f};  // ... and this
+    glm::vec3 centerColor{0.55f, 0.34f, 0.02f};
+    glm::vec3 stemColor{0.05f, 0.1f, 0.025f};
+    std::string texture;                  // PNG with alpha: its top square the head, what is below it the stem; empty: made by the program
+    float maxDistance = 40;               // metres from which none is drawn
+    int seed = 1;
+};
+
 // An object standing where its Transform says: bench, stone, house. Files: scene/mesh_io.h.
 struct StaticMesh {
     std::string file;                     // .glb or .gltf; empty: nothing to see

@@ -41,6 +41,10 @@ constexpr FeatureNames kNames[] = {
     {"far-blur", "FAR_BLUR"},
     {"sky", "SKY"},
     {"fog", "FOG"},
+    {"water", "WATER"},
+    {"water-reflection", "WATER_REFLECTION"},
+    {"flowers", "FLOWERS"},
+    {"flower-density", "FLOWER_DENSITY"},
 };
 static_assert(std::size(kNames) == static_cast<size_t>(Feature::Count));
 

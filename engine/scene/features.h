@@ -39,6 +39,10 @@ enum class Feature : uint8_t {
     FarBlur,           // what is far is blurred
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
+    Water,             // water stands where the ground is below its level
+    WaterReflection,   // the water mirrors the scene
+    Flowers,           // flowers stand among the grass
+    FlowerDensity,     // a density map decides where
     Count
 };
 using FeatureSet = std::bitset<static_cast<size_t>(Feature::Count)>;

@@ -18,6 +18,7 @@
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
+#include "lib/mirror.glsl"
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
@@ -110,6 +111,7 @@ void main() {
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
     if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

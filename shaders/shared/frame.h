@@ -33,6 +33,7 @@ struct FrameGlobals {
     SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
     SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: factor of widths where fewer blades are drawn
+    SHARED_VEC4 mirror;        // x: 1 in a view that water mirrors, else 0; y: height relative to the eye below which that view is cut
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
@@ -103,6 +104,32 @@ struct SpeciesGlobals {
     SHARED_VEC4 mask;          // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
+// Water, about the eye (scene/water.h).
+#define WATER_WAVES 10
+struct WaterGlobals {
+    SHARED_VEC4 place;         // height relative to the eye; y, z: texture coordinates of what it mirrors, a clip unit (0: only the sky); w: 0
+    SHARED_VEC4 square;        // low x, z and high x, z of what may be seen of it, relative to the eye
+    SHARED_VEC4 color;         // of deep water; w: metres from the surface at which mirrored things are taken to be
+    SHARED_VEC4 extinction;    // 1/m; w: 0
+    SHARED_VEC4 waves[WATER_WAVES];  // of full strength: x, z: turns a metre; phase at the eye (turns); slope
+};
+
+// What shaders read of one kind of flowers.
+struct FlowerGlobals {
+    SHARED_VEC4 shape;         // height; its variation; size of heads; side of a cell (m)
+    SHARED_VEC4 counts;        // flowers a cell; seed; repeats of the density map over the terrain (0: none); 1: the image is made by the program
+    SHARED_VEC4 range;         // distance from which flowers are left out; lodInverse to where all are; greatest widening; height of the head in the image, as a share
+    SHARED_VEC4 petal;
+    SHARED_VEC4 second;
+    SHARED_VEC4 center;
+    SHARED_VEC4 stem;
+};
+// A cell that flowers are drawn of.
+struct FlowerCell {
+    SHARED_IVEC2 cell;
+    SHARED_VEC2 corner;        // relative to the eye
+};
+
 // How a species' blades are tessellated (grass/tessellated.h).
 struct TessGlobals {
     SHARED_VEC4 range;         // x: distance from which no blade is drawn (m); y: share of blades missing at each metre; z: 1 / metres over
@@ -157,6 +184,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define UBO_LIGHTS 7
 #define UBO_TESS 8
 #define UBO_FORCE 9
+#define UBO_WATER 10
+#define UBO_FLOWERS 11
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
@@ -180,6 +209,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define TEX_WIND 19        // as TEX_SHADOW
 #define TEX_FORCE 20       // as TEX_SHADOW
 #define TEX_FORCE_MAP 21
+#define TEX_REFLECTION 22
+#define TEX_FLOWERS 23     // density
 #define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7       // as blades: bound for each draw

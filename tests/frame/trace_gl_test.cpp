@@ -60,6 +60,8 @@ Project everything() {
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
+    put<Water>(p, "lake", {.level = 0.56f});  // ground lies at 0.5
+    put<Flowers>(p, "flowers", {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
@@ -152,6 +154,8 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades", [&](Project& p) { grass(p).technique = static_cast<int>(Technique::Tessellated), grass(p).beyond = static_cast<int>(Beyond::Nothing); }},
+        {"water that mirrors the sky alone", [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
+        {"flowers of which there are none", [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
     expectNoTraces(removals);
