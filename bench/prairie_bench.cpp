@@ -20,6 +20,9 @@ Gpu* gpu() {
     return instance.get();
 }
 
+// Of frames drawn in turn with others': what load the machine has besides only adds to it.
+double least(const std::vector<double>& ms) { return ms.empty() ? NAN : *std::min_element(ms.begin(), ms.end()); }
+
 std::optional<Project> prairie(double side) {
     auto project = loadProject(SWARD_SOURCE_DIR "/projects/prairie", tables().components);
     if (!project) {
@@ -84,9 +87,9 @@ SWARD_LIMITS("prairie-size", [] {
     reportLimit("fragments of the same", many.fragments / few.fragments, 1.01, "x");
     reportLimit("nodes and cells of the same", many.nodes / few.nodes, 1.01, "x");
     reportLimit("bytes of the same", (many.bytes - few.bytes) / few.bytes, 1.01, "x");
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 9; ++i)
         for (Sized* t : {&a, &b}) t->ms.push_back(t->frame(t->feet(), s));
-    reportLimit("time of the same, in turn", median(b.ms) / median(a.ms), 1.15, "x");
+    reportLimit("time of the same, in turn", least(b.ms) / least(a.ms), 1.15, "x");
 });
 
 // Up to the horizon more is seen: hills add a number of the terrain's nodes for each doubling, over the ground and under the horizontal
@@ -103,9 +106,9 @@ SWARD_LIMITS("prairie-horizon", [] {
     reportLimit("up to the horizon: fragments", many.fragments / few.fragments, 1.06, "x");
     reportLimit("up to the horizon: nodes for each doubling", (many.nodes - few.nodes) / std::log2(45.0), 50, "nodes");
     reportLimit("up to the horizon: bytes", (many.bytes - few.bytes) / few.bytes, 1.01, "x");
-    for (int i = 0; i < 7; ++i)
+    for (int i = 0; i < 9; ++i)
         for (Sized* t : {&a, &b}) t->ms.push_back(t->frame(t->camera(), s));
-    reportLimit("up to the horizon: time, in turn", median(b.ms) / median(a.ms), 1.15, "x");
+    reportLimit("up to the horizon: time, in turn", least(b.ms) / least(a.ms), 1.15, "x");
 });
 
 // Levels of 255 that any channel of any pixel differs by between two pictures.
@@ -168,10 +171,10 @@ SWARD_LIMITS("prairie-table", [] {
         }
     for (Entry& r : rows)
         std::fprintf(stderr, "%6.0f m  %-7s far effects %-4s %8lu blades  %7.1f ms\n", r.side, kPopulations[static_cast<size_t>(r.population)], r.effects ? "on" : "off",
-                     static_cast<unsigned long>(r.made.renderer.stats().bladesGeometry), median(r.made.ms));
-    reportLimit("stored blades as a share of a patch's time, 160 m", median(rows[1].made.ms) / median(rows[0].made.ms), 1.25, "x");
-    reportLimit("far effects as a share of none, patch, 160 m", median(rows[5].made.ms) / median(rows[0].made.ms), 1.25, "x");
-    reportLimit("90,000 m as a share of 160 m, patch", median(rows[4].made.ms) / median(rows[0].made.ms), 1.25, "x");
+                     static_cast<unsigned long>(r.made.renderer.stats().bladesGeometry), least(r.made.ms));
+    reportLimit("stored blades as a share of a patch's time, 160 m", least(rows[1].made.ms) / least(rows[0].made.ms), 1.25, "x");
+    reportLimit("far effects as a share of none, patch, 160 m", least(rows[5].made.ms) / least(rows[0].made.ms), 1.25, "x");
+    reportLimit("90,000 m as a share of 160 m, patch", least(rows[4].made.ms) / least(rows[0].made.ms), 1.25, "x");
 });
 
 }  // namespace
