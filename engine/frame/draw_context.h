@@ -33,8 +33,9 @@ struct BladeDraws {
     GLuint mesh = 0, indices = 0, buffer = 0, globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
     const CellDraw* cells = nullptr;
     size_t count = 0;
-    uint32_t inPatch = 0;  // blades in the patch
+    uint32_t strips = 0;   // blades that the indices hold
     int segments = 0;
+    uint32_t verticesABlade = 0;  // of drawCommand (grass/cells.h)
     float shading = 1;     // share of them that is enough to shade the soil as all of them would
 };
 
@@ -69,7 +70,7 @@ struct SharedResources {
     GLuint heights = 0;        // the height map's texture; 0: flat
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
-    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0;
+    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0, bladeHeights = 0;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     std::array<BladeDraws, MAX_SPECIES> blades{};

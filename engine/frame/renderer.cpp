@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "scene/unique.h"
 
 namespace sward {
 namespace {
@@ -328,6 +329,8 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
     r.replan(project);
+    if (has(r.plan.features, Feature::GrassUnique))
+        if (Status s = checkUnique(project, r.population(project)); !s) return s;
     ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, has(r.plan.features, Feature::GroundShadows));
     FrameGlobals globals;
     Impl::fillGlobals(globals, camera, settings, jitterProjection(settings) * partProjection(settings) * viewProjection(camera, wholeWidth(settings), wholeHeight(settings)), r.targets.samples);

@@ -36,7 +36,7 @@ struct BrushDecal {
 // A painted map to show as a translucent colour (post/map_overlay.h); no PATH: none.
 struct MapOverlay {
     std::string map;            // its PATH
-    double tiling = 1;          // how often it repeats over the terrain
+    double tiling = 1;          // its tiling factor (scene/tiling.h)
     bool operator==(const MapOverlay&) const = default;
 };
 

@@ -55,12 +55,12 @@ struct CellSelection {
 
     void leaf(int x, int z, const Box& b) {
         const float nearWs = f32::lodRamp(static_cast<float>(nearest(b)), q.range.min, q.range.inv);
-        const auto [least, most] = q.density ? densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
+        const auto [least, most] = q.density ? densityRange(*q.density, q.densityTiling, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
         const float high = f32::highestThresholdDrawn(f32::densityKept(most, static_cast<float>(nearest(b)), q.thinning), q.fade), low = f32::lowestThresholdDrawn(f32::sliceDensity(least, nearWs), q.fade);
         const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
-        const uint32_t first = q.patch.upTo[level(low - 1e-5f)], last = q.patch.upTo[level(high + 1e-5f)];
+        const auto [first, last] = q.unique ? q.unique->range(x, z, low - 1e-5f, high + 1e-5f) : std::pair{q.patch.upTo[level(low - 1e-5f)], q.patch.upTo[level(high + 1e-5f)]};
         if (most <= 0 || first >= last) return;
-        const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
+        const f32::CellVersion v = q.unique ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, q.seed);
         out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1, static_cast<float>(nearest(b)), within(b, q.reach)});
     }
 
@@ -122,21 +122,33 @@ float bladeReach(const Species& species, const Patch& patch) {
 
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
-    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, patch, field.cellSize, bladeReach(species, patch),
-            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
+    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, tilingOf(terrain, species.densityTiling), patch, field.cellSize, bladeReach(species, patch),
+            bladeSagitta(patch), geometryRange(field), isUnique(field) ? 0 : field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
 }
 
-std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {
+namespace {
+
+constexpr double kRounding = 0.01;  // texels that shaders may be off by where a map repeats often
+
+// First and last texel, counted on from the map's first over all repeats, that sampling between a and b may read: at most all of them.
+std::pair<int64_t, int64_t> texelsBetween(double a, double b, double metres, int n, bool repeats) {
+    const double slack = repeats ? kRounding : 0;
+    const auto first = static_cast<int64_t>(std::floor(a / metres * n - 0.5 - slack)), last = static_cast<int64_t>(std::floor(b / metres * n - 0.5 + slack)) + 1;
+    if (repeats) return {first, std::min(last, first + n - 1)};
+    return {std::clamp<int64_t>(first, 0, n - 1), std::clamp<int64_t>(last, 0, n - 1)};
+}
+
+}  // namespace
+
+std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1, double z1) {
     const MapInfo& info = density.info();
-    const auto texel = [](double v, double extent, int n, int add) {
-        return std::clamp(static_cast<int>(std::floor(v / extent * n - 0.5)) + add, 0, n - 1);
-    };
-    const int left = texel(x0, size.x, info.width, 0), right = texel(x1, size.x, info.width, 1);
-    const int top = texel(z0, size.y, info.height, 0), bottom = texel(z1, size.y, info.height, 1);
-    float least = density.at(left, top), most = least;
-    for (int y = top; y <= bottom && (least > 0 || most < 1); ++y)
-        for (int x = left; x <= right; ++x) {
-            const float d = density.at(x, y);
+    const auto [left, right] = texelsBetween(x0, x1, tiling.metres.x, info.width, tiling.repeats);
+    const auto [top, bottom] = texelsBetween(z0, z1, tiling.metres.y, info.height, tiling.repeats);
+    const auto inside = [](int64_t i, int n) { return static_cast<int>((i % n + n) % n); };
+    float least = 1, most = 0;
+    for (int64_t y = top; y <= bottom && (least > 0 || most < 1); ++y)
+        for (int64_t x = left; x <= right; ++x) {
+            const float d = density.at(inside(x, info.width), inside(y, info.height));
             least = std::min(least, d);
             most = std::max(most, d);
         }
@@ -155,7 +167,7 @@ std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float fa
     std::vector<std::pair<double, SliceCell>> found;
     s.eachCell(far, [&](int x, int z, const CellSelection::Box& b) {
         if (s.farthest(b) <= near) return;
-        if (q.density && densityRange(*q.density, q.terrain.size, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
+        if (q.density && densityRange(*q.density, q.densityTiling, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
         const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
         found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift}});
     });
@@ -178,7 +190,7 @@ uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
         const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
         if (u > 1 || v > 1) continue;
         const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);
-        const float density = q.density ? q.density->sample(u, v) : 1.0f;
+        const float density = q.density ? tiledSample(*q.density, q.densityTiling, u * q.terrain.size.x, v * q.terrain.size.y) : 1.0f;
         const float weight = f32::lodRamp(glm::length(at), q.range.min, q.range.inv);
         n += f32::geometryOpacity(density, weight, b.threshold, q.fade) > 0 && q.frustum.touches(at, at);
     }
@@ -198,9 +210,10 @@ uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); 
 
 uint32_t bladesDrawn(const CellDraw& c, float detail) { return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f))); }
 
-DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t bladesInPatch, float detail, uint32_t instance) {
-    const uint32_t each = static_cast<uint32_t>(quads) * 6;
-    return {bladesDrawn(c, detail) * each, 1, firstStrip(quads) * bladesInPatch + c.first * each, 0, instance};
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance, uint32_t verticesABlade) {
+    const uint32_t each = static_cast<uint32_t>(quads) * 6, begin = firstStrip(quads) * strips, count = bladesDrawn(c, detail) * each;
+    if (verticesABlade > 0) return {count, 1, begin, static_cast<int32_t>(c.first * verticesABlade), instance};
+    return {count, 1, begin + c.first * each, 0, instance};
 }
 
 }  // namespace sward

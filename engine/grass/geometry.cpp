@@ -14,6 +14,8 @@ constexpr const char* kOwner = "grass/geometry";
 struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
     int segments = 0;
+    size_t strips = 0;  // blades that the indices hold, and whether they are a cell's own: as drawCommand takes them
+    uint32_t verticesABlade = 0;
     Buffer blades, indices, cells, commands;
     Buffer listed;     // indices of the blades that can be seen, where the driver shades vertices on the CPU; else none
     GLsizei seen = 0;  // commands
@@ -38,11 +40,13 @@ std::vector<uint32_t> stripIndices(size_t blades, int segments) {
 }
 
 void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int segments) {
-    if (s.key == f.key && s.segments == segments && s.mesh.id()) return;
-    s.key = f.key;
+    if (s.key == f.drawnKey() && s.segments == segments && s.mesh.id()) return;
+    s.key = f.drawnKey();
     s.segments = segments;
-    const auto indices = stripIndices(f.patch.blades.size(), segments);
-    s.blades = makeBuffer(ctx.gpu, kOwner, f.patch.blades.size() * sizeof(Blade), f.patch.blades.data());
+    s.strips = f.unique.empty() ? f.patch.blades.size() : f.unique.mostInCell;
+    s.verticesABlade = f.unique.empty() ? 0 : 2 * static_cast<uint32_t>(segments + 1);
+    const auto indices = stripIndices(s.strips, segments);
+    s.blades = makeBuffer(ctx.gpu, kOwner, f.drawn().blades.size() * sizeof(Blade), f.drawn().blades.data());
     s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
     s.mesh = makeVertexArray(kOwner);
     s.least.clear();
@@ -56,14 +60,14 @@ void uploadCommands(DrawContext& ctx, SpeciesState& s, const std::vector<DrawCom
 }
 
 // One command a cell, over a range of the patch's blades.
-void commandRanges(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
+void commandRanges(DrawContext& ctx, SpeciesState& s) {
     std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
     uint64_t blades = 0;
     for (size_t i = 0; i < s.selected.size(); ++i) {
         const CellDraw& c = s.selected[i];
         if (!c.seen) continue;
-        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(i)));
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(s.strips), ctx.settings.detail, static_cast<uint32_t>(i), s.verticesABlade));
         blades += bladesDrawn(c, ctx.settings.detail);
     }
     s.listed = {};
@@ -88,14 +92,13 @@ void cull(DrawContext& ctx) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.shared.grass) return;
     const FieldState& field = *ctx.shared.grass;
-    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const bool castingLamps = ctx.shared.lights.count.y > 0;
     state.species.resize(field.species.size());
     ctx.shared.blades = {};
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
-        CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.species[i]->patch, ctx.eye, ctx.frustum, pixels);
+        CellQuery query = drawnQuery(ctx, f, i);
         if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(field.species[i]->look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
         SpeciesState& s = *state.species[i];
         const FieldSpecies& own = *field.species[i];
@@ -103,8 +106,8 @@ void cull(DrawContext& ctx) {
         writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
         describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
         if (ctx.gpu.software) commandLists(ctx, s, query, static_cast<Transparency>(f.transparency));
-        else commandRanges(ctx, s, own.patch.blades.size());
-        ctx.shared.blades[i] = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(own.patch.blades.size()), s.segments, shadingShare(own.look, ctx.globals.sunDirection.y)};
+        else commandRanges(ctx, s);
+        ctx.shared.blades[i] = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(s.strips), s.segments, s.verticesABlade, shadingShare(own.look, ctx.globals.sunDirection.y)};
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -139,7 +142,7 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
+                                            Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
                                             Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection), fieldVariants}};
 const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 

@@ -64,8 +64,8 @@ TessGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species
 }
 
 void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, const GrassField& f, const Species& species) {
-    if (s.key != own.key || !s.blades.id()) s.blades = makeBuffer(ctx.gpu, kOwner, own.patch.blades.size() * sizeof(Blade), own.patch.blades.data());
-    s.key = own.key;
+    if (s.key != own.drawnKey() || !s.blades.id()) s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
+    s.key = own.drawnKey();
     if (s.imageHash != own.bladeHash) s.covered = meanAlpha(own.bladeImage);
     s.imageHash = own.bladeHash;
     const TessGlobals g = globalsOf(ctx, f, species, s.covered);
@@ -132,9 +132,10 @@ void listCells(DrawContext& ctx, SpeciesState& s, std::span<const CellDraw> sele
     ctx.stats.bladesGeometry += s.slots;
 }
 
-CellQuery queryOf(DrawContext& ctx, const GrassField& f, const Species& species, const Patch& patch) {
+CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, species, patch, ctx.eye, ctx.frustum, pixels);
+    const Species& species = f.species[i];
+    CellQuery q = drawnQuery(ctx, f, i);
     q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
@@ -152,7 +153,7 @@ void select(DrawContext& ctx) {
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         updateSpecies(ctx, *state.species[i], *field.species[i], f, f.species[i]);
-        std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, f.species[i], field.species[i]->patch));
+        std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, i));
         // What is behind is then not shaded; and what is cut by the picture's edge is drawn last, because a software rasteriser takes a slow
         // way with whole batches of vertices of which one must be clipped.
         std::stable_sort(selected.begin(), selected.end(), [](const CellDraw& a, const CellDraw& b) { return std::pair(-a.whole, a.nearest) < std::pair(-b.whole, b.nearest); });
@@ -295,7 +296,7 @@ std::vector<std::string> writerVariants() {
 const System kSystems[] = {{"grass/tessellated/cells", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
-    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
+    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
                       Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
                       Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
                       Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);

@@ -40,7 +40,7 @@ struct TexelGrid {
     glm::vec4 at(double u, double v, bool repeat) const;
 };
 TexelGrid texelGridOf(const Rgba8& image);
-// A painted map read as shaders read it: it repeats `tiling` times over the terrain; colours, of sRGB maps, linear.
+// A painted map read as shaders read it: it repeats `tiling` times over what a map of tiling 1 covers; colours, of sRGB maps, linear.
 glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb);
 
 }  // namespace sward

@@ -18,6 +18,7 @@ struct Range {
     double hardMin, hardMax, softMin, softMax;
 };
 constexpr Range kShare{0, 1, 0, 1};
+constexpr Range kTiling{0.001, 10000, 1, 50};
 
 constexpr FieldRow number(FieldType type, const char* name, size_t offset, const char* unit, Range r,
                           const char* help) {
@@ -89,6 +90,10 @@ constexpr FieldRow kTerrainFields[] = {
          "how far the finest level reaches; each next level doubles it"),
     map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
         "colour and opacity blended over the tile texture"),
+    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling, "repeats of the height map over mapSize, every other one mirrored"),
+    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling, "repeats of the terrain map over mapSize"),
+    real("mapSize", offsetof(Terrain, mapSize), "m", {0, 1e6, 0, 1000},
+         "length over which every map's tiling counts its repeats; 0: the whole terrain"),
     imageFile("groundTexture", offsetof(Terrain, groundTexture),
               "image tiled over the ground; none: soil made by the program"),
     real("tileSize", offsetof(Terrain, tileSize), "m", {0.01, 1e4, 0.1, 20},
@@ -112,6 +117,7 @@ constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
     map("density", offsetof(Species, density), 1, PixelType::U16,
         "where it grows: share of bladesPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Species, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
     real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
          "blades on a square metre at density 1"),
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
@@ -143,7 +149,6 @@ constexpr FieldRow kSpeciesFields[] = {
 };
 constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
 
-constexpr Range kTiling{0.001, 10000, 1, 50};
 constexpr Range kTierDistance{0, 1e6, 0, 200};
 constexpr FieldRow choice(const char* name, size_t offset, std::span<const char* const> options, const char* help) {
     FieldRow row = number(FieldType::Enum, name, offset, "", {}, help);
@@ -212,13 +217,17 @@ constexpr FieldRow kGrassFieldFields[] = {
         "share of the sky that the ground sees"),
     map("forces", offsetof(GrassField, forces), 4, PixelType::U8,
         "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8, "share of their height that blades have; none: all of it"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
-         "repeats of the orientation map over the terrain"),
+         "repeats of the orientation map over the terrain's mapSize"),
     real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
-         "repeats of the vegetation map over the terrain"),
+         "repeats of the vegetation map over the terrain's mapSize"),
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
-         "repeats of the ambient-occlusion map over the terrain"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain"),
+         "repeats of the ambient-occlusion map over the terrain's mapSize"),
+    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain's mapSize"),
+    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling, "repeats of the blade-height map over the terrain's mapSize"),
+    choice("population", offsetof(GrassField, population), kPopulations,
+           "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
 };
 // Which tiers a field is drawn with.
 FeatureSet tierFeatures(const GrassField& g) {
@@ -256,6 +265,9 @@ FeatureSet grassFeatures(const void* component) {
     if (translucency) s |= featureSet(Feature::Translucency);
     if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
+    if (g.bladeHeight.present()) s |= featureSet(Feature::GrassHeights);
+    const bool blades = has(s, Feature::GrassGeometry) || has(s, Feature::GrassTessellated);
+    if (blades && g.population == static_cast<int>(Population::Unique)) s |= featureSet(Feature::GrassUnique);
     if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
     if (g.farBlur != static_cast<int>(FarBlur::None)) s |= featureSet(Feature::FarBlur);
     if (g.farDarkening > 0) s |= featureSet(Feature::FarDarkening);

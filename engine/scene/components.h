@@ -31,6 +31,8 @@ struct Terrain {
     float gridSpacing = 0.25f;             // metres between vertices of the finest level
     float lodDistance = 30;                // metres to which the finest level reaches; each next level doubles it
     MapField terrainMap;                   // RGBA, colour (sRGB) and opacity over the tile texture
+    float heightTiling = 1, terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
+    float mapSize = 0;                     // metres over which all maps' tilings count, both ways; 0: the whole terrain
     std::string groundTexture;             // PNG tiled over the ground; empty: soil made by the program
     float tileSize = 2;                    // metres a tile of it covers
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
@@ -41,6 +43,7 @@ struct Terrain {
 struct Species {
     std::string name = "grass";
     MapField density;                     // one channel; absent: 1 everywhere
+    float densityTiling = 1;              // repeats over Terrain.mapSize
     float bladesPerM2 = 2000;             // at density 1
     float height = 0.08f;
     float heightVariation = 0.25f;        // share of the height, both ways
@@ -105,10 +108,15 @@ struct GrassField {
     MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
     MapField forces;                      // RGBA: push x, z about 0.5, press; times A
     MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
-    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1;  // repeats over the terrain
+    MapField bladeHeight;                 // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1, bladeHeightTiling = 1;  // over Terrain.mapSize
+    int population = 0;                   // index into kPopulations
 };
 inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
 enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
+// Which blades there are: one cell's, repeated in every cell; or each cell's own (scene/unique.h).
+inline constexpr const char* kPopulations[] = {"patch", "unique"};
+enum class Population { Patch, Unique };
 // How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a light.
 inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
 enum class Storage { Factored, Compressed, Full };

@@ -19,6 +19,8 @@ constexpr FeatureNames kNames[] = {
     {"grass-far", "GRASS_FAR"},
     {"grass-tessellated", "GRASS_TESSELLATED"},
     {"grass-density", "GRASS_DENSITY"},
+    {"grass-heights", "GRASS_HEIGHTS"},
+    {"grass-unique", "GRASS_UNIQUE"},
     {"grass-orientation", "GRASS_ORIENTATION"},
     {"grass-vegetation", "GRASS_VEGETATION"},
     {"grass-occlusion", "GRASS_OCCLUSION"},

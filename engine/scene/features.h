@@ -17,6 +17,8 @@ enum class Feature : uint8_t {
     GrassFar,          // the horizontal slice is drawn
     GrassTessellated,  // blades are drawn one by one, each as finely as its distance asks
     GrassDensity,      // a density map decides where
+    GrassHeights,      // a blade-height map lowers blades
+    GrassUnique,       // each cell has blades of its own, instead of the patch's
     GrassOrientation,  // a painted direction turns the lean
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light

@@ -22,6 +22,7 @@ struct FrameGlobals {
     SHARED_VEC4 viewport;      // width, height, 1/width, 1/height
     SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: height above the highest ground (m)
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
+    SHARED_VEC4 maps;          // 1 / metres that a map of tiling 1 covers, along x and z; tiling of heights, and of the terrain map, as below
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
     SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi; w: 1 if it casts shadows
     SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
@@ -65,7 +66,10 @@ struct ForceGlobals {
 // What shaders of all of a field's species read.
 struct CoverGlobals {
     SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
-    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion, forces
+    // Tilings: repeats over what a map of tiling 1 covers; 0: the map lies on the terrain once, and its edge texels go on beyond (scene/tiling.h).
+    SHARED_VEC4 tiling;        // of orientation, vegetation, ambient occlusion, forces: they repeat even where that is 1
+    SHARED_VEC4 densities;     // by species: tiling of its density
+    SHARED_VEC4 bladeHeight;   // x: its tiling; y, z, w: 0
     SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
     SHARED_VEC4 height;        // by species: mean height (m)
     SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone;
@@ -195,6 +199,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1
 #define TEX_GROUND 2
+#define TEX_BLADE_HEIGHT 3
 #define TEX_ORIENTATION 4
 #define TEX_VEGETATION 5
 #define TEX_OCCLUSION 6
