@@ -54,11 +54,11 @@ void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
     glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(FlowerCell, corner));
 }
 
-FlowerGlobals globalsOf(const Flowers& f, const FlowerGrid& grid, const Kind& k) {
+FlowerGlobals globalsOf(const Terrain& t, const Flowers& f, const FlowerGrid& grid, const Kind& k) {
     FlowerGlobals g{};
     const float from = kThinFrom * f.maxDistance;
     g.shape = {f.height, f.heightVariation, f.headSize, static_cast<float>(grid.side)};
-    g.counts = {grid.expected, static_cast<float>(f.seed & 0xFFFFFF), f.density.present() ? f.densityTiling : 0, k.image.made ? 1 : 0};
+    g.counts = {grid.expected, static_cast<float>(f.seed & 0xFFFFFF), f.density.present() ? shaderTiling(t, f.densityTiling) : -1, k.image.made ? 1 : 0};
     g.range = {from, f32::lodInverse(from, f.maxDistance), kWidest, k.image.headShare};
     g.petal = glm::vec4(f.color, 0), g.second = glm::vec4(f.secondColor, 0);
     g.center = glm::vec4(f.centerColor, 0), g.stem = glm::vec4(f.stemColor, 0);
@@ -77,7 +77,7 @@ struct CellSearch {
     uint32_t count(double x0, double z0, float distance) const {
         const float kept = 1 - f32::lodRamp(distance, kThinFrom * f.maxDistance, f32::lodInverse(kThinFrom * f.maxDistance, f.maxDistance));
         float density = 1;
-        if (f.density.present() && f.densityTiling == 1.0f) density = densityRange(f.density.map, ctx.shared.ground.terrain->size, x0, z0, x0 + grid.side, z0 + grid.side).second;
+        if (f.density.present()) density = densityRange(f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), x0, z0, x0 + grid.side, z0 + grid.side).second;
         const float share = std::min(1.25f * kept, 1.0f) * density;
         return std::min(static_cast<uint32_t>(std::ceil(share * grid.expected)), grid.most);
     }
@@ -107,11 +107,11 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
     const FlowerGrid grid = flowerGrid(f);
     updateTexture(ctx, k, f);
     makeMesh(ctx, k, grid.most);
-    k.density = f.density.present() ? ctx.maps.get("flower/density", "flowers." + entity, f.density.map, false, true) : 0;
+    k.density = f.density.present() ? ctx.maps.get("flower/density", "flowers." + entity, f.density.map, false, tilingOf(*ctx.shared.ground.terrain, f.densityTiling).repeats) : 0;
     CellSearch search{ctx, f, grid, {}, {}};
     search.run();
     k.drawn = static_cast<GLsizei>(search.commands.size());
-    const FlowerGlobals g = globalsOf(f, grid, k);
+    const FlowerGlobals g = globalsOf(*ctx.shared.ground.terrain, f, grid, k);
     writeBuffer(ctx.gpu, k.globals, kOwner, sizeof(g), &g);
     writeBuffer(ctx.gpu, k.cells, kOwner, search.cells.size() * sizeof(FlowerCell), search.cells.data());
     writeBuffer(ctx.gpu, k.commands, kOwner, search.commands.size() * sizeof(DrawCommand), search.commands.data());

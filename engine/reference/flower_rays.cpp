@@ -6,6 +6,7 @@
 #include "frame/ground.h"
 #include "reference/embree.h"
 #include "scene/components.h"
+#include "scene/tiling.h"
 #include "scene/wind.h"
 
 namespace sward {
@@ -63,20 +64,18 @@ struct Weather {
     const GrassField* grass;
 };
 
-glm::vec2 leanOf(const Weather& w, const f32::Flower& f, const glm::dvec2& ground, const glm::dvec2& size) {
+glm::vec2 leanOf(const Weather& w, const f32::Flower& f, const glm::dvec2& ground, const Terrain& t) {
     glm::vec2 lean = w.wind ? windLeanAt(w.globals, *w.gusts, glm::vec2(ground), f.grain) : glm::vec2(0);
     const bool painted = w.grass && w.grass->forces.present();
     if (!painted && (w.forces.empty() || !w.grass)) return lean;
     glm::vec3 sum = w.grass ? forceAt(w.forces, ground) : glm::vec3(0);
-    if (painted) sum += f32::paintedForce(paintedAt(w.grass->forces.map, ground / size, static_cast<double>(w.grass->forcesTiling), false));
+    if (painted) sum += f32::paintedForce(paintedAt(w.grass->forces.map, ground / mapExtent(t), static_cast<double>(w.grass->forcesTiling), false));
     const glm::vec3 force = f32::forceOf(sum);
     return f32::forcedLean(lean, {force.x, force.y}, force.z, f.facing);
 }
 
-float densityAt(const Flowers& f, const glm::dvec2& place) {
-    if (!f.density.present()) return 1;
-    const glm::dvec2 at = place * static_cast<double>(f.densityTiling);
-    return f.densityTiling == 1.0f ? f.density.map.sample(at.x, at.y) : f.density.map.sample(at.x - std::floor(at.x), at.y - std::floor(at.y));
+float densityAt(const Terrain& t, const Flowers& f, const glm::dvec2& ground) {
+    return f.density.present() ? tiledSample(f.density.map, tilingOf(t, f.densityTiling), ground.x, ground.y) : 1.0f;
 }
 
 void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const FlowerGrid& grid, int x, int z) {
@@ -85,8 +84,8 @@ void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const Flo
     for (uint32_t i = 0; i < grid.most; ++i) {
         const f32::Flower one = f32::flowerOf(x, z, i, grid.expected, static_cast<uint32_t>(f.seed & 0xFFFFFF));
         const glm::dvec2 ground = (glm::dvec2(x, z) + glm::dvec2(one.place)) * grid.side, place = ground / t.size;
-        if (place.x > 1 || place.y > 1 || one.threshold > densityAt(f, place)) continue;
-        const glm::vec3 stem = f32::flowerStem(one, f.height * (1 + f.heightVariation * one.taller), leanOf(weather, one, ground, t.size));
+        if (place.x > 1 || place.y > 1 || one.threshold > densityAt(t, f, ground)) continue;
+        const glm::vec3 stem = f32::flowerStem(one, f.height * (1 + f.heightVariation * one.taller), leanOf(weather, one, ground, t));
         const glm::vec3 root(glm::dvec3(ground.x, terrainHeight(t, ground.x, ground.y), ground.y));
         all.standing.push_back({root, stem, one.facing, 0.5f * f.headSize * one.larger, one.second, kind, f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(z), i)});
     }
@@ -217,7 +216,7 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     const glm::vec3 petal = glm::mix(kind.flowers->color, kind.flowers->secondColor, one.second);
     s.color = f32::flowerColor(glm::vec3(kind.image.at(static_cast<double>(q.met.uv.x), static_cast<double>(q.met.uv.y), false)), petal, kind.flowers->centerColor, kind.flowers->stemColor, kind.made);
     s.open = q.met.open;
-    s.place = {static_cast<double>(one.root.x) / all.terrain->size.x, static_cast<double>(one.root.z) / all.terrain->size.y};
+    s.place = glm::dvec2(one.root.x, one.root.z) / mapExtent(*all.terrain);
     return s;
 }
 

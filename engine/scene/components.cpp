@@ -366,7 +366,7 @@ FeatureSet waterFeatures(const void* component) {
 
 constexpr FieldRow kFlowersFields[] = {
     map("density", offsetof(Flowers, density), 1, PixelType::U16, "where they stand: share of flowersPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling, "repeats of the density map over the terrain"),
+    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
     real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50}, "flowers on a square metre at density 1; 0: none"),
     real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),
     real("heightVariation", offsetof(Flowers, heightVariation), "", kShare, "how much heights differ, as a share, both ways"),

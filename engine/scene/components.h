@@ -231,7 +231,7 @@ struct Water {
 // Source: Jahrmann and Wimmer 2013 (flowers as instanced billboards). Formulas: numerics/flower.h.
 struct Flowers {
     MapField density;                     // one channel; absent: 1 everywhere
-    float densityTiling = 1;              // repeats over the terrain
+    float densityTiling = 1;              // repeats over Terrain.mapSize
     float flowersPerM2 = 3;               // at density 1
     float height = 0.3f;                  // metres from the ground to the head
     float heightVariation = 0.3f;         // share of the height, both ways

@@ -26,12 +26,13 @@ out vec3 shown;        // normal
 flat out vec3 petal;
 flat out uint grain;
 
-float densityAt(vec2 place) {
-    if (!FLOWER_DENSITY || !(flowers.counts.z > 0.0)) return 1.0;
+float densityAt(vec2 uv) {
+    float tiling = flowers.counts.z;
+    if (!FLOWER_DENSITY || tiling < 0.0) return 1.0;
     ivec2 size = textureSize(densityHere, 0);
-    vec2 at = place * flowers.counts.z;
-    if (flowers.counts.z != 1.0) at = fract(at);
-    BilinearTap t = bilinearTap(at.x, at.y, size.x, size.y);
+    BilinearTap t;
+    if (tiling > 0.0) t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
+    else t = bilinearTap(uv.x, uv.y, size.x, size.y);
     return bilinearMix(texelFetch(densityHere, ivec2(t.x0, t.y0), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y0), 0).r,
                        texelFetch(densityHere, ivec2(t.x0, t.y1), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
@@ -58,11 +59,11 @@ vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
 void main() {
     uint number = uint(gl_VertexID) / 8u, corner = uint(gl_VertexID) % 8u;
     Flower f = flowerOf(cell.x, cell.y, number, flowers.counts.x, uint(flowers.counts.y));
-    vec2 ground = (vec2(cell) + f.place) * flowers.shape.w, place = ground * frame.terrain.zw;
+    vec2 ground = (vec2(cell) + f.place) * flowers.shape.w, share = ground * frame.terrain.zw, place = mapPlace(ground);
     vec2 at = cellCorner + f.place * flowers.shape.w;
     vec3 root = vec3(at.x, groundHeight(ground), at.y);
     float kept = 1.0 - lodRamp(length(root), flowers.range.x, flowers.range.y);
-    float size = max(place.x, place.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.range.z);
+    float size = max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.range.z);
     uv = vec2(0.0);
     lit = vec4(0.0);
     shown = petal = vec3(0.0);

@@ -121,7 +121,7 @@ struct WaterGlobals {
 // What shaders read of one kind of flowers.
 struct FlowerGlobals {
     SHARED_VEC4 shape;         // height; its variation; size of heads; side of a cell (m)
-    SHARED_VEC4 counts;        // flowers a cell; seed; repeats of the density map over the terrain (0: none); 1: the image is made by the program
+    SHARED_VEC4 counts;        // flowers a cell; seed; tiling of the density map as CoverGlobals has it (-1: there is none); 1: the image is made by the program
     SHARED_VEC4 range;         // distance from which flowers are left out; lodInverse to where all are; greatest widening; height of the head in the image, as a share
     SHARED_VEC4 petal;
     SHARED_VEC4 second;
