@@ -1,10 +1,11 @@
--- A prairie of any size (Jahrmann and Wimmer 2013, section 6.2 and figure 11): rolling land, tall and short grass, wind.
+-- A prairie of any size (Jahrmann and Wimmer 2013, section 6.2 and figure 11): rolling land, tall and short grass, flowers, wind.
 -- Terrain.size alone makes it larger, from 300 to 90,000 m: maps are laid out over mapSize metres and repeat, each after another length, so
 -- that no two of them repeat together within 100 km. Writes project.json and maps/ beside itself.
 
 local size = 300
 local height, ground = "land.Terrain.height", "land.Terrain.terrainMap"
 local tall, short = "grass.GrassField.species[tall].density", "grass.GrassField.species[short].density"
+local daisies = "daisies.Flowers.density"
 local blades, tint = "grass.GrassField.bladeHeight", "grass.GrassField.vegetation"
 
 project.new()
@@ -29,6 +30,8 @@ entity.add("grass", { GrassField = {
           rootColor = { 0.04, 0.052, 0.02 }, midColor = { 0.045, 0.085, 0.03 }, tipColor = { 0.075, 0.115, 0.045 } },
     },
 } })
+entity.add("daisies", { Flowers = { densityTiling = every(67), flowersPerM2 = 9, height = 0.38, heightVariation = 0.35, headSize = 0.05, color = { 0.74, 0.6, 0.1 },
+    secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 40 } })
 entity.add("sun", { Light = { azimuthDeg = 205, elevationDeg = 33 } })
 entity.add("sky", { Sky = { turbidity = 2.8 } })
 entity.add("haze", { Fog = { visibility = 7000 } })
@@ -59,6 +62,11 @@ map.curve(tall, { { 0, 0 }, { 0.46, 0 }, { 0.6, 0.85 }, { 1, 1 } })
 map.create { path = short, width = 512, height = 512, type = "u16", value = 0 }
 map.noise(short, { scale = 7, octaves = 4, amount = 1, seed = 31, mode = "set", seamless = true })
 map.curve(short, { { 0, 0.35 }, { 0.4, 0.75 }, { 0.55, 1 }, { 1, 1 } })
+
+-- Flowers in drifts of their own.
+map.create { path = daisies, width = 512, height = 512, type = "u8", value = 0 }
+map.noise(daisies, { scale = 7, octaves = 4, amount = 1, seed = 41, mode = "set", seamless = true })
+map.curve(daisies, { { 0.52, 0 }, { 0.72, 0.7 }, { 1, 1 } })
 
 -- Blades are lower where the soil is poor.
 map.create { path = blades, width = 512, height = 512, type = "u8", value = 0 }
