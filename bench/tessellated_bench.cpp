@@ -10,15 +10,6 @@ namespace {
 using namespace sward;
 using namespace sward::test;
 
-Gpu* gpu() {
-    static std::unique_ptr<Gpu> instance = [] {
-        auto made = makeHeadlessGpu();
-        return made ? std::move(*made) : nullptr;
-    }();
-    if (instance) makeCurrent(*instance);
-    return instance.get();
-}
-
 // 645 x 645 blades on 32.25 m, without shadows among themselves; seen as a whole from its edge.
 constexpr Design kPlain{"416,025 plain blades", 400, 0.3f, 0.012f, 32.25, 0, 0, 0, 0};
 Project plain() {
