@@ -65,6 +65,9 @@ struct Verbs {
     static void addTruth(CLI::App* v, CostOptions& o) {
         v->add_option("project", o.project, "folder of the project")->required();
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
+        CLI::Option* path = v->add_option("--path", o.path, "name of a CameraPath: moments of it, instead of cameras");
+        v->add_option("--frames", o.frames, "with --path: how many moments (default: 5)")->needs(path);
+        v->add_option("--fps", o.fps, "with --path: so many moments a second from its beginning (default: evenly over all of it)")->needs(path);
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--time", o.time, "scene time in seconds");
@@ -81,7 +84,7 @@ struct Verbs {
         c->add_option("--technique", cost.technique, "sweep one alone: hybrid, tessellated, geometry, slices or flat (default: all)");
         c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for numerics.csv and numerics.json");
         c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
-        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: twice what the project as it is takes)");
+        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: twice what the project as it is takes, at least 250)");
         c->add_option("--shard", cost.shard, "I/N: this machine's share of the rows, for merge");
         CLI::App* f = verb("fit", "The settings with the least appearance error within a budget of time", [this] { return fitVerb(fit); });
         addTruth(f, fit);

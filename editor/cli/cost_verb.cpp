@@ -8,10 +8,34 @@
 #include "measure/cost_files.h"
 #include "measure/cost_report.h"
 #include "measure/kernels.h"
+#include "scene/camera_path.h"
 #include "techniques.h"
 
 namespace sward {
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMoments = 5, kMostMoments = 1000;  // of a path; the first, where no number is given
+
+// Cameras as they stand, or moments of a path: evenly over all of it, or --fps of them a second from its beginning.
+Result<std::vector<CostView>> viewsOf(RenderOptions o, const Project& p) {
+    const bool evenly = o.fps <= 0;
+    const int moments = o.frames > 0 ? o.frames : kMoments;
+    const auto names = shotNames(o, p);
+    if (!names) return names.error();
+    std::vector<CostView> views;
+    for (const std::string& name : *names)
+        if (o.path.empty()) views.push_back({name, shotAt(o, p, name, 0)});
+    for (int i = 0; !o.path.empty() && i < moments; ++i) {
+        const double length = secondsOf(*p.registry.get<CameraPath>(findEntity(p, o.path)));
+        const double since = evenly ? length * i / std::max(1, moments - 1) : i / o.fps;
+        views.push_back({fmt::format("{} at {:.3f} s", o.path, since), shotAt(o, p, o.path, since), since});
+    }
+    return views;
+}
+
+}  // namespace
 
 Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
     const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
@@ -20,11 +44,12 @@ Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
     if (!size) return size.error();
     const auto shard = parseShard(o.shard);
     if (!shard) return shard.error();
-    auto cameras = cameraNames(project, o.camera);
-    if (!cameras) return cameras.error();
+    if (o.frames > kMostMoments) return usage(fmt::format("--frames takes at most {} moments of a path", kMostMoments), "");
+    auto views = viewsOf(o, project);
+    if (!views) return views.error();
     std::tie(r.width, r.height) = *size;
     std::tie(r.shard, r.shards) = *shard;
-    r.cameras = std::move(*cameras), r.time = o.time, r.rounds = o.rounds, r.maxMs = o.maxMs;
+    r.views = std::move(*views), r.time = o.time, r.rounds = o.rounds, r.maxMs = o.maxMs;
     if (o.samples < 2 || o.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no truth", o.samples), fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
     if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000", "");
     if (!(o.maxMs >= 0)) return usage("--max-ms takes a number from 0", "");

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
 constexpr double kMsPerBlade = 1e-5;  // until a camera is met that has blades near by
-constexpr double kLimit = 2;  // times what the project's own settings take: the limit, where none is given
+constexpr double kLimit = 2, kLeastLimit = 250;  // times what the project's own settings take, and at least so many ms: the limit, where none is given
 
 // --- keys --------------------------------------------------------------------------------------------------------
 // This program as it was built: rows drawn by another are drawn again.
@@ -61,9 +61,14 @@ struct Prepared {
     ViewCamera camera;
     ViewSettings view;
 };
+Prepared asItIs(const Sweep& s, const std::string& view) {
+    const CostView& from = *std::find_if(s.request.views.begin(), s.request.views.end(), [&](const CostView& v) { return v.name == view; });
+    Prepared p{snapshot(s.project, s.tables.components), from.camera, {}};
+    p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time + from.since;
+    return p;
+}
 Result<Prepared> prepare(const Sweep& s, size_t row) {
-    Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, s.run.rows[row].camera)), {}};
-    p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
+    Prepared p = asItIs(s, s.run.rows[row].camera);
     if (Status st = applySetting(p.project, s.tables, s.request.settings[s.settings[row]], p.view); !st) return st.error();
     return p;
 }
@@ -115,8 +120,7 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 // Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres; and
 // the limit, from a third.
 Status calibrate(Sweep& s, const std::string& camera) {
-    Prepared p{snapshot(s.project, s.tables.components), viewOf(*findCamera(s.project, camera)), {}};
-    p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time;
+    Prepared p = asItIs(s, camera);
     const GrassField own = *firstOf<GrassField>(p.project);
     double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
@@ -130,7 +134,7 @@ Status calibrate(Sweep& s, const std::string& camera) {
         }
         blades = s.renderer.stats().bladesGeometry;
     }
-    s.msLimit = s.request.maxMs > 0 ? s.request.maxMs : kLimit * ms[0];
+    s.msLimit = s.request.maxMs > 0 ? s.request.maxMs : std::max(kLimit * ms[0], kLeastLimit);
     s.msOfRest = ms[1];
     if (blades > 1000) s.msPerBlade = std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades);  // else that of the camera before
     return {};
@@ -238,19 +242,19 @@ Status timeAll(Sweep& s) {
 // --- the sweep ---------------------------------------------------------------------------------------------------
 void listRows(Sweep& s) {
     int index = 0;
-    for (const std::string& camera : s.request.cameras)
+    for (const CostView& view : s.request.views)
         for (size_t i = 0; i < s.request.settings.size(); ++i, ++index) {
             if (index % s.request.shards != s.request.shard) continue;
             CostRow row;
-            row.camera = camera, row.technique = s.request.settings[i].technique, row.settings = s.request.settings[i].text(), row.index = index;
+            row.camera = view.name, row.technique = s.request.settings[i].technique, row.settings = s.request.settings[i].text(), row.index = index;
             s.run.rows.push_back(std::move(row));
             s.settings.push_back(i);
         }
     s.run.total = index;
 }
 Status traceTruths(Sweep& s) {
-    for (const std::string& camera : s.request.cameras) {
-        auto truth = costTruth(s.request, s.project, s.tables, camera, viewOf(*findCamera(s.project, camera)), s.progress);
+    for (const CostView& view : s.request.views) {
+        auto truth = costTruth(s.request, s.project, s.tables, view, s.progress);
         if (!truth) return truth.error();
         s.run.floors.push_back(truth->floors);
         s.truths.push_back(std::move(*truth));

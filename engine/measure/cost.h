@@ -1,4 +1,4 @@
-// What accuracy costs in time: a project's cameras drawn by every technique at many settings; for each picture how long it takes and how
+// What accuracy costs in time: a project's cameras, or moments of a path, drawn by every technique at many settings; for each picture how long it takes and how
 // far it is from the ray-traced truth; and which of them nothing beats in both (the frontier).
 // Times: wall clock with one finish a frame, taken in rounds over all rows, so that a change of the machine's load meets all alike; each
 // after one frame of the same setting that is not counted (cost_times.h). Errors: metrics.h over the truth's grass, of the picture as it
@@ -60,14 +60,20 @@ struct CostRun {
     int total = 0;                // rows of the whole sweep, of which a shard has some
 };
 
+// From where pictures are taken: a camera of the project, or a moment of a path.
+struct CostView {
+    std::string name;             // no two of a request's are alike; with the project it says where the view is
+    ViewCamera camera;
+    double since = 0;             // scene seconds after the request's own
+};
 struct CostRequest {
-    std::vector<std::string> cameras;
+    std::vector<CostView> views;
     int width = 1024, height = 768;
     double time = 0;              // scene seconds
     ReferenceSettings truth;      // size and time are taken from here
     std::vector<CostSetting> settings;
     int rounds = 5;               // of timing, at most; slow rows are timed in fewer
-    double maxMs = 0;             // rows that take longer, or would, are left out; 0: twice what the project's own settings take
+    double maxMs = 0;             // rows that take longer, or would, are left out; 0: twice what the project's own settings take, at least 250
     int shard = 0, shards = 1;    // of the rows, those whose index is shard modulo shards
     std::filesystem::path folder; // where finished rows are kept
 };

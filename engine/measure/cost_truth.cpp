@@ -40,8 +40,8 @@ uint64_t populationHash(const Project& p, const Tables& tables) {
     return projectHash(plain, tables.components);
 }
 // Where a traced picture is kept: RGB and the share of grass as one EXR, the standard errors as another beside it.
-fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ReferenceSettings& s) {
-    const std::string of = fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), camera, s.width, s.height, r.time, s.samples, s.seed,
+fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, const CostView& view, const ReferenceSettings& s) {
+    const std::string of = fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), view.name, s.width, s.height, r.time + view.since, s.samples, s.seed,
                                        static_cast<int>(s.lighting), SWARD_VERSION) + (s.shards > 1 ? " strips" : "");
     return r.folder / ("truth-" + hashHex(hashText(of)) + ".exr");
 }
@@ -112,16 +112,16 @@ Result<T> awaited(Job<T>& job, const CostProgress& progress, const std::string& 
     return Error{ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"};
 }
 
-Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tables, const std::string& camera, const ViewCamera& view, ReferenceSettings s,
+Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tables, const CostView& view, ReferenceSettings s,
                       const CostProgress& progress, const std::string& what) {
     s.width = r.width, s.height = r.height;
-    const fs::path file = fileOf(r, p, tables, camera, s);
+    const fs::path file = fileOf(r, p, tables, view, s);
     if (fs::exists(file))
         if (auto t = kept(file); t && t->picture.width == r.width && t->picture.height == r.height && t->grass.size() == t->picture.pixels.size()) return t;
-    Job<ReferenceScene> scene("scene", 0, [&](JobControl& control) { return ReferenceScene::make(p, tables, r.time, control); });
+    Job<ReferenceScene> scene("scene", 0, [&](JobControl& control) { return ReferenceScene::make(p, tables, r.time + view.since, control); });
     auto made = awaited(scene, progress, what, 0, 0.05);
     if (!made) return made.error();
-    Job<Truth> job("truth", 0, [&](JobControl& control) { return traceIn(*made, view, s, control); });
+    Job<Truth> job("truth", 0, [&](JobControl& control) { return traceIn(*made, view.camera, s, control); });
     auto truth = awaited(job, progress, what, 0.05, 1);
     if (!truth) return truth.error();
     if (Status st = keep(file, *truth); !st) return st.error();
@@ -143,20 +143,20 @@ Picture flatRows(const Picture& picture, const std::vector<float>& grass) {
     return out;
 }
 
-Result<CostTruth> costTruthAlone(const CostRequest& r, const Project& project, const Tables& tables, const std::string& camera, const ViewCamera& view, const CostProgress& progress) {
-    auto truth = traced(r, project, tables, camera, view, r.truth, progress, camera + ": truth");
+Result<CostTruth> costTruthAlone(const CostRequest& r, const Project& project, const Tables& tables, const CostView& view, const CostProgress& progress) {
+    auto truth = traced(r, project, tables, view, r.truth, progress, view.name + ": truth");
     if (!truth) return truth.error();
     if (std::any_of(truth->grass.begin(), truth->grass.end(), [](float g) { return g > 0; }))
-        return CostTruth{std::move(truth->picture), std::move(truth->grass), {camera, {}, {}, {}, truth->error, truth->image}};
-    return Error{ExitCode::Failed, "the camera " + camera + " sees no grass", "", 0, 0, "choose another with --camera"};
+        return CostTruth{std::move(truth->picture), std::move(truth->grass), {view.name, {}, {}, {}, truth->error, truth->image}};
+    return Error{ExitCode::Failed, view.name + " sees no grass", "", 0, 0, "choose another with --camera"};
 }
 
-Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const Tables& tables, const std::string& camera, const ViewCamera& view, const CostProgress& progress) {
-    auto truth = costTruthAlone(r, project, tables, camera, view, progress);
+Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const Tables& tables, const CostView& view, const CostProgress& progress) {
+    auto truth = costTruthAlone(r, project, tables, view, progress);
     if (!truth) return truth;
     ReferenceSettings few = r.truth;
     few.samples = std::min(kFewSamples, few.samples), few.seed += 1;
-    auto sparse = traced(r, project, tables, camera, view, few, progress, camera + ": truth at few samples");
+    auto sparse = traced(r, project, tables, view, few, progress, view.name + ": truth at few samples");
     if (!sparse) return sparse.error();
     Project other = snapshot(project, tables.components);
     for (const auto& [name, e] : other.entities)
@@ -164,7 +164,7 @@ Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const 
     const auto [weights, shards] = seedStrips(truth->grass, r.width);
     ReferenceSettings strips = r.truth;
     strips.shards = shards;
-    auto reseeded = traced(r, other, tables, camera, view, strips, progress, camera + ": truth of other blades");
+    auto reseeded = traced(r, other, tables, view, strips, progress, view.name + ": truth of other blades");
     if (!reseeded) return reseeded.error();
     const std::tuple<Appearance*, Picture, const std::vector<float>*> floors[] = {{&truth->floors.seed, reseeded->picture, &weights},
                                                                                   {&truth->floors.sampling, sparse->picture, &truth->grass},

@@ -34,8 +34,8 @@ std::vector<std::string> valuesOf(const GrassField& own, const Knobs& k) {
     return {value("minGeom", minGeom), value("maxGeom", maxGeom), value("minBTF", minBTF), value("maxBTF", maxBTF), value("sharpness", sharpness)};
 }
 
-struct View {
-    ViewCamera camera;
+struct Seen {
+    const CostView& view;
     CostTruth truth;
 };
 struct Search {
@@ -46,7 +46,7 @@ struct Search {
     const CostProgress& progress;
     Renderer renderer{gpu, tables};
     GrassField own = {};
-    std::vector<View> views = {};
+    std::vector<Seen> views = {};
     std::map<std::vector<std::string>, FitCandidate> seen = {};
     int limit = 0;
 };
@@ -58,10 +58,10 @@ struct Drawing {
     ViewCamera camera;
     ViewSettings view;
 };
-Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const ViewCamera& camera) {
+Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const CostView& from) {
     if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit), static_cast<double>(s.seen.size()) / std::max(1, s.limit))) return stopped();
-    Drawing d{snapshot(s.project, s.tables.components), camera, {}};
-    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height, d.view.time = s.request.cost.time;
+    Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
+    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height, d.view.time = s.request.cost.time + from.since;
     if (Status st = applySetting(d.project, s.tables, {"hybrid", values}, d.view); !st) return st.error();
     return d;
 }
@@ -84,8 +84,8 @@ Result<double> medianMs(Search& s, Drawing& d, double most) {
     }
     return quantileOf(ms, 0.5);
 }
-Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const ViewCamera& camera) {
-    auto d = drawingOf(s, values, camera);
+Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const CostView& view) {
+    auto d = drawingOf(s, values, view);
     if (!d) return d.error();
     if (auto ms = frameMs(s, *d); !ms) return ms.error();
     return pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear());
@@ -96,8 +96,8 @@ Result<double> errorOf(const Picture& picture, const CostTruth& truth) {
     return appearance(*pair).distance;
 }
 // Time and error from one camera, added to the candidate's; the error unless it is far too slow.
-Status measureFrom(Search& s, const View& v, FitCandidate& c, double most) {
-    auto d = drawingOf(s, c.values, v.camera);
+Status measureFrom(Search& s, const Seen& v, FitCandidate& c, double most) {
+    auto d = drawingOf(s, c.values, v.view);
     if (!d) return d.error();
     auto ms = medianMs(s, *d, most);
     if (!ms) return ms.error();
@@ -113,7 +113,7 @@ Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values,
     if (const auto it = s.seen.find(values); it != s.seen.end()) return it->second;
     const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
     FitCandidate c{values, 0, 0};
-    for (const View& v : s.views) {
+    for (const Seen& v : s.views) {
         if (Status st = measureFrom(s, v, c, most); !st) return st.error();
         if (c.ms <= most) continue;
         c.appearance = std::numeric_limits<double>::infinity();
@@ -178,22 +178,20 @@ Result<FitCandidate> gridBest(Search& s) {
 Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     FitHeldOut out{0, 0, std::isfinite(found.gridBest.appearance) ? 0 : none, std::isfinite(found.gridBest.appearance) ? "" : "no point of the grid fits the budget"};
-    std::vector<ViewCamera> cameras;
-    for (const std::string& name : s.request.cost.cameras) cameras.push_back(viewOf(*findCamera(s.project, name)));
     int taken = 0;
-    for (size_t i = 0; const ViewCamera& camera : heldOutCameras(cameras)) {
-        const std::string name = s.request.cost.cameras[i++] + ", moved";
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, name, camera, s.progress);
+    for (const CostView& seen : s.request.cost.views) {
+        const CostView view{seen.name + ", moved", heldOutCamera(seen.camera), seen.since};
+        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
         if (!truth && truth.error().code == ExitCode::Interrupted) return truth.error();
         if (!truth) {
-            out.note += (out.note.empty() ? "" : "; ") + name + " was left out: " + truth.error().message;
+            out.note += (out.note.empty() ? "" : "; ") + view.name + " was left out: " + truth.error().message;
             continue;
         }
         ++taken;
         const std::pair<double*, const FitCandidate*> all[] = {{&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
         for (const auto& [sum, candidate] : all) {
             if (candidate->values.empty()) continue;
-            auto picture = pictureOf(s, candidate->values, camera);
+            auto picture = pictureOf(s, candidate->values, view);
             if (!picture) return picture.error();
             auto error = errorOf(*picture, *truth);
             if (!error) return error.error();
@@ -206,11 +204,10 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
 
 // --- all of it ---------------------------------------------------------------------------------------------------
 Status traceTruths(Search& s) {
-    for (const std::string& name : s.request.cost.cameras) {
-        const ViewCamera camera = viewOf(*findCamera(s.project, name));
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, name, camera, s.progress);
+    for (const CostView& view : s.request.cost.views) {
+        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
         if (!truth) return truth.error();
-        s.views.push_back({camera, std::move(*truth)});
+        s.views.push_back({view, std::move(*truth)});
     }
     return {};
 }
@@ -226,18 +223,13 @@ void choose(const Search& s, FitResult& r) {
 
 }  // namespace
 
-std::vector<ViewCamera> heldOutCameras(const std::vector<ViewCamera>& cameras) {
-    std::vector<ViewCamera> out;
-    for (ViewCamera c : cameras) {
-        const glm::dvec3 ahead = c.target - c.eye;
-        const glm::dvec2 flat(ahead.x, ahead.z);
-        const double length = std::max(glm::length(flat), 1e-3), angle = glm::radians(20.0);
-        const glm::dvec3 aside = glm::dvec3(-ahead.z, 0, ahead.x) / length * (0.125 * glm::length(ahead));
-        c.eye += aside;
-        c.target = c.eye + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y, ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
-        out.push_back(c);
-    }
-    return out;
+ViewCamera heldOutCamera(ViewCamera c) {
+    const glm::dvec3 ahead = c.target - c.eye;
+    const glm::dvec2 flat(ahead.x, ahead.z);
+    const double length = std::max(glm::length(flat), 1e-3), angle = glm::radians(20.0);
+    c.eye += glm::dvec3(-ahead.z, 0, ahead.x) / length * (0.125 * glm::length(ahead));
+    c.target = c.eye + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y, ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
+    return c;
 }
 
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu, const CostProgress& progress) {

@@ -1,4 +1,4 @@
-// The settings with the least appearance error within a budget of time, over a project's cameras.
+// The settings with the least appearance error within a budget of time, over a project's cameras, or moments of a path.
 // Search: a pattern search (Hooke and Jeeves 1961) over what trades time for likeness: where blades end, where slices end, how wide the fade
 // between them is, and how sharp slices are. Each step is the double or the half, then less; no model of cost is assumed, times are measured.
 // A candidate fits if its slowest camera's median is within the budget; of those that fit, the least mean appearance wins. One that
@@ -32,11 +32,11 @@ struct FitResult {
 struct FitRequest {
     double budgetMs = 0;               // above 0
     int candidates = 40;               // that the search may measure
-    CostRequest cost;                  // cameras, size, truth, folder for truths; settings and shards are not read
+    CostRequest cost;                  // views, size, truth, folder for truths; settings and shards are not read
 };
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu, const CostProgress& progress);
 
-// Each camera moved aside by an eighth of its distance to the target and turned by 20 degrees about its eye.
-std::vector<ViewCamera> heldOutCameras(const std::vector<ViewCamera>& cameras);
+// The camera moved aside by an eighth of its distance to the target and turned by 20 degrees about its eye.
+ViewCamera heldOutCamera(ViewCamera camera);
 
 }  // namespace sward

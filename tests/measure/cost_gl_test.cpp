@@ -17,9 +17,9 @@ Project small_() {
     put(p, "eye", Camera{{1, 1, 1}, {4, 0, 4}, 50, 0});
     return p;
 }
-CostRequest request(const TempDir& dir, const std::string& folder) {
+CostRequest request(const Project& p, const TempDir& dir, const std::string& folder) {
     CostRequest r;
-    r.cameras = {"eye"};
+    r.views = {{"eye", viewOf(*findCamera(p, "eye"))}};
     r.width = 48, r.height = 36, r.rounds = 1, r.maxMs = 1e6;
     r.truth.samples = 8, r.truth.lighting = ReferenceLighting::Direct;
     r.settings = {{"hybrid", {"msaa=4"}}, {"hybrid", {"maxGeom=3", "msaa=1"}}, {"flat", {"msaa=4"}}, {"geometry", {"detail=0.5"}}};
@@ -39,7 +39,7 @@ TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
     NoGlErrors errors;
     const TempDir dir;
     const Project p = small_();
-    auto first = runCost(request(dir, "a"), p, tables(), gpu(), go);
+    auto first = runCost(request(p, dir, "a"), p, tables(), gpu(), go);
     ASSERT_TRUE(first) << first.error().text();
     ASSERT_EQ(first->rows.size(), 4u);
     for (const CostRow& r : first->rows) {
@@ -54,7 +54,7 @@ TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
     EXPECT_GT(f.seed.distance, 0);
     EXPECT_GT(f.sampling.distance, 0);
     EXPECT_GT(f.flat.contrast, f.seed.contrast) << "in so small a picture a few blades make the mean, but flat rows have no contrast";
-    auto again = runCost(request(dir, "a"), p, tables(), gpu(), go);
+    auto again = runCost(request(p, dir, "a"), p, tables(), gpu(), go);
     ASSERT_TRUE(again);
     EXPECT_EQ(writeJson(costJson(*again)), writeJson(costJson(*first))) << "times too: nothing was measured again";
 }
@@ -64,11 +64,11 @@ TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
     NoGlErrors errors;
     const TempDir dir;
     const Project p = small_();
-    auto whole = runCost(request(dir, "whole"), p, tables(), gpu(), go);
+    auto whole = runCost(request(p, dir, "whole"), p, tables(), gpu(), go);
     ASSERT_TRUE(whole) << whole.error().text();
     int stops = 0;
     for (int patience = 4;; patience *= 3) {
-        auto part = runCost(request(dir, "stopped"), p, tables(), gpu(), [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
+        auto part = runCost(request(p, dir, "stopped"), p, tables(), gpu(), [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
         if (part) {
             EXPECT_EQ(withoutTimes(*part), withoutTimes(*whole));
             break;
@@ -81,7 +81,7 @@ TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
 
     std::vector<CostRun> parts;
     for (int i = 1; i >= 0; --i) {
-        CostRequest r = request(dir, fmt::format("shard{}", i));
+        CostRequest r = request(p, dir, fmt::format("shard{}", i));
         std::filesystem::create_directories(r.folder);
         for (const auto& e : std::filesystem::directory_iterator(dir / "whole"))  // truths need not be traced again
             if (e.path().filename().string().starts_with("truth")) std::filesystem::copy(e.path(), r.folder / e.path().filename());
@@ -99,9 +99,10 @@ TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
 TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
     NoGlErrors errors;
     const TempDir dir;
-    CostRequest r = request(dir, "a");
+    const Project p = small_();
+    CostRequest r = request(p, dir, "a");
     r.maxMs = 1e-3;
-    auto run = runCost(r, small_(), tables(), gpu(), go);
+    auto run = runCost(r, p, tables(), gpu(), go);
     ASSERT_TRUE(run) << run.error().text();
     for (const CostRow& row : run->rows) {
         EXPECT_NE(row.skipped.find("the limit is"), std::string::npos);
@@ -110,12 +111,32 @@ TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
     EXPECT_NE(costCsv(*run).find("the limit is"), std::string::npos);
 }
 
+// One camera now and 0.4 s later, in wind: blades have moved in the truth and in the pictures, and each picture is held against its own.
+TEST(CostSweep, MomentsHaveTheirOwnSecond) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = small_();
+    put(p, "wind", Wind{}).strength = 1;
+    CostRequest r = request(p, dir, "a");
+    r.views.push_back({"eye later", r.views[0].camera, 0.4});
+    r.settings = {{"geometry", {"msaa=4"}}};
+    auto run = runCost(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(run) << run.error().text();
+    ASSERT_EQ(run->rows.size(), 2u);
+    EXPECT_NE(run->rows[0].metrics.rmse, run->rows[1].metrics.rmse);
+    EXPECT_NE(run->floors[0].seed.distance, run->floors[1].seed.distance);
+    const auto pixels = [&](const std::string& file) { return readImage(dir / "a" / file, true)->pixels; };
+    EXPECT_NE(pixels(run->floors[0].image), pixels(run->floors[1].image));
+    EXPECT_NE(pixels(run->rows[0].image), pixels(run->rows[1].image));
+    for (size_t i = 0; i < 2; ++i) EXPECT_LT(run->rows[i].metrics.appearance.distance, 2 * run->floors[i].flat.distance);
+}
+
 TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
     NoGlErrors errors;
     const TempDir dir;
     const Project p = small_();
     FitRequest r;
-    r.cost = request(dir, "fit");
+    r.cost = request(p, dir, "fit");
     r.candidates = 6;
     r.budgetMs = 1e6;
     auto wide = runFit(r, p, tables(), gpu(), go);
