@@ -91,6 +91,8 @@ struct ViewRequest {
     ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
 
+inline constexpr GLuint kStencilGround = 0x80;  // the stencil's bit that says where the ground is seen
+
 // The targets of one view.
 struct ViewTargets {
     Texture color, depth, resolved, image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved

@@ -24,6 +24,7 @@ const char* whyAbsent(Feature f) {
         case Feature::GrassOrientation: return "no GrassField has an orientation map";
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";
         case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
+        case Feature::GrassBlended: return "all grass covers samples (transparency \"coverage\"), so that it is drawn before the ground and the sky that it hides";
         case Feature::GrassClumps: return "no species has both clumpSize and clumpStrength above 0";
         case Feature::Objects: return "no StaticMesh has a file";
         case Feature::ObjectShadows: return "no StaticMesh casts shadows, or no Light shines";

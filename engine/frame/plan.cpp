@@ -22,6 +22,12 @@ std::vector<PlannedPass> sortByUse(std::vector<PlannedPass> left) {
     return out;
 }
 
+constexpr Stage kSolid[] = {Stage::Simulate, Stage::Bake, Stage::Shadow, Stage::Reflect, Stage::Depth, Stage::Opaque, Stage::Blades, Stage::Slices,
+                            Stage::Rays, Stage::Ground, Stage::GroundShadow, Stage::Sky, Stage::Water, Stage::Post, Stage::Overlay};
+constexpr Stage kBlended[] = {Stage::Simulate, Stage::Bake, Stage::Shadow, Stage::Reflect, Stage::Depth, Stage::Ground, Stage::GroundShadow, Stage::Opaque,
+                              Stage::Sky, Stage::Blades, Stage::Slices, Stage::Rays, Stage::Water, Stage::Post, Stage::Overlay};
+static_assert(std::size(kSolid) == static_cast<size_t>(Stage::Count) && std::size(kBlended) == std::size(kSolid));
+
 }  // namespace
 
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects) {
@@ -38,8 +44,8 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
         for (const Pass& pass : effect.passes)
             if (pass.views & views) stages[pass.stage].push_back({&effect, &pass});
     }
-    for (auto& [stage, passes] : stages)
-        for (const PlannedPass& p : sortByUse(std::move(passes))) plan.passes.push_back(p);
+    for (const Stage stage : has(features, Feature::GrassBlended) ? kBlended : kSolid)
+        for (const PlannedPass& p : sortByUse(std::move(stages[stage]))) plan.passes.push_back(p);
     return plan;
 }
 

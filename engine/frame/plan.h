@@ -25,6 +25,8 @@ struct FramePlan {
 
 // Effects whose needs the features meet; their passes that serve one of the views, sorted by stage and, within a
 // stage, writers of a resource before its readers; ties keep the table's order.
+// Nothing is lit that is not seen: the ground's depth comes first, then grass from near to far, and last the ground and the sky, lit where they
+// show. Grass that is blended needs what it is blended with: it comes after both.
 // Systems of an effect whose passes all serve other views do not tick.
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
 

@@ -11,7 +11,7 @@ constexpr const char* kOwner = "grass/ground-shadow";
 constexpr float kLongest = 4;   // as in the shader
 constexpr float kTallest = 1.5f;  // blades, as a share of the mean
 constexpr int kMostQuads = 2;   // a blade
-constexpr int kStencilBits = 8;
+constexpr int kLights = 7;  // that have a bit of the stencil; the eighth says where the ground is seen
 
 struct ShadowState : EffectState {
     struct One {
@@ -80,7 +80,7 @@ void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
 void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
     glUniform1i(0, light);
     glStencilMask(1u << light);
-    glStencilFunc(GL_NOTEQUAL, 0xff, 1u << light);
+    glStencilFunc(GL_EQUAL, kStencilGround, kStencilGround | 1u << light);
     for (size_t i = 0; i < MAX_SPECIES; ++i)
         if (state.species[i].count > 0) drawSpecies(ctx, i, state.species[i]);
 }
@@ -90,12 +90,12 @@ void draw(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
     bindField(ctx);
     glEnable(GL_STENCIL_TEST);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
-    const int lamps = std::min(static_cast<int>(ctx.shared.lights.count.y), kStencilBits - 1);
+    const int lamps = std::min(static_cast<int>(ctx.shared.lights.count.y), kLights - 1);
     for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, state, light);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -2,10 +2,10 @@
 // Source: Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20. The paper projects onto a plane by a matrix, marks the
 // stencil buffer and darkens it by one rectangle. Here vertices go to the plane of the ground at their blade's root and are
 // then laid on the ground, so that shadows lie on slopes and hills; and instead of a rectangle the first shadow to reach a
-// sample darkens it and sets the stencil's bit of that light, so that shadows of one light do not add up and yet may fade
+// sample of seen ground darkens it and sets the stencil's bit of that light, so that shadows of one light do not add up and yet may fade
 // with their length and with the blade that throws them. A shadow takes away the light of its own light alone: where two
 // lights' shadows cross, the shares that are left are multiplied.
-// The sun and the first seven lamps that cast shadows throw them. Blades have two quads at most and no texture.
+// The sun and the first six lamps that cast shadows throw them. Blades have two quads at most and no texture.
 // Does not: shade the ground beyond maxGeom (the horizontal slice does, grass/slices.h), nor objects. Cost: a blade's six vertices a light.
 #pragma once
 #include "scene/rows.h"

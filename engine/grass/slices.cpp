@@ -296,10 +296,10 @@ void drawFar(DrawContext& ctx) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
     bindField(ctx);
-    glEnable(GL_BLEND);
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = has(ctx.plan.features, Feature::GrassBlended);
+    if (overdraw || blended) glEnable(GL_BLEND);
     glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
+    glDepthMask(!blended);
     for (const size_t i : lowestFirst(*ctx.shared.grass)) {
         const FieldSpecies& s = *ctx.shared.grass->species[i];
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
@@ -354,7 +354,7 @@ const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
 const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
-const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
+const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
 const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
 const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};

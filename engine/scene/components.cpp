@@ -258,6 +258,7 @@ FeatureSet grassFeatures(const void* component) {
     if (!grows) return {};
     FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
     if (density) s |= featureSet(Feature::GrassDensity);
+    if (g.transparency != static_cast<int>(Transparency::Coverage)) s |= featureSet(Feature::GrassBlended);
     if (clumps) s |= featureSet(Feature::GrassClumps);
     const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
     if ((stands || has(s, Feature::GrassTessellated)) && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);

@@ -24,6 +24,7 @@ constexpr FeatureNames kNames[] = {
     {"grass-orientation", "GRASS_ORIENTATION"},
     {"grass-vegetation", "GRASS_VEGETATION"},
     {"grass-occlusion", "GRASS_OCCLUSION"},
+    {"grass-blended", "GRASS_BLENDED"},
     {"grass-clumps", "GRASS_CLUMPS"},
     {"translucency", "TRANSLUCENCY"},
     {"gloss", "GLOSS"},

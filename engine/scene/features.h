@@ -22,6 +22,7 @@ enum class Feature : uint8_t {
     GrassOrientation,  // a painted direction turns the lean
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
+    GrassBlended,      // part-covered pixels are blended with what was drawn before
     GrassClumps,       // a slow field shares lean, height and tint among neighbours
     Translucency,      // light shines through leaves
     Gloss,             // leaves have a waxy highlight

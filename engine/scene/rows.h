@@ -98,8 +98,8 @@ constexpr ListRow listRow(std::span<const FieldRow> fields) {
 
 // --- effects -------------------------------------------------------------------------------------------------
 
-// In drawing order.
-enum class Stage { Simulate, Bake, Shadow, Reflect, Ground, GroundShadow, Opaque, Blades, Slices, Rays, Water, Post, Overlay };
+// In drawing order, where no grass is blended (frame/plan.h).
+enum class Stage { Simulate, Bake, Shadow, Reflect, Depth, Opaque, Blades, Slices, Rays, Ground, GroundShadow, Sky, Water, Post, Overlay, Count };
 // Which views a pass takes part in: a set of bits.
 enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2, kViewShadow = 4, kViewCapture = 8, kViewCompare = 16 };
 // What a pass reads and writes; within a stage the planner runs writers before readers.

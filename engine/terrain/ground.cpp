@@ -99,19 +99,41 @@ void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
     if (ctx.shared.cover) glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
 }
 
-void draw(DrawContext& ctx) {
-    GroundState& s = ctx.own<GroundState>();
-    if (s.selected.empty() || !ctx.use()) return;
-    bindMaps(ctx, s, *ctx.shared.ground.terrain);
+void drawMesh(DrawContext& ctx, GroundState& s) {
     ctx.pass->draws += drawNodes(ctx.shared.groundMesh, s.selected, s.nodes);
     ctx.pass->instances += s.selected.size();
 }
 
+void drawDepth(DrawContext& ctx) {
+    GroundState& s = ctx.own<GroundState>();
+    if (s.selected.empty() || !ctx.use()) return;
+    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawMesh(ctx, s);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+// Where the ground is seen, the stencil says so: blades' shadows lie there alone.
+void draw(DrawContext& ctx) {
+    GroundState& s = ctx.own<GroundState>();
+    if (s.selected.empty() || !ctx.use()) return;
+    bindMaps(ctx, s, *ctx.shared.ground.terrain);
+    glDepthFunc(GL_GEQUAL);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    drawMesh(ctx, s);
+    glDisable(GL_STENCIL_TEST);
+    glDepthFunc(GL_GREATER);
+}
+
 const System kSystems[] = {{"terrain/select", select}};
+const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr, featureSet(Feature::TerrainHeights, Feature::WaterReflection)}};
 const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows,
                                             Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
-const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth, kDepthPrograms, drawDepth},
+                        {"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover | kSceneDepth, kSceneColor, kPrograms, draw}};
 
 }  // namespace
 
