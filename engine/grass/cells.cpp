@@ -161,7 +161,7 @@ NodeBounds nodeBounds(const CellQuery& q, const CellNode& n) {
     const CellSelection s(q, 0);
     const float nearest = std::sqrt(f32::boxNearest2(f32::cellBox(s.grid, n.x, n.z, f32::kNodeSide, n.low, n.high)));
     const f32::CellShare share = f32::cellShare(s.rule, nearest, 0, 1);
-    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)], s.quadsAt(nearest)};
+    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)], s.quadsAt(nearest), nearest};
 }
 
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked) {

@@ -92,6 +92,7 @@ std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked = nullptr
 struct NodeBounds {
     uint32_t blades;
     int quads;
+    float nearest;  // m
 };
 NodeBounds nodeBounds(const CellQuery& q, const CellNode& n);
 // Of the density map, along x and z.

@@ -14,8 +14,10 @@ constexpr float kMostWidening = 6;      // of blades, where others are left out
 constexpr float kPlainPixels = 1.5f;    // blades of one quad that are thinner are plain triangles
 constexpr uint32_t kSoftwarePiece = 256, kPiece = 32;  // blades that one invocation writes: their survivors lie without gaps
 constexpr uint32_t kMostRows = 65;      // of a blade
+// Software rasterisers take a way whose time grows with the square of the vertices if stages make more of a draw than 16 bits count.
+constexpr uint32_t kSoftwareVertices = 65535;
 constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
-constexpr size_t kBatchBytes = 64u << 20;  // of vertices that are there at once
+constexpr size_t kBatchBytes = 96u << 20;  // of vertices that are there at once
 
 struct SpeciesState {
     uint64_t key = 0, imageHash = 0;
@@ -23,8 +25,10 @@ struct SpeciesState {
     int indicesTo = 0;
     Buffer blades, cells, list, commands, vertices, indices, globals;
     VertexArray strips;
+    std::array<uint64_t, 3> described{};  // by what buffers, and the size of a vertex
     ChosenCells chosen;
     uint32_t batches = 0, batchVertices = 0, batchPieces = 0;  // at most
+    uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
 };
 struct TessState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
@@ -69,6 +73,12 @@ void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, c
 size_t vertexBytes(const FeatureSet& features) { return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8); }
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
+// A row of stages has three vertices.
+void planPoints(const Gpu& gpu, SpeciesState& s, int smoothness) {
+    s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1)) : std::numeric_limits<int32_t>::max();
+    s.pointDraws = static_cast<uint32_t>((s.chosen.allBlades + s.drawPoints - 1) / s.drawPoints);
+}
+
 // A batch is what begins within batchVertices; its last piece may end beyond.
 void planBatches(DrawContext& ctx, SpeciesState& s) {
     const uint64_t piece = uint64_t{pieceBlades(ctx.gpu)} * 2 * kMostRows;
@@ -103,24 +113,16 @@ void select(DrawContext& ctx) {
         updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
         const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
         const CellQuery query = queryOf(ctx, f, f.species[i], field.species[i]->patch);
-        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu)}, kOwner);
+        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu)}, kOwner);
         planBatches(ctx, s);
+        planPoints(ctx.gpu, s, f.species[i].smoothness);
         writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
-        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t), nullptr);
+        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t), nullptr);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 enum CellProgram { kChoose, kList };
-
-// Only where the frame is measured anyway is anything read back.
-void countCells(DrawContext& ctx, const SpeciesState& s) {
-    uint32_t counts[3];
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glGetNamedBufferSubData(s.list.id(), 0, sizeof(counts), counts);
-    ctx.stats.cells += counts[LIST_CELLS];
-    ctx.stats.bladesGeometry += counts[LIST_BLADES];
-}
 
 void listCells(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
@@ -132,11 +134,10 @@ void listCells(DrawContext& ctx) {
         if (!ctx.use(kList)) return;
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-        glUniform1ui(0, s.chosen.count);
-        glUniform1ui(1, s.batchVertices);
-        glUniform1ui(2, s.batches);
+        glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
+        glUniform1ui(1, s.pointDraws);
         glDispatchCompute(1, 1, 1);
-        if (ctx.settings.measure) countCells(ctx, s);
+        if (ctx.settings.measure) recount(ctx, s.chosen);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
@@ -148,8 +149,9 @@ void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
     if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
+    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 && SSBO_COMMANDS == SSBO_BLADES + 3);
+    const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id()};
+    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 4, buffers);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_TESS, s.globals.id());
@@ -167,7 +169,7 @@ void drawPatches(DrawContext& ctx, TessState& state, const std::string& constant
         if (s.chosen.pieces == 0) continue;
         bindSpecies(ctx, i, s);
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
-        glDrawArraysIndirect(GL_PATCHES, reinterpret_cast<const void*>(LIST_POINTS * sizeof(uint32_t)));
+        glMultiDrawArraysIndirect(GL_PATCHES, reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)), static_cast<GLsizei>(s.pointDraws), 0);
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
     }
@@ -215,6 +217,9 @@ void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
         s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
         s.indicesTo = smoothness;
     }
+    const std::array<uint64_t, 3> described{s.vertices.id(), s.indices.id(), size};
+    if (s.strips.id() && s.described == described) return;
+    s.described = described;
     if (!s.strips.id()) s.strips = makeVertexArray(kOwner);
     describeVertices(s.strips.id(), s.vertices.id(), size);
     glVertexArrayElementBuffer(s.strips.id(), s.indices.id());
@@ -222,10 +227,7 @@ void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
 
 bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const std::string& constants) {
     if (!ctx.use(kWriter, constants)) return false;
-    glUniform1ui(0, batch);
-    glUniform1ui(1, batch * s.batchVertices);
-    glUniform1ui(2, s.batchPieces);
-    glUniform1ui(3, pieceBlades(ctx.gpu));
+    glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // of the batch before
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
@@ -249,8 +251,6 @@ void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const 
         if (s.chosen.pieces == 0) continue;
         prepareStrips(ctx, s, f.species[i].smoothness);
         bindSpecies(ctx, i, s);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_VERTICES, s.vertices.id());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
         glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
         glBindVertexArray(s.strips.id());

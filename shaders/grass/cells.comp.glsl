@@ -15,6 +15,7 @@ layout(local_size_x = 64) in;  // kNodeSide squared
 layout(std430, binding = SSBO_NODES) readonly buffer NodeBlock { NodeOfCells nodes[]; };
 layout(std430, binding = SSBO_CHOSEN) writeonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_UP_TO) readonly buffer UpToBlock { uint upTo[]; };  // blades of the patch with thresholds up to k / 255
+layout(std430, binding = SSBO_COUNTS) buffer CountBlock { ChosenCounts counts; };  // sums, which no order changes
 layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
 
 bool visible(CellBox b, float reach) {
@@ -53,6 +54,13 @@ uint lookOf(CellBox b, uint count) {
     return count | uint(quads) << CHOSEN_LEVEL | uint(within(b, cull.grid.w)) << CHOSEN_WHOLE | uint(seen) << CHOSEN_SEEN | uint(plain) << CHOSEN_PLAIN;
 }
 
+void count(ChosenCell c) {
+    if (!isSet(c, CHOSEN_SEEN) || cull.counted.y == 0.0) return;
+    precise float drawn = float(bladesOf(c)) * cull.counted.x;
+    atomicAdd(counts.cells, 1u);
+    atomicAdd(counts.blades, uint(ceil(drawn)));
+}
+
 void main() {
     NodeOfCells n = nodes[gl_WorkGroupID.x];
     CellGrid grid = cullGrid();
@@ -74,6 +82,7 @@ void main() {
             precise float drawn = float(last - first) * cull.strips.z;
             c.first = first;
             c.look = lookOf(b, uint(ceil(drawn)));
+            count(c);
         }
     }
     chosen[gl_WorkGroupID.x * gl_WorkGroupSize.x + gl_LocalInvocationIndex] = c;

@@ -121,6 +121,12 @@ struct CullGlobals {
     SHARED_VEC4 strips;        // x: pixels of a blade's sagitta at 1 m; y: most quads; z: share of the blades drawn; w: distance from which
                                // blades of one quad are plain triangles (m)
     SHARED_VEC4 texels;        // x, y: of the density map, a cell; z: seed; w: blades at most in a piece
+    SHARED_VEC4 counted;       // x: share of the chosen blades that is drawn; y: 1 if they are to be counted; z, w: 0
+};
+// Of the cells that were chosen, without those of which only shadows are seen.
+struct ChosenCounts {
+    SHARED_UINT cells;
+    SHARED_UINT blades;        // drawn
 };
 // Cells of which some may be chosen, and the heights between which their ground lies, relative to the eye.
 struct NodeOfCells {
@@ -138,6 +144,12 @@ struct ChosenCell {
 #define CHOSEN_WHOLE 29
 #define CHOSEN_SEEN 30
 #define CHOSEN_PLAIN 31
+// A cell as what instances a patch's blades reads it.
+struct CellInstance {
+    SHARED_IVEC2 cell;
+    SHARED_VEC2 corner;        // relative to the eye
+    SHARED_VEC2 mirror, shift; // numerics/population.h, CellVersion
+};
 // Blades of a chosen cell, one after the other with those of other cells.
 struct TessCell {
     SHARED_IVEC2 cell;
@@ -148,13 +160,10 @@ struct TessCell {
     SHARED_UINT level;         // greatest of its blades'; 0: all are plain triangles
     SHARED_UINT vertex;        // of its first blade's strip
 };
-// Words of the list of chosen cells: pieces, blades, cells, 0; the arguments of glDrawArraysIndirect that draw a point a blade; then
-// by batch the arguments of glDispatchComputeIndirect that take each of its pieces, and its first piece.
+// Words of the list of chosen cells: pieces, 0, 0, 0; by batch, and for its end, the arguments of glDispatchComputeIndirect that take each
+// of its pieces, and its first piece; then the commands of glMultiDrawArraysIndirect that draw a point a blade.
 #define LIST_PIECES 0
-#define LIST_BLADES 1
-#define LIST_CELLS 2
-#define LIST_POINTS 4
-#define LIST_BATCHES 8
+#define LIST_BATCHES 4
 #define LIST_GROUP 64          // pieces that one group takes
 
 // An object that stands somewhere: rows of the matrix to eye-relative positions.
@@ -199,6 +208,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define SSBO_CELLS 1
 #define SSBO_VERTICES 2
 #define SSBO_COMMANDS 3
+#define SSBO_COUNTS 3
 #define SSBO_NODES 4
 #define SSBO_CHOSEN 5
 #define SSBO_UP_TO 6
