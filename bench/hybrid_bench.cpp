@@ -13,15 +13,6 @@ namespace {
 using namespace sward;
 using namespace sward::test;
 
-Gpu* gpu() {
-    static std::unique_ptr<Gpu> instance = [] {
-        auto made = makeHeadlessGpu();
-        return made ? std::move(*made) : nullptr;
-    }();
-    if (instance) makeCurrent(*instance);
-    return instance.get();
-}
-
 // A project with its own renderer, so that two can be timed in turn without making anything anew.
 struct Timed {
     Renderer renderer{*gpu(), tables()};

@@ -14,6 +14,12 @@ double median(std::vector<double> values);
 // Seconds that `work` takes by the wall.
 double seconds(const std::function<void()>& work);
 
+namespace sward {
+struct Gpu;
+}
+// The headless context that all benchmarks share, made current; null where there is none.
+sward::Gpu* gpu();
+
 namespace limits {
 int add(const char* group, void (*measure)());
 }

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/limits.h"
+#include "gpu/gpu.h"
 #include "tests/child.h"
 
 namespace {
@@ -60,6 +61,15 @@ double seconds(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+sward::Gpu* gpu() {
+    static std::unique_ptr<sward::Gpu> instance = [] {
+        auto made = sward::makeHeadlessGpu();
+        return made ? std::move(*made) : nullptr;
+    }();
+    if (instance) sward::makeCurrent(*instance);
+    return instance.get();
 }
 
 int main(int argc, char** argv) {

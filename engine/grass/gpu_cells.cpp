@@ -41,6 +41,11 @@ void chooseHere(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char*
 // Now and then, and where the frame is measured; never while those of a frame before are still to be read.
 bool countsNow(const ChosenCells& c, bool measured) { return !c.counted && (measured || c.frame % kCountEvery == 0); }
 
+// Cells of a node that the field has.
+uint32_t inField(const CellNode& n, const glm::ivec2& cells) {
+    return static_cast<uint32_t>(std::min(f32::kNodeSide, cells.x - n.x) * std::min(f32::kNodeSide, cells.y - n.z));
+}
+
 void readCounts(ChosenCells& c) {
     glGetNamedBufferSubData(c.counts.id(), 0, sizeof(c.last), &c.last);
     c.counted.reset();
@@ -53,7 +58,7 @@ void nodesForGpu(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char
     const std::vector<CellNode> nodes = selectNodes(w.query);
     for (const CellNode& n : nodes) {
         const NodeBounds most = nodeBounds(w.query, n);
-        addBounds(c, w, kCellsInNode, static_cast<uint32_t>(std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, 0.01f, 1.0f))), most.quads, isPlain(most.quads, most.nearest, w));
+        addBounds(c, w, inField(n, fieldCells(w.query)), static_cast<uint32_t>(std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, 0.01f, 1.0f))), most.quads, isPlain(most.quads, most.nearest, w));
     }
     c.count = static_cast<uint32_t>(nodes.size()) * kCellsInNode;
     writeBuffer(ctx.gpu, c.nodes, owner, nodes.size() * sizeof(CellNode), nodes.data());

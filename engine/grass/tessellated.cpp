@@ -17,7 +17,7 @@ constexpr uint32_t kMostRows = 65;      // of a blade
 // Software rasterisers take a way whose time grows with the square of the vertices if stages make more of a draw than 16 bits count.
 constexpr uint32_t kSoftwareVertices = 65535;
 constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
-constexpr size_t kBatchBytes = 96u << 20;  // of vertices that are there at once
+constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
 
 struct SpeciesState {
     uint64_t key = 0, imageHash = 0;
