@@ -51,8 +51,8 @@ std::vector<uint8_t> pictureOf(Renderer& r, Project& p, Culling culling, const V
 
 TEST(GpuCells, PicturesAndCountsAreTheCpus) {
     NoGlErrors errors;
-    const ViewCamera views[] = {eyeHeight(), {{20, 6, 20}, {24, 0, 23}, 70, 0}, {{43, 1, 37}, {0, 0, 0}, 40, 0}};
-    for (const Technique technique : {Technique::Tessellated, Technique::Geometry, Technique::Hybrid})
+    const ViewCamera views[] = {eyeHeight(), {{43, 1, 37}, {0, 0, 0}, 40, 0}};
+    for (const Technique technique : {Technique::Tessellated, Technique::Hybrid})
         for (const bool painted : {false, true}) {
             Renderer cpu(gpu(), tables()), own(gpu(), tables());
             Project p = meadow(technique, painted);
