@@ -9,9 +9,11 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "frame/ground.h"
 #include "grass/slices.h"
 #include "reference/occlusion.h"
 #include "scene/map_io.h"
+#include "scene/tiling.h"
 #include "script/script.h"
 
 namespace sward {
@@ -42,7 +44,8 @@ Result<Map> occlusionOf(const Project& p, const OcclusionSettings& settings, uin
 Status useOcclusion(Document& document, Map map) {
     const std::string field = fieldEntity(document.project()) + ".GrassField.ambientOcclusion";
     document.beginGroup("bake ambient occlusion");
-    Status done = document.setField(field + "Tiling", "1");  // the map is made for its place
+    const Terrain& t = *findGround(document.project()).terrain;
+    Status done = document.setField(field + "Tiling", fmt::format("{}", mapExtent(t).x / t.size.x));  // the map is made for its place
     if (done) done = document.setMap(field, std::move(map), "bake ambient occlusion");
     done ? document.endGroup() : document.cancelGroup();
     return done;
@@ -118,6 +121,8 @@ Result<OcclusionBake> startOcclusion(Document& document, const BakeSettings& set
     if (!document.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
     if (fieldEntity(document.project()).empty())
         return Error{ExitCode::Unsound, "there is no GrassField to hold the ambient occlusion", document.project().dir.string(), 0, 0, "add an entity with a GrassField"};
+    if (const Terrain* t = findGround(document.project()).terrain; t && t->mapSize > 0 && t->size.x != t->size.y)
+        return Error{ExitCode::Unsound, "ambient occlusion is baked for the whole terrain, which a square of mapSize does not cover", document.project().dir.string(), 0, 0, "set Terrain.mapSize to 0, or make the terrain square"};
     const OcclusionSettings wanted = settingsOf(settings);
     const uint64_t hash = occlusionHash(document.project(), wanted);
     const auto copy = std::make_shared<Project>(snapshot(document.project(), document.tables().components));

@@ -109,9 +109,8 @@ MapOverlay overlayOf(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
     if (!map || !present(*map) || !overlayShown(app)) return {};
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    const Terrain* terrain = findGround(app.doc.project()).terrain;
-    if (!scale || !terrain) return {};
-    return {map->path, terrain->size.x / scale->width};
+    if (!scale || !findGround(app.doc.project()).terrain) return {};
+    return {map->path, scale->tiling};
 }
 
 }  // namespace sward

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "blade_height.h"
 #include "brush_target.h"
 #include "ui/keys.h"
 
@@ -57,6 +58,16 @@ void bakeOcclusion(EditorApp& app) {
     say(app, "baking ambient occlusion");
 }
 
+// Of the density that is painted, else of the first one.
+void makeBladeHeight(EditorApp& app) {
+    std::string density;
+    for (const FieldRef& map : allMaps(app.doc.project(), app.doc.tables().components))
+        if (std::string_view(map.row->name) == "density" && (density.empty() || map.path == app.brushes.map)) density = map.path;
+    if (density.empty()) return say(app, "Height from Density: no species has a density map");
+    if (Status s = heightFromDensity(app.doc, density); !s) return showError(app, s.error());
+    say(app, "blades are lower towards the edges of " + density);
+}
+
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
@@ -77,6 +88,7 @@ constexpr Command kCommands[] = {
     {"Play", "Pause", "f6", "", togglePause, opened, true, nullptr, true},
     {"Play", "One Step", "f11", "", stepOnce, opened, true, nullptr, true},
     {"Bake", "Ambient Occlusion", "", "", bakeOcclusion, canBake},
+    {"Bake", "Height from Density", "", "", makeBladeHeight, opened},
     {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
 };
 

@@ -1,6 +1,8 @@
 #include "stroke.h"
 
 #include "core/jobs.h"
+#include "core/numerics.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -14,13 +16,25 @@ Error usage(std::string message, std::string remedy) {
 }
 
 // "orientation" repeats "orientationTiling" times, where the component has such a field.
-double tilingOf(const Project& p, const FieldRef& map) {
-    const std::string wanted = std::string(map.row->name) + "Tiling";
-    for (const FieldRow& field : map.component->fields)
-        if (field.name == wanted && field.type == FieldType::Float) {
-            const void* base = map.component->get(const_cast<Registry&>(p.registry), findEntity(p, map.entity));
-            return *reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
+std::string tilingName(const FieldRef& map) { return std::string(map.row->name) + "Tiling"; }
+const float* tilingIn(std::span<const FieldRow> fields, const void* base, const std::string& wanted) {
+    for (const FieldRow& field : fields)
+        if (field.name == wanted && field.type == FieldType::Float) return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
+    return nullptr;
+}
+float tilingFactor(const Project& p, const FieldRef& map) {
+    const void* base = map.component->get(const_cast<Registry&>(p.registry), findEntity(p, map.entity));
+    if (const float* found = tilingIn(map.component->fields, base, tilingName(map))) return *found;
+    for (const FieldRow& field : map.component->fields) {  // in an element of a list, beside the map itself
+        if (field.type != FieldType::List) continue;
+        const void* list = static_cast<const std::byte*>(base) + field.offset;
+        for (size_t i = 0; i < field.list->size(list); ++i) {
+            const void* element = field.list->at(const_cast<void*>(list), i);
+            for (const FieldRow& own : field.list->fields)
+                if (static_cast<const std::byte*>(element) + own.offset == map.value)
+                    if (const float* found = tilingIn(field.list->fields, element, tilingName(map))) return *found;
         }
+    }
     return 1;
 }
 
@@ -40,8 +54,9 @@ double milliseconds() {
 Result<MapScale> mapScale(const Project& p, const FieldRef& map) {
     const Terrain* terrain = terrainOf(p, map.entity);
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
-    const double tiling = tilingOf(p, map);
-    return MapScale{terrain->size.x / tiling, terrain->size.y / tiling, tiling != 1};
+    const float factor = tilingFactor(p, map);
+    const Tiling tiling = tilingOf(*terrain, factor);
+    return MapScale{tiling.metres.x, tiling.metres.y, tiling.repeats, tiling.repeats && map.row->isHeight, factor, shaderTiling(*terrain, factor)};
 }
 
 Status checkBrush(const BrushSettings& b) {
@@ -120,7 +135,11 @@ void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
     Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++,
             heading.x,   heading.y};
-    if (!scale_.repeats) {
+    if (scale_.mirrored) {  // what falls over the edge lies nearer to the stamp's middle on this side, where it is painted already
+        s.x = f64::mirrorUnit(s.x / info_.width) * info_.width;
+        s.y = f64::mirrorUnit(s.y / info_.height) * info_.height;
+    }
+    if (!scale_.repeats || scale_.mirrored) {
         queue_.push_back(s);
         return;
     }

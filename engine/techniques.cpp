@@ -1,6 +1,7 @@
 #include "techniques.h"
 
 #include "grass/field.h"
+#include "grass/flowers.h"
 #include "grass/forces.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
@@ -16,6 +17,8 @@
 #include "sky/lamps.h"
 #include "sky/sky.h"
 #include "sky/wind.h"
+#include "water/reflection.h"
+#include "water/surface.h"
 #include "terrain/ground.h"
 #include "terrain/shade.h"
 
@@ -27,7 +30,8 @@ const Tables& tables() {
         windEffect(), gustsEffect(),
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(),  // grass
+        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
+        waterEffect(), reflectionEffect(),        // water
         farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};

@@ -107,12 +107,14 @@ struct Verbs {
         in->add_option("map", import.map, "the map's PATH, or an unambiguous tail of it")->required();
         in->add_option("file", import.file, "EXR, PNG 8/16, TIFF, or R16 with its JSON sidecar")->required();
         in->add_flag("--flip", import.flip, "the file's first row is the far edge");
+        in->add_flag("--packed", import.packed, "red is the density, blue the blades' height (scene/packed_map.h)");
         in->add_option("--range", import.range, "LOW,HIGH: what 0 and full scale mean");
         CLI::App* out = verb("export", "Write a map of a project to a file", [this] { return exportVerb(exported); });
         out->add_option("project", exported.project, "folder of the project")->required();
         out->add_option("--map", exported.map, "the map's PATH, or an unambiguous tail of it")->required();
         out->add_option("--out", exported.out, "EXR, PNG, TIFF or R16 file")->required();
         out->add_flag("--flip", exported.flip, "write the far edge first");
+        out->add_flag("--packed", exported.packed, "density, its coarse version and blade heights as red, green and blue");
     }
     void addBakes() {
         CLI::App* v = verb("bake", "Make what is made ahead, and save the project (default: all of it)", [this] { return bakeVerb(bake); });

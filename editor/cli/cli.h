@@ -73,13 +73,13 @@ int newVerb(const std::string& dir);
 int checkVerb(const std::string& project, bool strict);
 struct ImportCommand {
     std::string project, map, file;
-    bool flip = false;
+    bool flip = false, packed = false;
     std::string range;                   // "LOW,HIGH"
 };
 int importVerb(const ImportCommand& options);
 struct ExportCommand {
     std::string project, map, out;
-    bool flip = false;
+    bool flip = false, packed = false;
 };
 int exportVerb(const ExportCommand& options);
 struct BakeCommand {

@@ -1,6 +1,6 @@
 #include "cli/cli.h"
 #include "core/log.h"
-#include "scene/import.h"
+#include "scene/packed_map.h"
 #include "techniques.h"
 
 namespace sward {
@@ -28,7 +28,9 @@ int importVerb(const ImportCommand& o) {
     auto project = loadProject(o.project, tables().components);
     if (!project) return report(project.error());
     std::vector<std::string> repaired;
-    if (Status s = importMap(*project, tables().components, o.map, o.file, options, &repaired); !s) return report(s.error());
+    if (o.packed && options.range) return report({ExitCode::Usage, "a packed map has no range", "", 0, 0, "leave out --range"});
+    const auto read = o.packed ? importPacked : importMap;
+    if (Status s = read(*project, tables().components, o.map, o.file, options, &repaired); !s) return report(s.error());
     for (const std::string& r : repaired) logWarning(o.file + ": " + r);
     auto written = saveProject(*project, tables().components);
     if (!written) return report(written.error());
@@ -41,7 +43,7 @@ int exportVerb(const ExportCommand& o) {
     if (!project) return report(project.error());
     ImportOptions options;
     if (o.flip) options.flip = true;
-    if (Status s = exportMap(*project, tables().components, o.map, o.out, options); !s) return report(s.error());
+    if (Status s = (o.packed ? exportPacked : exportMap)(*project, tables().components, o.map, o.out, options); !s) return report(s.error());
     std::printf("%s\n", o.out.c_str());
     return 0;
 }

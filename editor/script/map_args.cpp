@@ -11,7 +11,7 @@ NamedMap mapArg(lua_State* L, int arg) {
     if (!value.present())
         raise(L, Error{ExitCode::Usage, field.path + ": there is no map", "", 0, 0, "create or import one first"});
     const MapScale scale = orRaise(L, mapScale(p, field));
-    return {field, value.map, scale.width, scale.depth};
+    return {field, value.map, scale.width, scale.depth, scale.repeats, scale.mirrored};
 }
 
 namespace {

@@ -10,7 +10,8 @@ namespace sward::script {
 struct NamedMap {
     FieldRef field;
     Map map;
-    double width = 0, depth = 0;  // metres
+    double width = 0, depth = 0;  // metres that it covers once
+    bool repeats = false, mirrored = false;  // MapScale
 };
 NamedMap mapArg(lua_State* L, int arg);
 // The same, only to be read, until the next call: as long as nothing was edited the same name costs no search.

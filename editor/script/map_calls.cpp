@@ -1,10 +1,14 @@
-// map.*: create, fill, noise, blur, curve, import, export, mean, at, hash, size, exists.
+// map.*: create, fill, noise, blur, curve, copy, import, export, mean, at, hash, size, exists.
 #include "core/file.h"
 #include "core/hash.h"
-#include "scene/import.h"
+#include "core/log.h"
+#include "scene/map_repair.h"
+#include "scene/packed_map.h"
+#include "scene/tiling.h"
 #include "script/files.h"
 #include "script/map_args.h"
 #include "script/values.h"
+#include "stroke.h"
 
 namespace sward::script {
 namespace {
@@ -97,7 +101,7 @@ NoiseMode noiseModeOption(lua_State* L, Options& options) {
     raise(L, fmt::format("mode is \"{}\"; there are add, multiply and set", mode));
 }
 
-// map.noise(name, {scale =, octaves = 4, amount = 1, seed = 0, mode = "add", channels =})
+// map.noise(name, {scale =, octaves = 4, amount = 1, seed = 0, mode = "add", seamless = false, channels =})
 int noise(lua_State* L, State&) {
     NamedMap m = mapArg(L, 1);
     Options options(L, 2);
@@ -106,6 +110,7 @@ int noise(lua_State* L, State&) {
     const double octaves = options.number("octaves", 4), seed = options.number("seed", 0);
     s.amount = options.number("amount", 1);
     s.mode = noiseModeOption(L, options);
+    s.seamless = options.flag("seamless", false);
     const Channels channels = channelsOption(L, options, m.map.info());
     options.finish();
     if (!(s.scale >= 1e-3 && s.scale <= 1e6)) raise(L, "scale must lie between 0.001 and 1e6 m");
@@ -133,7 +138,7 @@ int blur(lua_State* L, State&) {
     const MapInfo& info = m.map.info();
     const auto texels = [&](double perMetre, int most) { return std::min(radius * perMetre, double(most)); };
     charge(L, texelCount(m.map) * static_cast<uint64_t>(2 * info.channels));
-    blurMap(m.map, texels(info.width / m.width, info.width), texels(info.height / m.depth, info.height), channels);
+    blurMap(m.map, texels(info.width / m.width, info.width), texels(info.height / m.depth, info.height), channels, m.repeats && !m.mirrored);
     giveBack(L, m, m.map, "blur " + m.field.path);
     return 0;
 }
@@ -156,11 +161,29 @@ int curve(lua_State* L, State&) {
     return 0;
 }
 
-// {flip = false, range = {low, high}} as the third argument.
-ImportOptions transferOptions(lua_State* L) {
-    ImportOptions out;
+// map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is replaced.
+int copy(lua_State* L, State& state) {
+    const FieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
+    const NamedMap from = mapArg(L, 2);
+    if (from.map.info().channels != to.row->mapChannels)
+        raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels, to.row->mapChannels, to.path));
+    MapInfo info = from.map.info();
+    info.type = to.row->mapType;
+    checkMapBytes(L, info);
+    charge(L, texelCount(from.map) / 8);
+    orRaise(L, state.document().setMap(to.path, convertMap(from.map, info.type), "copy " + from.field.path));
+    return 0;
+}
+
+// {flip = false, range = {low, high}, packed = false} as the third argument.
+struct TransferOptions : ImportOptions {
+    bool packed = false;
+};
+TransferOptions transferOptions(lua_State* L) {
+    TransferOptions out;
     if (lua_isnoneornil(L, 3)) return out;
     Options options(L, 3);
+    out.packed = options.flag("packed", false);
     if (options.push("flip")) {
         out.flip = lua_toboolean(L, -1);
         lua_pop(L, 1);
@@ -173,16 +196,37 @@ ImportOptions transferOptions(lua_State* L) {
         lua_pop(L, 1);
     }
     options.finish();
+    if (out.packed && out.range) raise(L, "a packed map has no range");
     return out;
 }
 
-// map.import(name, file, {flip =, range =}): texels, remembered settings and the height's range are one step.
+// Density and blade heights from one image, and how often both repeat: one step.
+int importBoth(lua_State* L, State& state, const FieldRef& density, const std::filesystem::path& file, const ImportOptions& options) {
+    Project& p = openProject(L);
+    const FieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
+    const auto remembered = p.imports.find(density.path);
+    const bool flip = options.flip.value_or(remembered != p.imports.end() && remembered->second.flip);
+    PackedMaps maps = orRaise(L, readPacked(file, flip));
+    if (maps.ownCoarse) logWarning(file.string() + ": its green channel is read over: coarse views draw every fourth blade everywhere");
+    const float tiling = orRaise(L, mapScale(p, density)).factor;
+    GroupOrNothing group(state.document(), "import " + density.path);
+    orRaise(L, state.document().setMap(density.path, std::move(maps.density), "import"));
+    orRaise(L, state.document().setMap(height.path, std::move(maps.bladeHeight), "import"));
+    orRaise(L, state.document().setField(height.path + "Tiling", fmt::format("{}", tiling)));
+    group.keep();
+    for (const FieldRef* f : {&density, &height}) p.imports[f->path] = {file.filename().string(), flip, {}};
+    return 0;
+}
+
+// map.import(name, file, {flip =, range =, packed =}): texels, remembered settings and the height's range are one step.
 int import(lua_State* L, State& state) {
     Project& p = openProject(L);
     const FieldRef field = orRaise(L, findMap(p, state.rows(), textArg(L, 1)));
     const auto file = readablePath(L, textArg(L, 2));
+    const TransferOptions options = transferOptions(L);
+    if (options.packed) return importBoth(L, state, field, file, options);
     MapImport used;
-    Map map = orRaise(L, readImport(p, field, file, transferOptions(L), &used));
+    Map map = orRaise(L, readImport(p, field, file, options, &used));
     const bool spansRange = field.row->isHeight && used.range && map.info().type != PixelType::F32;
     GroupOrNothing group(state.document(), "import " + field.path);
     orRaise(L, state.document().setMap(field.path, std::move(map), "import"));
@@ -194,11 +238,12 @@ int import(lua_State* L, State& state) {
     return 0;
 }
 
-// map.export(name, file, {flip =, range =})
+// map.export(name, file, {flip =, range =, packed =})
 int exportTo(lua_State* L, State& state) {
     const auto file = writablePath(L, textArg(L, 2));
     orRaise(L, makeFolderOf(file));
-    orRaise(L, exportMap(openProject(L), state.rows(), textArg(L, 1), file, transferOptions(L)));
+    const TransferOptions options = transferOptions(L);
+    orRaise(L, (options.packed ? exportPacked : exportMap)(openProject(L), state.rows(), textArg(L, 1), file, options));
     return 0;
 }
 
@@ -220,8 +265,9 @@ int mean(lua_State* L, State&) {
 // map.at(name, x, z): every channel, bilinear, in metres.
 int at(lua_State* L, State&) {
     const NamedMap& m = readMapArg(L, 1);
-    const double u = numberArg(L, 2) / m.width, v = numberArg(L, 3) / m.depth;
-    for (int c = 0; c < m.map.info().channels; ++c) lua_pushnumber(L, m.map.sample(u, v, c));
+    const Tiling tiling{{m.width, m.depth}, m.repeats};
+    const double x = numberArg(L, 2), z = numberArg(L, 3);
+    for (int c = 0; c < m.map.info().channels; ++c) lua_pushnumber(L, m.mirrored ? mirroredSample(m.map, tiling, x, z) : tiledSample(m.map, tiling, x, z, c));
     return m.map.info().channels;
 }
 
@@ -255,7 +301,7 @@ int exists(lua_State* L, State& state) {
 void openMapCalls(lua_State* L) {
     constexpr NamedCall calls[] = {
         {"create", luaCall<create>},   {"fill", luaCall<fill>},   {"noise", luaCall<noise>},
-        {"blur", luaCall<blur>},       {"curve", luaCall<curve>}, {"import", luaCall<import>},
+        {"blur", luaCall<blur>},       {"curve", luaCall<curve>}, {"copy", luaCall<copy>}, {"import", luaCall<import>},
         {"export", luaCall<exportTo>}, {"mean", luaCall<mean>},   {"at", luaCall<at>},
         {"hash", luaCall<hash>},       {"size", luaCall<size>},   {"exists", luaCall<exists>}};
     registerCalls(L, "map", calls);

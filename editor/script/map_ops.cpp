@@ -30,13 +30,17 @@ float ramp(const Directions& to, uint32_t h, float dx, float dy) { return to.x[h
 
 float fade(float t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-// Gradient noise, -0.71 to 0.71. (x, y) in lattice steps.
-float gradientNoise(const Directions& to, double x, double y, uint32_t seed) {
+// Gradient noise, -0.71 to 0.71. (x, y) in lattice steps; after `period` of them it repeats, 0: never.
+struct Period {
+    int x = 0, y = 0;
+};
+int32_t wrapped(int32_t i, int period) { return period > 0 ? (i % period + period) % period : i; }
+float gradientNoise(const Directions& to, double x, double y, uint32_t seed, const Period& period = {}) {
     const double x0 = std::floor(x), y0 = std::floor(y);
     const auto ix = static_cast<int32_t>(x0), iy = static_cast<int32_t>(y0);
     const auto dx = static_cast<float>(x - x0), dy = static_cast<float>(y - y0);
     const auto corner = [&](int i, int j) {
-        return ramp(to, latticeHash(ix + i, iy + j, seed), dx - float(i), dy - float(j));
+        return ramp(to, latticeHash(wrapped(ix + i, period.x), wrapped(iy + j, period.y), seed), dx - float(i), dy - float(j));
     };
     const float u = fade(dx), v = fade(dy);
     const float near = corner(0, 0) * (1 - u) + corner(1, 0) * u;
@@ -59,6 +63,20 @@ float fractalNoise(const Directions& to, double x, double z, const NoiseSettings
         strength *= 0.5f;
         x *= 2;
         z *= 2;
+    }
+    return std::clamp(0.5f + 0.95f * sum / total, 0.0f, 1.0f);
+}
+
+// The same over a map that repeats; (u, v) in [0,1]. Octaves are moved against each other instead of turned.
+float seamlessNoise(const Directions& to, double u, double v, double width, double depth, const NoiseSettings& s) {
+    float sum = 0, total = 0, strength = 1;
+    for (int octave = 0; octave < s.octaves; ++octave) {
+        const auto steps = [&](double metres) { return static_cast<int>(std::clamp(std::round(std::ldexp(metres / s.scale, octave)), 1.0, 1e9)); };
+        const Period period{steps(width), steps(depth)};
+        const double shift = 0.381966 * octave;
+        sum += strength * gradientNoise(to, (u + shift) * period.x, (v + 0.5 * shift) * period.y, static_cast<uint32_t>(s.seed * 16 + octave), period);
+        total += strength;
+        strength *= 0.5f;
     }
     return std::clamp(0.5f + 0.95f * sum / total, 0.0f, 1.0f);
 }
@@ -87,13 +105,13 @@ std::array<int, 3> boxWidths(double sigma) {
     return {lows > 0 ? low : low + 2, lows > 1 ? low : low + 2, lows > 2 ? low : low + 2};
 }
 
-// Mean over `width` values around each of n, stride apart; the ends go on. `line` is scratch of n.
-void boxLine(float* values, size_t stride, int n, int width, std::vector<float>& line) {
+// Mean over `width` values around each of n, stride apart; the ends go on, or around. `line` is scratch of n.
+void boxLine(float* values, size_t stride, int n, int width, bool around, std::vector<float>& line) {
     if (width <= 1) return;
     line.resize(static_cast<size_t>(n));
     for (int i = 0; i < n; ++i) line[size_t(i)] = values[size_t(i) * stride];
     const int reach = width / 2;
-    const auto at = [&](int i) { return double(line[size_t(std::clamp(i, 0, n - 1))]); };
+    const auto at = [&](int i) { return double(line[size_t(around ? (i % n + n) % n : std::clamp(i, 0, n - 1))]); };
     double sum = 0;
     for (int i = -reach; i <= reach; ++i) sum += at(i);
     for (int i = 0; i < n; ++i) {
@@ -104,16 +122,16 @@ void boxLine(float* values, size_t stride, int n, int width, std::vector<float>&
 
 // The plane is cut into strips, one a piece of work, so that columns share cache lines.
 void blurPlane(std::vector<float>& plane, int width, int height, const std::array<int, 3>& across,
-               const std::array<int, 3>& down) {
+               const std::array<int, 3>& down, bool around) {
     parallelFor(size_t(height), [&](size_t y) {
         std::vector<float> line;
-        for (const int w : across) boxLine(&plane[y * size_t(width)], 1, width, w, line);
+        for (const int w : across) boxLine(&plane[y * size_t(width)], 1, width, w, around, line);
     });
     constexpr int kStrip = 16;
     parallelFor(size_t((width + kStrip - 1) / kStrip), [&](size_t strip) {
         std::vector<float> line;
         for (int x = int(strip) * kStrip; x < std::min(width, (int(strip) + 1) * kStrip); ++x)
-            for (const int w : down) boxLine(&plane[size_t(x)], size_t(width), height, w, line);
+            for (const int w : down) boxLine(&plane[size_t(x)], size_t(width), height, w, around, line);
     });
 }
 
@@ -150,13 +168,14 @@ void noiseMap(Map& map, double width, double depth, const NoiseSettings& setting
     const int n = map.info().channels;
     const Directions directions;
     editTexels(map, [&](int x, int y, float* texel) {
-        const float noise = fractalNoise(directions, (x + 0.5) * dx, (y + 0.5) * dz, settings);
+        const double px = (x + 0.5) * dx, pz = (y + 0.5) * dz;
+        const float noise = settings.seamless ? seamlessNoise(directions, px / width, pz / depth, width, depth, settings) : fractalNoise(directions, px, pz, settings);
         for (int c = 0; c < n; ++c)
             if (channels[size_t(c)]) texel[c] = combine(settings.mode, texel[c], noise, amount);
     });
 }
 
-void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels) {
+void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels, bool repeats) {
     const MapInfo info = map.info();
     const auto across = boxWidths(radiusX / 2), down = boxWidths(radiusY / 2);
     if (std::max(across[2], down[2]) <= 1) return;
@@ -165,7 +184,7 @@ void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels)
         if (!channels[size_t(c)]) continue;
         const auto at = [&](int x, int y) -> float& { return plane[size_t(y) * size_t(info.width) + size_t(x)]; };
         editTexels(map, [&](int x, int y, float* texel) { at(x, y) = texel[c]; });
-        blurPlane(plane, info.width, info.height, across, down);
+        blurPlane(plane, info.width, info.height, across, down, repeats);
         editTexels(map, [&](int x, int y, float* texel) { texel[c] = at(x, y); });
     }
 }

@@ -24,14 +24,15 @@ struct NoiseSettings {
     double amount = 1;  // see noiseMap
     int seed = 0;
     NoiseMode mode = NoiseMode::Add;
+    bool seamless = false;  // the map's last texels go on with its first ones; the scale is rounded so that it does
 };
 // Smooth gradient noise n in [0,1] with mean 1/2, over a map of width x depth metres.
 // Add: value + amount (2n - 1). Multiply: value (1 + amount (2n - 1)). Set: amount n.
 void noiseMap(Map& map, double width, double depth, const NoiseSettings& settings, const Channels& channels);
 
-// A bell of standard deviation radius / 2 texels, as three boxes; beyond the edge the map goes on as there.
-// Radius 0 changes nothing.
-void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels);
+// A bell of standard deviation radius / 2 texels, as three boxes; beyond the edge the map goes on as there, or, where it repeats,
+// with its other side. Radius 0 changes nothing.
+void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels, bool repeats = false);
 
 // Replaces each value by that of the polyline through the points (value, result), sorted by value, at least one;
 // beyond the ends it is level.

@@ -35,8 +35,9 @@ struct BladeDraws {
     size_t count = 0;
     GLuint shadowCommands = 0;  // `count` commands that the GPU made of cells that it chose, at shadowOffset bytes; 0: the cells are here
     size_t shadowOffset = 0;
-    uint32_t inPatch = 0;  // blades in the patch
+    uint32_t strips = 0;   // blades that the indices hold
     int segments = 0;
+    uint32_t verticesABlade = 0;  // of drawCommand (grass/cells.h)
     float shading = 1;     // share of them that is enough to shade the soil as all of them would
 };
 
@@ -71,12 +72,25 @@ struct SharedResources {
     GLuint heights = 0;        // the height map's texture; 0: flat
     GLuint cover = 0;          // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
-    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0;
+    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0, bladeHeights = 0;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     std::array<BladeDraws, MAX_SPECIES> blades{};
     std::array<BladeShade, MAX_SPECIES> shades{};
+    GLuint reflection = 0;              // what the water mirrors; 0: nothing
+    glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
     LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
+};
+
+// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows it.
+struct ViewTargets;
+struct ViewRequest {
+    unsigned view = 0;            // ViewBits
+    ViewCamera camera;
+    glm::mat4 viewProj{1};        // from positions relative to the camera's eye to clip
+    float cutAt = 0;              // height relative to that eye, below which nothing is drawn
+    ViewSettings settings;
+    ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
 
 // The targets of one view.
@@ -86,6 +100,8 @@ struct ViewTargets {
     int width = 0, height = 0, samples = 0;
     bool stencil = false;      // whether depth has one: D32F_S8
 };
+// `owner`: who is charged. levels: of what is resolved; 0: all. image: with what is shown on a screen.
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil, int levels, bool image);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
@@ -104,6 +120,8 @@ struct DrawContext {
     FrameGlobals& globals;   // systems may write; uploaded before the first pass
     FrameStats& stats;
     Frustum frustum;
+    glm::dvec3 around{0};      // in the world: what is made around the eye once for all views is made around this
+    std::function<void(const ViewRequest&)> view = {};  // draws one; in stage Reflect only
     glm::dvec3 eye{0};         // relative to the terrain's corner, or to the world without a terrain
     EffectState* state = nullptr;  // of the effect whose pass or system runs
     PassStats* pass = nullptr;     // of the pass that runs

@@ -19,6 +19,8 @@ const char* whyAbsent(Feature f) {
         case Feature::GrassFar: return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
         case Feature::GrassTessellated: return "no grass is drawn by the technique \"tessellated\"";
         case Feature::GrassDensity: return "no species has a density map: density is 1 everywhere";
+        case Feature::GrassHeights: return "no GrassField has a bladeHeight map: blades have all of their height";
+        case Feature::GrassUnique: return "no grass of blades has the population \"unique\": cells repeat one patch";
         case Feature::GrassOrientation: return "no GrassField has an orientation map";
         case Feature::GrassVegetation: return "no GrassField has a vegetation map";
         case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
@@ -35,6 +37,16 @@ const char* whyAbsent(Feature f) {
         case Feature::CastingLights: return "no Light that shines casts shadows";
         case Feature::Sky: return "no Sky has an intensity above 0";
         case Feature::Fog: return "no Fog has a finite visibility";
+        case Feature::Wind: return "no Wind has a strength above 0";
+        case Feature::Gusts: return "no Wind of the model \"noise\" blows";
+        case Feature::Forces: return "no ForceSource has a strength and a radius above 0";
+        case Feature::ForceMap: return "no GrassField has a forces map";
+        case Feature::FarDarkening: return "no GrassField has a farDarkening above 0";
+        case Feature::FarBlur: return "no GrassField has a farBlur";
+        case Feature::Water: return "no entity has Water";
+        case Feature::WaterReflection: return "no Water has a reflection above 0";
+        case Feature::Flowers: return "no entity has Flowers of any number and size";
+        case Feature::FlowerDensity: return "no Flowers have a density map";
         case Feature::Count: break;
     }
     return "";
@@ -81,6 +93,12 @@ Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tabl
     return m;
 }
 
+// What a feature cannot do for all that runs; empty: nothing to say.
+const char* shortOf(Feature f, const FramePlan& plan) {
+    const bool slices = has(plan.features, Feature::GrassSlices) || has(plan.features, Feature::GrassFar);
+    return f == Feature::GrassUnique && slices ? "slices are images of one patch: grass that is drawn by them repeats it" : "";
+}
+
 Json names(const std::vector<std::string>& list) {
     Json j = Json::makeArray();
     for (const std::string& n : list) j.push(n);
@@ -107,6 +125,7 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
             j["passes"] = names(it->second.passes);
             j["programs"] = names(it->second.programs);
             j["gpu_bytes"] = it->second.bytes;
+            if (*shortOf(f, plan)) j["note"] = shortOf(f, plan);
             all["features"].push(std::move(j));
         } else {
             j["because"] = whyAbsent(f);
@@ -122,6 +141,7 @@ std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
         out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
         out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes), joined(m.programs));
         out += fmt::format("  memory    {:.2f} MB on the GPU\n", static_cast<double>(m.bytes) / 1e6);
+        if (*shortOf(f, plan)) out += fmt::format("  note      {}\n", shortOf(f, plan));
     }
     for (const EffectRow* e : plan.effects) out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
     out += "\nWhat it lacks: not run, not compiled, not in memory\n";

@@ -1,6 +1,8 @@
 #include "frame/ground.h"
 
+#include "core/numerics.h"
 #include "frame/renderer.h"
+#include "scene/tiling.h"
 
 namespace sward {
 
@@ -21,15 +23,35 @@ std::pair<double, double> heightScale(const Terrain& t) {
 double terrainHeight(const Terrain& t, double x, double z) {
     if (!t.height.present()) return 0;
     const auto [offset, scale] = heightScale(t);
-    return offset + scale * t.height.map.sample(x / t.size.x, z / t.size.y);
+    return offset + scale * mirroredSample(t.height.map, tilingOf(t, t.heightTiling), x, z);
 }
+
+namespace {
+
+// Where [a, b], in repeats, lies in [0, 1] of a map that is mirrored from repeat to repeat: one interval, whose ends are those of
+// [a, b] or of the map.
+std::pair<double, double> folded(double a, double b) {
+    const double lo = f64::mirrorUnit(a), hi = f64::mirrorUnit(b);
+    const bool passesBegin = std::floor(b / 2) > std::floor(a / 2), passesEnd = std::floor((b + 1) / 2) > std::floor((a + 1) / 2);
+    return {passesBegin ? 0 : std::min(lo, hi), passesEnd ? 1 : std::max(lo, hi)};
+}
+
+std::pair<int, int> partsOf(const std::pair<double, double>& shares) {
+    const auto part = [](double share) { return std::clamp(static_cast<int>(std::floor(share * kBoundsGrid)), 0, kBoundsGrid - 1); };
+    return {part(shares.first), part(shares.second)};
+}
+
+}  // namespace
 
 std::pair<float, float> HeightBounds::over(const glm::dvec2& size, double x0, double z0, double x1, double z1) const {
     if (parts.size() <= 1) return {low, high};
-    const auto part = [](double v, double extent) { return std::clamp(static_cast<int>(std::floor(v / extent * kBoundsGrid)), 0, kBoundsGrid - 1); };
+    const bool repeats = repeat.x > 0;
+    if (repeats && x1 - x0 >= repeat.x && z1 - z0 >= repeat.y) return {low, high};
+    const auto [firstX, lastX] = partsOf(repeats ? folded(x0 / repeat.x, x1 / repeat.x) : std::pair{x0 / size.x, x1 / size.x});
+    const auto [firstZ, lastZ] = partsOf(repeats ? folded(z0 / repeat.y, z1 / repeat.y) : std::pair{z0 / size.y, z1 / size.y});
     float lo = high, hi = low;
-    for (int z = part(z0, size.y); z <= part(z1, size.y); ++z)
-        for (int x = part(x0, size.x); x <= part(x1, size.x); ++x) {
+    for (int z = firstZ; z <= lastZ; ++z)
+        for (int x = firstX; x <= lastX; ++x) {
             const auto& [a, b] = parts[static_cast<size_t>(z) * kBoundsGrid + static_cast<size_t>(x)];
             lo = std::min(lo, a);
             hi = std::max(hi, b);
@@ -64,8 +86,11 @@ void updateHeightBounds(HeightBounds& b, const Terrain& t) {
         return;
     }
     const Map& m = t.height.map;
-    if (!b.parts.empty() && b.of.sameTiles(m)) return;
-    const auto [offset, scale] = heightScale(t);
+    const Tiling tiling = tilingOf(t, t.heightTiling);
+    b.repeat = tiling.repeats ? tiling.metres : glm::dvec2(0);
+    if (!b.parts.empty() && b.of.sameTiles(m) && b.scale == heightScale(t)) return;
+    b.scale = heightScale(t);
+    const auto [offset, scale] = b.scale;
     b.of = m;
     b.parts.resize(static_cast<size_t>(kBoundsGrid) * kBoundsGrid);
     b.low = std::numeric_limits<float>::max();

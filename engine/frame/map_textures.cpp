@@ -79,8 +79,9 @@ GLuint MapTextures::get(const std::string& owner, const std::string& key, const 
     e.used = true;
     const MapInfo& info = map.info();
     const Format f = formatOf(info, srgb);
-    const bool fresh = !(e.last.info() == info) || e.texture.format != f.internal;
+    const bool fresh = !(e.last.info() == info) || e.texture.format != f.internal || e.repeat != repeat;
     if (fresh) {
+        e.repeat = repeat;
         e.texture = makeTexture2D(gpu_, owner, f.internal, info.width, info.height, 0, repeat);
         e.coarse.assign(static_cast<size_t>(map.tilesX()) * map.tilesY() * map.texelBytes(), std::byte{});
     } else if (e.last.sameTiles(map)) {

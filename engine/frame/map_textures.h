@@ -26,7 +26,7 @@ class MapTextures {
         Texture texture;
         Map last;                       // as uploaded: tiles are compared by pointer
         std::vector<std::byte> coarse;  // level 7, one texel a tile
-        bool used = false;
+        bool used = false, repeat = false;
     };
     void uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty);
     void uploadCoarse(Entry& e, bool srgb, const Map& map);

@@ -32,13 +32,20 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
     for (const EffectRow& effect : effects) {
         if ((features & effect.needs) != effect.needs) continue;
         plan.effects.push_back(&effect);
-        for (const System& system : effect.systems) plan.systems.emplace_back(&effect, &system);
+        const bool served = effect.passes.empty() || std::any_of(effect.passes.begin(), effect.passes.end(), [&](const Pass& p) { return p.views & views; });
+        if (served)
+            for (const System& system : effect.systems) plan.systems.emplace_back(&effect, &system);
         for (const Pass& pass : effect.passes)
             if (pass.views & views) stages[pass.stage].push_back({&effect, &pass});
     }
     for (auto& [stage, passes] : stages)
         for (const PlannedPass& p : sortByUse(std::move(passes))) plan.passes.push_back(p);
     return plan;
+}
+
+FeatureSet coarseFeatures(FeatureSet scene) {
+    if (has(scene, Feature::GrassSlices)) scene &= ~featureSet(Feature::GrassGeometry);
+    return scene & ~featureSet(Feature::GroundShadows);
 }
 
 std::vector<std::string> FramePlan::programs() const {

@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "scene/unique.h"
 
 namespace sward {
 namespace {
@@ -58,17 +59,7 @@ void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bo
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
     t = {};
-    const char* owner = "frame/targets";
-    const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-    t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height);
-    if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
-    t.depth = samples > 1 ? makeTexture2DMultisample(gpu, owner, depth, width, height, samples) : makeTexture2D(gpu, owner, depth, width, height);
-    t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
-    t.scene = makeFramebuffer(samples > 1 ? t.color.id() : t.resolved.id(), t.depth.id(), "frame/scene");
-    t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
-    t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
-    t.width = width, t.height = height, t.samples = samples;
-    t.stencil = stencil;
+    t = makeTargets(gpu, "frame/targets", width, height, samples, stencil, 1, true);
 }
 
 // The fixed state that every pass may rely on; a pass that changes more restores it.
@@ -112,6 +103,21 @@ Frustum frustumOf(const glm::mat4& m) {
     const auto row = [&](int r) { return glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]); };
     // Left, right, bottom, top, near; the sixth repeats the near one: there is no far plane.
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
+}
+
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil, int levels, bool image) {
+    ViewTargets t;
+    const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
+    t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height, levels);
+    if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
+    t.depth = samples > 1 ? makeTexture2DMultisample(gpu, owner, depth, width, height, samples) : makeTexture2D(gpu, owner, depth, width, height);
+    if (image) t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
+    t.scene = makeFramebuffer(samples > 1 ? t.color.id() : t.resolved.id(), t.depth.id(), "frame/scene");
+    t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
+    if (image) t.final = makeFramebuffer(t.image.id(), 0, "frame/image");
+    t.width = width, t.height = height, t.samples = samples;
+    t.stencil = stencil;
+    return t;
 }
 
 std::string depthConstants(const ViewTargets& t) { return depthVariants()[t.samples > 1]; }
@@ -159,6 +165,7 @@ struct Renderer::Impl {
     Buffer globalsBuffer;
     VertexArray empty;
     FramePlan plan;
+    FramePlan within;           // of the views within a view
     bool planned = false;
     std::map<const EffectRow*, std::unique_ptr<EffectState>> states;
     SharedResources shared;
@@ -178,45 +185,89 @@ struct Renderer::Impl {
         if (planned && next == plan) return;
         plan = std::move(next);
         planned = true;
+        within = {};
+        if (has(plan.features, Feature::WaterReflection)) within = planFrame(coarseFeatures(plan.features), kViewReflection, tables.effects);
         std::erase_if(states, [&](const auto& s) { return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end(); });
-        programs.keepOnly(plan.programs());
+        std::vector<std::string> kept = plan.programs(), others = within.programs();
+        kept.insert(kept.end(), others.begin(), others.end());
+        programs.keepOnly(kept);
         shared = {};
     }
 
-    DrawContext context(Project& project, const ViewCamera& camera, const ViewSettings& settings, FrameGlobals& globals) {
-        DrawContext ctx{gpu, project, tables, plan, camera, settings, programs, maps, shared, targets, globals, stats, frustumOf(globals.viewProj)};
+    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+        DrawContext ctx{gpu, project, tables, of, camera, settings, programs, maps, shared, into, globals, counts, frustumOf(globals.viewProj)};
         shared.ground = findGround(project);
         ctx.eye = camera.eye - shared.ground.origin;
+        ctx.around = camera.eye;
+        globals.eye = glm::vec4(glm::vec3(ctx.eye), 0);
         return ctx;
     }
 
-    void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s) {
+    static void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, const glm::mat4& viewProj, int samples) {
         g = {};
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
-        g.viewProj = jitterProjection(s) * partProjection(s) * viewProjection(camera, wholeWidth(s), wholeHeight(s));
+        g.viewProj = viewProj;
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(targets.samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
+    }
+
+    EffectState* stateOf(DrawContext& ctx, const EffectRow* effect) {
+        std::unique_ptr<EffectState>& state = states[effect];
+        ctx.state = state.get();
+        if (!state && effect->makeState) state = effect->makeState(ctx);
+        return ctx.state = state.get();
     }
 
     void runSystems(DrawContext& ctx) {
-        for (const EffectRow* effect : plan.effects) {
-            std::unique_ptr<EffectState>& state = states[effect];
-            ctx.state = state.get();
-            if (!state && effect->makeState) state = effect->makeState(ctx);
-            ctx.state = state.get();
-            for (const System& system : effect->systems) system.run(ctx);
+        for (const EffectRow* effect : ctx.plan.effects) stateOf(ctx, effect);
+        for (const auto& [effect, system] : ctx.plan.systems) {
+            stateOf(ctx, effect);
+            system->run(ctx);
         }
     }
 
-    void runPass(DrawContext& ctx, const PlannedPass& p) {
-        stats.passes.push_back({});
-        PassStats& pass = stats.passes.back();
-        pass.name = p.pass->name;
+    // Passes of stage Reflect draw views of their own, whose effects leave what they know of those in their states; the systems then
+    // tick for this view.
+    void drawReflections(DrawContext& ctx) {
+        ctx.view = [&](const ViewRequest& request) { drawWithin(ctx, request); };
+        PassStats none;
+        for (const PlannedPass& p : ctx.plan.passes)
+            if (p.pass->stage == Stage::Reflect) {
+                ctx.pass = &none;
+                ctx.row = p.pass;
+                stateOf(ctx, p.effect);
+                p.pass->draw(ctx);
+            }
+        ctx.view = {};
+    }
+
+    void drawWithin(DrawContext& outer, const ViewRequest& request) {
+        FrameStats counts;
+        FrameGlobals globals;
+        fillGlobals(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
+        globals.mirror = {1, request.cutAt, 0, 0};
+        DrawContext ctx = context(outer.project, within, request.camera, request.settings, *request.targets, globals, counts);
+        ctx.around = outer.around;
+        runSystems(ctx);
+        glFrontFace(GL_CW);
+        glEnable(GL_CLIP_DISTANCE0);
+        draw(ctx, "mirrored ");
+        glDisable(GL_CLIP_DISTANCE0);
+        glFrontFace(GL_CCW);
+        outer.stats.passes.insert(outer.stats.passes.end(), counts.passes.begin(), counts.passes.end());
+        outer.stats.cpuCullMs += counts.cpuCullMs;
+        if (outer.error.empty()) outer.error = ctx.error;
+    }
+
+    void runPass(DrawContext& ctx, const PlannedPass& p, const char* prefix) {
+        ctx.stats.passes.push_back({});
+        PassStats& pass = ctx.stats.passes.back();
+        pass.name = std::string(prefix) + p.pass->name;
         ctx.pass = &pass;
         ctx.row = p.pass;
         ctx.state = states[p.effect].get();
-        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, p.pass->name);
+        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
         if (ctx.settings.measure) timer.begin();
         p.pass->draw(ctx);
         if (ctx.settings.measure) {
@@ -256,14 +307,14 @@ struct Renderer::Impl {
         stats.systems = plan.systemNames();
     }
 
-    void draw(DrawContext& ctx) {
-        stats.passes.clear();
-        stats.passes.reserve(plan.passes.size());
-        beginScene(targets);
+    void draw(DrawContext& ctx, const char* prefix = "") {
+        ctx.stats.passes.reserve(ctx.stats.passes.size() + ctx.plan.passes.size());
+        beginScene(ctx.targets);
         glBindVertexArray(empty.id());
         glNamedBufferSubData(globalsBuffer.id(), 0, sizeof(FrameGlobals), &ctx.globals);
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, globalsBuffer.id());
-        for (const PlannedPass& p : plan.passes) runPass(ctx, p);
+        for (const PlannedPass& p : ctx.plan.passes)
+            if (p.pass->stage != Stage::Reflect) runPass(ctx, p, prefix);
         glBindVertexArray(0);
         glUseProgram(0);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -278,14 +329,16 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
     r.replan(project);
+    if (has(r.plan.features, Feature::GrassUnique))
+        if (Status s = checkUnique(project, r.population(project)); !s) return s;
     ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, has(r.plan.features, Feature::GroundShadows));
     FrameGlobals globals;
-    r.fillGlobals(globals, camera, settings);
-    DrawContext ctx = r.context(project, camera, settings, globals);
+    Impl::fillGlobals(globals, camera, settings, jitterProjection(settings) * partProjection(settings) * viewProjection(camera, wholeWidth(settings), wholeHeight(settings)), r.targets.samples);
+    DrawContext ctx = r.context(project, r.plan, camera, settings, r.targets, globals, r.stats);
     const BrushDecal& d = settings.decal;
     globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
-    globals.eye = glm::vec4(glm::vec3(ctx.eye), 0);
     r.maps.beginFrame();
+    r.drawReflections(ctx);
     r.runSystems(ctx);
     r.draw(ctx);
     r.maps.endFrame();

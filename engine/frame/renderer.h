@@ -36,7 +36,7 @@ struct BrushDecal {
 // A painted map to show as a translucent colour (post/map_overlay.h); no PATH: none.
 struct MapOverlay {
     std::string map;            // its PATH
-    double tiling = 1;          // how often it repeats over the terrain
+    double tiling = 1;          // its tiling factor (scene/tiling.h)
     bool operator==(const MapOverlay&) const = default;
 };
 
@@ -56,6 +56,7 @@ struct ViewSettings {
     MapOverlay overlay;
     float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
     ViewPart part;              // width and height are then the part's
+    bool coarse = false;        // grass by its cheapest tiers, as in water: vertical slices from the eye on, else blades
     glm::vec2 jitter{0};        // pixels by which the picture is moved right and up; fractions move samples, so that frames add up
     bool background = false;    // what must be made first is made beside, with a draft shown until it is there; else it is waited for
     bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)

@@ -46,11 +46,21 @@ struct Lister {
         low = static_cast<float>(lowest - q.cells.eye.y), high = static_cast<float>(highest - q.cells.eye.y);
     }
 
-    float mostOpacity(const Blade& b, const glm::vec2& uv, float distance) const {
-        const float density = q.cells.density ? q.cells.density->sample(uv.x, uv.y) : 1.0f, slack = q.cells.density ? kSlack : 0;
+    // place: its root, terrain-relative metres. Where a map repeats often, the GPU's coordinates are off by more.
+    float mostOpacity(const Blade& b, const glm::vec2& place, float distance) const {
+        const Tiling& tiling = q.cells.densityTiling;
+        const float density = q.cells.density ? tiledSample(*q.cells.density, tiling, place.x, place.y) : 1.0f;
+        const float slack = q.cells.density ? kSlack + (tiling.repeats ? tiledSlack(place) : 0) : 0;
         const float weight = f32::lodRamp(distance * (1 - kSlack) - kSlack, q.cells.range.min, q.cells.range.inv);
         const float slices = f32::sliceOpacity(std::max(density - slack, 0.0f), std::max(weight - kSlack, 0.0f), b.threshold, q.cells.fade);
         return f32::opacityConserving(std::min(density + slack, 1.0f), b.threshold, q.cells.fade) - slices;
+    }
+
+    // Four roundings of the place's coordinates, in texels: densities of neighbours differ by at most 1.
+    float tiledSlack(const glm::vec2& place) const {
+        const MapInfo& info = q.cells.density->info();
+        const glm::vec2 texels = place / glm::vec2(q.cells.densityTiling.metres) * glm::vec2(info.width, info.height);
+        return (std::abs(texels.x) + std::abs(texels.y)) * 4 * std::numeric_limits<float>::epsilon();
     }
 
     bool inView(const glm::vec2& at) const {
@@ -62,10 +72,11 @@ struct Lister {
         const Blade& b = q.cells.patch.blades[i];
         const float size = static_cast<float>(q.cells.cellSize);
         const glm::vec2 root = f32::rootInCell(b.root, cell.mirror, cell.shift, size), at = glm::vec2(cell.x, cell.z) + root;
-        const glm::vec2 uv = (glm::vec2(cell.cellX, cell.cellZ) * size + root) / glm::vec2(q.cells.terrain.size);
-        if (std::max(uv.x, uv.y) > 1 + kSlack || !inView(at)) return;
+        const glm::vec2 place = glm::vec2(cell.cellX, cell.cellZ) * size + root;
+        const glm::vec2 share = place / glm::vec2(q.cells.terrain.size);
+        if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
-        if (mostOpacity(b, uv, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
+        if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
         addStrip(out.indices, i, q.quads > 0 ? q.quads : cell.segments, q.cells.segments);
         ++out.blades;
     }

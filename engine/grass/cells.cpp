@@ -65,6 +65,7 @@ struct CellSelection {
 
     std::pair<float, float> density(int x, int z) const {
         if (!q.density) return {1.0f, 1.0f};
+        if (q.densityTiling.repeats) return densityRange(*q.density, q.densityTiling, x * q.cellSize, z * q.cellSize, (x + 1) * q.cellSize, (z + 1) * q.cellSize);
         const MapInfo& info = q.density->info();
         const glm::vec2 texels = texelsPerCell(q);
         const f32::CellTexels across = f32::cellTexels(x, texels.x, info.width), down = f32::cellTexels(z, texels.y, info.height);
@@ -74,13 +75,20 @@ struct CellSelection {
         if (q.levels.smoothness > 0) return f32::tessMost(static_cast<float>(q.levels.smoothness), distance, q.levels.maxDistance, q.levels.quadsAtOneMetre, q.levels.reach);
         return f32::chordQuads(q.sagitta * q.pixelsPerMetre, distance, q.segments);
     }
+    std::pair<uint32_t, uint32_t> share(int x, int z, float nearest, float least, float most) const {
+        if (!q.unique) {
+            const f32::CellShare s = f32::cellShare(rule, nearest, least, most);
+            return {q.patch.upTo[static_cast<size_t>(s.low)], q.patch.upTo[static_cast<size_t>(s.high)]};
+        }
+        const float slices = f32::sliceDensity(least, f32::lodRamp(nearest, rule.rangeMin, rule.rangeInv));
+        return q.unique->range(x, z, f32::lowestThresholdDrawn(slices, rule.fade) - 1e-5f, f32::highestThresholdDrawn(f32::densityKept(most, nearest, rule.thinning), rule.fade) + 1e-5f);
+    }
     void leaf(int x, int z, const Box& b, std::vector<CellDraw>& out) const {
         const float nearest = std::sqrt(f32::boxNearest2(b));
         const auto [least, most] = density(x, z);
-        const f32::CellShare share = f32::cellShare(rule, nearest, least, most);
-        const uint32_t first = q.patch.upTo[static_cast<size_t>(share.low)], last = q.patch.upTo[static_cast<size_t>(share.high)];
+        const auto [first, last] = share(x, z, nearest, least, most);
         if (most <= 0 || first >= last) return;
-        const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
+        const f32::CellVersion v = q.unique ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, q.seed);
         out.push_back({x, z, b.low.x, b.low.z, v.mirror, v.shift, first, last, quadsAt(nearest), q.shadow > 0 ? visible(b, q.reach) : 1, nearest, within(b, q.reach)});
     }
     static std::pair<float, float> texelRange(const Map& density, int left, int right, int top, int bottom);
@@ -105,7 +113,8 @@ f32::CellGrid cellGrid(const CellQuery& q) {
     return {glm::vec2(cell), glm::vec2(eye - cell * q.cellSize), glm::vec2(q.terrain.size - eye), static_cast<float>(q.cellSize)};
 }
 f32::CellRule cellRule(const CellQuery& q) { return {q.fade, q.thinning, q.range.min, q.range.inv}; }
-glm::vec2 texelsPerCell(const CellQuery& q) { return glm::vec2(q.cellSize / q.terrain.size * glm::dvec2(q.density->info().width, q.density->info().height)); }
+glm::vec2 texelsPerCell(const CellQuery& q) { return glm::vec2(q.cellSize / q.densityTiling.metres * glm::dvec2(q.density->info().width, q.density->info().height)); }
+bool gpuMayChoose(const CellQuery& q) { return !q.unique && !(q.density && q.densityTiling.repeats); }
 glm::ivec2 fieldCells(const CellQuery& q) { return glm::ivec2(glm::ceil(q.terrain.size / q.cellSize)); }
 
 GeometryRange geometryRange(const GrassField& f) {
@@ -134,18 +143,37 @@ float bladeReach(const Species& species, const Patch& patch) {
 
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
-    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, patch, field.cellSize, bladeReach(species, patch),
-            bladeSagitta(patch), geometryRange(field), field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
+    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, tilingOf(terrain, species.densityTiling), patch, field.cellSize, bladeReach(species, patch),
+            bladeSagitta(patch), geometryRange(field), isUnique(field) ? 0 : field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
 }
 
-std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1) {
+namespace {
+
+constexpr double kRounding = 0.01;  // texels that shaders may be off by where a map repeats often
+
+// First and last texel, counted on from the map's first over all repeats, that sampling between a and b may read: at most all of them.
+std::pair<int64_t, int64_t> texelsBetween(double a, double b, double metres, int n, bool repeats) {
+    const double slack = repeats ? kRounding : 0;
+    const auto first = static_cast<int64_t>(std::floor(a / metres * n - 0.5 - slack)), last = static_cast<int64_t>(std::floor(b / metres * n - 0.5 + slack)) + 1;
+    if (repeats) return {first, std::min(last, first + n - 1)};
+    return {std::clamp<int64_t>(first, 0, n - 1), std::clamp<int64_t>(last, 0, n - 1)};
+}
+
+}  // namespace
+
+std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1, double z1) {
     const MapInfo& info = density.info();
-    const auto texel = [](double v, double extent, int n, int add) {
-        return std::clamp(static_cast<int>(std::floor(v / extent * n - 0.5)) + add, 0, n - 1);
-    };
-    const int left = texel(x0, size.x, info.width, 0), right = texel(x1, size.x, info.width, 1);
-    const int top = texel(z0, size.y, info.height, 0), bottom = texel(z1, size.y, info.height, 1);
-    return CellSelection::texelRange(density, left, right, top, bottom);
+    const auto [left, right] = texelsBetween(x0, x1, tiling.metres.x, info.width, tiling.repeats);
+    const auto [top, bottom] = texelsBetween(z0, z1, tiling.metres.y, info.height, tiling.repeats);
+    const auto inside = [](int64_t i, int n) { return static_cast<int>((i % n + n) % n); };
+    float least = 1, most = 0;
+    for (int64_t y = top; y <= bottom && (least > 0 || most < 1); ++y)
+        for (int64_t x = left; x <= right; ++x) {
+            const float d = density.at(inside(x, info.width), inside(y, info.height));
+            least = std::min(least, d);
+            most = std::max(most, d);
+        }
+    return {least, most};
 }
 
 std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked) {
@@ -199,7 +227,7 @@ uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
         const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
         if (u > 1 || v > 1) continue;
         const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);
-        const float density = q.density ? q.density->sample(u, v) : 1.0f;
+        const float density = q.density ? tiledSample(*q.density, q.densityTiling, u * q.terrain.size.x, v * q.terrain.size.y) : 1.0f;
         const float weight = f32::lodRamp(glm::length(at), q.range.min, q.range.inv);
         n += f32::geometryOpacity(density, weight, b.threshold, q.fade) > 0 && q.frustum.touches(at, at);
     }
@@ -219,9 +247,10 @@ uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); 
 
 uint32_t bladesDrawn(const CellDraw& c, float detail) { return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f))); }
 
-DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t bladesInPatch, float detail, uint32_t instance) {
-    const uint32_t each = static_cast<uint32_t>(quads) * 6;
-    return {bladesDrawn(c, detail) * each, 1, firstStrip(quads) * bladesInPatch + c.first * each, 0, instance};
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance, uint32_t verticesABlade) {
+    const uint32_t each = static_cast<uint32_t>(quads) * 6, begin = firstStrip(quads) * strips, count = bladesDrawn(c, detail) * each;
+    if (verticesABlade > 0) return {count, 1, begin, static_cast<int32_t>(c.first * verticesABlade), instance};
+    return {count, 1, begin + c.first * each, 0, instance};
 }
 
 }  // namespace sward

@@ -8,6 +8,7 @@
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "scene/population.h"
+#include "scene/unique.h"
 
 namespace sward {
 
@@ -33,8 +34,9 @@ struct DrawCommand {
 uint32_t firstStrip(int n);
 // How many of a cell's blades are drawn at a detail in ]0, 1]: in the order of thresholds, a prefix is an even choice.
 uint32_t bladesDrawn(const CellDraw& c, float detail);
-// Draws a cell's blades with strips of n quads; `instance` is its place among the cells.
-DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t bladesInPatch, float detail, uint32_t instance);
+// Draws a cell's blades with strips of n quads; `instance` is its place among the cells. strips: blades that the indices hold of each number
+// of quads. verticesABlade: 0 if they hold all blades; else they are those of a cell's own blades, which begin at its first one's vertices.
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance, uint32_t verticesABlade = 0);
 
 // Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
 struct GeometryRange {
@@ -58,6 +60,7 @@ struct CellQuery {
     const Terrain& terrain;
     const HeightBounds& bounds;
     const Map* density;     // null: 1 everywhere
+    Tiling densityTiling;
     const Patch& patch;
     double cellSize;
     float reach;            // bladeReach
@@ -71,6 +74,7 @@ struct CellQuery {
     const Frustum& frustum;
     float thinning = 0;     // share of the blades that is missing at each metre from the eye
     BladeLevels levels{};   // where blades are tessellated: CellDraw.segments is then the greatest level in the cell
+    const UniqueBlades* unique = nullptr;  // each cell's own blades, of which `patch` is then all: CellDraw's first and last are theirs
     float shadow = 0;       // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
 };
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
@@ -84,6 +88,8 @@ struct CellNode {
 };
 f32::CellGrid cellGrid(const CellQuery& q);
 f32::CellRule cellRule(const CellQuery& q);
+// Whether the GPU knows how to choose these cells: not blades of each cell's own, nor by a density map that repeats.
+bool gpuMayChoose(const CellQuery& q);
 // Cells along x and z of the whole field.
 glm::ivec2 fieldCells(const CellQuery& q);
 // Nodes that are in view and begin before the range's end, nearest first. `looked`, if given, counts the nodes that were looked at.
@@ -110,7 +116,7 @@ struct SliceCell {
 std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far);
 
 // Lowest and highest density that bilinear sampling can give over terrain-relative [x0, x1] x [z0, z1].
-std::pair<float, float> densityRange(const Map& density, const glm::dvec2& size, double x0, double z0, double x1, double z1);
+std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1, double z1);
 
 // Blades of one species that a view draws: opacity above 0 and root within the frustum. The shader's own rule, on the CPU.
 uint64_t countVisible(const CellQuery& q);

@@ -3,6 +3,7 @@
 #include "core/hash.h"
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -14,6 +15,19 @@ void updatePatch(FieldSpecies& s, const Species& species, const GrassField& fiel
     if (s.key == key) return;
     s.key = key;
     s.patch = makePatch(species, field.cellSize, static_cast<uint32_t>(field.seed));
+}
+
+void updateUnique(const DrawContext& ctx, FieldSpecies& s, const Species& species, const GrassField& field) {
+    const Terrain& t = *ctx.shared.ground.terrain;
+    if (!has(ctx.plan.features, Feature::GrassUnique)) {
+        s.unique = {}, s.uniqueOf = 0, s.uniqueDensity = {};
+        return;
+    }
+    const uint64_t key = uniqueKey(species, field, t);
+    if (s.uniqueOf == key && !s.unique.empty() && s.uniqueDensity.sameTiles(species.density.map)) return;
+    s.uniqueOf = key, s.uniqueDensity = species.density.map;
+    s.uniqueKey = (s.uniqueKey + key) * 0x9E3779B97F4A7C15ull + 1;
+    s.unique = makeUnique(species, field, t);
 }
 
 void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
@@ -30,7 +44,7 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
     g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
     g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
     g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), f.fade, static_cast<float>(index)};
+    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), isUnique(f) ? 0 : f.fade, static_cast<float>(index)};
     g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
     const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
     g.mask = {shade.radius, shade.top, 0, 0};
@@ -38,14 +52,16 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
 }
 
 void publishMaps(DrawContext& ctx, const GrassField& f) {
+    const Terrain& t = *ctx.shared.ground.terrain;
     for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
-        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map) : 0;
+        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map, false, tilingOf(t, f.species[i].densityTiling).repeats) : 0;
     const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
         to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
     };
     publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
     publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
     publish(ctx.shared.forces, f.forces, "grass/force-map", false);
+    ctx.shared.bladeHeights = f.bladeHeight.present() ? ctx.maps.get("grass/heights", "grass/heights", f.bladeHeight.map, false, tilingOf(t, f.bladeHeightTiling).repeats) : 0;
     publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
 }
 
@@ -66,7 +82,10 @@ void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     CoverGlobals cover{};
     cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
+    const Terrain& t = *ctx.shared.ground.terrain;
+    cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
     for (size_t i = 0; i < state.species.size(); ++i) {
+        cover.densities[static_cast<int>(i)] = shaderTiling(t, f.species[i].densityTiling);
         cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
         cover.height[static_cast<int>(i)] = state.species[i]->look.height;
     }
@@ -86,6 +105,7 @@ void update(DrawContext& ctx) {
         if (!state.species[i]) state.species[i] = std::make_unique<FieldSpecies>();
         FieldSpecies& s = *state.species[i];
         updatePatch(s, f.species[i], f);
+        updateUnique(ctx, s, f.species[i], f);
         updateTexture(ctx, s, f.species[i]);
         updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
@@ -99,11 +119,19 @@ const System kSystems[] = {{"grass/field", update}};
 
 }  // namespace
 
+CellQuery drawnQuery(const DrawContext& ctx, const GrassField& f, size_t i) {
+    const FieldSpecies& s = *ctx.shared.grass->species[i];
+    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.drawn(), ctx.eye, ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    if (!s.unique.empty()) q.unique = &s.unique;
+    return q;
+}
+
 void bindField(DrawContext& ctx) {
     const SharedResources& r = ctx.shared;
     if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
     if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
     if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
+    if (r.bladeHeights) glBindTextureUnit(TEX_BLADE_HEIGHT, r.bladeHeights);
     if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
     if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);

@@ -4,14 +4,22 @@
 #include "frame/draw_context.h"
 #include "frame/tiles.h"
 #include "grass/appearance.h"
+#include "grass/cells.h"
 #include "grass/slice_textures.h"
-#include "scene/population.h"
+#include "scene/unique.h"
 
 namespace sward {
 
 struct FieldSpecies {
     uint64_t key = 0;            // patchKey
     Patch patch;
+    UniqueBlades unique;         // where each cell has blades of its own; else empty
+    uint64_t uniqueOf = 0;       // what they were made of: uniqueKey, and the density
+    Map uniqueDensity;
+    uint64_t uniqueKey = 0;      // another each time that they are made
+    // What is drawn blade by blade; slices, masks and means are the patch's.
+    const Patch& drawn() const { return unique.empty() ? patch : unique.patch; }
+    uint64_t drawnKey() const { return unique.empty() ? key : uniqueKey; }
     Buffer globals;              // SpeciesGlobals
     Rgba8 bladeImage;
     uint64_t bladeHash = 0;      // of the image: hashed when it is loaded, not each frame
@@ -36,6 +44,9 @@ struct FieldState : EffectState {
 };
 
 const EffectRow& fieldEffect();
+
+// The query for a species' drawn blades in this view.
+CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t species);
 
 // Textures and buffers that grass shaders of all tiers read.
 void bindField(DrawContext& ctx);

@@ -15,6 +15,8 @@ constexpr const char* kOwner = "grass/geometry";
 struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
     int segments = 0;
+    size_t strips = 0;  // blades that the indices hold, and whether they are a cell's own: as drawCommand takes them
+    uint32_t verticesABlade = 0;
     Buffer blades, indices, cells, commands;
     Buffer listed;     // indices of the blades that can be seen, where the driver shades vertices on the CPU; else none
     GLsizei seen = 0;  // commands
@@ -41,11 +43,13 @@ std::vector<uint32_t> stripIndices(size_t blades, int segments) {
 }
 
 void updateMesh(DrawContext& ctx, SpeciesState& s, const FieldSpecies& f, int segments) {
-    if (s.key == f.key && s.segments == segments && s.mesh.id()) return;
-    s.key = f.key;
+    if (s.key == f.drawnKey() && s.segments == segments && s.mesh.id()) return;
+    s.key = f.drawnKey();
     s.segments = segments;
-    const auto indices = stripIndices(f.patch.blades.size(), segments);
-    s.blades = makeBuffer(ctx.gpu, kOwner, f.patch.blades.size() * sizeof(Blade), f.patch.blades.data());
+    s.strips = f.unique.empty() ? f.patch.blades.size() : f.unique.mostInCell;
+    s.verticesABlade = f.unique.empty() ? 0 : 2 * static_cast<uint32_t>(segments + 1);
+    const auto indices = stripIndices(s.strips, segments);
+    s.blades = makeBuffer(ctx.gpu, kOwner, f.drawn().blades.size() * sizeof(Blade), f.drawn().blades.data());
     s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
     s.mesh = makeVertexArray(kOwner);
     s.least.clear();
@@ -59,14 +63,14 @@ void uploadCommands(DrawContext& ctx, SpeciesState& s, const std::vector<DrawCom
 }
 
 // One command a cell, over a range of the patch's blades.
-void commandRanges(DrawContext& ctx, SpeciesState& s, size_t patchBlades) {
+void commandRanges(DrawContext& ctx, SpeciesState& s) {
     std::vector<DrawCommand> commands;
     commands.reserve(s.selected.size());
     uint64_t blades = 0;
     for (size_t i = 0; i < s.selected.size(); ++i) {
         const CellDraw& c = s.selected[i];
         if (!c.seen) continue;
-        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(patchBlades), ctx.settings.detail, static_cast<uint32_t>(i)));
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(s.strips), ctx.settings.detail, static_cast<uint32_t>(i), s.verticesABlade));
         blades += bladesDrawn(c, ctx.settings.detail);
     }
     s.listed = {};
@@ -97,7 +101,7 @@ void selectHere(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Trans
     for (const CellDraw& c : s.selected) instances.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift});
     writeBuffer(ctx.gpu, s.cells, kOwner, instances.size() * sizeof(CellInstance), instances.data());
     if (ctx.gpu.software) commandLists(ctx, s, query, way);
-    else commandRanges(ctx, s, query.patch.blades.size());
+    else commandRanges(ctx, s);
 }
 
 // Room for what the GPU chooses: as many instances and commands as there are cells in the nodes, and as many commands of shadows.
@@ -113,8 +117,9 @@ void selectThere(DrawContext& ctx, SpeciesState& s, const CellQuery& query) {
 void publish(DrawContext& ctx, const SpeciesState& s, const FieldSpecies& own, size_t i) {
     BladeDraws& d = ctx.shared.blades[i];
     d = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size()};
-    d.inPatch = static_cast<uint32_t>(own.patch.blades.size());
+    d.strips = static_cast<uint32_t>(s.strips);
     d.segments = s.segments;
+    d.verticesABlade = s.verticesABlade;
     d.shading = shadingShare(own.look, ctx.globals.sunDirection.y);
     if (!s.chosen.byGpu) return;
     d.count = s.chosen.count;
@@ -128,7 +133,6 @@ void cull(DrawContext& ctx) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.shared.grass) return;
     const FieldState& field = *ctx.shared.grass;
-    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const bool castingLamps = ctx.shared.lights.count.y > 0;
     state.species.resize(field.species.size());
     ctx.shared.blades = {};
@@ -137,9 +141,9 @@ void cull(DrawContext& ctx) {
         SpeciesState& s = *state.species[i];
         const FieldSpecies& own = *field.species[i];
         updateMesh(ctx, s, own, f.species[i].segments);
-        CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], own.patch, ctx.eye, ctx.frustum, pixels);
+        CellQuery query = drawnQuery(ctx, f, i);
         if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(own.look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
-        if (gpuChooses(f, ctx.gpu)) selectThere(ctx, s, query);
+        if (gpuChooses(f, ctx.gpu) && gpuMayChoose(query)) selectThere(ctx, s, query);
         else selectHere(ctx, s, query, static_cast<Transparency>(f.transparency));
         describeCells(s.mesh.id(), s.cells.id(), sizeof(CellInstance), s.indices.id());
         publish(ctx, s, own, i);
@@ -203,12 +207,12 @@ void draw(DrawContext& ctx) {
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
-                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog), fieldVariants}};
+                                            Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
+                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection), fieldVariants}};
 const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
                                     {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewCompare, 0, 0, kCellPrograms, chooseThere},
-                        {"grass/geometry", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, chooseThere},
+                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

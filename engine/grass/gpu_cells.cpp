@@ -84,7 +84,7 @@ CullGlobals cullGlobals(const CellWish& w) {
     g.levels = {static_cast<float>(q.levels.smoothness), q.levels.maxDistance, q.levels.quadsAtOneMetre, q.levels.reach};
     g.strips = {q.sagitta * q.pixelsPerMetre, static_cast<float>(q.segments), std::clamp(w.detail, 0.01f, 1.0f), w.plainFrom};
     g.texels = {0, 0, static_cast<float>(q.seed), static_cast<float>(w.pieceBlades)};
-    g.counted = {w.drawn, 0, 0, 0};
+    g.counted = {w.drawn, 0, q.unique ? 1 : 0, 0};
     if (q.density) g.texels.x = texelsPerCell(q).x, g.texels.y = texelsPerCell(q).y;
     return g;
 }

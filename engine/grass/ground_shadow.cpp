@@ -27,7 +27,7 @@ std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
     const int quads = std::min(blades.segments, kShadowQuads);
-    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], quads, blades.inPatch, share, static_cast<uint32_t>(i)));
+    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], quads, blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
     return commands;
 }
 
@@ -35,8 +35,8 @@ std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
 BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, const BladeDraws& blades, float share) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     const FieldSpecies& species = *ctx.shared.grass->species[i];
-    if (one.leastOf != species.key) one.least = leastShading(species.patch), one.leastOf = species.key;
-    const CellQuery query = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], species.patch, ctx.eye, ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
+    const CellQuery query = drawnQuery(ctx, f, i);
     const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
     return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, std::min(blades.segments, kShadowQuads)}, {blades.cells, blades.count});
 }
@@ -110,7 +110,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
 const ProgramRow kPrograms[] = {{"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
+                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion,
                                             Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::GroundShadows, Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
 const Pass kPasses[] = {{"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
 

@@ -78,6 +78,11 @@ void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species,
     startBake(s, spec, key);
 }
 
+// Whether slices stand for what else is drawn blade by blade (frame/plan.h, coarseFeatures).
+bool slicesAlone(const DrawContext& ctx, const GrassField& f) {
+    return ctx.settings.coarse && has(ctx.plan.features, Feature::GrassSlices) && static_cast<Technique>(f.technique) == Technique::Hybrid;
+}
+
 // --- uniforms ------------------------------------------------------------------------------------------------------------
 FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s, size_t index) {
     const FrameGlobals& g = ctx.globals;
@@ -109,7 +114,7 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
     const glm::vec2 within = eye / double(f.cellSize) - cell;
     const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
-    GeometryRange range = geometryRange(f);
+    GeometryRange range = slicesAlone(ctx, f) ? GeometryRange{0, f32::lodInverse(0, 0), 0} : geometryRange(f);
     if (static_cast<Technique>(f.technique) == Technique::Tessellated)  // takes over while blades get lower
         range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance), f.maxDistance};
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
@@ -196,7 +201,7 @@ void selectSlices(DrawContext& ctx) {
         const FieldSpecies& field = *ctx.shared.grass->species[i];
         if (s.slices != field.slices.slices) makeSliceMesh(ctx, s, field.slices.slices);
         const CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.patch, ctx.eye, ctx.frustum, 1);
-        s.selected = selectSliceCells(q, only ? -1 : f.minGeom, only ? std::numeric_limits<float>::infinity() : f.maxBTF);
+        s.selected = selectSliceCells(q, only || slicesAlone(ctx, f) ? -1 : f.minGeom, only ? std::numeric_limits<float>::infinity() : f.maxBTF);
         uploadSliceCells(ctx, s, f.cellSize);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -205,7 +210,7 @@ void selectSlices(DrawContext& ctx) {
 // Where texels are smaller than pixels even for the nearest slices, one is as good as four, and costs a third.
 void filterSlices(const DrawContext& ctx, const GrassField& f, const SliceTextures& t) {
     const float texels = std::min(static_cast<float>(t.reflectance.width) / f.cellSize, static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
-    const float nearest = static_cast<Technique>(f.technique) == Technique::Hybrid ? f.minGeom : 0;
+    const float nearest = static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : 0;
     const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
         glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER, small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
@@ -244,7 +249,7 @@ void drawSlices(DrawContext& ctx) {
 // Nodes that reach beyond the distance where blades are all there and begin before `far`.
 std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, float far) {
     std::vector<TerrainNode> out;
-    const float near = static_cast<Technique>(f.technique) == Technique::Hybrid ? f.minGeom : -1;
+    const float near = static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : -1;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
         const float side = 16 * n.level.x;
         const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
@@ -338,12 +343,12 @@ void drawFarShadow(DrawContext& ctx) {
 
 // --- rows ------------------------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
+                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 };
 constexpr auto kShadow = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion,
-                      Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog);
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion,
+                      Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 };
 const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
@@ -352,7 +357,7 @@ const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", 
 const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kFarPrograms, drawFar}};
 const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
 const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
-const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
+const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
 
 }  // namespace
 

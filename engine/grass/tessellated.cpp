@@ -60,8 +60,8 @@ TessGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species
 }
 
 void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, const GrassField& f, const Species& species) {
-    if (s.key != own.key || !s.blades.id()) s.blades = makeBuffer(ctx.gpu, kOwner, own.patch.blades.size() * sizeof(Blade), own.patch.blades.data());
-    s.key = own.key;
+    if (s.key != own.drawnKey() || !s.blades.id()) s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
+    s.key = own.drawnKey();
     if (s.imageHash != own.bladeHash) s.covered = meanAlpha(own.bladeImage);
     s.imageHash = own.bladeHash;
     const TessGlobals g = globalsOf(ctx, f, species, s.covered);
@@ -89,9 +89,10 @@ void planBatches(DrawContext& ctx, SpeciesState& s) {
     s.batchPieces = static_cast<uint32_t>(std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(ctx.gpu) / 2) + 1));
 }
 
-CellQuery queryOf(DrawContext& ctx, const GrassField& f, const Species& species, const Patch& patch) {
+CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, species, patch, ctx.eye, ctx.frustum, pixels);
+    const Species& species = f.species[i];
+    CellQuery q = drawnQuery(ctx, f, i);
     q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
@@ -112,8 +113,8 @@ void select(DrawContext& ctx) {
         SpeciesState& s = *state.species[i];
         updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
         const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
-        const CellQuery query = queryOf(ctx, f, f.species[i], field.species[i]->patch);
-        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu)}, kOwner);
+        const CellQuery query = queryOf(ctx, f, i);
+        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu) && gpuMayChoose(query)}, kOwner);
         planBatches(ctx, s);
         planPoints(ctx.gpu, s, f.species[i].smoothness);
         writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
@@ -288,10 +289,10 @@ std::vector<std::string> stripVariants() {
 const System kSystems[] = {{"grass/tessellated/cells", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
-    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassClumps,
+    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
                       Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
                       Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog);
+                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 }
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
@@ -301,8 +302,8 @@ const ProgramRow kPrograms[] = {
 };
 const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
                                     {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewCompare, 0, 0, kCellPrograms, listCells},
-                        {"grass/tessellated", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, listCells},
+                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

@@ -29,6 +29,20 @@ void addPlacementRows(std::vector<FormulaRow>& rows) {
                                          return std::vector<double>{at(), at(), n, i % 7 ? n : 1.0};
                                      }),
                     .tolerance = 2e-7, .low = 0, .high = 511});
+    rows.push_back({.name = "bilinear taps of a map that repeats, and a mirrored place", .inputs = 4, .outputs = 6,
+                    .ours = BODY(BilinearTap t = bilinearTapRepeat(x[0], x[1], int(x[2]), int(x[3])); y[0] = real(t.x0);
+                                 y[1] = real(t.x1); y[2] = real(t.y0); y[3] = real(t.y1);
+                                 // The mix of a checker shows fractions
+                                 y[4] = bilinearMix(real(0.0), real(1.0), real(1.0), real(0.0), t.fx, t.fy);
+                                 y[5] = mirrorUnit(x[0]);),
+                    .samples = sweep(2000,
+                                     [](Sweep& s, int i) {
+                                         const double n = double(1 << s.whole(0, 9));
+                                         // Multiples of 2^-12 so that no rounding moves a tap across a texel.
+                                         const auto at = [&] { return s.whole(-1024, 5120) / 4096.0; };
+                                         return std::vector<double>{at(), at(), n, i % 7 ? n : 1.0};
+                                     }),
+                    .tolerance = 2e-7, .low = 0, .high = 511});
     rows.push_back({.name = "thresholds between which geometry is drawn", .inputs = 4, .outputs = 1,
                     .ours = BODY(real t = sliceDensity(x[0], x[1]); real o = geometryOpacity(x[0], x[1], x[2], x[3]);
                                  bool outside = x[2] > highestThresholdDrawn(x[0], x[3]) || x[2] < lowestThresholdDrawn(t, x[3]);

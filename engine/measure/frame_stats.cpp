@@ -105,8 +105,11 @@ uint64_t sumOverSpecies(const Project& project, const ViewCamera& camera, int wi
         if (!f) continue;
         for (size_t i = 0; i < std::min<size_t>(f->species.size(), MAX_SPECIES); ++i) {
             const Species& s = f->species[i];
-            const Patch patch = makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
-            sum += count(cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height)));
+            const UniqueBlades own = isUnique(*f) ? makeUnique(s, *f, *ground.terrain) : UniqueBlades{};
+            const Patch patch = isUnique(*f) ? own.patch : makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
+            CellQuery q = cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height));
+            if (!own.empty()) q.unique = &own;
+            sum += count(q);
         }
         break;
     }

@@ -73,10 +73,11 @@ glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3
     return m;
 }
 
-void aimMap(ShadowState& s, int i, const glm::dvec3& eye) {
+// around: what is shaded; both in the world.
+void aimMap(ShadowState& s, int i, const glm::dvec3& around, const glm::dvec3& eye) {
     ShadowMap& map = s.map[i];
-    if (map.drawn == 0 || glm::distance(map.centre, eye) > kSlack * kReach[i]) {
-        map.centre = eye;
+    if (map.drawn == 0 || glm::distance(map.centre, around) > kSlack * kReach[i]) {
+        map.centre = around;
         map.drawn = 0;
     }
     const double half = kReach[i] * kHalf;
@@ -93,7 +94,7 @@ void aim(DrawContext& ctx) {
             setAxes(s, sun);
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
-        for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, i, ctx.camera.eye);
+        for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, i, ctx.around, ctx.camera.eye);
         s.values.texel.w = 1.0f / kSide;
         glNamedBufferSubData(s.globals.id(), 0, sizeof(ShadowGlobals), &s.values);
     }

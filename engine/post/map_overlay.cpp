@@ -15,6 +15,7 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
         if (wanted == &f->orientation && r.orientation) return r.orientation;
         if (wanted == &f->vegetation && r.vegetation) return r.vegetation;
         if (wanted == &f->ambientOcclusion && r.occlusion) return r.occlusion;
+        if (wanted == &f->bladeHeight && r.bladeHeights) return r.bladeHeights;
         for (size_t i = 0; i < f->species.size() && i < r.densities.size(); ++i)
             if (wanted == &f->species[i].density && r.densities[i]) return r.densities[i];
     }
@@ -40,7 +41,7 @@ void draw(DrawContext& ctx) {
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
     if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
-    const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling / ctx.shared.ground.terrain->size.x);
+    const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling) * ctx.globals.maps.x;
     glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
     glEnable(GL_BLEND);

@@ -7,6 +7,7 @@
 #include "grass/field.h"
 #include "reference/embree.h"
 #include "frame/forces.h"
+#include "scene/unique.h"
 #include "scene/wind.h"
 
 namespace sward {
@@ -38,6 +39,7 @@ struct Cell {
     double base = 0;           // height of the plane at the cell's corner
     WindGlobals wind{};        // about the cell's corner; unused in a calm
     CellGround ground;
+    uint32_t first = 0;        // of its blades among the kind's
 };
 struct Kept {
     uint64_t key = ~uint64_t(0);
@@ -80,13 +82,14 @@ std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& l
 
 namespace {
 
-// What a scene of boxes is made for: thresholds up to 255ths, mean lean, its spread, the ground's bump; in steps.
+// What a scene of boxes is made for: the cell, where cells have blades of their own (else 0); thresholds up to 255ths, mean lean, its spread, the ground's bump; in steps.
 struct SceneKey {
+    uint64_t cell;
     int prefix, leanX, leanZ, spread, bump;
     auto operator<=>(const SceneKey&) const = default;
 };
 struct BoxScene {
-    const Patch* patch;
+    const Blade* blades;
     glm::vec2 lean;
     float spread, scale, bump;
     ScenePtr scene;
@@ -96,6 +99,8 @@ struct BoxScene {
 struct Kind {
     const Species* species = nullptr;
     Patch patch;
+    UniqueBlades unique;  // empty: cells repeat the patch
+    const std::vector<Blade>& blades() const { return unique.empty() ? patch.blades : unique.patch.blades; }
     TexelGrid image;
     Look look;
     float leanAtFull = 0, reach = 0;
@@ -107,7 +112,7 @@ struct Kind {
 
 void boundsOf(const RTCBoundsFunctionArguments* a) {
     const BoxScene& s = *static_cast<const BoxScene*>(a->geometryUserPtr);
-    const Blade& b = s.patch->blades[a->primID];
+    const Blade& b = s.blades[a->primID];
     auto [low, high] = leaningBounds(b, s.lean, s.spread, s.scale);
     const glm::vec3 root(b.root.x, 0, b.root.y), bump(0, s.bump, 0);
     low += root - bump, high += root + bump;
@@ -160,22 +165,30 @@ glm::vec2 windLeanIn(const RayField& f, const Cell& cell, const glm::vec2& inCel
 
 bool pressed(const RayField& f) { return f.grass->forces.present() || !f.forces.empty(); }
 
-// Push and press at a place, as a share of the terrain and in metres.
+// Push and press at a place, on maps (shares of what a map of tiling 1 covers) and in metres.
 glm::vec3 forceOn(const RayField& f, const glm::dvec2& place, const glm::dvec2& ground) {
     glm::vec3 sum = f.forces.empty() ? glm::vec3(0) : forceAt(f.forces, ground);
     if (f.grass->forces.present()) sum += f32::paintedForce(paintedAt(f.grass->forces.map, place, static_cast<double>(f.grass->forcesTiling), false));
     return f32::forceOf(sum);
 }
 
-// The blade where it stands; its root's place as a share of the terrain.
+glm::dvec2 onMaps(const RayField& f, const glm::dvec2& ground) { return ground / mapExtent(*f.terrain); }
+float densityAt(const RayField& f, const Species& s, const glm::dvec2& ground) {
+    return s.density.present() ? tiledSample(s.density.map, tilingOf(*f.terrain, s.densityTiling), ground.x, ground.y) : 1.0f;
+}
+float bladeShareAt(const RayField& f, const glm::dvec2& ground) {
+    const GrassField& g = *f.grass;
+    return g.bladeHeight.present() ? tiledSample(g.bladeHeight.map, tilingOf(*f.terrain, g.bladeHeightTiling), ground.x, ground.y) : 1.0f;
+}
+
+// The blade where it stands; its root's place on maps.
 Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index, glm::dvec2* rootPlace = nullptr) {
-    const Blade& b = kind.patch.blades[index];
+    const Blade& b = kind.blades()[cell.first + index];
     const float size = f.grass->cellSize;
     const glm::vec2 inCell = f32::rootInCell(b.root, cell.version.mirror, cell.version.shift, size);
-    const glm::dvec2 ground = glm::dvec2(x, z) * static_cast<double>(size) + glm::dvec2(inCell), place = ground / f.terrain->size;
+    const glm::dvec2 ground = glm::dvec2(x, z) * static_cast<double>(size) + glm::dvec2(inCell), place = onMaps(f, ground);
     if (rootPlace) *rootPlace = place;
-    const MapField& densities = kind.species->density;
-    if (place.x > 1 || place.y > 1 || (densities.present() && densities.map.sample(place.x, place.y) < b.threshold)) return {};
+    if (ground.x > f.terrain->size.x || ground.y > f.terrain->size.y || densityAt(f, *kind.species, ground) < b.threshold) return {};
     const bool clumped = kind.clumps != glm::vec3(0);
     const glm::vec3 clump = clumped ? f32::clumpValues(x, z, inCell, size, kind.species->clumpSize, static_cast<uint32_t>(f.grass->seed)) : glm::vec3(0);
     const f32::BladePlace at = f32::bladePlace(paintAt(*f.grass, place), kind.leanAtFull, clump, kind.clumps);
@@ -184,7 +197,7 @@ Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, 
         const glm::vec3 force = forceOn(f, place, ground);
         lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * cell.version.mirror);
     }
-    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, lean, at.scale);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, lean, at.scale * bladeShareAt(f, ground));
     const float up = static_cast<float>(terrainHeight(*f.terrain, ground.x, ground.y) - cell.base);
     return {{inCell.x, up, inCell.y}, pose.control, pose.tip, pose.facing, b.width, at.lighter};
 }
@@ -234,20 +247,19 @@ void meetAny(const RTCOccludedFunctionNArguments* a) {
 }
 
 // The scene of a key, made the first time it is asked for.
-RTCScene sceneFor(const Kind& kind, const SceneKey& key) {
+RTCScene sceneFor(const Kind& kind, const SceneKey& key, std::span<const Blade> blades) {
     std::lock_guard lock(kind.mutex);
     const auto found = kind.scenes.find(key);
     if (found != kind.scenes.end()) return found->second.scene.get();
     BoxScene& s = kind.scenes[key];
-    s.patch = &kind.patch;
+    s.blades = blades.data();
     s.lean = glm::vec2(key.leanX, key.leanZ) * kLeanStep;
     s.spread = static_cast<float>(key.spread) * kSpreadStep;
     s.scale = kind.clumps.y;
     s.bump = key.bump == 0 ? 1e-6f : kBump * std::exp2(static_cast<float>(key.bump - 1));
-    const uint32_t blades = kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])];
     s.scene.reset(rtcNewScene(kind.device.get()));
     RTCGeometry g = rtcNewGeometry(kind.device.get(), RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(g, blades);
+    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(blades.size()));
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, meetClosest);
@@ -259,7 +271,7 @@ RTCScene sceneFor(const Kind& kind, const SceneKey& key) {
     return s.scene.get();
 }
 
-// Calls see(texel x, y) for those whose bilinear reach touches the part of a map that [from, to] (shares of the terrain) covers.
+// Calls see(texel x, y) for those whose bilinear reach touches the part of a map that [from, to] (in repeats of it) covers.
 template <class F>
 void eachTexel(const MapInfo& info, const glm::dvec2& from, const glm::dvec2& to, F see) {
     const auto low = [](double v, int n) { return static_cast<int>(std::floor(v * n - 0.5)); };
@@ -267,7 +279,7 @@ void eachTexel(const MapInfo& info, const glm::dvec2& from, const glm::dvec2& to
         for (int x = low(from.x, info.width); x <= low(to.x, info.width) + 1; ++x) see(x, y);
 }
 
-// Mean of the paint's extremes over a part of the terrain, and how far it goes from there. Paint is cut to a circle and to
+// Mean of the paint's extremes over a part of the terrain (from, to: on maps), and how far it goes from there. Paint is cut to a circle and to
 // nothing where it is faint: neither moves two values apart by more than 1/255.
 std::pair<glm::vec2, float> paintOver(const GrassField& g, const glm::dvec2& from, const glm::dvec2& to) {
     if (!g.orientation.present()) return {glm::vec2(0), 0.0f};
@@ -300,9 +312,14 @@ CellGround groundUnder(const Terrain& t, double x0, double z0, double x1, double
     const double base = height(x0, z0), sx = (height(x1, z0) - base) / (x1 - x0), sz = (height(x0, z1) - base) / (z1 - z0);
     const auto [offset, scale] = heightScale(t);
     double bump = 0;
-    eachTexel(info, glm::dvec2(x0, z0) / t.size, glm::dvec2(x1, z1) / t.size, [&](int x, int y) {
-        const int i = std::clamp(x, 0, info.width - 1), j = std::clamp(y, 0, info.height - 1);
-        const double px = (x + 0.5) / info.width * t.size.x, pz = (y + 0.5) / info.height * t.size.y;
+    const Tiling tiling = tilingOf(t, t.heightTiling);
+    const auto texel = [&](int k, int n) {  // beyond the map: its edge's, or mirrored
+        const int m = (k % (2 * n) + 2 * n) % (2 * n);
+        return !tiling.repeats ? std::clamp(k, 0, n - 1) : m < n ? m : 2 * n - 1 - m;
+    };
+    eachTexel(info, glm::dvec2(x0, z0) / tiling.metres, glm::dvec2(x1, z1) / tiling.metres, [&](int x, int y) {
+        const int i = texel(x, info.width), j = texel(y, info.height);
+        const double px = (x + 0.5) / info.width * tiling.metres.x, pz = (y + 0.5) / info.height * tiling.metres.y;
         bump = std::max(bump, std::abs(offset + scale * static_cast<double>(map.at(i, j)) - (base + sx * (px - x0) + sz * (pz - z0))));
     });
     g.slopeX = static_cast<float>(sx), g.slopeZ = static_cast<float>(sz);
@@ -313,9 +330,9 @@ CellGround groundUnder(const Terrain& t, double x0, double z0, double x1, double
     return g;
 }
 
-// Whether anything may press on blades between two places, as shares of the terrain.
+// Whether anything may press on blades between two places on maps.
 bool pressedBetween(const RayField& f, const glm::dvec2& from, const glm::dvec2& to) {
-    const glm::dvec2 low = from * f.terrain->size, high = to * f.terrain->size;
+    const glm::dvec2 extent = mapExtent(*f.terrain), low = from * extent, high = to * extent;
     for (const Force& force : f.forces) {
         const glm::dvec2 far(static_cast<double>(force.radius * force.reach));
         if (glm::all(glm::greaterThanEqual(glm::max(force.from, force.to) + far, low)) && glm::all(glm::lessThanEqual(glm::min(force.from, force.to) - far, high))) return true;
@@ -336,14 +353,21 @@ bool pressedBetween(const RayField& f, const glm::dvec2& from, const glm::dvec2&
 int classOf(float value, float step) { return static_cast<int>(std::ceil(value / step - 1e-4f)); }
 
 // Which scene serves a cell; null if nothing grows there.
-RTCScene sceneOf(const RayField& f, const Kind& kind, const Cell& cell, double x0, double z0) {
+RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, double x0, double z0) {
     const double size = static_cast<double>(f.grass->cellSize);
-    const glm::dvec2 from = glm::dvec2(x0, z0) / f.terrain->size, to = glm::dvec2(x0 + size, z0 + size) / f.terrain->size;
+    const glm::dvec2 from = onMaps(f, {x0, z0}), to = onMaps(f, {x0 + size, z0 + size});
     const MapField& densities = kind.species->density;
-    const float most = densities.present() ? densityRange(densities.map, f.terrain->size, x0, z0, x0 + size, z0 + size).second : 1.0f;
+    const float most = densities.present() ? densityRange(densities.map, tilingOf(*f.terrain, kind.species->densityTiling), x0, z0, x0 + size, z0 + size).second : 1.0f;
     SceneKey key{};
     while (key.prefix + 1 < static_cast<int>(std::size(kPrefixes)) && static_cast<float>(kPrefixes[key.prefix]) / 255 < most) ++key.prefix;
-    if (most < 1.0f / 255 || kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])] == 0) return nullptr;
+    std::span<const Blade> blades(kind.patch.blades.data(), kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])]);
+    if (!kind.unique.empty()) {
+        const auto [first, last] = kind.unique.range(x, z, 0, 1);
+        blades = std::span(kind.unique.patch.blades).subspan(first, last - first);
+        key.prefix = 0, key.cell = 1 + cellKey(0, x, z);
+        cell.first = first;
+    }
+    if (most < 1.0f / 255 || blades.empty()) return nullptr;
     const auto [paint, differs] = paintOver(*f.grass, from, to);
     const float half = 0.5f * f.grass->cellSize;
     const glm::vec2 lean = (paint * kind.leanAtFull + windLeanIn(f, cell, glm::vec2(half), -1)) * cell.version.mirror;
@@ -353,7 +377,7 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, const Cell& cell, double x
     key.spread = classOf(beside + differs * kind.leanAtFull + wind + 1.4142136f * kind.clumps.x, kSpreadStep);
     if (pressed(f) && pressedBetween(f, from, to)) key.leanX = key.leanZ = 0, key.spread = classOf(kAnyLean, kSpreadStep);
     key.bump = cell.ground.bump > 0 ? std::max(1, 1 + classOf(std::log2(cell.ground.bump / kBump), 1)) : 0;
-    return sceneFor(kind, key);
+    return sceneFor(kind, key, blades);
 }
 
 const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z) {
@@ -362,11 +386,12 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
     if (c.key == key) return c;
     const double size = static_cast<double>(f.grass->cellSize), x0 = x * size, z0 = z * size;
     c.key = key;
-    c.version = f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
+    c.first = 0;
+    c.version = isUnique(*f.grass) ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
     if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time);
-    c.scene = sceneOf(f, *f.kinds[kind], c, x0, z0);
+    c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }
 
@@ -469,7 +494,7 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
     s.normal = f32::bladeFrameFacing(p.control, p.tip, p.facing, q.hit.v).normal;
     if (glm::dot(glm::dvec3(s.normal), ray.way) > 0) s.normal = -s.normal;
     s.face = s.normal;
-    s.color = bladeColor(f, q, q.kind->patch.blades[q.blade], p, q.hit.v, s.place);
+    s.color = bladeColor(f, q, q.kind->blades()[q.cell->first + q.blade], p, q.hit.v, s.place);
     const Species& species = *q.kind->species;
     s.looks = {species.translucency, species.gloss, species.roughness};
     s.tint = 2.0f * glm::vec3(q.kind->image.at(static_cast<double>(q.hit.across) + 0.5, static_cast<double>(q.hit.v), false));
@@ -489,6 +514,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
     f->terrain = findGround(p).terrain;
     f->grass = firstOf<GrassField>(p);
     if (!f->terrain || !f->grass) return GrassRays(std::move(f));
+    if (Status s = checkUnique(p, isUnique(*f->grass) ? virtualBlades(p) : 0); !s) return s.error();
     updateHeightBounds(f->bounds, *f->terrain);
     f->time = time;
     f->forces = forcesOf(p, time);
@@ -503,14 +529,15 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
         auto kind = std::make_unique<Kind>();
         kind->species = &s;
         kind->patch = makePatch(s, f->grass->cellSize, static_cast<uint32_t>(f->grass->seed));
-        if (kind->patch.blades.empty()) continue;
+        if (isUnique(*f->grass)) kind->unique = makeUnique(s, *f->grass, *f->terrain);
+        if (kind->blades().empty()) continue;
         const Rgba8 image = bladeImage(p, s);
         kind->image = texelGridOf(image);
         uint64_t lookKey = 0;
         updateLook(kind->look, lookKey, s, kind->patch, 1, image);
         kind->leanAtFull = leanAtFull(s);
         kind->clumps = clumpStrengths(s);
-        kind->reach = bladeReach(s, kind->patch);
+        kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
         kind->device.reset(rtcNewDevice(nullptr));
         if (!kind->device) return Error{ExitCode::Failed, "rays cannot be prepared: Embree has no memory, or does not know this processor", "", 0, 0, "close other programs"};
         f->kinds.push_back(std::move(kind));
@@ -540,9 +567,8 @@ std::optional<Surface> GrassRays::closest(const Ray& ray, GrassMemory& memory) c
 float GrassRays::lightLeft(const glm::dvec2& place, float sinElevation) const {
     float left = 1;
     for (const auto& kind : field_->kinds) {
-        const MapField& densities = kind->species->density;
-        const float density = densities.present() ? densities.map.sample(place.x, place.y) : 1;
-        left *= glm::mix(1.0f, sward::lightLeft(kind->look, sinElevation), density);
+        const glm::dvec2 ground = place * mapExtent(*field_->terrain);
+        left *= glm::mix(1.0f, std::pow(sward::lightLeft(kind->look, sinElevation), bladeShareAt(*field_, ground)), densityAt(*field_, *kind->species, ground));
     }
     return left;
 }

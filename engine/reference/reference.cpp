@@ -3,8 +3,10 @@
 #include <mutex>
 
 #include "core/numerics.h"
+#include "reference/flower_rays.h"
 #include "reference/grass_rays.h"
 #include "reference/solids.h"
+#include "reference/water_rays.h"
 #include "shared/frame.h"
 #include "sky/daylight.h"
 
@@ -40,6 +42,7 @@ struct ReferenceScene::Impl {
     double time = 0;
     std::optional<Solids> solids;
     std::optional<GrassRays> grass;
+    std::optional<FlowerRays> flowers;
 };
 
 namespace {
@@ -54,6 +57,7 @@ struct View {
     glm::dmat4 toWorld{1};
     glm::dvec3 eye{0};   // from the terrain's corner
     const GrassField* field = nullptr;
+    WaterRays water{};
     bool hasSky = false, hasSun = false, hasHaze = false;
 };
 
@@ -71,6 +75,7 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     if (has(scene.features, Feature::Lamps)) v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.mode.y);
     if (v.hasSky) v.sky = f32::skyModel(glm::vec3(v.globals.skySun), v.globals.skySun.w);
     v.field = firstOf<GrassField>(scene.project);
+    v.water = WaterRays::make(scene.project, scene.time, v.eye);
     return v;
 }
 
@@ -93,6 +98,10 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
 std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
     std::optional<Surface> solid = v.scene.solids->closest(ray);
     if (solid) ray.far = solid->t;
+    if (std::optional<Surface> flower = v.scene.flowers->closest(ray)) {
+        solid = flower;
+        ray.far = flower->t;
+    }
     std::optional<Surface> blade = v.scene.grass->closest(ray, memory);
     return blade ? blade : solid;
 }
@@ -106,6 +115,7 @@ Ray leave(const Surface& s, const glm::vec3& towards, double far, Dice& dice) {
 bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, Dice& dice, GrassMemory& memory) {
     const Ray ray = leave(s, towards, far, dice);
     if (v.scene.solids->blocks(ray)) return false;
+    if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray)) return false;
     const bool blades = v.settings.lighting == ReferenceLighting::Full || (s.met == Met::Blade && v.field && v.field->shadowMask > 0) ||
                         (s.met == Met::Ground && v.field && v.field->groundShadows);
     return !blades || !v.scene.grass->blocks(ray, memory);
@@ -113,12 +123,15 @@ bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, 
 
 // What a surface sends to the eye of light from a direction that would light what faces it by 1 (irradiance over pi).
 glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towards) {
+    if (s.met == Met::Flower) return s.color * f32::flowerSends(s.normal, towards);
     return f32::leafSends(s.color, s.looks, s.normal, toEye, towards) * s.tint;
 }
 
 // Share of direct light that is left where shadows are not traced: as shaders have it without masks and drawn shadows.
 float untracedShare(const View& v, const Surface& s, bool casts) {
-    if (v.settings.lighting == ReferenceLighting::Full || !v.field) return 1;
+    if (v.settings.lighting == ReferenceLighting::Full) return 1;
+    if (s.met == Met::Flower) return s.open;
+    if (!v.field) return 1;
     if (s.met == Met::Blade) return v.field->shadowMask > 0 && casts ? 1 : s.open;
     if (s.met == Met::Ground) return v.field->groundShadows && casts ? 1 : v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
     return 1;
@@ -166,14 +179,76 @@ Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
     return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
 }
 
+// What the surface of water itself shows: the sun's glint; and of the light that enters, what its body sends back, as a factor of
+// the share that does not come through.
+struct WaterShows {
+    glm::vec3 glint{0}, body{0};
+};
+WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& dice, GrassMemory& memory) {
+    const FrameGlobals& g = v.globals;
+    WaterShows shows;
+    shows.body = v.water.color() * glm::vec3(g.skyLight);
+    const glm::vec3 sun(g.sunDirection);
+    Surface s;
+    s.met = Met::Water;
+    s.at = w.at;
+    if (!v.hasSun || g.sunDirection.w <= 0 || (g.sunLight.w > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory))) return shows;
+    shows.body += v.water.color() * glm::vec3(g.sunLight) * sun.y;
+    shows.glint = glm::vec3(g.sunLight) * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), sun);
+    return shows;
+}
+
+// A path that comes to water: goes on as thrown back or let in, by chance, to the surface that it meets then.
+struct Path {
+    Ray ray;
+    glm::vec3 weight{1}, sum{0};
+    std::optional<Surface> met;
+    bool seesSun = true;
+};
+void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassMemory& memory) {
+    const WaterShows shows = waterShows(v, w, path.ray, dice, memory);
+    path.sum += path.weight * shows.glint;
+    const glm::vec3 way(path.ray.way);
+    const bool up = dice.unit() < w.mirror;
+    path.ray = {w.at + glm::dvec3(0, up ? kOffSolid : -kOffSolid, 0), glm::normalize(glm::dvec3(up ? f32::mirrored(way, w.normal) : f32::refracted(way, w.normal))), 0,
+                std::numeric_limits<double>::infinity(), dice.grain()};
+    path.met = meet(v, path.ray, memory);
+    if (up) {
+        path.seesSun = false;  // the glint is the sun's image
+        if (!path.met || !v.hasHaze) return;
+        const float haze = f32::hazeTaken(v.globals.haze.x, static_cast<float>(path.met->t));
+        path.sum += path.weight * haze * horizonOf(v, path.ray.way);
+        path.weight *= 1 - haze;
+        return;
+    }
+    const glm::vec3 left = path.met ? f32::waterLeft(v.water.extinction(), static_cast<float>(path.met->t), static_cast<float>(v.water.level() - path.met->at.y)) : glm::vec3(0);
+    path.sum += path.weight * shows.body * (glm::vec3(1) - left);
+    path.weight *= left;
+}
+
+// To the next surface that is not water. first: what is met first, water included.
+void advance(const View& v, Path& path, Dice& dice, GrassMemory& memory, std::optional<Surface>* first) {
+    path.met = meet(v, path.ray, memory);
+    const auto water = v.water.enters(path.ray, path.met ? path.met->t : std::numeric_limits<double>::infinity());
+    if (first) *first = path.met;
+    if (!water) return;
+    if (first) {
+        first->emplace();
+        (*first)->met = Met::Water;
+        (*first)->at = water->at, (*first)->t = water->t;
+    }
+    crossWater(v, path, *water, dice, memory);
+}
+
 // Light along a ray from the eye. firstMet: what it meets first, if anything.
-glm::vec3 radiance(const View& v, Ray ray, Dice& dice, GrassMemory& memory, std::optional<Surface>& firstMet) {
-    glm::vec3 sum(0), weight(1);
+glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memory, std::optional<Surface>& firstMet) {
+    Path path{ray};
+    glm::vec3 &sum = path.sum, &weight = path.weight;
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-        const std::optional<Surface> s = meet(v, ray, memory);
-        if (bounce == 0) firstMet = s;
-        if (!s) return sum + weight * background(v, ray.way, bounce == 0);
-        const glm::vec3 toEye(-ray.way);
+        advance(v, path, dice, memory, bounce == 0 ? &firstMet : nullptr);
+        const std::optional<Surface>& s = path.met;
+        if (!s) return sum + weight * background(v, path.ray.way, bounce == 0 && path.seesSun);
+        const glm::vec3 toEye(-path.ray.way);
         sum += weight * directLight(v, *s, toEye, dice, memory);
         if (v.settings.lighting == ReferenceLighting::Direct) return sum + weight * ambientLight(v, *s);
         const Bounce next = bounceOff(*s, toEye, dice);
@@ -184,7 +259,7 @@ glm::vec3 radiance(const View& v, Ray ray, Dice& dice, GrassMemory& memory, std:
             if (dice.unit() >= goesOn) return sum;
             weight /= goesOn;
         }
-        ray = leave(*s, next.towards, std::numeric_limits<double>::infinity(), dice);
+        path.ray = leave(*s, next.towards, std::numeric_limits<double>::infinity(), dice);
     }
     return sum;
 }
@@ -277,6 +352,9 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     auto grass = GrassRays::make(impl->project, time, control);
     if (!grass) return grass.error();
     impl->grass.emplace(std::move(*grass));
+    auto flowers = FlowerRays::make(impl->project, time, control);
+    if (!flowers) return flowers.error();
+    impl->flowers.emplace(std::move(*flowers));
     return ReferenceScene(std::move(impl));
 }
 

@@ -5,6 +5,7 @@
 #include "frame/placement.h"
 #include "scene/mesh_io.h"
 #include "scene/save_folder.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -28,8 +29,10 @@ TerrainSurface terrainSurface(const Terrain& t) {
     TerrainSurface s;
     s.size = t.size;
     if (t.height.present()) {
-        s.quadsX = std::clamp(t.height.map.info().width, 1, kMaxQuads);
-        s.quadsZ = std::clamp(t.height.map.info().height, 1, kMaxQuads);
+        const glm::dvec2 repeats = t.size / tilingOf(t, t.heightTiling).metres;  // a quad a texel, as far as that goes
+        const auto quads = [](double texels) { return static_cast<int>(std::clamp(std::ceil(texels), 1.0, static_cast<double>(kMaxQuads))); };
+        s.quadsX = quads(t.height.map.info().width * repeats.x);
+        s.quadsZ = quads(t.height.map.info().height * repeats.y);
     }
     s.heights.resize(static_cast<size_t>(s.quadsX + 1) * static_cast<size_t>(s.quadsZ + 1));
     parallelFor(static_cast<size_t>(s.quadsZ + 1), [&](size_t z) {
@@ -94,7 +97,7 @@ uint64_t sceneTrianglesHash(const Project& p) {
     const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
     const Ground ground = findGround(p);
     if (ground.terrain) {
-        add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin);
+        add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin), add(ground.terrain->heightTiling), add(ground.terrain->mapSize);
         if (ground.terrain->height.present()) add(ground.terrain->height.map.hash());
     }
     for (const PlacedMesh& placed : placedMeshes(p)) {

@@ -3,6 +3,7 @@
 #include "core/numerics.h"
 #include "frame/placement.h"
 #include "scene/mesh_io.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -119,7 +120,8 @@ glm::vec3 Solids::groundNormal(double x, double z) const {
     const Terrain* t = ground_.terrain;
     if (!t || level_) return {0, 1, 0};
     const MapInfo& info = t->height.map.info();
-    const double dx = std::max(static_cast<double>(t->gridSpacing), t->size.x / info.width), dz = std::max(static_cast<double>(t->gridSpacing), t->size.y / info.height);
+    const glm::dvec2 covered = tilingOf(*t, t->heightTiling).metres;
+    const double dx = std::max(static_cast<double>(t->gridSpacing), covered.x / info.width), dz = std::max(static_cast<double>(t->gridSpacing), covered.y / info.height);
     const double rx = terrainHeight(*t, x + dx, z) - terrainHeight(*t, x - dx, z), rz = terrainHeight(*t, x, z + dz) - terrainHeight(*t, x, z - dz);
     return glm::vec3(glm::normalize(glm::dvec3(-rx / (2 * dx), 1, -rz / (2 * dz))));
 }
@@ -128,7 +130,9 @@ glm::vec3 Solids::soilAt(double x, double z) const {
     const Terrain& t = *ground_.terrain;
     const glm::vec3 tile = glm::vec3(tile_.at(x / t.tileSize, z / t.tileSize, true)) * 2.0f * t.groundColor;
     if (!t.terrainMap.present()) return tile;
-    const glm::vec4 paint = paintedAt(t.terrainMap.map, glm::clamp(glm::dvec2(x, z) / t.size, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
+    const Tiling tiling = tilingOf(t, t.terrainMapTiling);
+    const glm::dvec2 place = glm::dvec2(x, z) / tiling.metres;
+    const glm::vec4 paint = paintedAt(t.terrainMap.map, tiling.repeats ? place : glm::clamp(place, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
     return f32::soilColor(tile, t.groundColor, glm::vec3(paint), paint.w);
 }
 
@@ -141,7 +145,7 @@ Surface Solids::groundAt(const Ray& ray, double t) const {
     s.face = s.normal;
     if (ray.way.y > 0 && level_) s.normal = s.face = -s.normal;
     s.color = soilAt(s.at.x, s.at.z);
-    s.place = {s.at.x / ground_.terrain->size.x, s.at.z / ground_.terrain->size.y};
+    s.place = glm::dvec2(s.at.x, s.at.z) / mapExtent(*ground_.terrain);
     return s;
 }
 

@@ -18,7 +18,7 @@ struct Ray {
     uint32_t grain = 0;  // decides which part-covered edges it passes: another number, another choice
 };
 
-enum class Met { Ground, Object, Blade };
+enum class Met { Ground, Object, Blade, Flower, Water };
 struct Surface {
     Met met = Met::Ground;
     double t = 0;
@@ -28,7 +28,7 @@ struct Surface {
     glm::vec3 color{0};         // reflectance
     glm::vec3 looks{0};         // of a leaf: translucency, gloss, roughness
     glm::vec3 tint{1};          // of all that it sends: a blade's image
-    float open = 1;             // of a blade: ambient light left so near to its root, where nothing is traced
+    float open = 1;             // of a blade or flower: ambient light left so near to its root, where nothing is traced
     glm::dvec2 place{0};        // as a share of the terrain, where the maps are read: a blade's root
 };
 
@@ -40,7 +40,7 @@ struct TexelGrid {
     glm::vec4 at(double u, double v, bool repeat) const;
 };
 TexelGrid texelGridOf(const Rgba8& image);
-// A painted map read as shaders read it: it repeats `tiling` times over the terrain; colours, of sRGB maps, linear.
+// A painted map read as shaders read it: it repeats `tiling` times over what a map of tiling 1 covers; colours, of sRGB maps, linear.
 glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb);
 
 }  // namespace sward

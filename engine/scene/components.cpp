@@ -1,5 +1,5 @@
 // The field tables of the shared components. Index: field helpers · Transform · Terrain · GrassField · Light, Sky, Fog
-// · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
+// · Water · Flowers · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
 #include "scene/components.h"
 
 #include <cstddef>
@@ -18,6 +18,7 @@ struct Range {
     double hardMin, hardMax, softMin, softMax;
 };
 constexpr Range kShare{0, 1, 0, 1};
+constexpr Range kTiling{0.001, 10000, 1, 50};
 
 constexpr FieldRow number(FieldType type, const char* name, size_t offset, const char* unit, Range r,
                           const char* help) {
@@ -89,6 +90,10 @@ constexpr FieldRow kTerrainFields[] = {
          "how far the finest level reaches; each next level doubles it"),
     map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
         "colour and opacity blended over the tile texture"),
+    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling, "repeats of the height map over mapSize, every other one mirrored"),
+    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling, "repeats of the terrain map over mapSize"),
+    real("mapSize", offsetof(Terrain, mapSize), "m", {0, 1e6, 0, 1000},
+         "length over which every map's tiling counts its repeats; 0: the whole terrain"),
     imageFile("groundTexture", offsetof(Terrain, groundTexture),
               "image tiled over the ground; none: soil made by the program"),
     real("tileSize", offsetof(Terrain, tileSize), "m", {0.01, 1e4, 0.1, 20},
@@ -112,6 +117,7 @@ constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
     map("density", offsetof(Species, density), 1, PixelType::U16,
         "where it grows: share of bladesPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Species, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
     real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
          "blades on a square metre at density 1"),
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
@@ -143,7 +149,6 @@ constexpr FieldRow kSpeciesFields[] = {
 };
 constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
 
-constexpr Range kTiling{0.001, 10000, 1, 50};
 constexpr Range kTierDistance{0, 1e6, 0, 200};
 constexpr FieldRow choice(const char* name, size_t offset, std::span<const char* const> options, const char* help) {
     FieldRow row = number(FieldType::Enum, name, offset, "", {}, help);
@@ -214,13 +219,17 @@ constexpr FieldRow kGrassFieldFields[] = {
         "share of the sky that the ground sees"),
     map("forces", offsetof(GrassField, forces), 4, PixelType::U8,
         "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8, "share of their height that blades have; none: all of it"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
-         "repeats of the orientation map over the terrain"),
+         "repeats of the orientation map over the terrain's mapSize"),
     real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
-         "repeats of the vegetation map over the terrain"),
+         "repeats of the vegetation map over the terrain's mapSize"),
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
-         "repeats of the ambient-occlusion map over the terrain"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain"),
+         "repeats of the ambient-occlusion map over the terrain's mapSize"),
+    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain's mapSize"),
+    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling, "repeats of the blade-height map over the terrain's mapSize"),
+    choice("population", offsetof(GrassField, population), kPopulations,
+           "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
 };
 // Which tiers a field is drawn with.
 FeatureSet tierFeatures(const GrassField& g) {
@@ -258,6 +267,9 @@ FeatureSet grassFeatures(const void* component) {
     if (translucency) s |= featureSet(Feature::Translucency);
     if (gloss) s |= featureSet(Feature::Gloss);
     if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
+    if (g.bladeHeight.present()) s |= featureSet(Feature::GrassHeights);
+    const bool blades = has(s, Feature::GrassGeometry) || has(s, Feature::GrassTessellated);
+    if (blades && g.population == static_cast<int>(Population::Unique)) s |= featureSet(Feature::GrassUnique);
     if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
     if (g.farBlur != static_cast<int>(FarBlur::None)) s |= featureSet(Feature::FarBlur);
     if (g.farDarkening > 0) s |= featureSet(Feature::FarDarkening);
@@ -341,6 +353,40 @@ FeatureSet fogFeatures(const void* component) {
     return static_cast<const Fog*>(component)->visibility < kInf ? featureSet(Feature::Fog) : FeatureSet{};
 }
 
+// --- Water, Flowers ----------------------------------------------------------------------------------------------
+constexpr FieldRow kWaterFields[] = {
+    real("level", offsetof(Water, level), "m", {-1e5, 1e5, -10, 50}, "height of the surface, as the terrain's heights count; it stands where the ground is lower"),
+    real("clarity", offsetof(Water, clarity), "m", {0.01, 10000, 0.2, 20}, "distance over which what lies under water loses all but 2% of its contrast"),
+    color("color", offsetof(Water, color), kReflectance, "of deep water: share of the light from above that it sends back"),
+    real("ripples", offsetof(Water, ripples), "", {0, 2, 0, 1}, "slopes of ripples as a share of the open sea's in this wind; without wind it lies still"),
+    real("rippleSize", offsetof(Water, rippleSize), "m", {0.05, 1000, 0.2, 10}, "length of the longest ripples"),
+    real("reflection", offsetof(Water, reflection), "", kShare, "pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone"),
+};
+FeatureSet waterFeatures(const void* component) {
+    return static_cast<const Water*>(component)->reflection > 0 ? featureSet(Feature::Water, Feature::WaterReflection) : featureSet(Feature::Water);
+}
+
+constexpr FieldRow kFlowersFields[] = {
+    map("density", offsetof(Flowers, density), 1, PixelType::U16, "where they stand: share of flowersPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
+    real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50}, "flowers on a square metre at density 1; 0: none"),
+    real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),
+    real("heightVariation", offsetof(Flowers, heightVariation), "", kShare, "how much heights differ, as a share, both ways"),
+    real("headSize", offsetof(Flowers, headSize), "m", {0, 5, 0.005, 0.2}, "of a head, across; 0: none"),
+    color("color", offsetof(Flowers, color), {0, 1, 0, 1}, "reflectance of petals: of each flower's somewhere between this"),
+    color("secondColor", offsetof(Flowers, secondColor), {0, 1, 0, 1}, "reflectance of petals: and this"),
+    color("centerColor", offsetof(Flowers, centerColor), {0, 1, 0, 1}, "reflectance of the middle of a head"),
+    color("stemColor", offsetof(Flowers, stemColor), {0, 1, 0, 1}, "reflectance of stem and leaves"),
+    imageFile("texture", offsetof(Flowers, texture), "image with alpha: its top square the head, what is below it the stem; none: made by the program"),
+    real("maxDistance", offsetof(Flowers, maxDistance), "m", {0.1, 10000, 5, 200}, "from here none is drawn"),
+    number(FieldType::Int, "seed", offsetof(Flowers, seed), "", {0, 2147483647, 0, 1000}, "another number: other flowers"),
+};
+FeatureSet flowersFeatures(const void* component) {
+    const auto& f = *static_cast<const Flowers*>(component);
+    if (!(f.flowersPerM2 > 0) || !(f.headSize > 0)) return {};
+    return f.density.present() ? featureSet(Feature::Flowers, Feature::FlowerDensity) : featureSet(Feature::Flowers);
+}
+
 // --- StaticMesh --------------------------------------------------------------------------------------------------
 constexpr FieldRow kStaticMeshFields[] = {
     meshFile("file", offsetof(StaticMesh, file), "object to show: .glb or .gltf in the project's folder"),
@@ -406,6 +452,8 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
         componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.", kForceFields, forceFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
+        componentRow<Water>("Water", "Water up to a level: it stands where the ground is lower.", kWaterFields, waterFeatures),
+        componentRow<Flowers>("Flowers", "Flowers over the terrain.", kFlowersFields, flowersFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),

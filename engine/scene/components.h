@@ -31,6 +31,8 @@ struct Terrain {
     float gridSpacing = 0.25f;             // metres between vertices of the finest level
     float lodDistance = 30;                // metres to which the finest level reaches; each next level doubles it
     MapField terrainMap;                   // RGBA, colour (sRGB) and opacity over the tile texture
+    float heightTiling = 1, terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
+    float mapSize = 0;                     // metres over which all maps' tilings count, both ways; 0: the whole terrain
     std::string groundTexture;             // PNG tiled over the ground; empty: soil made by the program
     float tileSize = 2;                    // metres a tile of it covers
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
@@ -41,6 +43,7 @@ struct Terrain {
 struct Species {
     std::string name = "grass";
     MapField density;                     // one channel; absent: 1 everywhere
+    float densityTiling = 1;              // repeats over Terrain.mapSize
     float bladesPerM2 = 2000;             // at density 1
     float height = 0.08f;
     float heightVariation = 0.25f;        // share of the height, both ways
@@ -106,10 +109,15 @@ struct GrassField {
     MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
     MapField forces;                      // RGBA: push x, z about 0.5, press; times A
     MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
-    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1;  // repeats over the terrain
+    MapField bladeHeight;                 // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1, bladeHeightTiling = 1;  // over Terrain.mapSize
+    int population = 0;                   // index into kPopulations
 };
 inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
 enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
+// Which blades there are: one cell's, repeated in every cell; or each cell's own (scene/unique.h).
+inline constexpr const char* kPopulations[] = {"patch", "unique"};
+enum class Population { Patch, Unique };
 // How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a light.
 inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
 enum class Storage { Factored, Compressed, Full };
@@ -211,6 +219,34 @@ enum class ForceShape { Foot, Wheel, Object };
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {
     float visibility = 4000;              // metres at which contrast has fallen to 2% (Koschmieder)
+};
+
+// Water up to a level: it stands wherever the terrain lies lower. The first by name counts. Formulas: numerics/water.h.
+struct Water {
+    float level = 0;                      // metres, in the terrain's heights
+    float clarity = 2.5f;                 // metres over which what lies under water loses all but 2% of its contrast
+    glm::vec3 color{0.014f, 0.03f, 0.026f};  // of deep water: share of the light from above that it sends back
+    float ripples = 0.35f;                // slopes as a share of the open sea's in this wind; in a calm it lies still
+    float rippleSize = 1.2f;              // metres of the longest ripples
+    float reflection = 0.5f;              // pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone
+};
+
+// Flowers over the terrain, each a head on a stem that turns to the eye. Any number of entities may have some.
+// Source: Jahrmann and Wimmer 2013 (flowers as instanced billboards). Formulas: numerics/flower.h.
+struct Flowers {
+    MapField density;                     // one channel; absent: 1 everywhere
+    float densityTiling = 1;              // repeats over Terrain.mapSize
+    float flowersPerM2 = 3;               // at density 1
+    float height = 0.3f;                  // metres from the ground to the head
+    float heightVariation = 0.3f;         // share of the height, both ways
+    float headSize = 0.035f;              // metres across
+    glm::vec3 color{0.72f, 0.7f, 0.64f};  // of petals; of each flower's somewhere between this ...
+    glm::vec3 secondColor{0.72f, 0.7f, 0.64f};  // ... and this
+    glm::vec3 centerColor{0.55f, 0.34f, 0.02f};
+    glm::vec3 stemColor{0.05f, 0.1f, 0.025f};
+    std::string texture;                  // PNG with alpha: its top square the head, what is below it the stem; empty: made by the program
+    float maxDistance = 40;               // metres from which none is drawn
+    int seed = 1;
 };
 
 // An object standing where its Transform says: bench, stone, house. Files: scene/mesh_io.h.

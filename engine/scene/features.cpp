@@ -19,6 +19,8 @@ constexpr FeatureNames kNames[] = {
     {"grass-far", "GRASS_FAR"},
     {"grass-tessellated", "GRASS_TESSELLATED"},
     {"grass-density", "GRASS_DENSITY"},
+    {"grass-heights", "GRASS_HEIGHTS"},
+    {"grass-unique", "GRASS_UNIQUE"},
     {"grass-orientation", "GRASS_ORIENTATION"},
     {"grass-vegetation", "GRASS_VEGETATION"},
     {"grass-occlusion", "GRASS_OCCLUSION"},
@@ -41,6 +43,10 @@ constexpr FeatureNames kNames[] = {
     {"far-blur", "FAR_BLUR"},
     {"sky", "SKY"},
     {"fog", "FOG"},
+    {"water", "WATER"},
+    {"water-reflection", "WATER_REFLECTION"},
+    {"flowers", "FLOWERS"},
+    {"flower-density", "FLOWER_DENSITY"},
 };
 static_assert(std::size(kNames) == static_cast<size_t>(Feature::Count));
 

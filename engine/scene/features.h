@@ -17,6 +17,8 @@ enum class Feature : uint8_t {
     GrassFar,          // the horizontal slice is drawn
     GrassTessellated,  // blades are drawn one by one, each as finely as its distance asks
     GrassDensity,      // a density map decides where
+    GrassHeights,      // a blade-height map lowers blades
+    GrassUnique,       // each cell has blades of its own, instead of the patch's
     GrassOrientation,  // a painted direction turns the lean
     GrassVegetation,   // a colour map tints blades
     GrassOcclusion,    // an ambient-occlusion map darkens ambient light
@@ -39,6 +41,10 @@ enum class Feature : uint8_t {
     FarBlur,           // what is far is blurred
     Sky,               // a sky drawn and lighting by a published model
     Fog,               // haze with distance
+    Water,             // water stands where the ground is below its level
+    WaterReflection,   // the water mirrors the scene
+    Flowers,           // flowers stand among the grass
+    FlowerDensity,     // a density map decides where
     Count
 };
 using FeatureSet = std::bitset<static_cast<size_t>(Feature::Count)>;

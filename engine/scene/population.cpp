@@ -84,6 +84,18 @@ Patch makePatch(const Species& species, float cellSize, uint32_t seed) {
     return patch;
 }
 
+std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t seed, int n) {
+    const auto roots = stratifiedRoots(n, cellSize, seed);
+    const auto ranks = shuffledRanks(n, seed);
+    std::vector<Blade> blades(static_cast<size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        const uint32_t rank = ranks[static_cast<size_t>(i)];
+        blades[rank] = makeBlade(species, roots[static_cast<size_t>(i)], seed, static_cast<uint32_t>(i), 255);
+        blades[rank].threshold = (static_cast<float>(rank + 1) - f32::hashUnit(f32::hash3(seed, rank, 5))) / static_cast<float>(n);
+    }
+    return blades;
+}
+
 float leanAtFull(const Species& s) { return std::tan(glm::radians(std::min(s.leanDeg, 80.0f))); }
 
 glm::vec3 clumpStrengths(const Species& s) {

@@ -37,6 +37,8 @@ struct Patch {
 // species, cellSize and seed. At most kMaxPatchBlades.
 inline constexpr int kMaxPatchBlades = 4'000'000;
 Patch makePatch(const Species& species, float cellSize, uint32_t seed);
+// `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also where they are few.
+std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t seed, int blades);
 // Hash over all that makePatch reads, to know when a patch is stale.
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 

@@ -6,6 +6,7 @@
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "frame/tiles.h"
+#include "scene/tiling.h"
 #include "terrain/lod.h"
 
 namespace sward {
@@ -71,6 +72,8 @@ void select(DrawContext& ctx) {
     FrameGlobals& g = ctx.globals;
     g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
+    const glm::dvec2 extent = mapExtent(t);
+    g.maps = {1 / extent.x, 1 / extent.y, shaderTiling(t, t.heightTiling), shaderTiling(t, t.terrainMapTiling)};
     g.groundColor = glm::vec4(t.groundColor, 1 / t.tileSize);
     g.heights = glm::vec4(0);
     if (t.height.present()) {
@@ -86,11 +89,12 @@ void select(DrawContext& ctx) {
 void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
     glBindTextureUnit(TEX_GROUND, s.tile.id());
     if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
-    if (t.terrainMap.present()) glBindTextureUnit(TEX_TERRAIN_MAP, ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true));
+    if (t.terrainMap.present()) glBindTextureUnit(TEX_TERRAIN_MAP, ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true, tilingOf(t, t.terrainMapTiling).repeats));
     for (int i = 0; i < MAX_SPECIES; ++i)
         if (ctx.shared.densities[static_cast<size_t>(i)]) glBindTextureUnit(TEX_DENSITY + static_cast<GLuint>(i), ctx.shared.densities[static_cast<size_t>(i)]);
     if (ctx.shared.orientation) glBindTextureUnit(TEX_ORIENTATION, ctx.shared.orientation);
     if (ctx.shared.vegetation) glBindTextureUnit(TEX_VEGETATION, ctx.shared.vegetation);
+    if (ctx.shared.bladeHeights) glBindTextureUnit(TEX_BLADE_HEIGHT, ctx.shared.bladeHeights);
     if (ctx.shared.occlusion) glBindTextureUnit(TEX_OCCLUSION, ctx.shared.occlusion);
     if (ctx.shared.cover) glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
 }
@@ -105,8 +109,8 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"terrain/select", select}};
 const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassOcclusion, Feature::GroundShadows,
-                                            Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
+                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows,
+                                            Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
 const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace

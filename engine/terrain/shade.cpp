@@ -2,6 +2,7 @@
 
 #include "core/jobs.h"
 #include "frame/draw_context.h"
+#include "scene/tiling.h"
 
 namespace sward {
 namespace {
@@ -12,7 +13,7 @@ constexpr float kNothing = -1e6f;  // metres: no ground lies so low
 
 struct ShadeState : EffectState {
     Map of;                       // the heights below were taken from
-    glm::dvec2 range{0}, size{0};
+    glm::dvec2 range{0}, size{0}, repeat{0};
     HeightGrid heights;
     glm::vec3 sun{0};             // that the texture was made for
     Texture texture;
@@ -23,7 +24,9 @@ struct ShadeState : EffectState {
 HeightGrid shadeHeights(const Terrain& t) {
     if (!t.height.present()) return {1, 1, {0}};
     const MapInfo& info = t.height.map.info();
-    HeightGrid g{std::min(info.width, kMaxSide), std::min(info.height, kMaxSide), {}};
+    const glm::dvec2 repeats = t.size / tilingOf(t, t.heightTiling).metres;
+    const auto side = [](double texels) { return static_cast<int>(std::clamp(std::ceil(texels), 1.0, static_cast<double>(kMaxSide))); };
+    HeightGrid g{side(info.width * repeats.x), side(info.height * repeats.y), {}};
     g.metres.resize(static_cast<size_t>(g.width) * static_cast<size_t>(g.height));
     parallelFor(static_cast<size_t>(g.height), [&](size_t y) {
         for (int x = 0; x < g.width; ++x)
@@ -94,8 +97,9 @@ HeightGrid hiddenHeights(const HeightGrid& heights, const glm::dvec2& size, cons
 namespace {
 
 void updateHeights(ShadeState& s, const Terrain& t) {
-    if (!s.heights.metres.empty() && s.of.sameTiles(t.height.map) && s.range == t.heightRange && s.size == t.size) return;
-    s.of = t.height.map, s.range = t.heightRange, s.size = t.size;
+    const glm::dvec2 repeat = tilingOf(t, t.heightTiling).metres;
+    if (!s.heights.metres.empty() && s.of.sameTiles(t.height.map) && s.range == t.heightRange && s.size == t.size && s.repeat == repeat) return;
+    s.of = t.height.map, s.range = t.heightRange, s.size = t.size, s.repeat = repeat;
     s.heights = shadeHeights(t);
     s.sun = glm::vec3(0);
 }

@@ -35,6 +35,7 @@ void beginBatch(uint batch, uint piece) { list[LIST_BATCHES + 4u * batch + 3u] =
 void write(ChosenCell c, uvec3 at) {
     uint count = bladesOf(c), pieces = piecesOf(c), each = (count + pieces - 1u) / pieces;
     CellVersion v = cellVersion(c.cell.x, c.cell.y, uint(cull.texels.z));
+    if (cull.counted.z > 0.5) v.mirror = vec2(1.0), v.shift = vec2(0.0);
     vec2 corner = cellCorner(cullGrid(), c.cell.x, c.cell.y);
     for (uint i = 0u; i < pieces; ++i) {
         uint done = i * each, vertex = at.z + done * verticesOf(c), next = at.z + min(done + each, count) * verticesOf(c);

@@ -76,13 +76,13 @@ vec3 clumpsHere(Repeated r, float pixel) {
 
 void main() {
     Repeated r = repeated(position.xz);
-    vec2 uv = place * frame.terrain.zw;
+    vec2 uv = mapPlace(place);
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
     float vertical = GRASS_SLICES ? verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
     vec4 stored;
-    float alpha = farOpacity(r, density, toEye.y, vertical, stored);
+    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;

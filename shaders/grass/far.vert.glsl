@@ -13,6 +13,7 @@
 #include "lib/cover.glsl"
 #include "lib/slices.glsl"
 #include "lib/node.glsl"
+#include "lib/mirror.glsl"
 
 out vec3 position;    // relative to the eye
 out vec2 place;       // relative to the terrain's corner, metres
@@ -21,5 +22,6 @@ void main() {
     NodeCorner c = nodeCorner();
     place = c.place;
     position = c.position + vec3(0.0, slices.areas.z, 0.0);
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

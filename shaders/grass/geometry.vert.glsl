@@ -22,6 +22,7 @@
 #include "lib/cover.glsl"
 #include "lib/strip.glsl"
 #include "lib/blade_light.glsl"
+#include "lib/mirror.glsl"
 
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
 centroid out vec4 lit;   // radiance; w: share of it that is haze
@@ -52,5 +53,6 @@ void main() {
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
     grain = floatBitsToUint(b.facing.z);
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -40,7 +40,7 @@ void main() {
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = int(species.counts.w);
     float near = 1.0 - lodRamp(length(s.root), cover.shadows.x, cover.shadows.y);
-    vec3 takes = shadowShare(light, s.root, s.uv, n, mix(1.0, cover.shade[kind], s.density), near);
+    vec3 takes = shadowShare(light, s.root, s.uv, n, soilLeft(cover.shade[kind], s.density, bladeShare(s.uv)), near);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
     float lighter;

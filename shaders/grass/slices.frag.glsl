@@ -73,7 +73,7 @@ void main() {
     level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
     fine = max(level - 1.5, 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
-    vec2 uv = (foot.xz + frame.eye.xz) * frame.terrain.zw;
+    vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
     float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), grain(level));
     if (!(alpha > 0.0)) discard;

@@ -18,6 +18,7 @@
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
+#include "lib/mirror.glsl"
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
@@ -55,6 +56,7 @@ Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
         p.lighter += c.z * slices.clumps.z;
     }
     p.lean = p.wide;
+    if (GRASS_HEIGHTS) p.scale *= bladeShare(uv);
     if (FORCES || FORCE_MAP) {  // a slice has no blades to lay down each its own way: it sinks
         vec3 pressed = forceHere(foot.xz, uv);
         p.lean += pressed.xy;
@@ -84,7 +86,7 @@ void main() {
     if (CONSERVING) at += jitter(axis, k, corner & 1) / float(n);
     vec2 local = axis == 0 ? vec2(at, end) : vec2(end, at);
     vec2 inCell = local * slices.shape.x;
-    vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = ground * frame.terrain.zw;
+    vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = mapPlace(ground);
     foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
     vec2 painted = paintedLean(uv);
     Place p = placeHere(inCell, uv, painted);
@@ -110,6 +112,7 @@ void main() {
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
     if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -1,6 +1,7 @@
 // A vertex of a tessellated blade: on two parallel quadratic splines, with their frame (Jahrmann and Wimmer 2013, equations 7 and 8;
 // J-7), lit there.
 #include "lib/tess.glsl"
+#include "lib/mirror.glsl"
 layout(quads, equal_spacing, ccw) in;
 
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
@@ -40,5 +41,6 @@ void main() {
     maskAt = mix(maskOf(t, middle - across), maskOf(t, middle + across), u);  // stages put a vertex between the two of a row
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;
+    cutAtWater(t.root.y + f.position.y);
     gl_Position = frame.viewProj * vec4(t.root + f.position, 1.0);
 }

@@ -1,4 +1,6 @@
 // A vertex that the compute pass has posed and lit: passed on.
+#include "lib/frame.glsl"
+#include "lib/mirror.glsl"
 layout(location = 0) in vec4 at;         // in clip space
 layout(location = 1) in vec4 light;
 layout(location = 2) in vec2 along;      // along, opacity
@@ -13,6 +15,10 @@ centroid out vec3 strip;
 flat out uint grain;
 
 void main() {
+    if (WATER_REFLECTION) {
+        vec4 back = frame.invViewProj * at;
+        cutAtWater(back.y / back.w);
+    }
     gl_Position = at;
     lit = light;
     sunned = sun;

@@ -14,7 +14,7 @@ layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 // Where a vertex's blade stands.
 struct Stand {
-    vec2 inCell, ground, uv;  // its root in the cell, relative to the terrain's corner (m), and as a share of the terrain
+    vec2 inCell, ground, uv;  // its root in the cell, relative to the terrain's corner (m), and on maps (mapPlace)
     vec3 root;                // relative to the eye
     float v, across;          // along the blade, 0 to 1; across it, -1/2 or 1/2
     float density, opacity;
@@ -23,7 +23,10 @@ struct Stand {
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
     ivec2 size = textureSize(densityMap[0], 0);
-    BilinearTap t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    float tiling = cover.densities[int(species.counts.w)];
+    BilinearTap t;
+    if (tiling > 0.0) t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
+    else t = bilinearTap(uv.x, uv.y, size.x, size.y);
     return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
                        texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
@@ -34,14 +37,17 @@ Stand standAt(Blade b, float v, float across) {
     s.across = across;
     s.inCell = rootInCell(b.place.xy, mirror, shift, species.clumps.w);
     s.ground = vec2(cell) * species.clumps.w + s.inCell;
-    s.uv = s.ground * frame.terrain.zw;
+    s.uv = mapPlace(s.ground);
     s.root = vec3(cellCorner.x + s.inCell.x, groundHeight(s.ground), cellCorner.y + s.inCell.y);
     s.density = density(s.uv);
     float weight = lodRamp(length(s.root), cover.tiers.y, cover.tiers.z);
     s.opacity = geometryOpacity(s.density, weight, b.place.w, species.counts.z);
     return s;
 }
-bool exists(Stand s) { return s.opacity > 0.0 && s.uv.x <= 1.0 && s.uv.y <= 1.0; }
+bool exists(Stand s) {
+    vec2 share = s.ground * frame.terrain.zw;
+    return s.opacity > 0.0 && share.x <= 1.0 && share.y <= 1.0;
+}
 
 // Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's light: the
 // density by which they shade each other falls with the press.
@@ -55,6 +61,7 @@ BladePose poseHere(Blade b, inout Stand s, out float lighter) {
         p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);
         s.density *= 1.0 - pressed.z;
     }
+    if (GRASS_HEIGHTS) p.scale *= bladeShare(s.uv);
     lighter = p.lighter;
     return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, p.lean, p.scale);
 }

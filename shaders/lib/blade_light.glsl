@@ -1,7 +1,7 @@
 // How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
 // Needs: const bool GRASS_VEGETATION, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS; blade.glsl, light.glsl, lamps.glsl, leaf.glsl,
 // shadow.glsl, mask.glsl, cover.glsl.
-// hue, lightness: as numerics/population.h bladeTint takes them; uv: the root as a share of the terrain.
+// hue, lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
 vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
     vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), hue, lightness);
     if (!GRASS_VEGETATION) return c;
@@ -31,6 +31,8 @@ vec3 lampsOn(Lit p) {
     }
     return sum;
 }
+// A point of a blade as it would be without the map of heights: its neighbours are lowered as it is, so that they shade it as they would then.
+vec3 inFullHeight(vec3 fromRoot, vec2 uv) { return GRASS_HEIGHTS ? fromRoot / max(bladeShare(uv), 0.02) : fromRoot; }
 struct BladeLight {
     vec4 lit;       // radiance; w: share of it that is haze
     vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
@@ -41,6 +43,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     BladeLight o = BladeLight(vec4(0.0), vec4(0.0), vec2(0.0));
     float distance = length(p.position), share = hazeShare(distance);
     p.color *= darkened(distance);
+    p.fromRoot = inFullHeight(p.fromRoot, uv);
     vec3 sun = sunOn(p);
     vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
     if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {

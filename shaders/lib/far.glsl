@@ -23,6 +23,12 @@ Repeated repeated(vec2 at) {
     return r;
 }
 
+// Share of their height that blades have, filtered for the pixel.
+float bladeShareSeen(vec2 uv) {
+    if (!GRASS_HEIGHTS) return 1.0;
+    return texture(bladeHeightMap, tiled(uv, cover.bladeHeight.x)).r;
+}
+
 // How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.
 float depthFactor(float sine, float vertical) {
     if (!CONSERVING) return 1.0;
@@ -30,14 +36,15 @@ float depthFactor(float sine, float vertical) {
     return max((sqrt(across * across + above * above) - vertical * across) / max(slices.areas.w, 1e-4), 0.0);
 }
 
-// Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. vertical: share of the
-// vertical slices that are drawn. stored: the texel's thresholds and light from above.
-float farOpacity(Repeated r, float density, float sine, float vertical, out vec4 stored) {
+// Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. tall: share of their height that
+// blades have: a ray crosses so much less of them. vertical: share of the vertical slices that are drawn. stored: the texel's
+// thresholds and light from above.
+float farOpacity(Repeated r, float density, float tall, float sine, float vertical, out vec4 stored) {
     // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected for the
     // slant. Colour and light are taken as sharp as is wanted.
     float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.lean.z * sqrt(1.0 - y * y) / y : 0.0;
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w, wide = max(pixel, crossed);
     float level = clamp(log2(wide * slices.counts.z), 0.0, 16.0);
     stored = textureLod(sliceThreshold, r.texel, level);
-    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical));
+    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical) * tall);
 }

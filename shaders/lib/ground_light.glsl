@@ -1,5 +1,9 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS, GROUND_SHADOWS,
-// CASTING_LIGHTS; light.glsl, lamps.glsl, density.glsl, shadow.glsl.
+// CASTING_LIGHTS, GRASS_HEIGHTS; light.glsl, lamps.glsl, density.glsl, shadow.glsl.
+
+// Share of light that a species leaves to soil where it has this density and share of its height; shade: at 1 and 1. What takes
+// light is leaves' area, and that is in proportion to the height.
+float soilLeft(float shade, float density, float tall) { return mix(1.0, GRASS_HEIGHTS ? pow(max(shade, 1e-6), tall) : shade, density); }
 
 // Light of one light that casts shadows: 0 the sun, i lamp i - 1.
 vec3 castLight(int i, vec3 at, vec3 n) {

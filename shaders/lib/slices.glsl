@@ -40,10 +40,10 @@ float verticalShare(float sine) {
     return min(slices.farAmbient.w * sqrt(1.0 - y * y) / y, 1.0);
 }
 
-// Filtered density of the species at a point of the terrain.
+// Filtered density of the species at a point of the terrain; uv: of mapPlace.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
-    return texture(densityMap[0], uv).r;
+    return texture(densityMap[0], tiled(uv, cover.densities[int(slices.ambient.w)])).r;
 }
 
 // Reflectance (as a share of full scale) with the field's colour over it.

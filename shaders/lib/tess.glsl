@@ -31,7 +31,7 @@ layout(std140, binding = UBO_TESS) uniform TessBlock { TessGlobals tess; };
 struct TessBlade {
     BladePose pose;
     vec3 root;       // relative to the eye
-    vec2 uv;         // as a share of the terrain
+    vec2 uv;         // on maps (mapPlace)
     float width;     // m
     float opacity, density, hue, lightness;
     uint grain;
@@ -82,7 +82,7 @@ TessBlade tessBlade(TessCell c, uint index) {
 // Where in the shadow mask a vertex of it is.
 vec2 maskOf(TessBlade t, vec3 fromRoot) {
     if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0)) return vec2(0.0);
-    return maskPoint(fromRoot, t.pose.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+    return maskPoint(inFullHeight(fromRoot, t.uv), t.pose.facing, frame.sunDirection.xyz, species.mask.xy).xy;
 }
 
 // Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.

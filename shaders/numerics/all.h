@@ -20,6 +20,8 @@
 #include "numerics/tilt.h"
 #include "numerics/wind.h"
 #include "numerics/gust.h"
+#include "numerics/water.h"
+#include "numerics/flower.h"
 #include "numerics/spline.h"
 #include "numerics/rays.h"
 #include "numerics/shadow.h"

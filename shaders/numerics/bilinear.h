@@ -34,3 +34,25 @@ FN real bilinearMix(real a00, real a10, real a01, real a11, real fx, real fy) {
     precise real value = low + (high - low) * fy;
     return value;
 }
+
+// The same of a map that repeats: u and v are finite, any size, and count repeats.
+FN BilinearTap bilinearTapRepeat(real u, real v, int width, int height) {
+    precise real x = (u - floor(u)) * real(width) - 0.5f;
+    precise real y = (v - floor(v)) * real(height) - 0.5f;
+    BilinearTap tap;
+    tap.fx = x - floor(x);
+    tap.fy = y - floor(y);
+    int left = int(floor(x));
+    int top = int(floor(y));
+    tap.x0 = left < 0 ? width - 1 : min(left, width - 1);
+    tap.y0 = top < 0 ? height - 1 : min(top, height - 1);
+    tap.x1 = tap.x0 + 1 < width ? tap.x0 + 1 : 0;
+    tap.y1 = tap.y0 + 1 < height ? tap.y0 + 1 : 0;
+    return tap;
+}
+
+// Where in [0, 1] of a map u lies that is mirrored at every whole number: up, down, up again.
+FN real mirrorUnit(real u) {
+    precise real m = u - 2.0f * floor(u * 0.5f);
+    return m <= 1.0f ? m : 2.0f - m;
+}

@@ -1,5 +1,6 @@
 // A vertex of an object, placed relative to the eye.
 #include "lib/frame.glsl"
+#include "lib/mirror.glsl"
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec2 meshUv;
@@ -16,5 +17,6 @@ void main() {
     position = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
     normal = vec3(dot(row0.xyz, meshNormal), dot(row1.xyz, meshNormal), dot(row2.xyz, meshNormal));
     uv = meshUv;
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -6,12 +6,12 @@
 #include "lib/heights.glsl"
 #include "lib/scene_depth.glsl"
 layout(binding = TEX_SCENE) uniform sampler2D map;
-layout(location = 0) uniform vec4 overlay;  // channels; repeats over the terrain; metres a pixel at 1 m; texels a metre
+layout(location = 0) uniform vec4 overlay;  // channels; tiling, as in shared/frame.h; metres a pixel at 1 m; texels a metre
 layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
 out vec4 color;
 
 vec4 mapAt(vec2 place, float level) {
-    return textureLod(map, place * frame.terrain.zw * overlay.y, level);
+    return textureLod(map, tiled(mapPlace(place), overlay.y), level);
 }
 
 vec3 amountColor(float amount) {

@@ -22,6 +22,7 @@ struct FrameGlobals {
     SHARED_VEC4 viewport;      // width, height, 1/width, 1/height
     SHARED_VEC4 eye;           // position relative to the terrain's corner (m); w: height above the highest ground (m)
     SHARED_VEC4 terrain;       // size x, size z, 1/size x, 1/size z
+    SHARED_VEC4 maps;          // 1 / metres that a map of tiling 1 covers, along x and z; tiling of heights, and of the terrain map, as below
     SHARED_VEC4 sunDirection;  // towards the sun; w: 1 if it is above the horizon
     SHARED_VEC4 sunLight;      // irradiance on a surface that faces it, divided by pi; w: 1 if it casts shadows
     SHARED_VEC4 skyLight;      // irradiance from the sky on level ground, divided by pi
@@ -33,6 +34,7 @@ struct FrameGlobals {
     SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre
     SHARED_VEC4 mode;          // x: ViewMode; y: exposure factor; z: samples a pixel; w: factor of widths where fewer blades are drawn
+    SHARED_VEC4 mirror;        // x: 1 in a view that water mirrors, else 0; y: height relative to the eye below which that view is cut
     SHARED_VEC4 decal;         // brush: centre x, z relative to the eye, radius (0: none), falloff
 };
 
@@ -64,7 +66,10 @@ struct ForceGlobals {
 // What shaders of all of a field's species read.
 struct CoverGlobals {
     SHARED_VEC4 tiers;         // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
-    SHARED_VEC4 tiling;        // repeats over the terrain of orientation, vegetation, ambient occlusion, forces
+    // Tilings: repeats over what a map of tiling 1 covers; 0: the map lies on the terrain once, and its edge texels go on beyond (scene/tiling.h).
+    SHARED_VEC4 tiling;        // of orientation, vegetation, ambient occlusion, forces: they repeat even where that is 1
+    SHARED_VEC4 densities;     // by species: tiling of its density
+    SHARED_VEC4 bladeHeight;   // x: its tiling; y, z, w: 0
     SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
     SHARED_VEC4 height;        // by species: mean height (m)
     SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone;
@@ -103,6 +108,32 @@ struct SpeciesGlobals {
     SHARED_VEC4 mask;          // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
+// Water, about the eye (scene/water.h).
+#define WATER_WAVES 10
+struct WaterGlobals {
+    SHARED_VEC4 place;         // height relative to the eye; y, z: texture coordinates of what it mirrors, a clip unit (0: only the sky); w: 0
+    SHARED_VEC4 square;        // low x, z and high x, z of what may be seen of it, relative to the eye
+    SHARED_VEC4 color;         // of deep water; w: metres from the surface at which mirrored things are taken to be
+    SHARED_VEC4 extinction;    // 1/m; w: 0
+    SHARED_VEC4 waves[WATER_WAVES];  // of full strength: x, z: turns a metre; phase at the eye (turns); slope
+};
+
+// What shaders read of one kind of flowers.
+struct FlowerGlobals {
+    SHARED_VEC4 shape;         // height; its variation; size of heads; side of a cell (m)
+    SHARED_VEC4 counts;        // flowers a cell; seed; tiling of the density map as CoverGlobals has it (-1: there is none); 1: the image is made by the program
+    SHARED_VEC4 range;         // distance from which flowers are left out; lodInverse to where all are; greatest widening; height of the head in the image, as a share
+    SHARED_VEC4 petal;
+    SHARED_VEC4 second;
+    SHARED_VEC4 center;
+    SHARED_VEC4 stem;
+};
+// A cell that flowers are drawn of.
+struct FlowerCell {
+    SHARED_IVEC2 cell;
+    SHARED_VEC2 corner;        // relative to the eye
+};
+
 // How a species' blades are tessellated (grass/tessellated.h).
 struct TessGlobals {
     SHARED_VEC4 range;         // x: distance from which no blade is drawn (m); y: share of blades missing at each metre; z: 1 / metres over
@@ -121,7 +152,7 @@ struct CullGlobals {
     SHARED_VEC4 strips;        // x: pixels of a blade's sagitta at 1 m; y: most quads; z: share of the blades drawn; w: distance from which
                                // blades of one quad are plain triangles (m)
     SHARED_VEC4 texels;        // x, y: of the density map, a cell; z: seed; w: blades at most in a piece
-    SHARED_VEC4 counted;       // x: share of the chosen blades that is drawn; y: 1 if they are to be counted; z, w: 0
+    SHARED_VEC4 counted;       // x: share of the chosen blades that is drawn; y: 1 if they are to be counted; z: 1 if each cell has blades of its own; w: 0
 };
 // Of the cells that were chosen, without those of which only shadows are seen.
 struct ChosenCounts {
@@ -202,7 +233,9 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define UBO_LIGHTS 7
 #define UBO_TESS 8
 #define UBO_FORCE 9
-#define UBO_CULL 10
+#define UBO_WATER 10
+#define UBO_FLOWERS 11
+#define UBO_CULL 12
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
@@ -217,6 +250,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1
 #define TEX_GROUND 2
+#define TEX_BLADE_HEIGHT 3
 #define TEX_ORIENTATION 4
 #define TEX_VEGETATION 5
 #define TEX_OCCLUSION 6
@@ -231,6 +265,8 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define TEX_WIND 19        // as TEX_SHADOW
 #define TEX_FORCE 20       // as TEX_SHADOW
 #define TEX_FORCE_MAP 21
+#define TEX_REFLECTION 22
+#define TEX_FLOWERS 23     // density
 #define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7       // as blades: bound for each draw

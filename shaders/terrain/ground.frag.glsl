@@ -25,33 +25,33 @@ vec4 densities(vec2 uv) {
     vec4 d = vec4(0.0);
     int n = int(cover.tiers.x);
     if (!GRASS_DENSITY) return vec4(lessThan(vec4(0.0, 1.0, 2.0, 3.0), vec4(cover.tiers.x)));
-    if (n > 0) d.x = texture(densityMap[0], uv).r;
-    if (n > 1) d.y = texture(densityMap[1], uv).r;
-    if (n > 2) d.z = texture(densityMap[2], uv).r;
-    if (n > 3) d.w = texture(densityMap[3], uv).r;
+    if (n > 0) d.x = texture(densityMap[0], tiled(uv, cover.densities.x)).r;
+    if (n > 1) d.y = texture(densityMap[1], tiled(uv, cover.densities.y)).r;
+    if (n > 2) d.z = texture(densityMap[2], tiled(uv, cover.densities.z)).r;
+    if (n > 3) d.w = texture(densityMap[3], tiled(uv, cover.densities.w)).r;
     return d;
 }
 
 // Share of light that grass leaves to the soil.
-float lightLeft(vec4 density) {
-    float left = 1.0;
-    for (int i = 0; i < int(cover.tiers.x); ++i) left *= mix(1.0, cover.shade[i], density[i]);
+float lightLeft(vec4 density, vec2 uv) {
+    float left = 1.0, tall = GRASS_HEIGHTS ? texture(bladeHeightMap, tiled(uv, cover.bladeHeight.x)).r : 1.0;
+    for (int i = 0; i < int(cover.tiers.x); ++i) left *= soilLeft(cover.shade[i], density[i], tall);
     return left;
 }
 
 vec3 soil(vec2 uv) {
     vec3 tile = texture(tileTexture, place * frame.groundColor.w).rgb * 2.0 * frame.groundColor.rgb;
     if (!TERRAIN_MAP) return tile;
-    vec4 map = texture(terrainMap, uv);
+    vec4 map = texture(terrainMap, tiled(uv, frame.maps.w));
     return soilColor(tile, frame.groundColor.rgb, map.rgb, map.a);
 }
 
 void main() {
-    vec2 uv = place * frame.terrain.zw;
+    vec2 uv = mapPlace(place);
     float distance = length(position);
     vec3 n = normalize(normal);
     vec4 density = GRASS ? densities(uv) : vec4(0.0);
-    float shades = GRASS ? lightLeft(density) : 1.0, near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
+    float shades = GRASS ? lightLeft(density, uv) : 1.0, near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
     vec3 light = soilLight(position, uv, n, shades, near) * soil(uv);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);

@@ -4,6 +4,7 @@
 #include "numerics/bilinear.h"
 #include "lib/heights.glsl"
 #include "lib/node.glsl"
+#include "lib/mirror.glsl"
 
 out vec3 position;   // relative to the eye
 out vec2 place;      // relative to the terrain's corner, metres
@@ -14,5 +15,6 @@ void main() {
     position = c.position;
     place = c.place;
     normal = groundNormal(place, c.spacing);
+    cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -168,5 +168,34 @@ TEST(MapShapes, BlendModes) {
     EXPECT_FLOAT_EQ(blended(BlendMode::Min, 0.2f, 1), 0.2f);
 }
 
+TEST(MapOps, SeamlessNoiseGoesOnOverTheMapsEdgesAsItDoesWithin) {
+    NoiseSettings s;
+    s.scale = 7;
+    s.mode = NoiseMode::Set;
+    const auto seam = [&](bool seamless) {
+        s.seamless = seamless;
+        Map m({200, 200, 1, PixelType::F32});
+        noiseMap(m, 50, 50, s, kAllChannels);
+        float over = 0, within = 0;
+        for (int i = 0; i < 200; ++i) {
+            over = std::max({over, std::abs(m.at(0, i) - m.at(199, i)), std::abs(m.at(i, 0) - m.at(i, 199))});
+            within = std::max({within, std::abs(m.at(100, i) - m.at(101, i)), std::abs(m.at(i, 100) - m.at(i, 101))});
+        }
+        return std::pair{over, within};
+    };
+    EXPECT_LT(seam(true).first, 1.5f * seam(true).second);
+    EXPECT_GT(seam(false).first, 3 * seam(false).second) << "the other kind has a seam";
+}
+
+TEST(MapOps, BlurOfAMapThatRepeatsTakesInItsOtherSide) {
+    Map map = filled(64, 64, 1, PixelType::F32, 0), once = map;
+    for (int y = 0; y < 64; ++y) map.set(0, y, 0, 1), once.set(0, y, 0, 1);
+    blurMap(map, 6, 6, kAllChannels, true);
+    blurMap(once, 6, 6, kAllChannels);
+    EXPECT_NEAR(map.at(63, 30), map.at(1, 30), 1e-5f);
+    EXPECT_EQ(once.at(63, 30), 0);
+    EXPECT_NEAR(map.mean(), 1.0 / 64, 1e-5) << "nothing is lost over the edge";
+}
+
 }  // namespace
 }  // namespace sward

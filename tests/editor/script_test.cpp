@@ -471,5 +471,82 @@ TEST(ScriptConsole, BoundsEachLineByItself) {
     for (int i = 0; i < 5; ++i) EXPECT_TRUE(console.run("for i = 1, 100000 do end"));
 }
 
+TEST(Script, AStrokeOnAMapThatRepeatsFallsIntoItsOneRepeat) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set("ground.Terrain.size", {40, 40})
+        entity.set("lawn.GrassField.species[lawn].densityTiling", 4)
+        map.create{path = "density", width = 100, height = 100, value = 0}
+        brush.select{map = "density", mode = "set", radius = 1, strength = 1, value = 1, falloff = 0}
+        brush.stroke{{30, 25}}
+        for _, at in ipairs{{0, 5}, {10, 15}, {30, 25}, {40, 35}, {29.5, 25}, {9.5, 5}} do
+            expect.equal(map.at("density", at[1], at[2]), 1, at[1] .. ", " .. at[2])
+        end
+        expect.equal(map.at("density", 25, 25), 0)
+        local before = map.hash("density")
+        edit.undo()
+        expect.equal(map.mean("density"), 0)
+        edit.redo()
+        expect.equal(map.hash("density"), before))");
+}
+
+TEST(Script, AStrokeOnMirroredHeightsRaisesTheGroundWhereItWent) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set("ground.Terrain.size", {40, 40})
+        entity.set("ground.Terrain.heightTiling", 4)
+        map.create{path = "height", width = 100, height = 100, value = 0}
+        brush.select{map = "height", mode = "set", radius = 1, strength = 1, value = 2, falloff = 0}
+        brush.stroke{{13, 5}}
+        for _, x in ipairs{7, 13, 27, 33} do expect.near(map.at("height", x, 5), 2, 1e-5) end
+        expect.equal(map.at("height", 3, 5), 0)
+        brush.stroke{{10, 5}}
+        expect.near(map.at("height", 10.4, 5), 2, 1e-5)
+        expect.near(map.at("height", 9.6, 5), 2, 1e-5))");
+}
+
+TEST(Script, MapSizeSetsTheLengthThatBrushesAndShapesCover) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set("ground.Terrain.size", {90000, 90000})
+        entity.set("ground.Terrain.mapSize", 20)
+        map.create{path = "density", width = 200, height = 200, value = 0}
+        map.disc("density", {x = 5, z = 5, radius = 2})
+        expect.equal(map.at("density", 5 + 20 * 4000, 5), 1)
+        expect.equal(map.at("density", 15 + 20 * 4000, 5), 0))");
+}
+
+TEST(Script, HeightsOfBladesAreMadeByBlurringTheDensity) {
+    EXPECT_RUNS(R"(
+        project.new()
+        map.fill("density", 0)
+        map.rect("density", {x0 = 10, z0 = 10, x1 = 30, z1 = 30})
+        map.copy("bladeHeight", "density")
+        map.blur("bladeHeight", 3)
+        expect.equal(map.at("bladeHeight", 20, 20), 1)
+        local edge = map.at("bladeHeight", 10, 20)
+        expect.less(edge, 0.6)
+        expect.less(0.4, edge)
+        expect.equal(map.at("bladeHeight", 2, 2), 0)
+        map.export("density", "both.png", {packed = true})
+        local density, height = map.hash("density"), map.hash("bladeHeight")
+        map.fill("density", 1)
+        entity.set("lawn.GrassField.bladeHeight", nil)
+        map.import("density", "both.png", {packed = true})
+        expect.equal(map.hash("density"), density)
+        expect.equal(map.hash("bladeHeight"), height)
+        edit.undo()
+        expect.equal(map.mean("density"), 1)
+        expect.equal(map.exists("bladeHeight"), false))");
+    EXPECT_FAULT(Stage(), "project.new()\nmap.copy('orientation', 'density')", "channels");
+    EXPECT_FAULT(Stage(), "project.new()\nmap.export('density', 'a.png', {packed = true, range = {0, 1}})", "range");
+}
+
+TEST(Script, TilingsThatAreNoneAreRefused) {
+    for (const char* field : {"ground.Terrain.heightTiling", "ground.Terrain.terrainMapTiling", "lawn.GrassField.species[lawn].densityTiling", "lawn.GrassField.bladeHeightTiling"})
+        for (const char* value : {"0", "-1", "1e9", "0/0", "-math.huge", "math.huge", "'x'"})
+            EXPECT_NE(Stage().fault(fmt::format("project.new()\nentity.set('{}', {})", field, value)), "") << field << " = " << value;
+}
+
 }  // namespace
 }  // namespace sward

@@ -60,6 +60,8 @@ Project everything() {
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
+    put<Water>(p, "lake", {.level = 0.56f});  // ground lies at 0.5
+    put<Flowers>(p, "flowers", {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
@@ -82,56 +84,61 @@ TEST(Trace, AddingAndRemovingEachComponentLeavesNothing) {
     }
 }
 
-TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
+// A change that takes something from a scene, and the scene with it and as if it had never been there.
+struct Removal {
+    std::string what;
+    std::function<void(Project&)> change;
+    Trace with = {}, never = {};
+};
+// One renderer meets all changes, so that nothing may be left of those before either; the ledger is the context's, so what never was
+// is drawn first, by renderers of its own.
+void expectNoTraces(std::vector<Removal>& removals) {
     NoGlErrors errors;
-    for (const ComponentRow& row : tables().components) {
+    for (Removal& r : removals) {
         Project without = everything();
-        for (auto& [name, e] : without.entities) row.remove(without.registry, e);
-        Trace never;
-        {
-            Renderer fresh(gpu(), tables());
-            never = traceOf(fresh, without);
-        }
-        Renderer renderer(gpu(), tables());
+        r.change(without);
+        Renderer fresh(gpu(), tables());
+        r.never = traceOf(fresh, without);
+    }
+    Renderer renderer(gpu(), tables());
+    for (Removal& r : removals) {
         Project p = everything();
-        const Trace with = traceOf(renderer, p);
-        for (auto& [name, e] : p.entities) row.remove(p.registry, e);
-        const Trace after = traceOf(renderer, p);
-        expectSame(never, after, std::string("without ") + row.name);
-        if (row.features(row.defaults()).any()) {
-            EXPECT_TRUE(with.plan != after.plan) << row.name << " makes no difference to the plan";
-        }
+        r.with = traceOf(renderer, p);
+        r.change(p);
+        expectSame(r.never, traceOf(renderer, p), r.what);
     }
 }
 
-TEST(Trace, RemovingEachMapLeavesTheSceneThatNeverHadIt) {
-    NoGlErrors errors;
+TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
+    std::vector<Removal> removals;
+    for (const ComponentRow& row : tables().components)
+        removals.push_back({std::string("without ") + row.name, [&row](Project& p) {
+                                for (auto& [name, e] : p.entities) row.remove(p.registry, e);
+                            }});
+    expectNoTraces(removals);
+    for (size_t i = 0; i < removals.size(); ++i) {
+        const ComponentRow& row = tables().components[i];
+        if (row.features(row.defaults()).any()) EXPECT_TRUE(removals[i].with.plan != removals[i].never.plan) << row.name << " makes no difference to the plan";
+    }
+}
+
+TEST(TraceMaps, RemovingEachLeavesTheSceneThatNeverHadIt) {
     Project all = everything();
-    for (const FieldRef& map : allMaps(all, tables().components)) {
-        const auto removeFrom = [&](Project& p) { *static_cast<MapField*>(findField(p, tables().components, map.path)->value) = {}; };
-        Project without = everything();
-        removeFrom(without);
-        Trace never;
-        {
-            Renderer fresh(gpu(), tables());
-            never = traceOf(fresh, without);
-        }
-        Renderer renderer(gpu(), tables());
-        Project p = everything();
-        const Trace with = traceOf(renderer, p);
-        removeFrom(p);
-        expectSame(never, traceOf(renderer, p), "without " + map.path);
-        EXPECT_TRUE(with.plan != never.plan) << map.path;
-        EXPECT_GT(with.ledger.size(), never.ledger.size()) << map.path << " holds no memory of its own";
+    std::vector<Removal> removals;
+    for (const FieldRef& map : allMaps(all, tables().components))
+        removals.push_back({"without " + map.path, [path = map.path](Project& p) { *static_cast<MapField*>(findField(p, tables().components, path)->value) = {}; }});
+    expectNoTraces(removals);
+    for (const Removal& r : removals) {
+        EXPECT_TRUE(r.with.plan != r.never.plan) << r.what;
+        EXPECT_GT(r.with.ledger.size(), r.never.ledger.size()) << r.what << " frees no memory of its own";
     }
 }
 
 // What ends a tier or a kind of shadow without any component or map going.
-TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
-    NoGlErrors errors;
+TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
     const auto grass = [](Project& p) -> GrassField& { return *p.registry.get<GrassField>(findEntity(p, "grass")); };
     const auto technique = [&](Technique t) { return [&grass, t](Project& p) { grass(p).technique = static_cast<int>(t); }; };
-    const std::pair<const char*, std::function<void(Project&)>> changes[] = {
+    std::vector<Removal> removals = {
         {"blades alone", technique(Technique::Geometry)},
         {"slices alone", technique(Technique::Slices)},
         {"the horizontal slice alone", technique(Technique::Flat)},
@@ -147,23 +154,12 @@ TEST(Trace, SettingsThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades", [&](Project& p) { grass(p).technique = static_cast<int>(Technique::Tessellated), grass(p).beyond = static_cast<int>(Beyond::Nothing); }},
+        {"water that mirrors the sky alone", [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
+        {"flowers of which there are none", [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
-    for (const auto& [what, change] : changes) {
-        Project without = everything();
-        change(without);
-        Trace never;
-        {
-            Renderer fresh(gpu(), tables());
-            never = traceOf(fresh, without);
-        }
-        Renderer renderer(gpu(), tables());
-        Project p = everything();
-        const Trace with = traceOf(renderer, p);
-        change(p);
-        expectSame(never, traceOf(renderer, p), what);
-        EXPECT_TRUE(with.plan != never.plan) << what;
-    }
+    expectNoTraces(removals);
+    for (const Removal& r : removals) EXPECT_TRUE(r.with.plan != r.never.plan) << r.what;
 }
 
 TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {

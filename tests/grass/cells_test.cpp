@@ -144,7 +144,7 @@ TEST(Cells, DensityRangesContainEveryBilinearSample) {
         for (int x = 0; x < 13; ++x) m.set(x, y, 0, f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
     for (double x = 0; x < 10; x += 0.5)
         for (double z = 0; z < 8; z += 0.5) {
-            const auto [least, most] = densityRange(m, {10, 8}, x, z, x + 0.5, z + 0.5);
+            const auto [least, most] = densityRange(m, {{10, 8}, false}, x, z, x + 0.5, z + 0.5);
             for (int i = 0; i <= 4; ++i)
                 for (int j = 0; j <= 4; ++j) {
                     const float d = m.sample((x + i * 0.125) / 10, (z + j * 0.125) / 8);

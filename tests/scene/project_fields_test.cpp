@@ -116,7 +116,7 @@ TEST(Maps, AreFoundByAnyTailThatMeansOne) {
     EXPECT_EQ(mapOf(p, "density"), "meadow.GrassField.species[lawn].density")
         << "one that is there goes before one that is not";
     EXPECT_EQ(allMaps(p, rows()).size(), 1u);
-    EXPECT_EQ(allMaps(p, rows(), true).size(), 8u);
+    EXPECT_EQ(allMaps(p, rows(), true).size(), 9u);
 }
 
 TEST(Maps, FilesAreNamedAfterEntitySpeciesAndMap) {

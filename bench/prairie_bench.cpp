@@ -1,0 +1,180 @@
+// What the size of a field costs (Jahrmann and Wimmer 2013, table 1, scene Instance): the sample project prairie at `human`, made larger by its
+// one field Terrain.size; and whether it stays the same picture where it stands far from the origin.
+#include <deque>
+
+#include "bench/limits.h"
+#include "frame/renderer.h"
+#include "techniques.h"
+#include "tests/grass/comparison.h"
+
+namespace {
+using namespace sward;
+using namespace sward::test;
+
+Gpu* gpu() {
+    static std::unique_ptr<Gpu> instance = [] {
+        auto made = makeHeadlessGpu();
+        return made ? std::move(*made) : nullptr;
+    }();
+    if (instance) makeCurrent(*instance);
+    return instance.get();
+}
+
+// Of frames drawn in turn with others': what load the machine has besides only adds to it.
+double least(const std::vector<double>& ms) { return ms.empty() ? NAN : *std::min_element(ms.begin(), ms.end()); }
+
+std::optional<Project> prairie(double side) {
+    auto project = loadProject(SWARD_SOURCE_DIR "/projects/prairie", tables().components);
+    if (!project) {
+        std::fprintf(stderr, "%s\n", project.error().text().c_str());
+        return {};
+    }
+    project->registry.get<Terrain>(findEntity(*project, "land"))->size = glm::dvec2(side);
+    return std::move(*project);
+}
+
+struct Counts {
+    double vertices = 0, fragments = 0, nodes = 0, bytes = 0;
+};
+struct Sized {
+    Renderer renderer{*gpu(), tables()};
+    Project project;
+    std::vector<double> ms;
+
+    explicit Sized(Project p) : project(std::move(p)) {}
+    ViewCamera camera() const { return viewOf(*findCamera(project, "human")); }
+    // Down to what lies before one's feet: no horizon is in view, so that fields of every size show the same.
+    ViewCamera feet() const {
+        ViewCamera c = camera();
+        c.target = c.eye + glm::dvec3(1.2, -1.8, 1.2);
+        return c;
+    }
+    double frame(const ViewCamera& c, const ViewSettings& s) {
+        bool drawn = false;
+        const double took = 1000 * seconds([&] {
+            drawn = bool(renderer.draw(project, c, s));
+            renderer.finish();
+        });
+        return drawn ? took : NAN;
+    }
+    // Of a drawn frame. bytes: of all renderers together.
+    Counts counts(const ViewCamera& camera, ViewSettings s) {
+        s.measure = true;
+        frame(camera, s);
+        Counts c;
+        for (const PassStats& p : renderer.stats().passes) {
+            c.vertices += static_cast<double>(p.vertices), c.fragments += static_cast<double>(p.fragments);
+            if (p.name == "terrain/ground") c.nodes += static_cast<double>(p.instances);
+        }
+        c.nodes += static_cast<double>(renderer.stats().cells);
+        c.bytes = static_cast<double>(renderer.stats().gpuBytes);
+        std::fprintf(stderr, "%.0f m: %.0f vertices, %.0f fragments, %.0f nodes and cells, %lu blades\n", project.registry.get<Terrain>(findEntity(project, "land"))->size.x, c.vertices, c.fragments, c.nodes,
+                     static_cast<unsigned long>(renderer.stats().bladesGeometry));
+        return c;
+    }
+};
+
+// What is not seen costs nothing.
+SWARD_LIMITS("prairie-size", [] {
+    std::optional<Project> small = gpu() ? prairie(2000) : std::nullopt, large = gpu() ? prairie(90000) : std::nullopt;
+    if (!small || !large) return reportLimit("a prairie of 90,000 m against 2,000 m", NAN, 1.01, "x");
+    const ViewSettings s = sized(320, 240, 1);
+    Sized a(std::move(*small));
+    const Counts few = a.counts(a.feet(), s);
+    Sized b(std::move(*large));
+    const Counts many = b.counts(b.feet(), s);
+    reportLimit("vertices of a prairie of 90,000 m as a share of one of 2,000 m", many.vertices / few.vertices, 1.01, "x");
+    reportLimit("fragments of the same", many.fragments / few.fragments, 1.01, "x");
+    reportLimit("nodes and cells of the same", many.nodes / few.nodes, 1.01, "x");
+    reportLimit("bytes of the same", (many.bytes - few.bytes) / few.bytes, 1.01, "x");
+    for (int i = 0; i < 9; ++i)
+        for (Sized* t : {&a, &b}) t->ms.push_back(t->frame(t->feet(), s));
+    reportLimit("time of the same, in turn", least(b.ms) / least(a.ms), 1.15, "x");
+});
+
+// Up to the horizon more is seen: hills add a number of the terrain's nodes for each doubling, over the ground and under the horizontal
+// slices of both species, and the land between both sizes is a strip of pixels below the sky.
+SWARD_LIMITS("prairie-horizon", [] {
+    std::optional<Project> small = gpu() ? prairie(2000) : std::nullopt, large = gpu() ? prairie(90000) : std::nullopt;
+    if (!small || !large) return reportLimit("a prairie of 90,000 m against 2,000 m, up to the horizon", NAN, 1.15, "x");
+    const ViewSettings s = sized(320, 240, 1);
+    Sized a(std::move(*small));
+    const Counts few = a.counts(a.camera(), s);
+    Sized b(std::move(*large));
+    const Counts many = b.counts(b.camera(), s);
+    reportLimit("up to the horizon: vertices of 90,000 m as a share of 2,000 m", many.vertices / few.vertices, 1.03, "x");
+    reportLimit("up to the horizon: fragments", many.fragments / few.fragments, 1.06, "x");
+    reportLimit("up to the horizon: nodes for each doubling", (many.nodes - few.nodes) / std::log2(45.0), 50, "nodes");
+    reportLimit("up to the horizon: bytes", (many.bytes - few.bytes) / few.bytes, 1.01, "x");
+    for (int i = 0; i < 9; ++i)
+        for (Sized* t : {&a, &b}) t->ms.push_back(t->frame(t->camera(), s));
+    reportLimit("up to the horizon: time, in turn", least(b.ms) / least(a.ms), 1.15, "x");
+});
+
+// Levels of 255 that any channel of any pixel differs by between two pictures.
+double mostDifferent(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+    if (a.size() != b.size()) return NAN;
+    int most = 0;
+    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(int(a[i]) - int(b[i])));
+    return most;
+}
+
+SWARD_LIMITS("prairie-far", [] {
+    std::optional<Project> p = gpu() ? prairie(300) : std::nullopt;
+    if (!p) return reportLimit("a prairie moved by 90,000 m", NAN, 1, "levels");
+    p->registry.get<Wind>(findEntity(*p, "wind"))->strength = 0;  // it blows over the world, not over the field
+    Sized here(std::move(*p));
+    const ViewSettings s = sized(320, 240, 1);
+    here.frame(here.camera(), s);
+    const auto before = here.renderer.readImage();
+    const glm::dvec3 far(90000, 0, 90000);
+    here.project.registry.add<Transform>(findEntity(here.project, "land"), {far});
+    Camera& camera = const_cast<Camera&>(*findCamera(here.project, "human"));
+    camera.eye += far, camera.target += far;
+    here.frame(here.camera(), s);
+    reportLimit("a prairie moved by 90,000 m, at the worst pixel", mostDifferent(before, here.renderer.readImage()), 1, "levels");
+});
+
+// Table 1's three questions, on one field: every blade stored against one patch drawn many times at equal size; effects on what is far,
+// on and off; and sizes that only the patch has.
+Project field(double side, Population population, bool effects) {
+    Project p = designed({"", 60, 0.3f, 0.012f, side, 0, 0, 0, 0}, side);
+    GrassField& f = grassIn(p);
+    f.technique = static_cast<int>(Technique::Tessellated);
+    f.beyond = static_cast<int>(Beyond::Nothing);
+    f.population = static_cast<int>(population);
+    f.cellSize = 1;
+    f.maxDistance = 60;
+    f.farBlur = static_cast<int>(effects ? FarBlur::Gaussian : FarBlur::None);
+    f.farDarkening = effects ? 0.4f : 0;
+    return p;
+}
+struct Entry {
+    double side;
+    Population population;
+    bool effects;
+    Sized made;
+    Entry(double s, Population p, bool e) : side(s), population(p), effects(e), made(field(s, p, e)) {}
+};
+SWARD_LIMITS("prairie-table", [] {
+    if (!gpu()) return reportLimit("stored blades as a share of a patch's time", NAN, 1.25, "x");
+    std::deque<Entry> rows;
+    for (const bool effects : {false, true}) {
+        for (const Population p : {Population::Patch, Population::Unique}) rows.emplace_back(160, p, effects);
+        for (const double side : {600.0, 8000.0, 90000.0}) rows.emplace_back(side, Population::Patch, effects);
+    }
+    const ViewCamera c{{40, 1.7, 40}, {60, 0.5, 60}, 55, 0};
+    for (int i = 0; i < 6; ++i)
+        for (Entry& r : rows) {
+            const double ms = r.made.frame(c, sized(320, 240, 1));
+            if (i > 0) r.made.ms.push_back(ms);
+        }
+    for (Entry& r : rows)
+        std::fprintf(stderr, "%6.0f m  %-7s far effects %-4s %8lu blades  %7.1f ms\n", r.side, kPopulations[static_cast<size_t>(r.population)], r.effects ? "on" : "off",
+                     static_cast<unsigned long>(r.made.renderer.stats().bladesGeometry), least(r.made.ms));
+    reportLimit("stored blades as a share of a patch's time, 160 m", least(rows[1].made.ms) / least(rows[0].made.ms), 1.25, "x");
+    reportLimit("far effects as a share of none, patch, 160 m", least(rows[5].made.ms) / least(rows[0].made.ms), 1.25, "x");
+    reportLimit("90,000 m as a share of 160 m, patch", least(rows[4].made.ms) / least(rows[0].made.ms), 1.25, "x");
+});
+
+}  // namespace

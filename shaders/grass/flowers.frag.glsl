@@ -1,0 +1,34 @@
+// A fragment of a flower: its image, coloured, in the light of its corners; covers its pixel as blades do.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/population.h"
+#include "numerics/flower.h"
+#include "lib/light.glsl"
+const int TRANSPARENCY = 0;
+#include "lib/transparency.glsl"
+layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
+layout(binding = TEX_BLADE) uniform sampler2D image;
+
+in vec2 uv;
+in vec4 lit;
+in vec3 shown;
+flat in vec3 petal;
+flat in uint grain;
+out vec4 color;
+
+void main() {
+    vec4 t = texture(image, uv);
+    float alpha = coveredAlpha(t.a, grain);
+    if (!(alpha > 0.0)) discard;
+    vec3 light = flowerColor(t.rgb, petal, flowers.center.rgb, flowers.stem.rgb, flowers.counts.w > 0.5) * lit.rgb;
+    vec2 way = (gl_FragCoord.xy * frame.viewport.zw * 2.0 - 1.0);
+    vec4 there = frame.invViewProj * vec4(way, 1.0, 1.0);
+    light = mix(light, horizonColor(there.xz / there.w), lit.w);
+    color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
+    if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.9, 0.8, 0.1);
+    if (viewMode() == VIEW_NORMALS) color.rgb = shown * 0.5 + 0.5;
+    if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
+    if (viewMode() == VIEW_DENSITY) color.rgb = vec3(0.9, 0.8, 0.1);
+}

@@ -1,0 +1,85 @@
+// A corner of a flower (numerics/flower.h): 0 to 3 its stem's, from the root up; 4 to 7 its head's. Placed, leant and lit here.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/bilinear.h"
+#include "numerics/lod.h"
+#include "numerics/population.h"
+#include "numerics/weights.h"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/lamps.glsl"
+#include "lib/shadow.glsl"
+#include "lib/density.glsl"
+#include "lib/wind.glsl"
+#include "lib/force.glsl"
+#include "numerics/flower.h"
+layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
+layout(binding = TEX_FLOWERS) uniform sampler2D densityHere;
+layout(location = 0) in ivec2 cell;
+layout(location = 1) in vec2 cellCorner;  // relative to the eye
+
+out vec2 uv;
+out vec4 lit;          // light on what faces so, over pi; w: share of haze
+out vec3 shown;        // normal
+flat out vec3 petal;
+flat out uint grain;
+
+float densityAt(vec2 uv) {
+    float tiling = flowers.counts.z;
+    if (!FLOWER_DENSITY || tiling < 0.0) return 1.0;
+    ivec2 size = textureSize(densityHere, 0);
+    BilinearTap t;
+    if (tiling > 0.0) t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
+    else t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    return bilinearMix(texelFetch(densityHere, ivec2(t.x0, t.y0), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityHere, ivec2(t.x0, t.y1), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+}
+
+vec2 leanAt(Flower f, vec2 at, vec2 place) {
+    vec2 lean = windLeanAt(at, f.grain);
+    if ((FORCES && GRASS) || FORCE_MAP) {
+        vec3 pressed = forceHere(at, place);
+        lean = forcedLean(lean, pressed.xy, pressed.z, f.facing);
+    }
+    return lean;
+}
+
+vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
+    vec3 sum = ambientLight(n) * (open * skyShare(place));
+    if (SUN) sum += frame.sunLight.rgb * (flowerSends(n, frame.sunDirection.xyz) * frame.sunDirection.w * sunVisible(at, vec3(0.0)) * open);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, at);
+        sum += l.light * (flowerSends(n, l.direction) * open);
+    }
+    return sum;
+}
+
+void main() {
+    uint number = uint(gl_VertexID) / 8u, corner = uint(gl_VertexID) % 8u;
+    Flower f = flowerOf(cell.x, cell.y, number, flowers.counts.x, uint(flowers.counts.y));
+    vec2 ground = (vec2(cell) + f.place) * flowers.shape.w, share = ground * frame.terrain.zw, place = mapPlace(ground);
+    vec2 at = cellCorner + f.place * flowers.shape.w;
+    vec3 root = vec3(at.x, groundHeight(ground), at.y);
+    float kept = 1.0 - lodRamp(length(root), flowers.range.x, flowers.range.y);
+    float size = max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.range.z);
+    uv = vec2(0.0);
+    lit = vec4(0.0);
+    shown = petal = vec3(0.0);
+    grain = 0u;
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    if (!(size > 0.0)) return;
+    float rises = min(size, 1.0);
+    vec3 stem = flowerStem(f, flowers.shape.x * (1.0 + flowers.shape.y * f.taller), leanAt(f, at, place)) * rises;
+    FlowerFrame b = flowerFrame(stem, f.facing, unitOr(-(root + stem), 1e-6, vec3(0.0, 1.0, 0.0)));
+    float half_ = 0.5 * flowers.shape.z * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0, top = float((corner >> 1) & 1u);
+    bool head = corner >= 4u;
+    vec3 position = root + b.side * (across * half_) + (head ? stem + b.up * ((top * 2.0 - 1.0) * half_) : stem * top);
+    shown = head ? b.face : stemNormal(unitOr(-root, 1e-6, vec3(0.0, 1.0, 0.0)));
+    uv = vec2(across * 0.5 + 0.5, head ? (1.0 - top) * flowers.range.w : mix(1.0, flowers.range.w, top));
+    petal = mix(flowers.petal.rgb, flowers.second.rgb, f.second);
+    grain = hash3(uint(cell.x), uint(cell.y), number);
+    lit = vec4(lightOn(position, shown, head ? 1.0 : flowerOpen(top), place), hazeShare(length(position)));
+    gl_Position = frame.viewProj * vec4(position, 1.0);
+}

@@ -1,0 +1,89 @@
+// Water: what it mirrors, what is seen through it, and the sun's glint (numerics/water.h). What lies under it is dimmed where it
+// was drawn, by a factor a colour (the second output); nothing is copied.
+#include "lib/frame.glsl"
+#include "numerics/glsl.h"
+#include "numerics/basics.h"
+#include "numerics/hash.h"
+#include "numerics/population.h"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "lib/wind.glsl"
+#include "numerics/water.h"
+layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
+layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
+layout(binding = TEX_DEPTH) uniform sampler2D depthPlain;
+layout(binding = TEX_DEPTH_SAMPLES) uniform sampler2DMS depthSamples;
+
+in vec3 position;
+layout(location = 0, index = 0) out vec4 added;
+layout(location = 0, index = 1) out vec4 factor;
+
+// Slopes that the pixel shows; z: the mean square, along each axis, of those that are too small for it.
+vec3 ripples() {
+    if (!WIND) return vec3(0.0, 0.0, kSmoothest);
+    vec2 dx = dFdx(position.xz), dy = dFdy(position.xz);
+    float share = rippleShare(blowsAt(position.xz));
+    vec3 sum = vec3(0.0, 0.0, 0.0);
+    for (int i = 0; i < WATER_WAVES; ++i) {
+        vec4 wave = water.waves[i];
+        float seen = waveSeen(length(vec2(dot(wave.xy, dx), dot(wave.xy, dy))));
+        if (seen > 0.0) sum.xy += waveWay(wave) * (waveSlope(wave, position.xz) * seen);
+        sum.z += 0.25 * wave.w * wave.w * (1.0 - seen * seen);
+    }
+    return vec3(sum.xy * share, sum.z * share * share + kSmoothest);
+}
+
+// Depth of the nearest thing below the surface in this pixel: samples in front of it are not the water's.
+float depthBelow(float surface) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (!MULTISAMPLED) return min(texelFetch(depthPlain, pixel, 0).r, surface);
+    float sum = 0.0, count = 0.0;
+    for (int i = 0; i < int(frame.mode.z); ++i) {
+        float d = texelFetch(depthSamples, pixel, i).r;
+        if (d <= surface) {
+            sum += d;
+            count += 1.0;
+        }
+    }
+    return count > 0.0 ? sum / count : surface;
+}
+
+// Where a thing in that direction lies in the picture of what is mirrored. The picture is the scene seen by the mirrored eye: the
+// image of what lies above the water is where the eye sees it below.
+vec2 inMirror(vec3 towards) {
+    vec4 clip = frame.viewProj * vec4(position + vec3(towards.x, -towards.y, towards.z) * water.color.w, 1.0);
+    return clip.xy / clip.w * water.place.yz + 0.5;
+}
+
+vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight.rgb, sqrt(towards.y)); }
+
+// What the water mirrors: smeared along the view by waves that are too small for a pixel.
+vec3 mirroredLight(vec3 toEye, vec3 ripple) {
+    vec3 r = mirrored(-toEye, rippleNormal(ripple.xy));
+    if (!WATER_REFLECTION || !(water.place.y > 0.0)) return skyFrom(r);
+    vec2 along = normalize(toEye.xz + vec2(1e-6, 0.0)) * sqrt(max(ripple.z - kSmoothest, 0.0));
+    vec2 uv = inMirror(r);
+    vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) - inMirror(mirrored(-toEye, rippleNormal(ripple.xy - along)));
+    vec2 texel = 1.0 / vec2(textureSize(reflected, 0));
+    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, vec2(-0.25), vec2(0.25))).rgb;
+}
+
+void main() {
+    float distance = length(position);
+    vec3 toEye = -position / distance, ripple = ripples();
+    vec3 n = rippleNormal(ripple.xy);
+    float mirror = waterFresnel(roughCosine(max(dot(n, toEye), 0.0), ripple.z));
+    float surface = gl_FragCoord.z, below = max(depthBelow(surface), 1e-7);
+    float straight = distance * (surface / below - 1.0), depth = straight * max(toEye.y, 0.0);
+    vec3 left = waterLeft(water.extinction.rgb, waterWay(straight, depth, toEye.y), depth);
+    float sun = SUN ? sunVisible(position, vec3(0.0)) * frame.sunDirection.w : 0.0;
+    vec3 down = frame.skyLight.rgb + (SUN ? frame.sunLight.rgb * (sun * max(frame.sunDirection.y, 0.0)) : vec3(0.0));
+    vec3 body = water.color.rgb * down * (1.0 - left) * (1.0 - mirror);
+    if (SUN) body += frame.sunLight.rgb * (sun * sunGlint(ripple.xy, ripple.z, toEye, frame.sunDirection.xyz));
+    float haze = hazeShare(distance);
+    vec3 through = left * (1.0 - mirror);
+    // What is mirrored and what is seen through are in their own haze already.
+    vec3 light = mirroredLight(toEye, ripple) * mirror + body * (1.0 - haze) + horizonColor(position.xz) * haze * (1.0 - mirror - through);
+    added = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
+    factor = vec4(through, 0.0);
+}

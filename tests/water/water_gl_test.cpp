@@ -1,0 +1,212 @@
+// Water against geometry, against the ray-traced truth, and against what it may not cost.
+#include "core/numerics.h"
+#include "frame/ground.h"
+#include "objects.h"
+#include "reference/reference.h"
+
+namespace sward::test {
+namespace {
+
+constexpr int kWidth = 120, kHeight = 90;
+
+// Level ground half a metre under still water; a white cube that stands out of it by 1.5 m. No wind.
+Project lake(const TempDir& folder) {
+    Project p;
+    p.dir = folder.path;
+    Terrain t;
+    t.size = {30, 30};
+    put(p, "ground", t);
+    put<Water>(p, "lake", {.level = 0.5f, .reflection = 1});
+    put<Light>(p, "sun", {.azimuthDeg = 180, .elevationDeg = 50});
+    put<Sky>(p, "sky");
+    putObject(p, "cube", {{.size = {2, 2, 2}, .color = {0.8f, 0.1f, 0.1f}}}, {15, 0, 12});
+    return p;
+}
+ViewCamera ashore() { return {{15, 2.0, 20}, {15, 0.5, 12}, 50, 0}; }
+ViewSettings settings() {
+    ViewSettings s;
+    s.width = kWidth, s.height = kHeight;
+    return s;
+}
+
+std::vector<float> drawn(Project& p, const ViewCamera& c, double time = 0) {
+    Renderer r(gpu(), tables());
+    ViewSettings s = settings();
+    s.time = time;
+    const Status done = r.draw(p, c, s);
+    EXPECT_TRUE(done) << (done ? "" : done.error().text());
+    return r.readLinear();
+}
+Truth traced(const Project& p, const ViewCamera& c, int samples) {
+    JobControl control;
+    auto scene = ReferenceScene::make(p, tables(), 0, control);
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().text());
+    ReferenceSettings s;
+    s.width = kWidth, s.height = kHeight, s.samples = samples, s.lighting = ReferenceLighting::Direct;
+    auto t = scene->trace(c, s, control);
+    EXPECT_TRUE(t);
+    return *t;
+}
+
+// How red a row is against how blue, over a few pixels about x: rays are thrown back by chance.
+double redness(const std::vector<float>& image, int x, int y) {
+    double red = 0, blue = 1e-6;
+    for (int i = x - 4; i <= x + 4; ++i) {
+        const float* v = &image[3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(i))];
+        red += static_cast<double>(v[0]), blue += static_cast<double>(v[2]);
+    }
+    return red / blue;
+}
+// The row, with fractions, in which the mirrored cube's top edge lies in a column: from red to sky, looking down the picture.
+double mirroredEdge(const std::vector<float>& image, int x, int from) {
+    const double red = redness(image, x, from), sky = redness(image, x, kHeight - 4), middle = (red + sky) / 2;
+    for (int y = from; y + 1 < kHeight; ++y)
+        if (redness(image, x, y) >= middle && redness(image, x, y + 1) < middle) return y + (redness(image, x, y) - middle) / (redness(image, x, y) - redness(image, x, y + 1));
+    return -1;
+}
+double rowOf(const ViewCamera& c, const glm::dvec3& point) {
+    const glm::vec4 clip = viewProjection(c, kWidth, kHeight) * glm::vec4(glm::vec3(point - c.eye), 1);
+    return static_cast<double>((0.5f - 0.5f * clip.y / clip.w) * kHeight) - 0.5;
+}
+
+TEST(Water, StillWaterMirrorsAnObjectToThePixel) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    const ViewCamera c = ashore();
+    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 256).color;
+    // The front's upper edge stands at y = 2, its image at 2 * 0.5 - 2.
+    const double edge = rowOf(c, {15, -1, 13});
+    const int inside = static_cast<int>(edge) - 4;
+    EXPECT_NEAR(mirroredEdge(picture, kWidth / 2, inside), edge, 1);
+    EXPECT_NEAR(mirroredEdge(truth, kWidth / 2, inside), edge, 1);
+    EXPECT_NEAR(mirroredEdge(picture, kWidth / 2 + 6, inside), mirroredEdge(truth, kWidth / 2 + 6, inside), 1);
+}
+
+TEST(Water, StillWaterIsTheTruthsInLight) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    p.registry.get<Water>(findEntity(p, "lake"))->clarity = 0.4f;  // what bends under water is a difference of its own
+    const ViewCamera c = ashore();
+    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
+    for (const int y : {kHeight - 6, kHeight - 20, kHeight * 2 / 3})
+        for (int k = 0; k < 3; ++k) {
+            double a = 0, b = 0;
+            for (int x = 10; x < kWidth - 10; ++x) {
+                const size_t i = 3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) + static_cast<size_t>(k);
+                a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
+            }
+            EXPECT_NEAR(a / b, 1, 0.06) << "row " << y << " channel " << k;
+        }
+}
+
+TEST(Water, RippledWaterIsAsBrightAsTheTruth) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    p.registry.get<Water>(findEntity(p, "lake"))->clarity = 0.4f;
+    put<Wind>(p, "wind");
+    const ViewCamera c = ashore();
+    const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
+    double a = 0, b = 0;
+    for (size_t i = static_cast<size_t>(kHeight * 3 / 4) * kWidth * 3; i < picture.size(); ++i) a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
+    EXPECT_NEAR(a / b, 1, 0.1);
+}
+
+TEST(Water, DeeperWaterShowsLessOfItsGround) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    removeEntity(p, "cube");
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.6f, 0.6f, 0.6f};
+    p.registry.get<Water>(findEntity(p, "lake"))->color = {0, 0, 0};
+    const ViewCamera c{{15, 6, 15}, {15, 0, 15.5}, 40, 0};
+    float last = 1e9f;
+    for (const float level : {0.1f, 0.5f, 1.0f, 2.0f}) {
+        p.registry.get<Water>(findEntity(p, "lake"))->level = level;
+        const std::vector<float> picture = drawn(p, c);
+        const float middle = picture[3 * (kHeight / 2 * kWidth + kWidth / 2)];
+        EXPECT_LT(middle, last) << level;
+        last = middle;
+    }
+}
+
+std::vector<std::string> passesOf(Renderer& r, Project& p, const ViewCamera& c) {
+    EXPECT_TRUE(r.draw(p, c, settings()));
+    std::vector<std::string> names;
+    for (const PassStats& s : r.stats().passes) names.push_back(s.name);
+    return names;
+}
+bool holds(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+TEST(Water, TheMirroredViewIsDrawnOnlyWhileWaterIsSeen) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    Renderer r(gpu(), tables());
+    EXPECT_TRUE(holds(passesOf(r, p, ashore()), "mirrored objects/mesh"));
+    EXPECT_FALSE(holds(passesOf(r, p, {{15, 2, 20}, {15, 30, 12}, 50, 0}), "mirrored objects/mesh")) << "looking up";
+    EXPECT_FALSE(holds(passesOf(r, p, {{15, 0.3, 20}, {15, 0.3, 12}, 50, 0}), "mirrored objects/mesh")) << "under water";
+    p.registry.get<Water>(findEntity(p, "lake"))->level = -3;
+    EXPECT_FALSE(holds(passesOf(r, p, ashore()), "mirrored objects/mesh")) << "below all ground";
+}
+
+TEST(Water, WithoutReflectionNothingOfItIsRunOrHeld) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    Renderer r(gpu(), tables());
+    passesOf(r, p, ashore());
+    EXPECT_GT(gpu().ledger.count("water/reflection"), 0u);
+    p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0;
+    EXPECT_FALSE(holds(passesOf(r, p, ashore()), "mirrored objects/mesh"));
+    EXPECT_EQ(gpu().ledger.count("water/reflection"), 0u);
+    EXPECT_NE(r.explain(p, false).find("water-reflection: no Water has a reflection above 0"), std::string::npos);
+}
+
+TEST(Water, TheMirroredViewDrawsGrassCoarsely) {
+    NoGlErrors errors;
+    Project p = lawn();
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    f.sliceWidth = f.sliceHeight = f.farSize = 32;
+    put<Water>(p, "lake", {.level = 0.05f});
+    Renderer r(gpu(), tables());
+    const auto names = passesOf(r, p, eyeHeight());
+    EXPECT_TRUE(holds(names, "mirrored grass/slices"));
+    EXPECT_FALSE(holds(names, "mirrored grass/geometry"));
+    EXPECT_FALSE(holds(names, "mirrored grass/ground-shadow"));
+    EXPECT_TRUE(holds(names, "grass/geometry"));
+    f.technique = static_cast<int>(Technique::Tessellated);
+    EXPECT_TRUE(holds(passesOf(r, p, eyeHeight()), "mirrored grass/tessellated"));
+}
+
+TEST(Water, NoValueOfAnyFieldMakesAPictureThatIsNoNumber) {
+    NoGlErrors errors;
+    const TempDir folder;
+    Project p = lake(folder);
+    put<Wind>(p, "wind", {.strength = 2, .speed = 100});
+    Water& w = *p.registry.get<Water>(findEntity(p, "lake"));
+    const auto sound = [&](const char* what) {
+        for (const float v : drawn(p, ashore(), 1e9)) ASSERT_TRUE(std::isfinite(v) && v >= 0) << what;
+    };
+    w.clarity = 0.01f, sound("muddy");
+    w.clarity = 10000, sound("clear");
+    w.ripples = 2, w.rippleSize = 0.05f, sound("choppy");
+    w.rippleSize = 1000, sound("a swell");
+    w.reflection = 0.001f, sound("the smallest mirror");
+    w.level = 1e5f, sound("above all");
+    w.level = -1e5f, sound("below all");
+    w.level = std::numeric_limits<float>::quiet_NaN(), sound("nowhere");
+}
+
+TEST(Water, PickingFindsTheGroundUnderIt) {
+    const TempDir folder;
+    Project p = lake(folder);
+    const auto hit = pickGround(p, ashore(), kWidth, kHeight, kWidth / 2.0, kHeight - 5.0);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->y, 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace sward::test
