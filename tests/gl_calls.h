@@ -49,12 +49,12 @@ struct Hook<pointer> {
     X(glDeleteShader) X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glDepthFunc) X(glDepthMask) X(glDisable) \
     X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(glDrawArrays) X(glDrawArraysIndirect) \
     X(glDrawArraysInstanced) X(glDrawElementsInstanced) X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) \
-    X(glEndQuery) X(glFenceSync) X(glFinish) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetIntegerv) X(glGetNamedBufferSubData) \
+    X(glEndQuery) X(glFenceSync) X(glFinish) X(glFrontFace) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetIntegerv) X(glGetNamedBufferSubData) \
     X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v) X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) \
     X(glGetTextureImage) X(glGetTextureLevelParameteriv) X(glLinkProgram) X(glMemoryBarrier) X(glMultiDrawArraysIndirect) \
     X(glMultiDrawElementsIndirect) X(glNamedBufferStorage) X(glNamedBufferSubData) X(glNamedFramebufferDrawBuffer) \
     X(glNamedFramebufferTexture) X(glNamedFramebufferTextureLayer) X(glObjectLabel) X(glPatchParameteri) X(glPixelStorei) \
-    X(glPopDebugGroup) X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureParameterf) \
+    X(glPopDebugGroup) X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureBarrier) X(glTextureParameterf) \
     X(glTextureParameteri) X(glTextureStorage2D) X(glTextureStorage2DMultisample) X(glTextureStorage3D) X(glTextureSubImage2D) \
     X(glTextureSubImage3D) X(glUniform1f) X(glUniform1i) X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3ui) X(glUniform4f) \
     X(glUniform4ui) X(glUseProgram) X(glVertexArrayAttribBinding) X(glVertexArrayAttribFormat) X(glVertexArrayAttribIFormat) \
