@@ -11,15 +11,6 @@ namespace {
 using namespace sward;
 using namespace sward::test;
 
-Gpu* gpu() {
-    static std::unique_ptr<Gpu> instance = [] {
-        auto made = makeHeadlessGpu();
-        return made ? std::move(*made) : nullptr;
-    }();
-    if (instance) makeCurrent(*instance);
-    return instance.get();
-}
-
 // Of frames drawn in turn with others': what load the machine has besides only adds to it.
 double least(const std::vector<double>& ms) { return ms.empty() ? NAN : *std::min_element(ms.begin(), ms.end()); }
 

@@ -4,6 +4,7 @@
 
 #include "play_control.h"
 #include "scene/camera_path.h"
+#include "ui/theme.h"
 
 namespace sward {
 namespace {
@@ -52,6 +53,10 @@ void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
     }
     ui::tooltip("Adds a key where the view is, two seconds after the last.");
     if (p.keys.empty()) return;
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "look from");
+    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     float at = app.viewport.pathSecond;
     ui::NumberSpec spec;

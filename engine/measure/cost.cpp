@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
+constexpr double kMsPerBlade = 1e-5;  // until a camera is met that has blades near by
 constexpr double kLimit = 2;  // times what the project's own settings take: the limit, where none is given
 
 // --- keys --------------------------------------------------------------------------------------------------------
@@ -45,7 +46,7 @@ struct Sweep {
     CostRun run = {};
     std::vector<size_t> settings = {};                // of each row, index into request.settings
     std::vector<size_t> slow = {};                    // rows that were left out
-    double msPerBlade = 0, msOfRest = 0, msLimit = 0;
+    double msPerBlade = kMsPerBlade, msOfRest = 0, msLimit = 0;
 
     std::string keyOf(const CostRow& row) const {
         return hashHex(hashText(hash + "\n" + row.camera + "\n" + row.technique + "\n" + row.settings + "\n" + gpu.renderer + "\n" + shortestText(request.maxMs) + "\n" + buildStamp()));
@@ -131,7 +132,7 @@ Status calibrate(Sweep& s, const std::string& camera) {
     }
     s.msLimit = s.request.maxMs > 0 ? s.request.maxMs : kLimit * ms[0];
     s.msOfRest = ms[1];
-    s.msPerBlade = blades > 1000 ? std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades) : 0;
+    if (blades > 1000) s.msPerBlade = std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades);  // else that of the camera before
     return {};
 }
 // Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by, so what is
