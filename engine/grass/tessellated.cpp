@@ -286,7 +286,7 @@ std::vector<std::string> stripVariants() {
     return out;
 }
 
-const System kSystems[] = {{"grass/tessellated/cells", select}};
+const System kSystems[] = {{"grass/tessellated/select", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
     return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
