@@ -8,14 +8,6 @@
 namespace {
 using namespace sward;
 
-Gpu* gpu() {
-    static std::unique_ptr<Gpu> instance = [] {
-        auto made = makeHeadlessGpu();
-        return made ? std::move(*made) : nullptr;
-    }();
-    return instance.get();
-}
-
 // Median over repeated frames of the CPU's part: quadtree, density ranges, commands.
 double cullMs(Project& project, const std::string& camera) {
     Renderer renderer(*gpu(), tables());

@@ -1,9 +1,10 @@
-// What tessellated blades cost: a frame by the blade, the GPU's stages against strips, and the CPU's part.
+// What tessellated blades cost: a frame by the blade, the GPU's stages against strips, the CPU's part, and what a frame hands over.
 #include <ctime>
 
 #include "bench/limits.h"
 #include "frame/renderer.h"
 #include "techniques.h"
+#include "tests/gl_calls.h"
 #include "tests/grass/comparison.h"
 
 namespace {
@@ -47,23 +48,32 @@ void printPass(Renderer& r, Project& p, const ViewCamera& c, ViewSettings s) {
     std::fprintf(stderr, "  %lu blades, %.2f ms of the CPU's\n", static_cast<unsigned long>(r.stats().bladesGeometry), r.stats().cpuCullMs);
 }
 
-// Blades of 12, 6 to 2 and 1 triangles, by their length on screen.
+// Blades of 12 to 2 and of 1 triangles, by their length on screen; with and without wind in turn.
 SWARD_LIMITS("tessellated-plain", [] {
     if (!gpu()) return reportLimit("frame time a plain blade", NAN, 0.25, "us");
-    Renderer renderer(*gpu(), tables());
-    Project p = plain();
-    GrassField& f = grassIn(p);
-    f.levelBy = static_cast<int>(LevelBy::Pixels);
-    f.pixelsPerQuad = 8;
-    f.species[0].smoothness = 6;
-    const ViewSettings s = sized(640, 480, 1);
-    std::vector<double> ms;
-    for (int i = 0; i < 12; ++i) {
-        const double took = frameMs(renderer, p, overPlain(), s);
-        if (i > 1) ms.push_back(took);
+    std::array<std::vector<double>, 2> ms;
+    Renderer renderers[2] = {Renderer(*gpu(), tables()), Renderer(*gpu(), tables())};
+    Project projects[2] = {plain(), plain()};
+    for (Project& p : projects) {
+        GrassField& f = grassIn(p);
+        f.levelBy = static_cast<int>(LevelBy::Pixels);
+        f.pixelsPerQuad = 8;
+        f.species[0].smoothness = 6;
     }
-    printPass(renderer, p, overPlain(), s);
-    reportLimit("frame time a plain blade", 1000 * median(ms) / static_cast<double>(renderer.stats().bladesGeometry), 0.25, "us");
+    give(projects[1], "wind", Wind{});
+    ViewSettings s = sized(640, 480, 1);
+    for (int i = 0; i < 12; ++i)
+        for (size_t wind = 0; wind < 2; ++wind) {
+            s.time = 0.1 * i;
+            const double took = frameMs(renderers[wind], projects[wind], overPlain(), s);
+            if (i > 1) ms[wind].push_back(took);
+        }
+    for (size_t wind = 0; wind < 2; ++wind) {
+        printPass(renderers[wind], projects[wind], overPlain(), s);
+        const double blades = static_cast<double>(renderers[wind].stats().bladesGeometry);
+        std::fprintf(stderr, "  fastest frame: %.3f us a blade\n", 1000 * *std::min_element(ms[wind].begin(), ms[wind].end()) / blades);
+        reportLimit(wind ? "frame time a plain blade in wind" : "frame time a plain blade", 1000 * median(ms[wind]) / blades, 0.25, "us");
+    }
 });
 
 // All blades at one level; both ways in turn.
@@ -91,18 +101,40 @@ SWARD_LIMITS("tessellated-ways", [] {
         for (const int level : {1, 3, 5}) raceAt(level);
 });
 
-// What the CPU does of a frame of a million blades.
-SWARD_LIMITS("tessellated-cpu", [] {
-    if (!gpu()) return reportLimit("the CPU's part of a million tessellated blades", NAN, 0.5, "ms");
-    Renderer renderer(*gpu(), tables());
+Project million() {
     Project p = plain();
-    grassIn(p).species[0].bladesPerM2 = 1000;
+    grassIn(p).species[0].bladesPerM2 = 1100;
+    give(p, "wind", Wind{});
+    give(p, "roller", ForceSource{});
+    p.registry.add<Transform>(findEntity(p, "roller"), Transform{{16, 0, 10}});
+    return p;
+}
+
+// What the CPU does of a frame of a million blades in wind, and what it hands over: without labels for debuggers.
+void measureCpu(Culling culling) {
+    Renderer renderer(*gpu(), tables());
+    Project p = million();
+    grassIn(p).culling = static_cast<int>(culling);
     std::vector<double> ms;
-    for (int i = 0; i < 5; ++i) {
-        frameMs(renderer, p, overPlain(), sized(64, 48, 1));
+    GlCalls calls;
+    for (int i = 0; i < 6; ++i) {
+        if (i < 5) frameMs(renderer, p, overPlain(), sized(64, 48, 1));
+        else {
+            const CountGlCalls count;
+            frameMs(renderer, p, overPlain(), sized(64, 48, 1));
+            calls = glCalls;
+        }
         if (i > 0) ms.push_back(renderer.stats().cpuCullMs);
     }
-    reportLimit("the CPU's part of a million tessellated blades", median(ms), 0.5, "ms");
+    const uint64_t labels = calls.byName["glPushDebugGroup"] + calls.byName["glPopDebugGroup"];
+    const std::string what = std::string("a million tessellated blades, cells chosen by ") + kCullings[static_cast<size_t>(culling)];
+    reportLimit((what + ": CPU").c_str(), median(ms), 0.5, "ms");
+    reportLimit((what + ": GL calls").c_str(), static_cast<double>(calls.calls - labels), 100, "calls");
+    reportLimit((what + ": upload").c_str(), static_cast<double>(calls.bytes) / 1024, 64, "KB");
+}
+SWARD_LIMITS("tessellated-cpu", [] {
+    if (!gpu()) return reportLimit("the CPU's part of a million tessellated blades", NAN, 0.5, "ms");
+    for (const Culling culling : {Culling::Gpu, Culling::Cpu}) measureCpu(culling);
 });
 
 }  // namespace

@@ -33,6 +33,8 @@ struct BladeDraws {
     GLuint mesh = 0, indices = 0, buffer = 0, globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
     const CellDraw* cells = nullptr;
     size_t count = 0;
+    GLuint shadowCommands = 0;  // `count` commands that the GPU made of cells that it chose, at shadowOffset bytes; 0: the cells are here
+    size_t shadowOffset = 0;
     uint32_t strips = 0;   // blades that the indices hold
     int segments = 0;
     uint32_t verticesABlade = 0;  // of drawCommand (grass/cells.h)

@@ -36,7 +36,7 @@ Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* 
 void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data) {
     const size_t room = std::bit_ceil(std::max<size_t>(bytes, 256));
     if (buffer.bytes() != room) buffer = makeBuffer(gpu, owner, room, nullptr);
-    if (bytes > 0) glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), data);
+    if (bytes > 0 && data) glNamedBufferSubData(buffer.id(), 0, static_cast<GLsizeiptr>(bytes), data);
 }
 
 namespace {

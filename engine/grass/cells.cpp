@@ -8,86 +8,114 @@
 namespace sward {
 namespace {
 
+using Box = f32::CellBox;
+
 struct CellSelection {
     const CellQuery& q;
-    int cellsX, cellsZ;
-    uint64_t nodes = 0;
-    std::vector<CellDraw> out;
+    f32::CellGrid grid;
+    f32::CellRule rule;
+    glm::ivec2 cells;
+    double far;             // metres
+    uint64_t looked = 0;
+    std::vector<std::pair<float, CellNode>> nodes;
 
-    struct Box {
-        double x0, z0, x1, z1;
-        float low, high;
-    };
-    Box boxOf(int x, int z, int size) const {
-        Box b{x * q.cellSize, z * q.cellSize, std::min((x + size) * q.cellSize, q.terrain.size.x), std::min((z + size) * q.cellSize, q.terrain.size.y), 0, 0};
-        std::tie(b.low, b.high) = q.bounds.over(q.terrain.size, b.x0, b.z0, b.x1, b.z1);
-        return b;
-    }
-    // 0 inside the box: never negative, never a logarithm of one (B-23).
-    double nearest(const Box& b) const {
-        const double dx = std::max({b.x0 - q.eye.x, 0.0, q.eye.x - b.x1}), dz = std::max({b.z0 - q.eye.z, 0.0, q.eye.z - b.z1});
-        const double dy = std::max({b.low - q.eye.y, 0.0, q.eye.y - b.high});
-        return std::sqrt(dx * dx + dy * dy + dz * dz);
-    }
-    double farthest(const Box& b) const {
-        const double dx = std::max(std::abs(b.x0 - q.eye.x), std::abs(b.x1 - q.eye.x)), dz = std::max(std::abs(b.z0 - q.eye.z), std::abs(b.z1 - q.eye.z));
-        const double dy = std::max(std::abs(b.low - q.eye.y), std::abs(b.high - q.eye.y));
-        return std::sqrt(dx * dx + dy * dy + dz * dz);
-    }
+    CellSelection(const CellQuery& query, double upTo) : q(query), grid(cellGrid(query)), rule(cellRule(query)), cells(fieldCells(query)), far(upTo) {}
+
     bool visible(const Box& b, float reach) const {
-        const double r = reach;
-        return q.frustum.touches(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
-                                 glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
+        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(), [&](const glm::vec4& p) { return f32::boxTouches(p, b, reach); });
     }
-
     bool within(const Box& b, float reach) const {
-        const double r = reach;
-        return q.frustum.holds(glm::vec3(b.x0 - r - q.eye.x, b.low - q.eye.y, b.z0 - r - q.eye.z),
-                               glm::vec3(b.x1 + r - q.eye.x, b.high + r - q.eye.y, b.z1 + r - q.eye.z));
+        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(), [&](const glm::vec4& p) { return f32::boxWithin(p, b, reach); });
+    }
+    bool counts(const Box& b) const { return !(f32::boxNearest2(b) >= far * far) && visible(b, q.reach + q.shadow); }
+
+    CellNode nodeAt(int x, int z, int size) const {
+        const double x0 = x * q.cellSize, z0 = z * q.cellSize;
+        const auto [low, high] = q.bounds.over(q.terrain.size, x0, z0, std::min((x + size) * q.cellSize, q.terrain.size.x), std::min((z + size) * q.cellSize, q.terrain.size.y));
+        return {x, z, static_cast<float>(low - q.eye.y), static_cast<float>(high - q.eye.y)};
+    }
+    void node(int x, int z, int size) {
+        if (x >= cells.x || z >= cells.y) return;
+        ++looked;
+        const CellNode n = nodeAt(x, z, size);
+        const Box b = f32::cellBox(grid, x, z, size, n.low, n.high);
+        if (!counts(b)) return;
+        if (size == f32::kNodeSide) return nodes.emplace_back(f32::boxNearest2(b), n), void();
+        const int part = size / 2;
+        for (int i = 0; i < 4; ++i) node(x + (i & 1) * part, z + (i >> 1) * part, part);
+    }
+    void walk() {
+        int root = f32::kNodeSide;
+        while (root < std::max(cells.x, cells.y)) root *= 2;
+        node(0, 0, root);
+        std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
+    // Calls at(x, z, box) for the cells in view that begin before `far`.
+    template <class F>
+    void eachCell(const F& at) {
+        walk();
+        for (const auto& [distance, n] : nodes)
+            for (int i = 0; i < f32::kNodeSide * f32::kNodeSide; ++i) {
+                const glm::ivec2 c = f32::nodeCell(grid, n.x, n.z, i);
+                if (c.x >= cells.x || c.y >= cells.y) continue;
+                const Box b = f32::cellBox(grid, c.x, c.y, 1, n.low, n.high);
+                if (counts(b)) at(c.x, c.y, b);
+            }
     }
 
-    // A quadratic curve cut into n chords leaves them by its sagitta / n^2.
-    int segmentsAt(double distance) const {
-        if (q.levels.smoothness > 0) return mostLevel(q.levels, static_cast<float>(distance));
-        const double pixels = q.sagitta * q.pixelsPerMetre / std::max(distance, 0.05);
-        return std::clamp(static_cast<int>(std::ceil(std::sqrt(pixels / kChordPixels))), 1, q.segments);
+    std::pair<float, float> density(int x, int z) const {
+        if (!q.density) return {1.0f, 1.0f};
+        if (q.densityTiling.repeats) return densityRange(*q.density, q.densityTiling, x * q.cellSize, z * q.cellSize, (x + 1) * q.cellSize, (z + 1) * q.cellSize);
+        const MapInfo& info = q.density->info();
+        const glm::vec2 texels = texelsPerCell(q);
+        const f32::CellTexels across = f32::cellTexels(x, texels.x, info.width), down = f32::cellTexels(z, texels.y, info.height);
+        return texelRange(*q.density, across.first, across.last, down.first, down.last);
     }
-
-    void leaf(int x, int z, const Box& b) {
-        const float nearWs = f32::lodRamp(static_cast<float>(nearest(b)), q.range.min, q.range.inv);
-        const auto [least, most] = q.density ? densityRange(*q.density, q.densityTiling, b.x0, b.z0, b.x1, b.z1) : std::pair{1.0f, 1.0f};
-        const float high = f32::highestThresholdDrawn(f32::densityKept(most, static_cast<float>(nearest(b)), q.thinning), q.fade), low = f32::lowestThresholdDrawn(f32::sliceDensity(least, nearWs), q.fade);
-        const auto level = [](float t) { return static_cast<size_t>(std::clamp(std::floor(t * 255.0f), 0.0f, 255.0f)); };
-        const auto [first, last] = q.unique ? q.unique->range(x, z, low - 1e-5f, high + 1e-5f) : std::pair{q.patch.upTo[level(low - 1e-5f)], q.patch.upTo[level(high + 1e-5f)]};
+    int quadsAt(float distance) const {
+        if (q.levels.smoothness > 0) return f32::tessMost(static_cast<float>(q.levels.smoothness), distance, q.levels.maxDistance, q.levels.quadsAtOneMetre, q.levels.reach);
+        return f32::chordQuads(q.sagitta * q.pixelsPerMetre, distance, q.segments);
+    }
+    std::pair<uint32_t, uint32_t> share(int x, int z, float nearest, float least, float most) const {
+        if (!q.unique) {
+            const f32::CellShare s = f32::cellShare(rule, nearest, least, most);
+            return {q.patch.upTo[static_cast<size_t>(s.low)], q.patch.upTo[static_cast<size_t>(s.high)]};
+        }
+        const float slices = f32::sliceDensity(least, f32::lodRamp(nearest, rule.rangeMin, rule.rangeInv));
+        return q.unique->range(x, z, f32::lowestThresholdDrawn(slices, rule.fade) - 1e-5f, f32::highestThresholdDrawn(f32::densityKept(most, nearest, rule.thinning), rule.fade) + 1e-5f);
+    }
+    void leaf(int x, int z, const Box& b, std::vector<CellDraw>& out) const {
+        const float nearest = std::sqrt(f32::boxNearest2(b));
+        const auto [least, most] = density(x, z);
+        const auto [first, last] = share(x, z, nearest, least, most);
         if (most <= 0 || first >= last) return;
         const f32::CellVersion v = q.unique ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, q.seed);
-        out.push_back({x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift, first, last, segmentsAt(nearest(b)), q.shadow > 0 ? visible(b, q.reach) : 1, static_cast<float>(nearest(b)), within(b, q.reach)});
+        out.push_back({x, z, b.low.x, b.low.z, v.mirror, v.shift, first, last, quadsAt(nearest), q.shadow > 0 ? visible(b, q.reach) : 1, nearest, within(b, q.reach)});
     }
-
-    // Calls atLeaf(x, z, box) for the visible cells of a node that begin before `far`.
-    template <class F>
-    void node(int x, int z, int size, float far, const F& atLeaf) {
-        if (x >= cellsX || z >= cellsZ) return;
-        ++nodes;
-        const Box b = boxOf(x, z, size);
-        if (nearest(b) >= far || !visible(b, q.reach + q.shadow)) return;
-        if (size == 1) return atLeaf(x, z, b);
-        const int half = size / 2;
-        for (int i = 0; i < 4; ++i) node(x + (i & 1) * half, z + (i >> 1) * half, half, far, atLeaf);
-    }
-    template <class F>
-    void eachCell(float far, const F& atLeaf) {
-        int root = 1;
-        while (root < std::max(cellsX, cellsZ)) root *= 2;
-        node(0, 0, root, far, atLeaf);
-    }
+    static std::pair<float, float> texelRange(const Map& density, int left, int right, int top, int bottom);
 };
 
-CellSelection selection(const CellQuery& q) {
-    return {q, static_cast<int>(std::ceil(q.terrain.size.x / q.cellSize)), static_cast<int>(std::ceil(q.terrain.size.y / q.cellSize)), 0, {}};
+std::pair<float, float> CellSelection::texelRange(const Map& density, int left, int right, int top, int bottom) {
+    float least = density.at(left, top), most = least;
+    for (int y = top; y <= bottom && (least > 0 || most < 1); ++y)
+        for (int x = left; x <= right; ++x) {
+            const float d = density.at(x, y);
+            least = std::min(least, d);
+            most = std::max(most, d);
+        }
+    return {least, most};
 }
 
 }  // namespace
+
+f32::CellGrid cellGrid(const CellQuery& q) {
+    const auto cellOf = [&](double v) { return std::clamp(std::floor(v / q.cellSize), -8388608.0, 8388608.0); };
+    const glm::dvec2 cell(cellOf(q.eye.x), cellOf(q.eye.z)), eye(q.eye.x, q.eye.z);
+    return {glm::vec2(cell), glm::vec2(eye - cell * q.cellSize), glm::vec2(q.terrain.size - eye), static_cast<float>(q.cellSize)};
+}
+f32::CellRule cellRule(const CellQuery& q) { return {q.fade, q.thinning, q.range.min, q.range.inv}; }
+glm::vec2 texelsPerCell(const CellQuery& q) { return glm::vec2(q.cellSize / q.densityTiling.metres * glm::dvec2(q.density->info().width, q.density->info().height)); }
+bool gpuMayChoose(const CellQuery& q) { return !q.unique && !(q.density && q.densityTiling.repeats); }
+glm::ivec2 fieldCells(const CellQuery& q) { return glm::ivec2(glm::ceil(q.terrain.size / q.cellSize)); }
 
 GeometryRange geometryRange(const GrassField& f) {
     const float inf = std::numeric_limits<float>::infinity();
@@ -98,13 +126,6 @@ GeometryRange geometryRange(const GrassField& f) {
         case Technique::Tessellated: return {f.maxDistance, -1, f.maxDistance};
         default: return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
     }
-}
-
-int mostLevel(const BladeLevels& l, float distance) {
-    const auto smoothness = static_cast<float>(l.smoothness);
-    if (l.quadsAtOneMetre <= 0) return std::max(f32::tessLevel(smoothness, distance, l.maxDistance), 1);
-    const float nearest = distance - l.reach;  // of the blade's tip
-    return nearest > 0.05f ? static_cast<int>(std::clamp(std::ceil(l.quadsAtOneMetre / nearest), 1.0f, smoothness)) : l.smoothness;
 }
 
 float bladeSagitta(const Patch& patch) {
@@ -155,21 +176,37 @@ std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, d
     return {least, most};
 }
 
-std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes) {
-    CellSelection s = selection(q);
-    s.eachCell(q.range.max, [&](int x, int z, const CellSelection::Box& b) { s.leaf(x, z, b); });
-    if (nodes) *nodes = s.nodes;
-    return std::move(s.out);
+std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked) {
+    CellSelection s(q, q.range.max);
+    s.walk();
+    if (looked) *looked = s.looked;
+    std::vector<CellNode> out;
+    for (const auto& [distance, n] : s.nodes) out.push_back(n);
+    return out;
+}
+
+NodeBounds nodeBounds(const CellQuery& q, const CellNode& n) {
+    const CellSelection s(q, 0);
+    const float nearest = std::sqrt(f32::boxNearest2(f32::cellBox(s.grid, n.x, n.z, f32::kNodeSide, n.low, n.high)));
+    const f32::CellShare share = f32::cellShare(s.rule, nearest, 0, 1);
+    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)], s.quadsAt(nearest), nearest};
+}
+
+std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked) {
+    CellSelection s(q, q.range.max);
+    std::vector<CellDraw> out;
+    s.eachCell([&](int x, int z, const Box& b) { s.leaf(x, z, b, out); });
+    if (looked) *looked = s.looked;
+    return out;
 }
 
 std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far) {
-    CellSelection s = selection(q);
-    std::vector<std::pair<double, SliceCell>> found;
-    s.eachCell(far, [&](int x, int z, const CellSelection::Box& b) {
-        if (s.farthest(b) <= near) return;
-        if (q.density && densityRange(*q.density, q.densityTiling, b.x0, b.z0, b.x1, b.z1).second <= 0) return;
+    CellSelection s(q, far);
+    std::vector<std::pair<float, SliceCell>> found;
+    s.eachCell([&](int x, int z, const Box& b) {
+        if (std::sqrt(f32::boxFarthest2(b)) <= near || s.density(x, z).second <= 0) return;
         const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
-        found.push_back({s.nearest(b), {x, z, static_cast<float>(b.x0 - q.eye.x), static_cast<float>(b.z0 - q.eye.z), v.mirror, v.shift}});
+        found.push_back({f32::boxNearest2(b), {x, z, b.low.x, b.low.z, v.mirror, v.shift}});
     });
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<SliceCell> out;

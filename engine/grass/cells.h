@@ -1,9 +1,11 @@
 // Which cells draw blades, and which of each cell's blades: the implicit quadtree, culled by frustum, distance and density.
-// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; B-12, B-23. Pure; nothing is stored per cell.
+// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; Jahrmann and Wimmer 2013, section 6.1; B-12, B-23. Pure;
+// nothing is stored per cell. All decisions are formulas of numerics/cells.h, by which the GPU may choose the same cells (gpu_cells.h).
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "scene/population.h"
 #include "scene/unique.h"
@@ -16,12 +18,11 @@ struct CellDraw {
     float x, z;             // the cell's corner relative to the eye
     glm::vec2 mirror, shift; // numerics/population.h, CellVersion
     uint32_t first, last;
-    int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than kChordPixels
+    int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than half a pixel
     int32_t seen;           // 1: its blades may be in view; 0: only their shadows
     float nearest;          // distance from the eye, metres
     int32_t whole;          // 1: all that its blades reach is in view
 };
-inline constexpr float kChordPixels = 0.5f;
 
 // As OpenGL's DrawElementsIndirectCommand.
 struct DrawCommand {
@@ -47,15 +48,13 @@ float bladeSagitta(const Patch& patch);
 // How far a species' blades rise above and reach beyond their cell, metres.
 float bladeReach(const Species& species, const Patch& patch);
 
-// How finely blades are tessellated (numerics/tess.h).
+// How finely blades are tessellated (numerics/tess.h, tessMost).
 struct BladeLevels {
     int smoothness = 0;      // the greatest level; 0: blades are not tessellated
     float maxDistance = 0;   // m
     float quadsAtOneMetre = 0;  // quads of the tallest blade in the middle of the picture at 1 m; 0: the distance decides
     float reach = 0;         // of a blade from its root, m
 };
-// The level that no blade whose root is at least so far away needs more than.
-int mostLevel(const BladeLevels& l, float distance);
 
 struct CellQuery {
     const Terrain& terrain;
@@ -80,8 +79,32 @@ struct CellQuery {
 };
 CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
                     const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);
-// Cells in the order of the quadtree. `nodes`, if given, counts the nodes that were looked at.
-std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* nodes = nullptr);
+
+// A node of f32::kNodeSide x kNodeSide cells of which some may be chosen: where its first cell is, and between which heights relative
+// to the eye its ground lies.
+struct CellNode {
+    int32_t x, z;
+    float low, high;
+};
+f32::CellGrid cellGrid(const CellQuery& q);
+f32::CellRule cellRule(const CellQuery& q);
+// Whether the GPU knows how to choose these cells: not blades of each cell's own, nor by a density map that repeats.
+bool gpuMayChoose(const CellQuery& q);
+// Cells along x and z of the whole field.
+glm::ivec2 fieldCells(const CellQuery& q);
+// Nodes that are in view and begin before the range's end, nearest first. `looked`, if given, counts the nodes that were looked at.
+std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked = nullptr);
+// What no cell of a node has more of: blades (at full detail) and quads a strip.
+struct NodeBounds {
+    uint32_t blades;
+    int quads;
+    float nearest;  // m
+};
+NodeBounds nodeBounds(const CellQuery& q, const CellNode& n);
+// Of the density map, along x and z.
+glm::vec2 texelsPerCell(const CellQuery& q);
+// Cells node by node, each from the side of the eye (f32::nodeCell).
+std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked = nullptr);
 
 // A cell whose vertical slices are drawn.
 struct SliceCell {

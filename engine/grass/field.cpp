@@ -138,17 +138,17 @@ void bindField(DrawContext& ctx) {
 }
 
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
-    static_assert(offsetof(CellDraw, x) == offsetof(SliceCell, x) && offsetof(CellDraw, mirror) == offsetof(SliceCell, mirror) && offsetof(CellDraw, shift) == offsetof(SliceCell, shift));
+    static_assert(sizeof(CellInstance) == sizeof(SliceCell) && offsetof(CellInstance, corner) == offsetof(SliceCell, x) && offsetof(CellInstance, mirror) == offsetof(SliceCell, mirror) && offsetof(CellInstance, shift) == offsetof(SliceCell, shift));
     glVertexArrayVertexBuffer(mesh, 0, cells, 0, static_cast<GLsizei>(stride));
     glVertexArrayBindingDivisor(mesh, 0, 1);
     for (GLuint attribute = 0; attribute < 4; ++attribute) {
         glEnableVertexArrayAttrib(mesh, attribute);
         glVertexArrayAttribBinding(mesh, attribute, 0);
     }
-    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellDraw, cellX));
-    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, x));
-    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, mirror));
-    glVertexArrayAttribFormat(mesh, 3, 2, GL_FLOAT, GL_FALSE, offsetof(CellDraw, shift));
+    glVertexArrayAttribIFormat(mesh, 0, 2, GL_INT, offsetof(CellInstance, cell));
+    glVertexArrayAttribFormat(mesh, 1, 2, GL_FLOAT, GL_FALSE, offsetof(CellInstance, corner));
+    glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(CellInstance, mirror));
+    glVertexArrayAttribFormat(mesh, 3, 2, GL_FLOAT, GL_FALSE, offsetof(CellInstance, shift));
     glVertexArrayElementBuffer(mesh, indices);
 }
 

@@ -50,7 +50,7 @@ CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t spe
 
 // Textures and buffers that grass shaders of all tiers read.
 void bindField(DrawContext& ctx);
-// Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellDraw and SliceCell begin with.
+// Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell are.
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
 void beginTransparency(const DrawContext& ctx, const GrassField& field);

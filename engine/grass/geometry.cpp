@@ -4,6 +4,7 @@
 #include "frame/draw_context.h"
 #include "grass/blade_list.h"
 #include "grass/field.h"
+#include "grass/gpu_cells.h"
 #include "grass/ground_shadow.h"
 
 namespace sward {
@@ -22,6 +23,8 @@ struct SpeciesState {
     GLsizei seen = 0;  // commands
     VertexArray mesh;
     std::vector<CellDraw> selected;
+    ChosenCells chosen;            // where the GPU chooses; else nothing
+    float shadowShare = 0;         // of the blades, that shade the soil
     std::vector<float> least;      // of leastShown, for `way` and `samples`
     Transparency way{};
     int samples = 0;
@@ -88,6 +91,44 @@ void commandLists(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Tra
 // Where grass is dense, a part of its blades leaves the soil a twentieth of the light: the others would not be seen to.
 float shadingShare(const Look& look, float sinElevation) { return std::min(1.0f, 3.0f / std::max(-std::log(lightLeft(look, sinElevation)), 1e-3f)); }
 
+// A renderer that shades vertices on the CPU has its blades listed there, unless the field wants it otherwise.
+bool gpuChooses(const GrassField& f, const Gpu& gpu) { return f.culling == static_cast<int>(Culling::Gpu) || (f.culling == static_cast<int>(Culling::Auto) && !gpu.software); }
+
+// Cells that the CPU chooses, as instances and commands.
+void selectHere(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Transparency way) {
+    s.chosen = {};
+    s.selected = selectCells(query);
+    std::vector<CellInstance> instances;
+    instances.reserve(s.selected.size());
+    for (const CellDraw& c : s.selected) instances.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift});
+    writeBuffer(ctx.gpu, s.cells, kOwner, instances.size() * sizeof(CellInstance), instances.data());
+    if (ctx.gpu.software) commandLists(ctx, s, query, way);
+    else commandRanges(ctx, s);
+}
+
+// Room for what the GPU chooses: as many instances and commands as there are cells in the nodes, and as many commands of shadows.
+void selectThere(DrawContext& ctx, SpeciesState& s, const CellQuery& query) {
+    s.selected.clear();
+    s.listed = {};
+    chooseCells(ctx, s.chosen, {query, s.key, 1, std::clamp(ctx.settings.detail, 0.01f, 1.0f), 0, kMaxPatchBlades, true}, kOwner);
+    writeBuffer(ctx.gpu, s.cells, kOwner, s.chosen.count * sizeof(CellInstance), nullptr);
+    writeBuffer(ctx.gpu, s.commands, kOwner, 2 * s.chosen.count * sizeof(DrawCommand), nullptr);
+    s.seen = static_cast<GLsizei>(s.chosen.count);
+}
+
+void publish(DrawContext& ctx, const SpeciesState& s, const FieldSpecies& own, size_t i) {
+    BladeDraws& d = ctx.shared.blades[i];
+    d = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size()};
+    d.strips = static_cast<uint32_t>(s.strips);
+    d.segments = s.segments;
+    d.verticesABlade = s.verticesABlade;
+    d.shading = shadingShare(own.look, ctx.globals.sunDirection.y);
+    if (!s.chosen.byGpu) return;
+    d.count = s.chosen.count;
+    d.shadowCommands = s.commands.id();
+    d.shadowOffset = s.chosen.count * sizeof(DrawCommand);
+}
+
 void cull(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     const auto start = std::chrono::steady_clock::now();
@@ -99,19 +140,43 @@ void cull(DrawContext& ctx) {
     ctx.shared.blades = {};
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
-        updateMesh(ctx, *state.species[i], *field.species[i], f.species[i].segments);
-        CellQuery query = drawnQuery(ctx, f, i);
-        if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(field.species[i]->look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
         SpeciesState& s = *state.species[i];
         const FieldSpecies& own = *field.species[i];
-        s.selected = selectCells(query);
-        writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(CellDraw), s.selected.data());
-        describeCells(s.mesh.id(), s.cells.id(), sizeof(CellDraw), s.indices.id());
-        if (ctx.gpu.software) commandLists(ctx, s, query, static_cast<Transparency>(f.transparency));
-        else commandRanges(ctx, s);
-        ctx.shared.blades[i] = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size(), static_cast<uint32_t>(s.strips), s.segments, s.verticesABlade, shadingShare(own.look, ctx.globals.sunDirection.y)};
+        updateMesh(ctx, s, own, f.species[i].segments);
+        CellQuery query = drawnQuery(ctx, f, i);
+        if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(own.look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
+        if (gpuChooses(f, ctx.gpu) && gpuMayChoose(query)) selectThere(ctx, s, query);
+        else selectHere(ctx, s, query, static_cast<Transparency>(f.transparency));
+        describeCells(s.mesh.id(), s.cells.id(), sizeof(CellInstance), s.indices.id());
+        publish(ctx, s, own, i);
+        s.shadowShare = has(ctx.plan.features, Feature::GroundShadows) ? ctx.settings.detail * ctx.shared.blades[i].shading : 0;
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+enum CellProgram { kChoose, kCommand };
+
+void commandCells(const DrawContext& ctx, const SpeciesState& s) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
+    glUniform1ui(0, s.chosen.count);
+    glUniform1ui(1, s.chosen.patchBlades);
+    glUniform2f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f), std::clamp(s.shadowShare, 0.01f, 1.0f));
+    glUniform1ui(3, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.segments, kShadowQuads)) : 0u);
+    glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
+}
+
+// Where the GPU chooses: cells and their commands.
+void chooseThere(DrawContext& ctx) {
+    GeometryState& state = ctx.own<GeometryState>();
+    for (size_t i = 0; i < state.species.size() && ctx.shared.grass; ++i) {
+        SpeciesState& s = *state.species[i];
+        if (!s.chosen.byGpu || s.chosen.count == 0 || !ctx.use(kChoose)) continue;
+        runChoice(s.chosen, ctx.shared.densities[i]);
+        if (ctx.use(kCommand)) commandCells(ctx, s);
+        if (ctx.settings.measure) recount(ctx, s.chosen);
+    }
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 void draw(DrawContext& ctx) {
@@ -146,7 +211,10 @@ const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "
                                  featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
                                             Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
                                             Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection), fieldVariants}};
-const Pass kPasses[] = {{"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
+                                    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
+const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, chooseThere},
+                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

@@ -10,7 +10,6 @@ namespace {
 constexpr const char* kOwner = "grass/ground-shadow";
 constexpr float kLongest = 4;   // as in the shader
 constexpr float kTallest = 1.5f;  // blades, as a share of the mean
-constexpr int kMostQuads = 2;   // a blade
 constexpr int kLights = 7;  // that have a bit of the stencil; the eighth says where the ground is seen
 
 struct ShadowState : EffectState {
@@ -27,7 +26,7 @@ struct ShadowState : EffectState {
 std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
-    const int quads = std::min(blades.segments, kMostQuads);
+    const int quads = std::min(blades.segments, kShadowQuads);
     for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], quads, blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
     return commands;
 }
@@ -39,12 +38,17 @@ BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, co
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, f, i);
     const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
-    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, std::min(blades.segments, kMostQuads)}, {blades.cells, blades.count});
+    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, std::min(blades.segments, kShadowQuads)}, {blades.cells, blades.count});
 }
 
 void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
     const BladeDraws& blades = ctx.shared.blades[i];
     const float share = ctx.settings.detail * blades.shading;
+    if (blades.shadowCommands) {
+        one = {};
+        one.count = static_cast<GLsizei>(blades.count);
+        return;
+    }
     std::vector<DrawCommand> commands;
     if (blades.count > 0 && ctx.gpu.software) {
         BladeList list = shadowList(ctx, one, i, blades, share);
@@ -71,8 +75,8 @@ void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, blades.globals);
     glVertexArrayElementBuffer(blades.mesh, one.listed.id() ? one.listed.id() : blades.indices);
     glBindVertexArray(blades.mesh);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, one.commands.id());
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, one.count, 0);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, blades.shadowCommands ? blades.shadowCommands : one.commands.id());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(blades.shadowOffset), one.count, 0);
     ctx.pass->draws += 1;
     ctx.pass->instances += static_cast<uint64_t>(one.count);
 }

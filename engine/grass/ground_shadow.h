@@ -11,6 +11,7 @@
 #include "scene/rows.h"
 
 namespace sward {
+inline constexpr int kShadowQuads = 2;  // of a blade that shades, at most
 
 // Metres by which a species' shadows may reach beyond its blades, under a light of this elevation; 0: wherever it stands.
 float groundShadowReach(float meanHeight, float sinElevation);

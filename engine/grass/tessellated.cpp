@@ -2,8 +2,8 @@
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
-#include "grass/cells.h"
 #include "grass/field.h"
+#include "grass/gpu_cells.h"
 
 namespace sward {
 namespace {
@@ -12,27 +12,23 @@ constexpr const char* kOwner = "grass/tessellated";
 constexpr float kNear = 0.05f;          // metres: the near plane
 constexpr float kMostWidening = 6;      // of blades, where others are left out
 constexpr float kPlainPixels = 1.5f;    // blades of one quad that are thinner are plain triangles
-constexpr uint32_t kPieceBlades = 256;  // of a cell that one group writes: kGroup of tessellated.comp.glsl
-constexpr uint32_t kBatchAlign = 16;    // cells: batches begin at multiples of 768 bytes, where buffers may be bound
-constexpr uint32_t kCommandBytes = 20;
-constexpr uint32_t kMostGroups = 65535; // of a dispatch
-constexpr size_t kBatchBytes = 64u << 20;  // of vertices that are there at once
+constexpr uint32_t kSoftwarePiece = 256, kPiece = 32;  // blades that one invocation writes: their survivors lie without gaps
+constexpr uint32_t kMostRows = 65;      // of a blade
+// Software rasterisers take a way whose time grows with the square of the vertices if stages make more of a draw than 16 bits count.
+constexpr uint32_t kSoftwareVertices = 65535;
+constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
+constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
 
-// Cells [firstCell, lastCell) with slots [firstSlot, lastSlot) of which all vertices fit.
-struct Batch {
-    uint32_t firstCell, lastCell, firstSlot, lastSlot;
-    size_t bytes;
-    bool far;  // plain triangles alone
-    uint32_t groups() const { return lastCell - firstCell; }
-};
 struct SpeciesState {
     uint64_t key = 0, imageHash = 0;
     float covered = 1;  // mean of the blade image's alpha
     int indicesTo = 0;
-    Buffer blades, cells, commands, vertices, indices, globals;
+    Buffer blades, cells, list, commands, vertices, indices, globals;
     VertexArray strips;
-    std::vector<Batch> batches;
-    uint32_t cellCount = 0, slots = 0;
+    std::array<uint64_t, 3> described{};  // by what buffers, and the size of a vertex
+    ChosenCells chosen;
+    uint32_t batches = 0, batchVertices = 0, batchPieces = 0;  // at most
+    uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
 };
 struct TessState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
@@ -75,61 +71,22 @@ void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, c
 // --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------------------
 
 size_t vertexBytes(const FeatureSet& features) { return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8); }
-uint32_t verticesOf(bool far, int level) { return far ? 3u : 2u * static_cast<uint32_t>(level + 1); }
-// Where the indices of strips of n quads begin, for kPieceBlades of them: those of fewer stand before.
-uint32_t stripStart(int n) { return firstStrip(n) * kPieceBlades; }
+uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
-struct PieceWriter {
-    bool far;
-    size_t vertexSize;
-    std::vector<TessCell>& cells;
-    std::vector<Batch>& batches;
-    uint32_t& slots;
+// A row of stages has three vertices.
+void planPoints(const Gpu& gpu, SpeciesState& s, int smoothness) {
+    s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1)) : std::numeric_limits<int32_t>::max();
+    s.pointDraws = static_cast<uint32_t>((s.chosen.allBlades + s.drawPoints - 1) / s.drawPoints);
+}
 
-    uint32_t vertices() const { return static_cast<uint32_t>(batches.back().bytes / vertexSize); }
-    // Each batch is followed by a cell of no blades, which ends its last one.
-    void endBatch() {
-        do cells.push_back({{}, {}, {}, {}, 0, slots, 1, 0});
-        while (cells.size() % kBatchAlign != 0);
-    }
-    void beginBatch() {
-        if (!batches.empty()) endBatch();
-        const auto cell = static_cast<uint32_t>(cells.size());
-        batches.push_back({cell, cell, slots, slots, 0, far});
-    }
-    void add(const CellDraw& c, uint32_t first, uint32_t count) {
-        const uint32_t each = verticesOf(far, c.segments);
-        if (batches.empty() || batches.back().far != far || cells.size() - batches.back().firstCell == kMostGroups || batches.back().bytes + count * each * vertexSize > kBatchBytes) beginBatch();
-        Batch& b = batches.back();
-        cells.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift, first, slots, static_cast<uint32_t>(c.segments), vertices()});
-        slots += count;
-        ++b.lastCell;
-        b.lastSlot = slots;
-        b.bytes += count * each * vertexSize;
-    }
-    void cell(const CellDraw& c, uint32_t blades) {
-        for (uint32_t done = 0; done < blades; done += kPieceBlades) add(c, c.first + done, std::min(kPieceBlades, blades - done));
-    }
-};
-
-// Whether all of a cell's blades are plain triangles.
-bool isFar(const CellDraw& c, float widest, float pixels) { return c.segments == 1 && widest * pixels < 0.999f * kPlainPixels * c.nearest; }
-
-void listCells(DrawContext& ctx, SpeciesState& s, std::span<const CellDraw> selected, float widest) {
-    std::vector<TessCell> cells;
-    s.batches.clear();
-    s.slots = 0;
-    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    for (const bool far : {false, true}) {
-        PieceWriter writer{far, vertexBytes(ctx.plan.features), cells, s.batches, s.slots};
-        for (const CellDraw& c : selected)
-            if (isFar(c, widest, pixels) == far) writer.cell(c, bladesDrawn(c, ctx.settings.detail));
-    }
-    cells.push_back({{}, {}, {}, {}, 0, s.slots, 1, 0});
-    s.cellCount = static_cast<uint32_t>(cells.size());
-    writeBuffer(ctx.gpu, s.cells, kOwner, cells.size() * sizeof(TessCell), cells.data());
-    ctx.stats.cells += selected.size();
-    ctx.stats.bladesGeometry += s.slots;
+// A batch is what begins within batchVertices; its last piece may end beyond.
+void planBatches(DrawContext& ctx, SpeciesState& s) {
+    const uint64_t piece = uint64_t{pieceBlades(ctx.gpu)} * 2 * kMostRows;
+    const uint64_t most = kBatchBytes / vertexBytes(ctx.plan.features) - piece;
+    s.batchVertices = static_cast<uint32_t>(std::clamp<uint64_t>(s.chosen.vertices, 1, most));
+    s.batches = static_cast<uint32_t>((s.chosen.vertices + s.batchVertices - 1) / s.batchVertices);
+    // A cell's blades are shared out evenly, so that of its pieces all but the only one hold half of what a piece may.
+    s.batchPieces = static_cast<uint32_t>(std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(ctx.gpu) / 2) + 1));
 }
 
 CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
@@ -149,17 +106,41 @@ void select(DrawContext& ctx) {
     const auto start = std::chrono::steady_clock::now();
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     const FieldState& field = *ctx.shared.grass;
+    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     state.species.resize(field.species.size());
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
-        updateSpecies(ctx, *state.species[i], *field.species[i], f, f.species[i]);
-        std::vector<CellDraw> selected = selectCells(queryOf(ctx, f, i));
-        // What is behind is then not shaded; and what is cut by the picture's edge is drawn last, because a software rasteriser takes a slow
-        // way with whole batches of vertices of which one must be clipped.
-        std::stable_sort(selected.begin(), selected.end(), [](const CellDraw& a, const CellDraw& b) { return std::pair(-a.whole, a.nearest) < std::pair(-b.whole, b.nearest); });
-        listCells(ctx, *state.species[i], selected, 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w);
+        SpeciesState& s = *state.species[i];
+        updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
+        const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
+        const CellQuery query = queryOf(ctx, f, i);
+        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu) && gpuMayChoose(query)}, kOwner);
+        planBatches(ctx, s);
+        planPoints(ctx.gpu, s, f.species[i].smoothness);
+        writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
+        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t), nullptr);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+enum CellProgram { kChoose, kList };
+
+void listCells(DrawContext& ctx) {
+    TessState& state = ctx.own<TessState>();
+    if (!ctx.shared.grass) return;
+    for (size_t i = 0; i < state.species.size(); ++i) {
+        SpeciesState& s = *state.species[i];
+        if (!ctx.use(kChoose)) return;
+        runChoice(s.chosen, ctx.shared.densities[i]);
+        if (!ctx.use(kList)) return;
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
+        glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
+        glUniform1ui(1, s.pointDraws);
+        glDispatchCompute(1, 1, 1);
+        if (ctx.settings.measure) recount(ctx, s.chosen);
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 // --- drawing ---------------------------------------------------------------------------------------------------------
@@ -169,13 +150,15 @@ void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
     if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
+    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 && SSBO_COMMANDS == SSBO_BLADES + 3);
+    const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id()};
+    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 4, buffers);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_TESS, s.globals.id());
 }
 
-enum Program { kStages, kWriter, kStrips };
+enum Program { kStages, kWriter, kStrips, kPlain };
 
 void drawPatches(DrawContext& ctx, TessState& state, const std::string& constants) {
     if (!ctx.use(kStages, constants)) return;
@@ -184,20 +167,20 @@ void drawPatches(DrawContext& ctx, TessState& state, const std::string& constant
     glPatchParameteri(GL_PATCH_VERTICES, 1);
     for (size_t i = 0; i < state.species.size(); ++i) {
         const SpeciesState& s = *state.species[i];
-        if (s.slots == 0) continue;
+        if (s.chosen.pieces == 0) continue;
         bindSpecies(ctx, i, s);
-        glUniform1ui(0, s.cellCount);
-        glDrawArrays(GL_PATCHES, 0, static_cast<GLsizei>(s.slots));
+        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
+        glMultiDrawArraysIndirect(GL_PATCHES, reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)), static_cast<GLsizei>(s.pointDraws), 0);
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
     }
 }
 
-std::vector<uint32_t> stripIndices(int most) {
+std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
     std::vector<uint32_t> out;
-    out.reserve(stripStart(most + 1));
+    out.reserve(firstStrip(most + 1) * blades);
     for (int n = 1; n <= most; ++n)
-        for (uint32_t b = 0; b < kPieceBlades; ++b)
+        for (uint32_t b = 0; b < blades; ++b)
             for (uint32_t row = 0; row < static_cast<uint32_t>(n); ++row) {
                 const uint32_t a = 2 * (b * static_cast<uint32_t>(n + 1) + row), c = a + 2;
                 out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
@@ -227,73 +210,83 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
 }
 
 void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
-    size_t most = 0, groups = 0;
-    for (const Batch& b : s.batches) most = std::max(most, b.bytes), groups = std::max<size_t>(groups, b.groups());
-    writeBuffer(ctx.gpu, s.vertices, kOwner, most, nullptr);
-    writeBuffer(ctx.gpu, s.commands, kOwner, groups * kCommandBytes, nullptr);
+    const size_t size = vertexBytes(ctx.plan.features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 * static_cast<uint64_t>(smoothness + 1);
+    writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
+    writeBuffer(ctx.gpu, s.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
     if (s.indicesTo != smoothness) {
-        const auto indices = stripIndices(smoothness);
+        const auto indices = stripIndices(smoothness, pieceBlades(ctx.gpu));
         s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
         s.indicesTo = smoothness;
     }
+    const std::array<uint64_t, 3> described{s.vertices.id(), s.indices.id(), size};
+    if (s.strips.id() && s.described == described) return;
+    s.described = described;
     if (!s.strips.id()) s.strips = makeVertexArray(kOwner);
-    describeVertices(s.strips.id(), s.vertices.id(), vertexBytes(ctx.plan.features));
+    describeVertices(s.strips.id(), s.vertices.id(), size);
     glVertexArrayElementBuffer(s.strips.id(), s.indices.id());
 }
 
-bool writeStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const std::string& constants) {
-    if (!ctx.use(kWriter, constants + fmt::format("const bool FAR = {};\n", b.far))) return false;
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_VERTICES, s.vertices.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id(), static_cast<GLintptr>(b.firstCell * sizeof(TessCell)), static_cast<GLsizeiptr>((b.groups() + 1) * sizeof(TessCell)));
+bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const std::string& constants) {
+    if (!ctx.use(kWriter, constants)) return false;
+    glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
+    glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // of the batch before
-    glDispatchCompute(b.groups(), 1, 1);
+    glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     return true;
 }
 
-void drawStrips(DrawContext& ctx, const SpeciesState& s, const Batch& b, const std::string& constants) {
+void drawStrips(DrawContext& ctx, const SpeciesState& s, const std::string& constants) {
+    const auto commands = static_cast<GLsizei>(s.batchPieces);
     if (!ctx.use(kStrips, constants)) return;
-    glBindVertexArray(s.strips.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-    const auto commands = static_cast<GLsizei>(b.groups());
-    if (b.far) glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * (b.lastSlot - b.firstSlot)));
-    else glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
-    ctx.pass->draws += 1;
-    ctx.pass->instances += b.far ? 1 : static_cast<uint64_t>(commands);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
+    if (!ctx.use(kPlain, constants)) return;
+    glMultiDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(uintptr_t{s.batchPieces} * kCommandBytes), commands, kPlainCommandBytes);
+    ctx.pass->draws += 2;
+    ctx.pass->instances += 2 * static_cast<uint64_t>(commands);
 }
 
 void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const std::string& constants) {
     for (size_t i = 0; i < state.species.size(); ++i) {
         SpeciesState& s = *state.species[i];
-        if (s.slots == 0) continue;
+        if (s.chosen.pieces == 0) continue;
         prepareStrips(ctx, s, f.species[i].smoothness);
         bindSpecies(ctx, i, s);
-        for (const Batch& b : s.batches)
-            if (writeStrips(ctx, s, b, constants)) drawStrips(ctx, s, b, constants);
+        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
+        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+        glBindVertexArray(s.strips.id());
+        for (uint32_t b = 0; b < s.batches; ++b)
+            if (writeStrips(ctx, s, b, constants)) drawStrips(ctx, s, constants);
     }
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+}
+
+// What strips are compiled with, beside what all of the field's shaders are.
+std::string stripConstants(const GrassField& f, int samples) {
+    const bool whole = samples == 1 && f.transparency == static_cast<int>(Transparency::Coverage);
+    return fieldConstants(f) + fmt::format("const bool ALL_OR_NOTHING = {};\n", whole);
 }
 
 void draw(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
-    const std::string constants = fieldConstants(f);
     bindField(ctx);
     beginTransparency(ctx, f);
-    if (stagesChosen(f, ctx.gpu)) drawPatches(ctx, state, constants);
-    else drawBatches(ctx, state, f, constants);
+    if (stagesChosen(f, ctx.gpu)) drawPatches(ctx, state, fieldConstants(f));
+    else drawBatches(ctx, state, f, stripConstants(f, ctx.targets.samples));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     endTransparency();
 }
 
-std::vector<std::string> writerVariants() {
+std::vector<std::string> stripVariants() {
     std::vector<std::string> out;
-    for (const char* far : {"const bool FAR = false;\n", "const bool FAR = true;\n"}) out.push_back(fieldConstants({}) + far);
+    for (GrassField f; f.transparency < static_cast<int>(std::size(kTransparencies)); ++f.transparency)
+        for (const int samples : {1, 4}) out.push_back(stripConstants(f, samples));
     return out;
 }
 
-const System kSystems[] = {{"grass/tessellated/cells", select}};
+const System kSystems[] = {{"grass/tessellated/select", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
     return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
@@ -303,10 +296,14 @@ FeatureSet bladeFeatures() {
 }
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
-    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), writerVariants},
-    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants},
+    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), stripVariants},
+    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), stripVariants},
+    {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr, bladeFeatures(), stripVariants},
 };
-const Pass kPasses[] = {{"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
+                                    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
+const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, listCells},
+                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 

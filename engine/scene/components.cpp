@@ -204,6 +204,8 @@ constexpr FieldRow kGrassFieldFields[] = {
     choice("beyond", offsetof(GrassField, beyond), kBeyonds, "tessellated: what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
     choice("tessellation", offsetof(GrassField, tessellation), kTessellations,
            "tessellated: by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
+    choice("culling", offsetof(GrassField, culling), kCullings,
+           "who chooses the cells of which blades are drawn: the CPU, or the GPU; auto: what is faster here. The picture is the same"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
     choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs, "blurs what is far, against sparkling: with equal weights, or a bell's"),
     real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300}, "distance at which that blur is full"),

@@ -99,6 +99,7 @@ struct GrassField {
     float lowerFrom = 0.8f;               // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
     int beyond = 0;                       // index into kBeyonds
     int tessellation = 0;                 // index into kTessellations
+    int culling = 0;                      // index into kCullings
     float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
     int farBlur = 0;                      // index into kFarBlurs
     float farBlurDistance = 80;           // metres at which the blur is full
@@ -135,6 +136,9 @@ enum class LevelBy { Distance, Pixels };
 // Who tessellates: the GPU's tessellation stages; a compute pass that writes strips; whichever is the faster of them here.
 inline constexpr const char* kTessellations[] = {"auto", "stages", "strips"};
 enum class Tessellation { Auto, Stages, Strips };
+// Who chooses the cells of which blades are drawn: the CPU; the GPU, from the quadtree's nodes; whichever is the faster of them here.
+inline constexpr const char* kCullings[] = {"auto", "cpu", "gpu"};
+enum class Culling { Auto, Cpu, Gpu };
 // How part-covered pixels are drawn (section 4.2, figure 21).
 inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
 enum class Transparency { Coverage, Both, Test, Blend };

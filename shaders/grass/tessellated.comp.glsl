@@ -1,14 +1,18 @@
-// Blades as vertices of strips, ready to be drawn: one invocation a blade poses it, chooses its level, and writes and lights its rows.
-// A cell's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip. Plain triangles, in
-// cells that have none but those (FAR), are three vertices. Light is taken in the middle of a row, for both its ends.
-// Blades that cover no sample are not lit, and lie in a point. Strips are drawn by commands that their groups write.
+// Blades as vertices of strips, ready to be drawn: one invocation takes a piece of a cell, poses its blades, chooses their levels, and
+// writes and lights the rows of those that cover a sample, without gaps, and the command that draws them. A piece's blades have as
+// many rows as the greatest level among them; rows beyond a blade's own lie on its tip. Plain triangles, in pieces that have none
+// but those, are three vertices. Light is taken in the middle of a row, for both its ends.
 #include "lib/tess.glsl"
-layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };  // of this batch, and one beyond
-const uint kGroup = 256u;        // as kPieceBlades in grass/tessellated.cpp
+#include "numerics/chance.h"
+layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
+layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
+const uint kVector = 8u;         // invocations that a software rasteriser runs at once: they take pieces that are neighbours
 const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
-layout(local_size_x = 256) in;
+layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
-layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // five words each
+layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // of strips five words, then of triangles four
+layout(location = 0) uniform uvec4 job;
+uint batch = job.x, batchVertex = job.y, batchPieces = job.z, pieceBlades = job.w;  // its number, its first vertex; at most
 
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance turns
 // on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade blades,
@@ -52,13 +56,6 @@ bool covers(TessBlade t) {
     return !regular || all(greaterThanEqual(floor(high * n - 0.5), ceil(low * n - 0.5)));
 }
 
-// All of a blade's vertices in one point: triangles without an area. Within the view, because a software rasteriser takes a slow way
-// with every vertex of a batch of which one must be clipped.
-const vec4 kDropped = vec4(0.0, 0.0, 0.5, 1.0);
-void drop(uint vertex, uint count) {
-    for (uint i = 0u; i < count; ++i) place(vertex + i, kDropped);
-}
-
 // middle: relative to the root.
 BladeLight rowLight(TessBlade t, float v, out vec3 middle) {
     BladeFrame f = bladeFrameFacing(t.pose.control, t.pose.tip, t.pose.facing, v);
@@ -93,25 +90,44 @@ void writeStrip(TessBlade t, uint vertex, int rows) {
     }
 }
 
-// The command that draws `count` strips of this group, of c.level quads each.
-void command(TessCell c, uint count) {
-    uint w = 5u * gl_WorkGroupID.x;
-    commands[w] = 6u * c.level * count;
+// What draws `count` of a piece's blades.
+void command(uint number, TessCell c, uint count) {
+    uint vertex = c.vertex - batchVertex, w = c.level > 0u ? 5u * number : 5u * batchPieces + 4u * number;
     commands[w + 1u] = 1u;
-    commands[w + 2u] = 3u * c.level * (c.level - 1u) * kGroup;
-    commands[w + 3u] = c.vertex;
-    commands[w + 4u] = 0u;
+    if (c.level == 0u) {
+        commands[w] = 3u * count;
+        commands[w + 2u] = vertex;
+        return;
+    }
+    commands[w] = 6u * c.level * count;
+    commands[w + 2u] = 3u * c.level * (c.level - 1u) * pieceBlades;
+    commands[w + 3u] = vertex;
 }
 
-// A group writes one piece of a cell. Its cell's number hangs on nothing but the group's, so that compilers load it once a group.
+bool shows(TessBlade t) {
+    if (!(t.level > 0 && covers(t))) return false;
+    return !(ALL_OR_NOTHING && t.plain) || chanceCovers(t.opacity, t.grain);
+}
+
+// Number of the piece that an invocation takes: vectors of neighbours, and of each group from all over the batch, so that groups
+// have about as much to do.
+uint pieceNumber() {
+    uint vector = gl_LocalInvocationIndex / kVector * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    return vector * kVector + gl_LocalInvocationIndex % kVector;
+}
+
 void main() {
-    TessCell c = cells[gl_WorkGroupID.x];
-    uint own = gl_LocalInvocationIndex, count = cells[gl_WorkGroupID.x + 1u].slot - c.slot, each = FAR ? 3u : 2u * (c.level + 1u);
-    if (!FAR && own == 0u) command(c, count);
-    if (own >= count) return;
-    TessBlade t = tessBlade(c, c.first + own);
-    uint vertex = c.vertex + each * own;
-    if (!(t.level > 0 && covers(t))) drop(vertex, each);
-    else if (FAR) writeTriangle(t, vertex);
-    else writeStrip(t, vertex, int(c.level));
+    uint number = pieceNumber(), piece = list[LIST_BATCHES + 4u * batch + 3u] + number;
+    if (piece >= list[LIST_BATCHES + 4u * batch + 7u]) return;
+    TessCell c = cells[piece];
+    uint count = cells[piece + 1u].slot - c.slot, each = c.level == 0u ? 3u : 2u * (c.level + 1u), shown = 0u;
+    for (uint i = 0u; i < count; ++i) {
+        TessBlade t = tessBlade(c, c.first + i);
+        if (!shows(t)) continue;
+        uint vertex = c.vertex - batchVertex + each * shown;
+        if (c.level == 0u) writeTriangle(t, vertex);
+        else writeStrip(t, vertex, int(c.level));
+        ++shown;
+    }
+    command(number, c, shown);
 }

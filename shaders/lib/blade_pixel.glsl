@@ -16,15 +16,20 @@ centroid in vec3 strip;
 flat in uint grain;
 out vec4 color;
 
+// t: the texture's colour there; alpha: of what is written.
+vec4 bladePixel(vec4 t, float alpha) {
+    vec3 light = lit.rgb;
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
+    vec4 c = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
+    if (viewMode() == VIEW_TIERS) c.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
+    if (viewMode() == VIEW_NORMALS) c.rgb = lit.rgb;
+    if (viewMode() == VIEW_OVERDRAW) c = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
+    if (viewMode() == VIEW_DENSITY) c.rgb = mix(vec3(0.1, 0.4, 0.1), vec3(0.1, 0.9, 0.2), strip.y);
+    return c;
+}
 // t: the texture's colour and alpha there.
 void drawBlade(vec4 t) {
     float alpha = coveredAlpha(t.a * strip.z, grain);
     if (!(alpha > 0.0)) discard;
-    vec3 light = lit.rgb;
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
-    color = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
-    if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
-    if (viewMode() == VIEW_NORMALS) color.rgb = lit.rgb;
-    if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
-    if (viewMode() == VIEW_DENSITY) color.rgb = mix(vec3(0.1, 0.4, 0.1), vec3(0.1, 0.9, 0.2), strip.y);
+    color = bladePixel(t, alpha);
 }

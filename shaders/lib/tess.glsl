@@ -73,7 +73,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     t.opacity = s.opacity;
     t.grain = floatBitsToUint(b.facing.z);
     t.width = b.place.z * frame.mode.w * min(1.0 / max(kept, 0.01), tess.range.w);
-    t.level = min(levelOf(t.pose, s.root), int(c.level));
+    t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
     t.plain = t.level == 1 && t.width * tess.level.w < tess.plain.x * distance;
     if (t.plain) t.width *= tess.plain.y;
     return t;

@@ -1,10 +1,10 @@
-// The cells of which blades are drawn, in the order of their slots. Cells of no blades stand between batches.
+// The cells of which blades are drawn, in the order of their slots.
 layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
-layout(location = 0) uniform uint cellCount;
+layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
 
 // The cell that a slot belongs to: the last one that begins no later.
 uint cellOf(uint slot) {
-    uint low = 0u, high = cellCount - 1u;
+    uint low = 0u, high = list[LIST_PIECES] - 1u;
     while (low < high) {
         uint middle = (low + high + 1u) / 2u;
         if (cells[middle].slot <= slot) low = middle;

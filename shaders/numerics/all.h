@@ -5,6 +5,7 @@
 #include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
+#include "numerics/chance.h"
 #include "numerics/blade.h"
 #include "numerics/clump.h"
 #include "numerics/population.h"
@@ -25,4 +26,5 @@
 #include "numerics/rays.h"
 #include "numerics/shadow.h"
 #include "numerics/tess.h"
+#include "numerics/cells.h"
 #include "numerics/wrap.h"

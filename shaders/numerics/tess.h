@@ -30,6 +30,14 @@ FN real tessLevelOnScreenPublished(vec4 root, vec4 tip, vec2 size, real pixelsPe
     return min((upper - lower) * size.y / pixelsPerQuad, s);
 }
 
+// The level that no blade needs more than whose root is at least so far away. quadsAtOneMetre: of the tallest blade in the middle of
+// the picture at 1 m; 0: the distance decides. reach: of a blade from its root.
+FN int tessMost(real s, real d, real dmax, real quadsAtOneMetre, real reach) {
+    if (!(quadsAtOneMetre > 0.0f)) return max(tessLevel(s, d, dmax), 1);
+    real nearest = d - reach;
+    return nearest > real(0.05) ? int(clamp(ceil(quadsAtOneMetre / nearest), real(1.0), max(s, real(1.0)))) : int(s);
+}
+
 // Of the density at a distance d, what is left where blades are thinned (section 6.3): linear, `missing` of it gone at each metre.
 FN real densityKept(real density, real d, real missing) { return density * clamp(1.0f - d * missing, real(0.0), real(1.0)); }
 // How high a blade stands there, as a share of its height, if blades are low from `dmax` on; inv: 1 over the metres in which they

@@ -141,16 +141,61 @@ struct TessGlobals {
     SHARED_VEC4 level;         // x: greatest level; y: pixels a quad (0: levels by distance); z: near plane (m); w: pixels of a metre at 1 m
     SHARED_VEC4 plain;         // x: pixels below which a blade of level 1 is a plain triangle; y: its width as a factor of the blade's; z, w: 0
 };
-// A cell of which blades are drawn, one after the other with those of other cells.
+// How cells are chosen (grass/gpu_cells.h).
+struct CullGlobals {
+    SHARED_VEC4 planes[6];     // of the view, inwards
+    SHARED_VEC4 eye;           // as CellGrid of numerics/cells.h: the cell that the eye is over; where in it (m)
+    SHARED_VEC4 grid;          // where the terrain ends, x, z (m); z: side of a cell (m); w: how far blades reach beyond it (m)
+    SHARED_VEC4 field;         // x, y: cells along x and z; z: square of the distance from which none is drawn (m2); w: how far shadows reach (m)
+    SHARED_VEC4 rule;          // as CellRule: fade, thinning, rangeMin, rangeInv
+    SHARED_VEC4 levels;        // as tessMost: s (0: blades are not tessellated), dmax, quadsAtOneMetre, reach
+    SHARED_VEC4 strips;        // x: pixels of a blade's sagitta at 1 m; y: most quads; z: share of the blades drawn; w: distance from which
+                               // blades of one quad are plain triangles (m)
+    SHARED_VEC4 texels;        // x, y: of the density map, a cell; z: seed; w: blades at most in a piece
+    SHARED_VEC4 counted;       // x: share of the chosen blades that is drawn; y: 1 if they are to be counted; z: 1 if each cell has blades of its own; w: 0
+};
+// Of the cells that were chosen, without those of which only shadows are seen.
+struct ChosenCounts {
+    SHARED_UINT cells;
+    SHARED_UINT blades;        // drawn
+};
+// Cells of which some may be chosen, and the heights between which their ground lies, relative to the eye.
+struct NodeOfCells {
+    SHARED_IVEC2 cell;         // the first of kNodeSide x kNodeSide (numerics/cells.h)
+    SHARED_VEC2 heights;
+};
+// A cell whose blades are drawn; none: no such cell.
+struct ChosenCell {
+    SHARED_IVEC2 cell;
+    SHARED_UINT first;         // blade of the patch
+    SHARED_UINT look;          // from the lowest bit: 22 bits, how many blades; 7, its greatest level; 1, all of it is in view; 1, its
+                               // blades may be, not just their shadows; 1, its blades are all plain triangles
+};
+#define CHOSEN_LEVEL 22
+#define CHOSEN_WHOLE 29
+#define CHOSEN_SEEN 30
+#define CHOSEN_PLAIN 31
+// A cell as what instances a patch's blades reads it.
+struct CellInstance {
+    SHARED_IVEC2 cell;
+    SHARED_VEC2 corner;        // relative to the eye
+    SHARED_VEC2 mirror, shift; // numerics/population.h, CellVersion
+};
+// Blades of a chosen cell, one after the other with those of other cells.
 struct TessCell {
     SHARED_IVEC2 cell;
     SHARED_VEC2 corner;        // relative to the eye
     SHARED_VEC2 mirror, shift; // numerics/population.h, CellVersion
     SHARED_UINT first;         // blade of the patch
     SHARED_UINT slot;          // place of its first blade among all cells' blades
-    SHARED_UINT level;         // greatest of its blades'
+    SHARED_UINT level;         // greatest of its blades'; 0: all are plain triangles
     SHARED_UINT vertex;        // of its first blade's strip
 };
+// Words of the list of chosen cells: pieces, 0, 0, 0; by batch, and for its end, the arguments of glDispatchComputeIndirect that take each
+// of its pieces, and its first piece; then the commands of glMultiDrawArraysIndirect that draw a point a blade.
+#define LIST_PIECES 0
+#define LIST_BATCHES 4
+#define LIST_GROUP 64          // pieces that one group takes
 
 // An object that stands somewhere: rows of the matrix to eye-relative positions.
 struct ObjectInstance {
@@ -173,7 +218,7 @@ struct TerrainNode {
 #define NODES_PER_DRAW 256
 
 #ifdef __cplusplus
-static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(SpeciesGlobals) == 112);
+static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(ChosenCell) == 16 && sizeof(SpeciesGlobals) == 112);
 }
 #endif
 
@@ -190,11 +235,17 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Spec
 #define UBO_FORCE 9
 #define UBO_WATER 10
 #define UBO_FLOWERS 11
+#define UBO_CULL 12
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
 #define SSBO_VERTICES 2
 #define SSBO_COMMANDS 3
+#define SSBO_COUNTS 3
+#define SSBO_NODES 4
+#define SSBO_CHOSEN 5
+#define SSBO_UP_TO 6
+#define SSBO_LIST 7
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1

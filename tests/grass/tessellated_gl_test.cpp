@@ -155,6 +155,7 @@ TEST(Tessellated, ThinnedBladesCoverAsMuchByTheirWidth) {
     f.maxDistance = 30;
     ViewSettings overdraw = small();
     overdraw.mode = ViewMode::Overdraw;
+    overdraw.measure = true;
     const ViewCamera c{{5, 9, 5}, {5, 0, 6}, 55, 0};  // all at about a third of the distance
     const auto covers = [&](float thinning, bool widening) {
         f.thinning = thinning, f.widening = widening;

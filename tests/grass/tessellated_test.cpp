@@ -7,21 +7,23 @@
 namespace sward {
 namespace {
 
+int most(const BladeLevels& l, float distance) { return f32::tessMost(static_cast<float>(l.smoothness), distance, l.maxDistance, l.quadsAtOneMetre, l.reach); }
+
 TEST(TessellatedLevels, ACellsLevelIsItsNearestBlades) {
     const BladeLevels l{6, 40, 0, 0.3f};
-    EXPECT_EQ(mostLevel(l, 0), 6);
+    EXPECT_EQ(most(l, 0), 6);
     for (float d = 0; d < 40; d += 0.37f)
-        for (float farther = 0; farther < 2; farther += 0.21f) EXPECT_GE(mostLevel(l, d), f32::tessLevel(6, d + farther, 40)) << d;
-    EXPECT_EQ(mostLevel(l, 50), 1) << "a cell that is drawn has a level";
+        for (float farther = 0; farther < 2; farther += 0.21f) EXPECT_GE(most(l, d), f32::tessLevel(6, d + farther, 40)) << d;
+    EXPECT_EQ(most(l, 50), 1) << "a cell that is drawn has a level";
 }
 
 TEST(TessellatedLevels, ByPixelsTheyFallWithTheDistanceAndAreFullAtTheEye) {
     const BladeLevels l{8, 40, 100, 0.3f};
-    EXPECT_EQ(mostLevel(l, 0.3f), 8);
+    EXPECT_EQ(most(l, 0.3f), 8);
     int before = 8;
     for (float d = 0; d < 300; d += 0.5f) {
-        EXPECT_LE(mostLevel(l, d), before);
-        before = mostLevel(l, d);
+        EXPECT_LE(most(l, d), before);
+        before = most(l, d);
     }
     EXPECT_EQ(before, 1);
 }
