@@ -77,7 +77,7 @@ struct Lister {
         if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
         if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
-        addStrip(out.indices, i, q.quads > 0 ? q.quads : cell.segments, q.cells.segments);
+        addStrip(out.indices, i, q.shadows ? shadowQuads(cell.segments) : cell.segments, q.cells.segments, q.shadows);
         ++out.blades;
     }
 };
@@ -107,11 +107,12 @@ std::vector<float> leastShading(const Patch& patch) {
     return out;
 }
 
-void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments) {
+void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed) {
     const uint32_t base = blade * 2 * static_cast<uint32_t>(segments + 1);
     for (int s = 0; s < quads; ++s) {
         const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / quads), c = base + 2 * static_cast<uint32_t>((s + 1) * segments / quads);
-        indices.insert(indices.end(), {a, a + 1, c, c, a + 1, c + 1});
+        indices.insert(indices.end(), {a, a + 1, c});
+        if (!pointed || s + 1 < quads) indices.insert(indices.end(), {c, a + 1, c + 1});
     }
 }
 

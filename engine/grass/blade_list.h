@@ -22,15 +22,15 @@ struct BladeListQuery {
     std::span<const float> least;  // by blade of the patch
     float beyond;                  // metres from a root within which all that is drawn of its blade lies
     float share = 1;               // of each cell's blades, the first ones: ]0, 1]
-    int quads = 0;                 // a blade; 0: as many as the cell says
+    bool shadows = false;          // of these blades, which end in a point
 };
 struct BladeList {
     std::vector<uint32_t> indices;      // triangles over the 2 (segments + 1) vertices of each blade of the patch
     std::vector<DrawCommand> commands;  // one a cell that has any; the instance is its place among the cells
     uint64_t blades = 0;
 };
-// Adds the indices of a strip of n quads over some of the blade's rows of vertices.
-void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments);
+// Adds the indices of a strip of n quads over some of the blade's rows of vertices; pointed: the last is a triangle.
+void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed = false);
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells);
 
 }  // namespace sward

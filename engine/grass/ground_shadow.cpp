@@ -26,8 +26,7 @@ struct ShadowState : EffectState {
 std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
-    const int quads = std::min(blades.segments, kShadowQuads);
-    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], quads, blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
+    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], shadowQuads(blades.cells[i].segments), blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
     return commands;
 }
 
@@ -38,7 +37,7 @@ BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, co
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, f, i);
     const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
-    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, std::min(blades.segments, kShadowQuads)}, {blades.cells, blades.count});
+    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true}, {blades.cells, blades.count});
 }
 
 void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {

@@ -94,6 +94,10 @@ TEST(BladeList, AddStripCoversTheBladeFromRootToTip) {
             EXPECT_EQ(indices.front(), base);
             EXPECT_EQ(indices.back(), base + 2 * static_cast<uint32_t>(segments) + 1);
             for (size_t i = 6; i < indices.size(); i += 6) EXPECT_EQ(indices[i], indices[i - 4]) << "quads meet";
+            std::vector<uint32_t> pointed;
+            addStrip(pointed, 3, quads, segments, true);
+            indices.resize(indices.size() - 3);
+            EXPECT_EQ(pointed, indices) << "all but the triangle that has no width";
         }
 }
 
