@@ -1,7 +1,5 @@
 // What the size of a field costs (Jahrmann and Wimmer 2013, table 1, scene Instance): the sample project prairie at `human`, made larger by its
 // one field Terrain.size; and whether it stays the same picture where it stands far from the origin.
-#include <deque>
-
 #include "bench/limits.h"
 #include "frame/renderer.h"
 #include "techniques.h"
@@ -124,48 +122,6 @@ SWARD_LIMITS("prairie-far", [] {
     camera.eye += far, camera.target += far;
     here.frame(here.camera(), s);
     reportLimit("a prairie moved by 90,000 m, at the worst pixel", mostDifferent(before, here.renderer.readImage()), 1, "levels");
-});
-
-// Table 1's three questions, on one field: every blade stored against one patch drawn many times at equal size; effects on what is far,
-// on and off; and sizes that only the patch has.
-Project field(double side, Population population, bool effects) {
-    Project p = designed({"", 60, 0.3f, 0.012f, side, 0, 0, 0, 0}, side);
-    GrassField& f = grassIn(p);
-    f.technique = static_cast<int>(Technique::Tessellated);
-    f.beyond = static_cast<int>(Beyond::Nothing);
-    f.population = static_cast<int>(population);
-    f.cellSize = 1;
-    f.maxDistance = 60;
-    f.farBlur = static_cast<int>(effects ? FarBlur::Gaussian : FarBlur::None);
-    f.farDarkening = effects ? 0.4f : 0;
-    return p;
-}
-struct Entry {
-    double side;
-    Population population;
-    bool effects;
-    Sized made;
-    Entry(double s, Population p, bool e) : side(s), population(p), effects(e), made(field(s, p, e)) {}
-};
-SWARD_LIMITS("prairie-table", [] {
-    if (!gpu()) return reportLimit("stored blades as a share of a patch's time", NAN, 1.25, "x");
-    std::deque<Entry> rows;
-    for (const bool effects : {false, true}) {
-        for (const Population p : {Population::Patch, Population::Unique}) rows.emplace_back(160, p, effects);
-        for (const double side : {600.0, 8000.0, 90000.0}) rows.emplace_back(side, Population::Patch, effects);
-    }
-    const ViewCamera c{{40, 1.7, 40}, {60, 0.5, 60}, 55, 0};
-    for (int i = 0; i < 6; ++i)
-        for (Entry& r : rows) {
-            const double ms = r.made.frame(c, sized(320, 240, 1));
-            if (i > 0) r.made.ms.push_back(ms);
-        }
-    for (Entry& r : rows)
-        std::fprintf(stderr, "%6.0f m  %-7s far effects %-4s %8lu blades  %7.1f ms\n", r.side, kPopulations[static_cast<size_t>(r.population)], r.effects ? "on" : "off",
-                     static_cast<unsigned long>(r.made.renderer.stats().bladesGeometry), least(r.made.ms));
-    reportLimit("stored blades as a share of a patch's time, 160 m", least(rows[1].made.ms) / least(rows[0].made.ms), 1.25, "x");
-    reportLimit("far effects as a share of none, patch, 160 m", least(rows[5].made.ms) / least(rows[0].made.ms), 1.25, "x");
-    reportLimit("90,000 m as a share of 160 m, patch", least(rows[4].made.ms) / least(rows[0].made.ms), 1.25, "x");
 });
 
 }  // namespace

@@ -92,7 +92,6 @@ void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
 void draw(DrawContext& ctx) {
     const ShadowState& state = ctx.own<ShadowState>();
     if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
-    bindField(ctx);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glEnable(GL_BLEND);
@@ -105,7 +104,6 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
     glStencilMask(0xff);
     glDisable(GL_STENCIL_TEST);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};

@@ -223,7 +223,6 @@ void drawSlices(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    bindField(ctx);
     beginTransparency(ctx, f);
     for (size_t i = 0; i < state.species.size(); ++i) {
         SliceDraw& s = *state.species[i];
@@ -295,7 +294,6 @@ void drawFar(DrawContext& ctx) {
     if (!ctx.shared.grass || state.selected.empty()) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    bindField(ctx);
     glEnable(GL_BLEND);
     const bool overdraw = ctx.settings.mode == ViewMode::Overdraw;
     glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
@@ -320,7 +318,6 @@ void drawFarShadow(DrawContext& ctx) {
     const std::vector<TerrainNode> shaded = farNodes(ctx, f, std::max(f.maxBTF, f.maxGeom));
     if (shaded.empty() || !ctx.use(0, fieldConstants(f))) return;
     if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    bindField(ctx);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
