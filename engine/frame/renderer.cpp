@@ -314,6 +314,7 @@ struct Renderer::Impl {
             if (p.pass->stage > Stage::Reflect && !std::exchange(begun, true)) beginScene(ctx.targets);
             runPass(ctx, p, prefix);
         }
+        glUseProgram(0);  // so that none is current that is deleted: what restores it would fail
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 };

@@ -75,7 +75,7 @@ void select(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     TerrainLod lod = terrainLod(t);
-    lod.plainFrom = static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) * static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) * static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
