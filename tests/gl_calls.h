@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <string_view>
 
 namespace sward::test {
@@ -14,6 +15,11 @@ struct GlCalls {
     std::map<std::string_view, uint64_t> byName;
 };
 inline GlCalls glCalls;
+inline std::string glCallsByName() {
+    std::string out;
+    for (const auto& [name, n] : glCalls.byName) out += std::to_string(n) + " " + std::string(name) + "\n";
+    return out;
+}
 
 namespace gl_calls {
 template <auto& pointer>
@@ -41,9 +47,9 @@ struct Hook<pointer> {
 
 #define SWARD_GL_CALLS(X) \
     X(glAttachShader) X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) \
-    X(glBindTextureUnit) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) X(glBlendFunc) X(glBlendFuncSeparate) \
+    X(glBindTextureUnit) X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) X(glBlendFunc) X(glBlendFuncSeparate) \
     X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) X(glClearColor) X(glClearDepth) X(glClearNamedBufferData) \
-    X(glClearNamedFramebufferfv) X(glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) X(glCompileShader) \
+    X(glClearNamedFramebufferfi) X(glClearNamedFramebufferfv) X(glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) X(glCompileShader) \
     X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) X(glCreateTextures) X(glCreateVertexArrays) \
     X(glDebugMessageCallback) X(glDebugMessageControl) X(glDeleteBuffers) X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) \
     X(glDeleteShader) X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glDepthFunc) X(glDepthMask) X(glDisable) \

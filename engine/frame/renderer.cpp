@@ -62,23 +62,18 @@ void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bo
     t = makeTargets(gpu, "frame/targets", width, height, samples, stencil, 1, true);
 }
 
-// The fixed state that every pass may rely on; a pass that changes more restores it.
+// The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins, and a user
+// interface that draws between frames leaves it so.
+void fixState() {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GEQUAL);  // the ground is lit where its own depth was drawn, the sky at depth 0, where nothing was
+}
 void beginScene(const ViewTargets& t) {
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glBindFramebuffer(GL_FRAMEBUFFER, t.scene.id());
     glViewport(0, 0, t.width, t.height);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_MULTISAMPLE);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glClearDepth(0.0);
-    glClearColor(0, 0, 0, 1);
-    glClearStencil(0);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    const float black[] = {0, 0, 0, 1};
+    glClearNamedFramebufferfv(t.scene.id(), GL_COLOR, 0, black);
+    glClearNamedFramebufferfi(t.scene.id(), GL_DEPTH_STENCIL, 0, 0, 0);
 }
 
 }  // namespace
@@ -309,14 +304,17 @@ struct Renderer::Impl {
 
     void draw(DrawContext& ctx, const char* prefix = "") {
         ctx.stats.passes.reserve(ctx.stats.passes.size() + ctx.plan.passes.size());
-        beginScene(ctx.targets);
+        fixState();
         glBindVertexArray(empty.id());
         glNamedBufferSubData(globalsBuffer.id(), 0, sizeof(FrameGlobals), &ctx.globals);
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, globalsBuffer.id());
-        for (const PlannedPass& p : ctx.plan.passes)
-            if (p.pass->stage != Stage::Reflect) runPass(ctx, p, prefix);
-        glBindVertexArray(0);
-        glUseProgram(0);
+        bool begun = false;
+        for (const PlannedPass& p : ctx.plan.passes) {
+            if (p.pass->stage == Stage::Reflect) continue;
+            if (p.pass->stage > Stage::Reflect && !std::exchange(begun, true)) beginScene(ctx.targets);
+            runPass(ctx, p, prefix);
+        }
+        glUseProgram(0);  // so that none is current that is deleted: what restores it would fail
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 };

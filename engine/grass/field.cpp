@@ -95,6 +95,15 @@ void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     ctx.shared.cover = state.cover.id();
 }
 
+// For the whole frame: nothing else uses the bindings.
+void bindField(const SharedResources& r) {
+    static_assert(TEX_ORIENTATION == TEX_BLADE_HEIGHT + 1 && TEX_VEGETATION == TEX_BLADE_HEIGHT + 2 && TEX_OCCLUSION == TEX_BLADE_HEIGHT + 3);
+    const GLuint maps[] = {r.bladeHeights, r.orientation, r.vegetation, r.occlusion};
+    glBindTextures(TEX_BLADE_HEIGHT, 4, maps);
+    if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
+}
+
 void update(DrawContext& ctx) {
     FieldState& state = ctx.own<FieldState>();
     const GrassField& f = *firstOf<GrassField>(ctx.project);
@@ -112,6 +121,7 @@ void update(DrawContext& ctx) {
         if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
     }
     writeCover(ctx, state, f);
+    bindField(ctx.shared);
     ctx.shared.grass = &state;
 }
 
@@ -124,17 +134,6 @@ CellQuery drawnQuery(const DrawContext& ctx, const GrassField& f, size_t i) {
     CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.drawn(), ctx.eye, ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     if (!s.unique.empty()) q.unique = &s.unique;
     return q;
-}
-
-void bindField(DrawContext& ctx) {
-    const SharedResources& r = ctx.shared;
-    if (r.heights) glBindTextureUnit(TEX_HEIGHT, r.heights);
-    if (r.orientation) glBindTextureUnit(TEX_ORIENTATION, r.orientation);
-    if (r.vegetation) glBindTextureUnit(TEX_VEGETATION, r.vegetation);
-    if (r.bladeHeights) glBindTextureUnit(TEX_BLADE_HEIGHT, r.bladeHeights);
-    if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
-    if (r.occlusion) glBindTextureUnit(TEX_OCCLUSION, r.occlusion);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
 }
 
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {

@@ -48,8 +48,6 @@ const EffectRow& fieldEffect();
 // The query for a species' drawn blades in this view.
 CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t species);
 
-// Textures and buffers that grass shaders of all tiers read.
-void bindField(DrawContext& ctx);
 // Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell are.
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.

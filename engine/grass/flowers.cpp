@@ -129,10 +129,6 @@ void update(DrawContext& ctx) {
 void draw(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     if (!ctx.use()) return;
-    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
-    if (ctx.shared.cover) glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
-    if (ctx.shared.forces) glBindTextureUnit(TEX_FORCE_MAP, ctx.shared.forces);
-    if (ctx.shared.occlusion) glBindTextureUnit(TEX_OCCLUSION, ctx.shared.occlusion);
     for (const auto& [entity, k] : s.kinds) {
         if (k.drawn == 0) continue;
         if (k.density) glBindTextureUnit(TEX_FLOWERS, k.density);
@@ -144,7 +140,6 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += static_cast<uint64_t>(k.drawn);
     }
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 const System kSystems[] = {{"grass/flowers/cells", update}};

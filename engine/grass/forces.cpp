@@ -26,11 +26,22 @@ struct ForcesState : EffectState {
     double side = kLeast;
 };
 
+void describe(GLuint squares) {
+    glVertexArrayBindingDivisor(squares, 0, 1);
+    for (GLuint attribute = 0; attribute < 2; ++attribute) {
+        glEnableVertexArrayAttrib(squares, attribute);
+        glVertexArrayAttribBinding(squares, attribute, 0);
+    }
+    glVertexArrayAttribFormat(squares, 0, 4, GL_FLOAT, GL_FALSE, offsetof(Drawn, line));
+    glVertexArrayAttribFormat(squares, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Drawn, size));
+}
+
 std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     auto s = std::make_unique<ForcesState>();
     s->map = makeTexture2D(ctx.gpu, kOwner, GL_RGBA16F, kSide, kSide);
     s->target = makeFramebuffer(s->map.id(), 0, kOwner);
     s->squares = makeVertexArray(kOwner);
+    describe(s->squares.id());
     return s;
 }
 
@@ -61,18 +72,6 @@ void update(DrawContext& ctx) {
     glBindTextureUnit(TEX_FORCE, s.map.id());
 }
 
-void describe(const ForcesState& s) {
-    const GLuint squares = s.squares.id();
-    glVertexArrayVertexBuffer(squares, 0, s.drawn.id(), 0, sizeof(Drawn));
-    glVertexArrayBindingDivisor(squares, 0, 1);
-    for (GLuint attribute = 0; attribute < 2; ++attribute) {
-        glEnableVertexArrayAttrib(squares, attribute);
-        glVertexArrayAttribBinding(squares, attribute, 0);
-    }
-    glVertexArrayAttribFormat(squares, 0, 4, GL_FLOAT, GL_FALSE, offsetof(Drawn, line));
-    glVertexArrayAttribFormat(squares, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Drawn, size));
-}
-
 void draw(DrawContext& ctx) {
     ForcesState& s = ctx.own<ForcesState>();
     if (!ctx.use()) return;
@@ -80,20 +79,16 @@ void draw(DrawContext& ctx) {
     glClearNamedFramebufferfv(s.target.id(), GL_COLOR, 0, none);
     glBindFramebuffer(GL_FRAMEBUFFER, s.target.id());
     glViewport(0, 0, kSide, kSide);
-    glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
-    describe(s);
+    glVertexArrayVertexBuffer(s.squares.id(), 0, s.drawn.id(), 0, sizeof(Drawn));
     glBindVertexArray(s.squares.id());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(s.forces.size()));
     ctx.pass->draws += 1;
     ctx.pass->instances += s.forces.size();
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
-    glViewport(0, 0, ctx.targets.width, ctx.targets.height);
 }
 
 const System kSystems[] = {{"grass/forces/list", update}};

@@ -184,7 +184,6 @@ void draw(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    bindField(ctx);
     beginTransparency(ctx, f);
     for (size_t i = 0; i < state.species.size(); ++i) {
         SpeciesState& s = *state.species[i];
@@ -202,7 +201,6 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += static_cast<uint64_t>(s.seen);
     }
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     endTransparency();
 }
 

@@ -91,7 +91,6 @@ void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
 void draw(DrawContext& ctx) {
     const ShadowState& state = ctx.own<ShadowState>();
     if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
-    bindField(ctx);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
     glEnable(GL_BLEND);
@@ -104,7 +103,6 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
     glStencilMask(0xff);
     glDisable(GL_STENCIL_TEST);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};

@@ -223,7 +223,6 @@ void drawSlices(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    bindField(ctx);
     beginTransparency(ctx, f);
     for (size_t i = 0; i < state.species.size(); ++i) {
         SliceDraw& s = *state.species[i];
@@ -295,7 +294,6 @@ void drawFar(DrawContext& ctx) {
     if (!ctx.shared.grass || state.selected.empty()) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    bindField(ctx);
     const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = has(ctx.plan.features, Feature::GrassBlended);
     if (overdraw || blended) glEnable(GL_BLEND);
     glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
@@ -320,11 +318,9 @@ void drawFarShadow(DrawContext& ctx) {
     const std::vector<TerrainNode> shaded = farNodes(ctx, f, std::max(f.maxBTF, f.maxGeom));
     if (shaded.empty() || !ctx.use(0, fieldConstants(f))) return;
     if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    bindField(ctx);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    glDepthFunc(GL_GEQUAL);  // the ground's own corners
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
     const int lamps = static_cast<int>(ctx.shared.lights.count.y);
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
@@ -336,7 +332,6 @@ void drawFarShadow(DrawContext& ctx) {
             ctx.pass->draws += drawNodes(ctx.shared.groundMesh, shaded, state.nodes);
             ctx.pass->instances += shaded.size();
         }
-    glDepthFunc(GL_GREATER);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }

@@ -150,12 +150,12 @@ void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
     if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 && SSBO_COMMANDS == SSBO_BLADES + 3);
-    const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id()};
-    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 4, buffers);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_TESS, s.globals.id());
+    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 && SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
+    const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id(), s.list.id()};
+    glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 5, buffers);
+    static_assert(UBO_TESS == UBO_SPECIES + 1);
+    const GLuint globals[] = {shared.globals.id(), s.globals.id()};
+    glBindBuffersBase(GL_UNIFORM_BUFFER, UBO_SPECIES, 2, globals);
 }
 
 enum Program { kStages, kWriter, kStrips, kPlain };
@@ -230,9 +230,8 @@ bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const 
     if (!ctx.use(kWriter, constants)) return false;
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // of the batch before
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);  // the next batch writes there
     return true;
 }
 
@@ -258,7 +257,6 @@ void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const 
         for (uint32_t b = 0; b < s.batches; ++b)
             if (writeStrips(ctx, s, b, constants)) drawStrips(ctx, s, constants);
     }
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
 }
 
 // What strips are compiled with, beside what all of the field's shaders are.
@@ -271,11 +269,9 @@ void draw(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
-    bindField(ctx);
     beginTransparency(ctx, f);
     if (stagesChosen(f, ctx.gpu)) drawPatches(ctx, state, fieldConstants(f));
     else drawBatches(ctx, state, f, stripConstants(f, ctx.targets.samples));
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     endTransparency();
 }
 

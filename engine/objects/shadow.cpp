@@ -138,8 +138,6 @@ void draw(DrawContext& ctx) {
         s.map[i].drawn = wanted;
     }
     glDisable(GL_DEPTH_CLAMP);
-    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
-    glViewport(0, 0, ctx.targets.width, ctx.targets.height);
 }
 
 const System kSystems[] = {{"objects/aim", aim}};

@@ -45,7 +45,6 @@ void draw(DrawContext& ctx) {
     ensureTarget(ctx, s);
     glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, t.depth.id());
     glUniform1f(1, f.farBlurDistance);
-    glDisable(GL_DEPTH_TEST);
     pass(ctx, t.resolved.id(), s.target.id(), 0);
     pass(ctx, s.across.id(), t.resolve.id(), 1);
 }

@@ -39,7 +39,6 @@ void draw(DrawContext& ctx) {
     if (map.empty() || !ctx.use(0, depthConstants(ctx.targets))) return;
     glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
-    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling) * ctx.globals.maps.x;
     glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);

@@ -7,7 +7,6 @@ namespace {
 
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    glDisable(GL_DEPTH_TEST);
     if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
@@ -17,19 +16,22 @@ void fullScreen(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-void bindDepth(const DrawContext& ctx) { glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id()); }
+void bindView(const ViewTargets& t) {
+    static_assert(TEX_DEPTH == TEX_SCENE + 1 && TEX_DEPTH_SAMPLES == TEX_SCENE + 2);
+    const GLuint textures[] = {t.resolved.id(), t.samples > 1 ? 0 : t.depth.id(), t.samples > 1 ? t.depth.id() : 0};
+    glBindTextures(TEX_SCENE, 3, textures);
+}
 
 void drawTonemap(DrawContext& ctx) {
     glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.final.id());
     if (!ctx.use(0, depthConstants(ctx.targets))) return;
-    glBindTextureUnit(TEX_SCENE, ctx.targets.resolved.id());
-    bindDepth(ctx);
+    bindView(ctx.targets);
     fullScreen(ctx);
 }
 
 void drawDecal(DrawContext& ctx) {
     if (ctx.settings.decal.radius <= 0 || !ctx.use(0, depthConstants(ctx.targets))) return;
-    bindDepth(ctx);
+    bindView(ctx.targets);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     fullScreen(ctx);

@@ -16,11 +16,7 @@ void runHaze(DrawContext& ctx) { addHaze(ctx.globals, ctx.project); }
 
 void drawDome(DrawContext& ctx) {
     if (!ctx.use()) return;
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_GEQUAL);  // the dome lies at depth 0, where nothing was drawn
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_TRUE);
     ctx.pass->draws += 1;
     ctx.pass->instances += 1;
 }

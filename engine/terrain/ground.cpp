@@ -61,12 +61,22 @@ void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
     s.tile = makeTileTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
 }
 
+// For the whole frame: nothing else uses the bindings.
+void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
+    const GLuint map = t.terrainMap.present() ? ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true, tilingOf(t, t.terrainMapTiling).repeats) : 0;
+    static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
+    const GLuint textures[] = {ctx.shared.heights, map, s.tile.id()};
+    glBindTextures(TEX_HEIGHT, 3, textures);
+}
+
 void select(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     const Terrain& t = *ctx.shared.ground.terrain;
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
-    s.selected = selectNodes(t, terrainLod(t), ctx.shared.bounds, ctx.eye, ctx.frustum);
+    TerrainLod lod = terrainLod(t);
+    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) * static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
     FrameGlobals& g = ctx.globals;
@@ -84,19 +94,7 @@ void select(DrawContext& ctx) {
     } else {
         g.heights.x = static_cast<float>(-ctx.eye.y);
     }
-}
-
-void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
-    glBindTextureUnit(TEX_GROUND, s.tile.id());
-    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
-    if (t.terrainMap.present()) glBindTextureUnit(TEX_TERRAIN_MAP, ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true, tilingOf(t, t.terrainMapTiling).repeats));
-    for (int i = 0; i < MAX_SPECIES; ++i)
-        if (ctx.shared.densities[static_cast<size_t>(i)]) glBindTextureUnit(TEX_DENSITY + static_cast<GLuint>(i), ctx.shared.densities[static_cast<size_t>(i)]);
-    if (ctx.shared.orientation) glBindTextureUnit(TEX_ORIENTATION, ctx.shared.orientation);
-    if (ctx.shared.vegetation) glBindTextureUnit(TEX_VEGETATION, ctx.shared.vegetation);
-    if (ctx.shared.bladeHeights) glBindTextureUnit(TEX_BLADE_HEIGHT, ctx.shared.bladeHeights);
-    if (ctx.shared.occlusion) glBindTextureUnit(TEX_OCCLUSION, ctx.shared.occlusion);
-    if (ctx.shared.cover) glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, ctx.shared.cover);
+    bindMaps(ctx, s, t);
 }
 
 void drawMesh(DrawContext& ctx, GroundState& s) {
@@ -107,7 +105,6 @@ void drawMesh(DrawContext& ctx, GroundState& s) {
 void drawDepth(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     if (s.selected.empty() || !ctx.use()) return;
-    if (ctx.shared.heights) glBindTextureUnit(TEX_HEIGHT, ctx.shared.heights);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawMesh(ctx, s);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -117,14 +114,12 @@ void drawDepth(DrawContext& ctx) {
 void draw(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     if (s.selected.empty() || !ctx.use()) return;
-    bindMaps(ctx, s, *ctx.shared.ground.terrain);
-    glDepthFunc(GL_GEQUAL);
+    glBindTextures(TEX_DENSITY, MAX_SPECIES, ctx.shared.densities.data());
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     drawMesh(ctx, s);
     glDisable(GL_STENCIL_TEST);
-    glDepthFunc(GL_GREATER);
 }
 
 const System kSystems[] = {{"terrain/select", select}};

@@ -42,7 +42,7 @@ struct Selection {
         for (int i = 0; i < 4; ++i) {
             const double qx = x + (i & 1) * node, qz = z + (i >> 1) * node;
             if (!visible(qx, qz, node)) continue;
-            if (level > 0 && distance(qx, qz, node) < range(level - 1)) quad(qx, qz, level - 1);
+            if (level > 0 && distance(qx, qz, node) < std::min(range(level - 1), lod.plainFrom)) quad(qx, qz, level - 1);
             else add(qx, qz, level);
         }
     }

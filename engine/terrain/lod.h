@@ -12,6 +12,8 @@ struct TerrainLod {
     double spacing = 0.25;   // metres, level 0
     double range = 30;       // metres to which level 0 reaches; level l to range * 2^l
     int levels = 1;          // the last covers the whole terrain
+    double plainFrom = std::numeric_limits<double>::infinity();  // metres from which all land is a plane to within a pixel: as few nodes as
+                                                                 // can be, whose levels may differ by more than one
 };
 // Levels for a terrain, with the range widened where it is too short for morphing (3.5 nodes of level 0). Level ground (no
 // height map) is one level, whatever its size, and of each node the four corners do: what is drawn on nodes takes from corners only

@@ -226,12 +226,12 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define UBO_FRAME 0
 #define UBO_COVER 1
 #define UBO_SPECIES 2
-#define UBO_NODES 3
+#define UBO_TESS 3
 #define UBO_SLICES 4
 #define UBO_WIND 5
 #define UBO_SHADOW 6
 #define UBO_LIGHTS 7
-#define UBO_TESS 8
+#define UBO_NODES 8
 #define UBO_FORCE 9
 #define UBO_WATER 10
 #define UBO_FLOWERS 11
@@ -241,11 +241,11 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define SSBO_CELLS 1
 #define SSBO_VERTICES 2
 #define SSBO_COMMANDS 3
-#define SSBO_COUNTS 3
-#define SSBO_NODES 4
-#define SSBO_CHOSEN 5
-#define SSBO_UP_TO 6
-#define SSBO_LIST 7
+#define SSBO_LIST 4
+#define SSBO_COUNTS 4      // where cells are chosen, before they are listed
+#define SSBO_NODES 5
+#define SSBO_CHOSEN 6
+#define SSBO_UP_TO 7
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1

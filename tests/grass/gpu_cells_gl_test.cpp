@@ -192,7 +192,7 @@ TEST(GpuCells, AMillionBladesAreFewCallsAndLittleUpload) {
         CountGlCalls count;
         ASSERT_TRUE(r.draw(p, edge, s));
         const uint64_t labels = glCalls.byName["glPushDebugGroup"] + glCalls.byName["glPopDebugGroup"];
-        EXPECT_LE(glCalls.calls - labels, 130u);  // 100 is the aim (bench)
+        EXPECT_LE(glCalls.calls - labels, 97u) << "with three more where the chosen cells are counted, at most 100\n" << glCallsByName();
         EXPECT_LE(glCalls.bytes, culling == Culling::Gpu ? 4096u : 65536u);
         EXPECT_EQ(glCalls.textureUploads, 0u);
         EXPECT_EQ(glCalls.reads, 0u) << "nothing is read back";

@@ -83,6 +83,32 @@ TEST(TerrainLod, LevelGroundIsFourNodesWhateverItsSize) {
     }
 }
 
+// Where all land is a plane to within a pixel, more of it is next to nothing; nearer nothing changes.
+TEST(TerrainLod, LandThatIsAPlaneToTheEyeTakesFewNodes) {
+    Terrain t = hills(128, 300);
+    t.mapSize = 300, t.heightTiling = 2;
+    std::array<size_t, 2> all{}, few{};
+    for (size_t i = 0; i < 2; ++i) {
+        t.size = glm::dvec2(i == 0 ? 4000 : 90000);
+        HeightBounds bounds;
+        updateHeightBounds(bounds, t);
+        TerrainLod lod = terrainLod(t);
+        const glm::dvec3 eye(150, 3, 150);
+        const auto fine = selectNodes(t, lod, bounds, eye, everywhere());
+        lod.plainFrom = 1500;
+        const auto nodes = selectNodes(t, lod, bounds, eye, everywhere());
+        all[i] = fine.size(), few[i] = nodes.size();
+        for (double x = 0.3; x < t.size.x; x += t.size.x / 61)
+            for (double z = 0.3; z < t.size.y; z += t.size.y / 67) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
+        for (const TerrainNode& n : fine)
+            if (glm::length(glm::vec2(n.place)) + 1.5f * kNodeQuads * n.level.x < 1500)
+                EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const TerrainNode& k) { return k.place == n.place && k.level == n.level; }));
+    }
+    EXPECT_GT(all[1], all[0] + 100);
+    EXPECT_LE(few[1], few[0] + 3 * 5 + 4) << "three beside each level more";
+    EXPECT_LT(few[0], all[0]);
+}
+
 TEST(TerrainLod, AFinerMapCostsNoMoreTriangles) {
     const Frustum view = frustumOf(viewProjection({{100, 6, 100}, {300, 0, 300}, 55, 0}, 640, 480));
     size_t nodes[2];
