@@ -62,6 +62,11 @@ constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType 
     row.mapType = type;
     return row;
 }
+constexpr FieldRow forces(const char* name, size_t offset, const char* help) {
+    FieldRow row = map(name, offset, 4, PixelType::U8, help);
+    row.isForce = true;
+    return row;
+}
 constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
     FieldRow row = map(name, offset, 1, PixelType::F32, help);
     row.unit = "m";
@@ -215,7 +220,7 @@ constexpr FieldRow kGrassFieldFields[] = {
         "colour and opacity over the blades' own colour"),
     map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
         "share of the sky that the ground sees"),
-    map("forces", offsetof(GrassField, forces), 4, PixelType::U8,
+    forces("forces", offsetof(GrassField, forces),
         "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
     map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8, "share of their height that blades have; none: all of it"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,

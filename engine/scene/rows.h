@@ -55,6 +55,7 @@ struct FieldRow {
     PixelType mapType = PixelType::U16;         // Map: type of a new one
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isHeight = false;                      // Map: heights, never 8-bit
+    bool isForce = false;                       // Map: what presses on blades; four channels that are no colour
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
 };
