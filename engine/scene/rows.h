@@ -104,7 +104,7 @@ enum class Stage { Simulate, Bake, Shadow, Reflect, Ground, GroundShadow, Opaque
 // Which views a pass takes part in: a set of bits.
 enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2, kViewShadow = 4, kViewCapture = 8, kViewCompare = 16 };
 // What a pass reads and writes; within a stage the planner runs writers before readers.
-enum ResourceBits : unsigned { kSceneColor = 1, kSceneDepth = 2, kHeights = 4, kGroundCover = 8, kSkyLight = 16, kImage = 32, kResolved = 64 };
+enum ResourceBits : unsigned { kSceneColor = 1, kSceneDepth = 2, kHeights = 4, kGroundCover = 8, kSkyLight = 16, kImage = 32, kResolved = 64, kForces = 128 };
 
 struct DrawContext;  // frame/draw_context.h
 // What an effect keeps while its features are there. One per project; freed when they go.
