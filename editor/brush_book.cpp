@@ -30,7 +30,7 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
             brush.mode = "add";
         else if (brush.mode == "set")
             brush.value = 0;
-        else if (brush.mode == "comb" || brush.mode == "direction")
+        else if (brush.mode == "comb" || brush.mode == "direction" || brush.mode == "press")
             brush.mode = "subtract";
     }
     return brush;

@@ -15,7 +15,7 @@ struct BrushBook {
     std::string tool = "add";  // kLookTool or the name of a brush row
     std::string map;           // canonical PATH of the map painted on; empty: the project has none
     std::map<std::pair<std::string, std::string>, BrushSettings> settings;  // by tool and map
-    std::map<int, std::string> lastMap, lastTool;                           // by the number of channels that they paint
+    std::map<MapKind, std::string> lastMap, lastTool;                       // by the kind that they paint
     std::map<std::string, bool> overlays;                                   // by map: what the person chose
     bool shiftErases = false;  // the preset of those who know Shift as eraser
 };

@@ -12,23 +12,29 @@ bool present(const FieldRef& map) { return static_cast<const MapField*>(map.valu
 std::string mapOfKind(EditorApp& app, const BrushRow& row) {
     std::string first;
     for (const FieldRef& map : paintableMaps(app)) {
-        if (!paints(row, map.row->mapChannels)) continue;
-        const auto last = app.brushes.lastMap.find(map.row->mapChannels);
+        if (!paints(row, kindOf(*map.row))) continue;
+        const auto last = app.brushes.lastMap.find(kindOf(*map.row));
         if (last != app.brushes.lastMap.end() && last->second == map.path) return map.path;
         if (first.empty() || map.path.ends_with(".density") > first.ends_with(".density")) first = map.path;
     }
     return first;
 }
 
-std::string toolFor(const BrushBook& book, int channels) {
-    const auto last = book.lastTool.find(channels);
+std::string toolFor(const BrushBook& book, MapKind kind) {
+    const auto last = book.lastTool.find(kind);
     if (last != book.lastTool.end()) return last->second;
-    return channels == 1 ? "add" : channels == 2 ? "comb" : kLookTool;
+    switch (kind) {
+        case MapKind::Amounts: return "add";
+        case MapKind::Directions: return "comb";
+        case MapKind::Forces: return "press";
+        case MapKind::Colours: break;
+    }
+    return kLookTool;
 }
 
-void remember(BrushBook& book, int channels) {
-    book.lastMap[channels] = book.map;
-    if (book.tool != kLookTool) book.lastTool[channels] = book.tool;
+void remember(BrushBook& book, MapKind kind) {
+    book.lastMap[kind] = book.map;
+    if (book.tool != kLookTool) book.lastTool[kind] = book.tool;
 }
 
 }  // namespace
@@ -42,7 +48,7 @@ std::vector<FieldRef> shownMaps(EditorApp& app) {
 
 std::vector<FieldRef> paintableMaps(EditorApp& app) {
     std::vector<FieldRef> maps = shownMaps(app);
-    std::erase_if(maps, [](const FieldRef& f) { return f.row->mapChannels > 2; });
+    std::erase_if(maps, [](const FieldRef& f) { return kindOf(*f.row) == MapKind::Colours; });
     return maps;
 }
 
@@ -61,7 +67,7 @@ void selectTool(EditorApp& app, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
     const std::optional<FieldRef> map = chosenMap(app);
-    if (row && (!map || !paints(*row, map->row->mapChannels))) {
+    if (row && (!map || !paints(*row, kindOf(*map->row)))) {
         const std::string other = mapOfKind(app, *row);
         if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
         app.brushes.map = other;
@@ -72,7 +78,7 @@ void selectTool(EditorApp& app, const std::string& tool) {
 
 void toggleLook(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
-    selectTool(app, app.brushes.tool != kLookTool ? kLookTool : toolFor(app.brushes, map ? map->row->mapChannels : 1));
+    selectTool(app, app.brushes.tool != kLookTool ? kLookTool : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
 }
 
 void keepTargetValid(EditorApp& app) {
@@ -84,10 +90,10 @@ void keepTargetValid(EditorApp& app) {
     }
     const std::optional<FieldRef> map = chosenMap(app);
     if (!map) return;
-    const int channels = map->row->mapChannels;
+    const MapKind kind = kindOf(*map->row);
     const BrushRow* row = findBrush(app.brushes.tool);
-    if (row && !paints(*row, channels)) app.brushes.tool = toolFor(app.brushes, channels);
-    remember(app.brushes, channels);
+    if (row && !paints(*row, kind)) app.brushes.tool = toolFor(app.brushes, kind);
+    remember(app.brushes, kind);
 }
 
 std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) {
@@ -95,6 +101,13 @@ std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) 
     if (!(ctrl && shift)) return {brush};
     return speciesBrushes(app.doc.project(), app.doc.tables().components, brush);
 }
+
+namespace {
+// Forces that nobody painted are shown with those of the map, and where there is none.
+bool showsSources(EditorApp& app, const FieldRef& map) {
+    return map.row->isForce && has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
+}
+}  // namespace
 
 bool overlayShown(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
@@ -107,7 +120,7 @@ void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !ov
 
 MapOverlay overlayOf(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
-    if (!map || !present(*map) || !overlayShown(app)) return {};
+    if (!map || !overlayShown(app) || !(present(*map) || showsSources(app, *map))) return {};
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
     if (!scale || !findGround(app.doc.project()).terrain) return {};
     return {map->path, scale->tiling};

@@ -6,7 +6,7 @@
 
 namespace sward {
 
-// Maps that brushes paint on, absent ones included: one or two channels, no heights.
+// Maps that brushes paint on, absent ones included: amounts, directions and forces, no heights.
 std::vector<FieldRef> paintableMaps(EditorApp& app);
 // Those, and colour maps, which are shown but not painted.
 std::vector<FieldRef> shownMaps(EditorApp& app);
@@ -21,7 +21,7 @@ void keepTargetValid(EditorApp& app);
 // What a stroke begun with these modifiers paints, a brush for each map (brush_book.h).
 std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift);
 
-// --- the overlay: on at first for what cannot be seen otherwise (directions, openness), remembered for each map
+// --- the overlay: on at first for what cannot be seen otherwise (directions, forces, openness), remembered for each map
 bool overlayShown(EditorApp& app);
 void toggleOverlay(EditorApp& app);
 MapOverlay overlayOf(EditorApp& app);

@@ -72,6 +72,7 @@ struct Document::Impl {
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
     Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
     void pump(double budgetMs);
+    void letGo();  // no more points
     void finishStroke();
     bool step(bool forward);
 };
@@ -386,13 +387,10 @@ Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool creat
     const auto& target = *static_cast<const MapField*>(field.value);
     if (!target.present() && !create)
         return usage(field.path + ": there is no map to paint on", "create or import one first");
-    const int channels = target.present() ? target.map.info().channels : field.row->mapChannels;
-    if (paints(*findBrush(brush.mode), channels)) return {};
-    if (channels > 2)
-        return usage(field.path + ": brushes paint on maps of one or two channels", "import or fill this map instead");
-    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode,
-                             channels == 2 ? "directions" : "amounts"),
-                 channels == 2 ? "use comb, direction, smooth or subtract" : "use another mode");
+    const MapKind kind = kindOf(*field.row);
+    if (paints(*findBrush(brush.mode), kind)) return {};
+    if (kind == MapKind::Colours) return usage(field.path + ": brushes do not paint colours", "import or fill this map instead");
+    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)), "use " + brushesFor(kind));
 }
 
 }  // namespace
@@ -460,8 +458,14 @@ void Document::Impl::pump(double budgetMs) {
     record("stroke", std::move(done));
 }
 
+void Document::Impl::letGo() {
+    if (!stroke) return;
+    for (StrokePart& part : stroke->parts) part.work.end();
+    stroke->ended = true;
+}
+
 void Document::Impl::finishStroke() {
-    if (stroke) stroke->ended = true;
+    letGo();
     pump(0);
 }
 
@@ -472,7 +476,7 @@ bool Document::pumpStroke(double budgetMs) {
 
 void Document::endStroke() {
     if (!impl_->stroke) return;
-    impl_->stroke->ended = true;
+    impl_->letGo();
     if (impl_->stroke->idle()) impl_->pump(0);
 }
 

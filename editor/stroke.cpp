@@ -123,12 +123,17 @@ void Stroke::moveTo(double x, double z) {
     heading_ = headingAfter(before, dx, dz, length, reach);
     if (headless_ && length > 0) queueStamp(x0, z0, heading_), headless_ = false;
     for (const auto& [sx, sz] : stampsAlong(points_, step_, carry_)) {
-        if (points_.size() == 1 && settings_.mode == "comb")
+        if (points_.size() == 1 && row_->follows)
             headless_ = true;
         else
             queueStamp(sx, sz, headingAfter(before, dx, dz, std::hypot(sx - x0, sz - z0), reach));
     }
     points_.erase(points_.begin(), points_.end() - 1);
+}
+
+void Stroke::end() {
+    if (headless_) queueStamp(points_.front().first, points_.front().second, heading_);
+    headless_ = false;
 }
 
 void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {

@@ -31,6 +31,7 @@ class Stroke {
            uint32_t firstTurn);
 
     void moveTo(double x, double z);  // metres; queues stamps
+    void end();                       // a stroke that went nowhere paints what it has without a heading
     bool idle() const { return queue_.empty() && tiles_.count() == 0; }
     // Paints queued stamps into the map for at most budgetMs, at least one batch of tiles; 0: all of them.
     void pump(Map& map, double budgetMs);

@@ -2,6 +2,7 @@
 
 #include "grass/field.h"
 #include "grass/flowers.h"
+#include "grass/force_outlines.h"
 #include "grass/forces.h"
 #include "grass/geometry.h"
 #include "grass/slices.h"
@@ -30,7 +31,7 @@ const Tables& tables() {
         windEffect(), gustsEffect(),
         groundEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        forcesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
+        forcesEffect(), forceOutlinesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
         waterEffect(), reflectionEffect(),        // water
         farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };

@@ -3,23 +3,52 @@
 
 #include "brushes/paint.h"
 #include "core/jobs.h"
+#include "scene/rows.h"
 
 namespace sward {
 namespace {
 constexpr BrushRow kBrushes[] = {
     {"add", "Add", "Raises the map: more blades, higher ground", applyAdd},
-    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean", applySubtract, true, true},
+    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean, less pressed", applySubtract, true, true, true},
     {"set", "Set", "Paints towards a value", applySet},
-    {"smooth", "Smooth", "Evens out what is painted", applySmooth, true, true},
+    {"smooth", "Smooth", "Evens out what is painted", applySmooth, true, true, true},
     {"noise", "Noise", "Roughens towards random values, the same for the same seed", applyNoise},
-    {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, false, true},
+    {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, false, true, false, true},
     {"direction", "Direction", "Lays the grass towards an angle", applyDirection, false, true},
+    {"press", "Press", "Presses the grass down and pushes it the way the stroke goes, as a roller does; a click pushes it apart", applyPress, false, false, true, true},
 };
 }  // namespace
 
 std::span<const BrushRow> brushRows() { return kBrushes; }
 
-bool paints(const BrushRow& row, int channels) { return channels == 1 ? row.amounts : channels == 2 && row.directions; }
+MapKind kindOf(const FieldRow& map) {
+    if (map.isForce) return MapKind::Forces;
+    return map.mapChannels == 1 ? MapKind::Amounts : map.mapChannels == 2 ? MapKind::Directions : MapKind::Colours;
+}
+
+const char* kindName(MapKind kind) {
+    constexpr const char* names[] = {"amounts", "directions", "forces", "colours"};
+    return names[static_cast<size_t>(kind)];
+}
+
+bool paints(const BrushRow& row, MapKind kind) {
+    switch (kind) {
+        case MapKind::Amounts: return row.amounts;
+        case MapKind::Directions: return row.directions;
+        case MapKind::Forces: return row.forces;
+        case MapKind::Colours: break;
+    }
+    return false;
+}
+
+std::string brushesFor(MapKind kind) {
+    std::vector<std::string> names;
+    for (const BrushRow& row : kBrushes)
+        if (paints(row, kind)) names.push_back(row.name);
+    std::string out;
+    for (size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    return out;
+}
 
 const BrushRow* findBrush(const std::string& name) {
     for (const BrushRow& row : kBrushes)

@@ -12,6 +12,18 @@
 
 namespace sward {
 
+struct FieldRow;
+
+// What a map's channels mean to a brush. Colours are not painted.
+enum class MapKind {
+    Amounts,     // one channel: density, heights
+    Directions,  // two: direction x, z about 0.5, its length the strength
+    Forces,      // four: push x, z about 0.5, press; all times the fourth
+    Colours,
+};
+MapKind kindOf(const FieldRow& map);
+const char* kindName(MapKind kind);  // "amounts"
+
 struct BrushSettings {
     std::string map = "density";  // a map's PATH or an unambiguous tail of it
     std::string mode = "add";     // a row's name
@@ -32,7 +44,7 @@ struct Stamp {
     // Number of the stamp: it turns the rounding of integer maps, so that changes smaller than one of their steps add
     // up over stamps to what they would be without rounding. 0 rounds to nearest.
     uint32_t turn = 0;
-    double headingX = 0, headingZ = 0;  // where the stroke goes, for the comb; any length; none: nowhere yet
+    double headingX = 0, headingZ = 0;  // where the stroke goes, for comb and press; any length; none: nowhere yet
 };
 
 // The tiles that a stamp may change: [x0, x1[ by [y0, y1[; empty if it misses the map or paints nothing.
@@ -47,15 +59,18 @@ struct BrushRow {
     const char* label;  // "Add"
     const char* help;
     // Reads `map` as it was before the stamp (smooth needs neighbours) and returns the new tile, or the old pointer if
-    // nothing changed. Of maps that the brush does not paint every tile is returned as it is. Settings that are not
-    // finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
+    // nothing changed. Of maps with a number of channels that it does not paint every tile is returned as it is; four
+    // channels it takes for forces. Settings that are not finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
     std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
                                          const BrushSettings& brush);
-    bool amounts = true;      // paints maps of one channel
-    bool directions = false;  // paints maps of two channels: direction x, z about 0.5, its length the strength
+    bool amounts = true;      // the kinds of maps that it paints
+    bool directions = false;
+    bool forces = false;
+    bool follows = false;     // paints the way the stroke goes: the first stamp waits until it goes somewhere, or ends
 };
-// True if the brush paints maps of so many channels.
-bool paints(const BrushRow& row, int channels);
+bool paints(const BrushRow& row, MapKind kind);
+// "press, smooth or subtract": the brushes that paint such maps.
+std::string brushesFor(MapKind kind);
 std::span<const BrushRow> brushRows();
 const BrushRow* findBrush(const std::string& name);
 

@@ -32,6 +32,23 @@ bool StampWeights::row(int y, float* weight) const {
     return true;
 }
 
+PaintedForce forceOfTexel(const double* texel) {
+    const auto part = [&](double v) { return std::abs(v - 0.5) < 0.75 / 255 ? 0.0 : 2 * v - 1; };
+    return {part(texel[0]) * texel[3], part(texel[1]) * texel[3], texel[2] * texel[3], texel[3]};
+}
+
+void texelOfForce(const PaintedForce& force, double* texel) {
+    const double share = std::clamp(force.share, 0.0, 1.0);
+    texel[3] = share;
+    if (share < 1e-6) {
+        texel[0] = texel[1] = 0.5, texel[2] = 0;
+        return;
+    }
+    texel[0] = std::clamp(0.5 + 0.5 * force.x / share, 0.0, 1.0);
+    texel[1] = std::clamp(0.5 + 0.5 * force.z / share, 0.0, 1.0);
+    texel[2] = std::clamp(force.press / share, 0.0, 1.0);
+}
+
 bool usableBrush(const Stamp& stamp, const BrushSettings& b) {
     const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
                         std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&

@@ -1,6 +1,6 @@
 // What all brushes share: the weights of a stamp over a tile, and the loop that adds a change to its texels.
 // Values and changes are counted in steps of the map's type: 0 to 255, 0 to 65535, or the float itself.
-// Does not: know any mode; each brush gives its own change. Maps of one channel, or of two that make a direction.
+// Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, or of four that make a force.
 #pragma once
 #include <limits>
 #include <type_traits>
@@ -135,8 +135,32 @@ void turnTowards(const PaintRow<Real>& row, const Target& target) {
         row.change[i] = (target(i / 2, i % 2) - row.value[i]) * static_cast<Real>(row.weight[i / 2]);
 }
 
+// A force as it acts: push and press times their share.
+struct PaintedForce {
+    double x = 0, z = 0, press = 0, share = 0;
+};
+// Of four numbers in [0, 1], those of a texel; half a step of eight bits about 0.5 is no push, as for who reads the map.
+PaintedForce forceOfTexel(const double* texel);
+// The same for forces: target(i). What acts is mixed, so that what a texel of no share holds does not show.
+void texelOfForce(const PaintedForce& force, double* texel);  // a push of no share: none
+template <class Real, class Target>
+void pressTowards(const PaintRow<Real>& row, const Target& target) {
+    const double scale = static_cast<double>(row.scale);
+    for (int i = 0; i < kTileSize; ++i) {
+        const double w = static_cast<double>(row.weight[i]);
+        double texel[4] = {}, next[4] = {};
+        for (int c = 0; c < 4; ++c) texel[c] = next[c] = static_cast<double>(row.value[4 * i + c]) / scale;
+        const PaintedForce a = forceOfTexel(texel), b = target(i);
+        if (w > 0 && (a.share > 0 || b.share > 0)) {
+            const auto mixed = [w](double from, double to) { return from + (to - from) * w; };
+            texelOfForce({mixed(a.x, b.x), mixed(a.z, b.z), mixed(a.press, b.press), mixed(a.share, b.share)}, next);
+        }
+        for (int c = 0; c < 4; ++c) row.change[4 * i + c] = static_cast<Real>((next[c] - texel[c]) * scale);
+    }
+}
+
 // The modes; one file each.
 using ApplyBrush = std::shared_ptr<const Tile>(const Map&, int, int, const Stamp&, const BrushSettings&);
-ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection;
+ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection, applyPress;
 
 }  // namespace sward

@@ -1,6 +1,6 @@
 // Moves the map towards its own mean around each texel: a square that reaches an eighth of the brush's radius, at least
 // one texel and at most kMostReach. Reads the map as it was before the stamp; beyond the edge the map goes on as there.
-// Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel.
+// Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel. So are forces, as they act.
 // Cost: two running sums over the tile and its margin, whatever the radius.
 #include "brushes/paint.h"
 
@@ -14,21 +14,21 @@ int reachOf(double radius) {
     return std::clamp(static_cast<int>(std::lround(std::min(radius, 1e4) / 8)), 1, kMostReach);
 }
 
-// Integers are summed exactly; floats in double. So a flat map stays exactly as it is.
+// Integers are summed exactly; floats in double. So a flat map stays exactly as it is, but for forces, to a ten-millionth.
 template <class T>
 using Sum = std::conditional_t<std::is_same_v<T, float>, double, int>;
 
-// One channel of n texels of a row of the map from x0 on; columns and rows beyond the edge repeat it.
-template <class T, int Channels>
-void readRow(const Map& map, int channel, int x0, int y, int n, T* out) {
+// n texels of a row of the map from x0 on, of each what `valueOf` makes of its channels; columns and rows beyond the edge repeat it.
+template <class T, int Channels, class V, class ValueOf>
+void readRow(const Map& map, const ValueOf& valueOf, int x0, int y, int n, V* out) {
     const int width = map.info().width;
     y = std::clamp(y, 0, map.info().height - 1);
     const int from = std::clamp(-x0, 0, n - 1), to = std::clamp(width - x0, from + 1, n);
     for (int i = from; i < to;) {
         const int x = x0 + i, run = std::min(kTileSize - x % kTileSize, to - i);
         const T* in = reinterpret_cast<const T*>(map.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
-                      (y % kTileSize * kTileSize + x % kTileSize) * Channels + channel;
-        for (int k = 0; k < run; ++k) out[i + k] = in[k * Channels];
+                      (y % kTileSize * kTileSize + x % kTileSize) * Channels;
+        for (int k = 0; k < run; ++k) out[i + k] = valueOf(in + k * Channels);
         i += run;
     }
     std::fill(out, out + from, out[from]);
@@ -54,35 +54,67 @@ void meansAcross(const Sum<T>* sums, int reach, double share, float* __restrict 
 }
 
 // The means around the tile's texels, kTileSize rows of kTileSize.
-template <class T, int Channels>
-std::vector<float> blurredTile(const Map& map, int channel, int tx, int ty, int reachX, int reachY) {
+template <class T, int Channels, class V, class ValueOf>
+std::vector<float> blurredTile(const Map& map, const ValueOf& valueOf, int tx, int ty, int reachX, int reachY) {
     const int columns = kTileSize + 2 * reachX, rows = kTileSize + 2 * reachY;
     const double share = 1.0 / ((2 * reachX + 1) * (2 * reachY + 1));
-    std::vector<T> texels(size_t(rows + 1) * kWide);  // the first row stays zero: nothing drops out at the start
+    std::vector<V> texels(size_t(rows + 1) * kWide);  // the first row stays zero: nothing drops out at the start
     std::vector<float> means(size_t(kTileSize) * kTileSize);
-    alignas(64) Sum<T> sums[kWide] = {};
+    alignas(64) Sum<V> sums[kWide] = {};
     const auto row = [&](int y) { return &texels[size_t(y + 1) * kWide]; };
     for (int y = 0; y < rows; ++y) {
-        readRow<T, Channels>(map, channel, tx * kTileSize - reachX, ty * kTileSize - reachY + y, columns, row(y));
+        readRow<T, Channels>(map, valueOf, tx * kTileSize - reachX, ty * kTileSize - reachY + y, columns, row(y));
         const int top = y - 2 * reachY;  // of the tile's rows, the one whose square ends here
-        slide<T>(row(y), row(std::max(top - 1, -1)), sums);
-        if (top >= 0) meansAcross<T>(sums, reachX, share, &means[size_t(top) * kTileSize]);
+        slide<V>(row(y), row(std::max(top - 1, -1)), sums);
+        if (top >= 0) meansAcross<V>(sums, reachX, share, &means[size_t(top) * kTileSize]);
     }
     return means;
 }
 
+// Of one channel, in steps of the map.
+template <class T, int Channels>
+std::vector<float> blurredChannel(const Map& map, int channel, int tx, int ty, const Stamp& stamp) {
+    const auto valueOf = [channel](const T* texel) { return texel[channel]; };
+    return blurredTile<T, Channels, T>(map, valueOf, tx, ty, reachOf(stamp.radiusX), reachOf(stamp.radiusY));
+}
 template <int Channels>
 std::vector<float> blurredTile(const Map& map, int channel, int tx, int ty, const Stamp& stamp) {
-    const int rx = reachOf(stamp.radiusX), ry = reachOf(stamp.radiusY);
     switch (map.info().type) {
         case PixelType::U8:
-            return blurredTile<uint8_t, Channels>(map, channel, tx, ty, rx, ry);
+            return blurredChannel<uint8_t, Channels>(map, channel, tx, ty, stamp);
         case PixelType::U16:
-            return blurredTile<uint16_t, Channels>(map, channel, tx, ty, rx, ry);
+            return blurredChannel<uint16_t, Channels>(map, channel, tx, ty, stamp);
         case PixelType::F32:
-            return blurredTile<float, Channels>(map, channel, tx, ty, rx, ry);
+            return blurredChannel<float, Channels>(map, channel, tx, ty, stamp);
     }
     return {};
+}
+
+// Of one part of the forces, as they act.
+template <class T>
+std::vector<float> blurredForce(const Map& map, double PaintedForce::* part, int tx, int ty, const Stamp& stamp) {
+    const auto valueOf = [part](const T* t) {
+        const double scale = static_cast<double>(PixelTraits<T>::scale), texel[4] = {t[0] / scale, t[1] / scale, t[2] / scale, t[3] / scale};
+        return static_cast<float>(forceOfTexel(texel).*part);
+    };
+    return blurredTile<T, 4, float>(map, valueOf, tx, ty, reachOf(stamp.radiusX), reachOf(stamp.radiusY));
+}
+std::vector<float> blurredForce(const Map& map, double PaintedForce::* part, int tx, int ty, const Stamp& stamp) {
+    switch (map.info().type) {
+        case PixelType::U8: return blurredForce<uint8_t>(map, part, tx, ty, stamp);
+        case PixelType::U16: return blurredForce<uint16_t>(map, part, tx, ty, stamp);
+        case PixelType::F32: return blurredForce<float>(map, part, tx, ty, stamp);
+    }
+    return {};
+}
+
+std::shared_ptr<const Tile> smoothForces(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
+    const auto part = [&](double PaintedForce::* p) { return blurredForce(map, p, tx, ty, stamp); };
+    const std::vector<float> x = part(&PaintedForce::x), z = part(&PaintedForce::z), press = part(&PaintedForce::press), share = part(&PaintedForce::share);
+    return paintTile<4>(map, tx, ty, stamp, brush, [&](const auto& row) {
+        const size_t from = size_t(row.y - ty * kTileSize) * kTileSize;
+        pressTowards(row, [&](int i) { return PaintedForce{x[from + size_t(i)], z[from + size_t(i)], press[from + size_t(i)], share[from + size_t(i)]}; });
+    });
 }
 
 std::shared_ptr<const Tile> smoothDirections(const Map& map, int tx, int ty, const Stamp& stamp,
@@ -98,8 +130,10 @@ std::shared_ptr<const Tile> smoothDirections(const Map& map, int tx, int ty, con
 
 std::shared_ptr<const Tile> applySmooth(const Map& map, int tx, int ty, const Stamp& stamp,
                                         const BrushSettings& brush) {
-    if (!usableBrush(stamp, brush) || map.info().channels > 2) return map.tile(tx, ty);
-    if (map.info().channels == 2) return smoothDirections(map, tx, ty, stamp, brush);
+    const int channels = map.info().channels;
+    if (!usableBrush(stamp, brush) || channels == 3) return map.tile(tx, ty);
+    if (channels == 4) return smoothForces(map, tx, ty, stamp, brush);
+    if (channels == 2) return smoothDirections(map, tx, ty, stamp, brush);
     const std::vector<float> mean = blurredTile<1>(map, 0, tx, ty, stamp);
     return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
         const float* of = &mean[size_t(row.y - ty * kTileSize) * kTileSize];

@@ -135,11 +135,12 @@ void drawBrushBar(EditorApp& app) {
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(app, *map);
     const ui::Disabled looking(app.brushes.tool == kLookTool);
     BrushSettings& b = currentBrush(app.brushes);
-    const bool lays = b.mode == "comb" || b.mode == "direction";
+    const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
     number(app, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
     number(app, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
-           lays ? "How far the blades lean over: - and = change it."
-                : "How much one pass over a place changes it: - and = change it.");
+           lays      ? "How far the blades lean over: - and = change it."
+           : presses ? "How flat the blades are pressed, and how far pushed: - and = change it."
+                     : "How much one pass over a place changes it: - and = change it.");
     number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(app, b.angleDeg);
     if (b.mode == "set")

@@ -11,7 +11,7 @@ namespace {
 constexpr float kPad = 8;
 // As in shaders/post/map_overlay.frag.glsl.
 constexpr ImU32 kNone = IM_COL32(61, 13, 107, 255), kHalf = IM_COL32(222, 77, 92, 255),
-                kFull = IM_COL32(255, 235, 64, 255);
+                kFull = IM_COL32(255, 235, 64, 255), kPressed = IM_COL32(153, 153, 153, 255);
 
 ImVec2 box(const Rect& r, float width, float height) {
     const ImVec2 low{r.x + r.w - width - 10, r.y + 10};
@@ -45,13 +45,12 @@ ImU32 hueOf(float turn) {
     return ImGui::GetColorU32({part(0), part(2.f / 3), part(1.f / 3), 1});
 }
 
-// The wheel turns with the view: up on it is away from the viewer.
-void directions(const Rect& r, const std::string& title, double yaw) {
+// The wheel turns with the view: up on it is away from the viewer. Returns where what is beside it begins.
+ImVec2 wheel(const Rect& r, const std::string& title, double yaw, float rest, float lines) {
     constexpr float kWheel = 30;
     constexpr int kParts = 36;
     const float line = ImGui::GetTextLineHeight();
-    constexpr const char* kHelp = "hue: where it leans";
-    const float beside = 2 * kWheel + 18 + ImGui::CalcTextSize(kHelp).x;
+    const float beside = 2 * kWheel + 18 + rest;
     const float width = std::max(beside, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
     const ImVec2 at = box(r, width, 2 * kPad + line + 2 * kWheel + 14);
     text(at, title);
@@ -68,8 +67,26 @@ void directions(const Rect& r, const std::string& title, double yaw) {
     list.AddCircleFilled(c, kWheel * 0.3f, IM_COL32_WHITE);
     const ImVec2 north = place(0, kWheel * 0.75f), half = ImGui::CalcTextSize("N");
     text({north.x - half.x / 2, north.y - half.y / 2}, "N", IM_COL32_BLACK);
-    text({c.x + kWheel + 12, c.y - line - 2}, kHelp, ui::kDimText);
-    text({c.x + kWheel + 12, c.y + 2}, "white: upright", ui::kDimText);
+    return {c.x + kWheel + 12, c.y - lines * (line + 4) / 2};
+}
+
+void directions(const Rect& r, const std::string& title, double yaw) {
+    constexpr const char* kHelp = "hue: where it leans";
+    const ImVec2 at = wheel(r, title, yaw, ImGui::CalcTextSize(kHelp).x, 2);
+    text(at, kHelp, ui::kDimText);
+    text({at.x, at.y + ImGui::GetTextLineHeight() + 4}, "white: upright", ui::kDimText);
+}
+
+void forces(const Rect& r, const std::string& title, double yaw) {
+    constexpr const char* kHelp = "hue: where it is pushed";
+    const float rest = ImGui::CalcTextSize(kHelp).x, line = ImGui::GetTextLineHeight() + 4;
+    const ImVec2 at = wheel(r, title, yaw, rest, 3);
+    text(at, kHelp, ui::kDimText);
+    const ImVec2 low{at.x, at.y + line + 2}, high{at.x + rest, at.y + line + 12};
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(low, high, IM_COL32_WHITE, kPressed, kPressed, IM_COL32_WHITE);
+    text({at.x, at.y + 2 * line}, "0 stands", ui::kDimText);
+    constexpr const char* kFlat = "1 flat";
+    text({at.x + rest - ImGui::CalcTextSize(kFlat).x, at.y + 2 * line}, kFlat, ui::kDimText);
 }
 
 }  // namespace
@@ -79,9 +96,11 @@ void drawOverlayLegend(EditorApp& app) {
     if (overlayOf(app).map.empty() || !map) return;
     const std::string title = map->path;
     const bool sky = std::string_view(map->row->name) == "ambientOcclusion";
-    if (map->row->mapChannels == 1)
+    const MapKind kind = kindOf(*map->row);
+    if (kind == MapKind::Amounts)
         amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
-    if (map->row->mapChannels == 2) directions(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Forces) forces(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Directions) directions(app.viewport.rect, title, app.viewport.camera.yaw);
 }
 
 }  // namespace sward

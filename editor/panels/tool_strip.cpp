@@ -45,6 +45,13 @@ void comb(Draw d, ImVec2 c, float r, ImU32 color) {
                              {c.x + (x + 0.8f) * r, c.y - r * 0.8f}, color, 1.8f);
 }
 
+// A roller over a flat line.
+void roller(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddCircle({c.x, c.y - r * 0.25f}, r * 0.75f, color, 0, 1.8f);
+    d.AddLine({c.x - r * 1.2f, c.y + r * 0.8f}, {c.x + r * 1.2f, c.y + r * 0.8f}, color, 2);
+    d.AddLine({c.x, c.y - r * 0.25f}, {c.x + r * 1.1f, c.y - r * 1.1f}, color, 1.8f);
+}
+
 void compass(Draw d, ImVec2 c, float r, ImU32 color) {
     d.AddCircle(c, r * 1.15f, color, 0, 1.4f);
     d.AddTriangleFilled({c.x + r * 0.62f, c.y - r * 0.62f}, {c.x - r * 0.6f, c.y - r * 0.05f},
@@ -61,6 +68,7 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     if (tool == "smooth") return wave(d, c, r, color);
     if (tool == "noise") return specks(d, c, r, color);
     if (tool == "comb") return comb(d, c, r, color);
+    if (tool == "press") return roller(d, c, r, color);
     if (tool == "direction") return compass(d, c, r, color);
     const char first[2] = {label[0], 0};
     const ImVec2 size = ImGui::CalcTextSize(first);

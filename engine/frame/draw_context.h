@@ -62,6 +62,13 @@ struct GroundMesh {
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
 
 struct FieldState;  // grass/field.h
+struct Force;       // frame/forces.h
+// The map around the eye in which forces add up, for passes that draw into it (grass/forces).
+struct ForceTarget {
+    GLuint framebuffer = 0;
+    int side = 0;                      // texels
+    std::span<const Force> forces;     // those that reach into it
+};
 
 // What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque here.
 struct SharedResources {
@@ -77,6 +84,7 @@ struct SharedResources {
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     std::array<BladeDraws, MAX_SPECIES> blades{};
     std::array<BladeShade, MAX_SPECIES> shades{};
+    ForceTarget forceTarget;
     GLuint reflection = 0;              // what the water mirrors; 0: nothing
     glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
     LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS

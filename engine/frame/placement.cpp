@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "frame/ground.h"
+#include "scene/save_folder.h"
 
 namespace sward {
 namespace {
@@ -17,19 +18,28 @@ glm::dmat3 rotationOf(const glm::dvec3& degrees) {
 
 }  // namespace
 
-std::vector<PlacedMesh> placedMeshes(const Project& p) {
+PlacedMesh placeMesh(const Project& p, Entity e) {
     const Ground ground = findGround(p);
+    const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
+    const Transform* transform = p.registry.get<Transform>(e);
+    PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
+    if (mesh->onGround && ground.terrain)
+        placed.at.y += ground.origin.y + terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);
+    return placed;
+}
+
+std::vector<PlacedMesh> placedMeshes(const Project& p) {
     std::vector<PlacedMesh> out;
-    for (const auto& [name, e] : p.entities) {
-        const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
-        if (!mesh || mesh->file.empty()) continue;
-        const Transform* transform = p.registry.get<Transform>(e);
-        PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
-        if (mesh->onGround && ground.terrain)
-            placed.at.y += ground.origin.y + terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);
-        out.push_back(placed);
-    }
+    for (const auto& [name, e] : p.entities)
+        if (const StaticMesh* mesh = p.registry.get<StaticMesh>(e); mesh && !mesh->file.empty()) out.push_back(placeMesh(p, e));
     return out;
+}
+
+std::string fileVersion(const std::filesystem::path& dir, const std::string& file) {
+    const auto place = currentFile(dir, file);
+    std::error_code fault;
+    const auto time = place ? std::filesystem::last_write_time(*place, fault) : std::filesystem::file_time_type{};
+    return fmt::format("{}/{} {}", dir.string(), file, fault || !place ? 0 : time.time_since_epoch().count());
 }
 
 }  // namespace sward

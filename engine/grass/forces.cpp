@@ -22,6 +22,8 @@ struct ForcesState : EffectState {
     VertexArray squares;
     Buffer drawn, globals;
     std::vector<Force> forces;
+    size_t squaresDrawn = 0;      // those that are no outlines
+    Outlines outlines;
     glm::dvec2 corner{0};         // of the map, relative to the terrain's corner
     double side = kLeast;
 };
@@ -48,7 +50,7 @@ std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
 // Where the map lies: about the eye, in whole texels.
 void place(ForcesState& s, const glm::dvec2& eye) {
     float widest = 0;
-    for (const Force& f : s.forces) widest = std::max(widest, f.radius * f.reach);
+    for (const Force& f : s.forces) widest = std::max(widest, farOf(f));
     s.side = std::max(kLeast, static_cast<double>(kWidths * widest));
     const double texel = s.side / kSide;
     s.corner = (glm::floor(eye / texel) - glm::dvec2(kSide / 2)) * texel;
@@ -57,14 +59,17 @@ void place(ForcesState& s, const glm::dvec2& eye) {
 void update(DrawContext& ctx) {
     ForcesState& s = ctx.own<ForcesState>();
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z);
-    s.forces = forcesOf(ctx.project, ctx.settings.time);
+    s.forces = forcesOf(ctx.project, ctx.settings.time, &s.outlines);
     place(s, eye);
     std::erase_if(s.forces, [&](const Force& f) {
-        const glm::dvec2 far(static_cast<double>(f.radius * f.reach));
+        const glm::dvec2 far(static_cast<double>(farOf(f)));
         return glm::any(glm::lessThan(glm::max(f.from, f.to) + far, s.corner)) || glm::any(glm::greaterThan(glm::min(f.from, f.to) - far, s.corner + s.side));
     });
     std::vector<Drawn> drawn;
-    for (const Force& f : s.forces) drawn.push_back({glm::vec4(glm::vec2(f.from - eye), glm::vec2(f.to - eye)), {f.radius, f.reach, f.share}});
+    for (const Force& f : s.forces)
+        if (!f.outline) drawn.push_back({glm::vec4(glm::vec2(f.from - eye), glm::vec2(f.to - eye)), {f.radius, f.reach, f.share}});
+    s.squaresDrawn = drawn.size();
+    ctx.shared.forceTarget = {s.target.id(), kSide, s.forces};
     writeBuffer(ctx.gpu, s.drawn, kOwner, drawn.size() * sizeof(Drawn), drawn.data());
     const ForceGlobals g{glm::vec4(glm::vec2(s.corner - eye), static_cast<float>(1 / s.side), 0)};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
@@ -84,16 +89,16 @@ void draw(DrawContext& ctx) {
     glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
     glVertexArrayVertexBuffer(s.squares.id(), 0, s.drawn.id(), 0, sizeof(Drawn));
     glBindVertexArray(s.squares.id());
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(s.forces.size()));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(s.squaresDrawn));
     ctx.pass->draws += 1;
-    ctx.pass->instances += s.forces.size();
+    ctx.pass->instances += s.squaresDrawn;
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
 }
 
 const System kSystems[] = {{"grass/forces/list", update}};
 const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, kForces, kPrograms, draw}};
 
 }  // namespace
 

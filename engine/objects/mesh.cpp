@@ -6,7 +6,6 @@
 #include "frame/placement.h"
 #include "frame/tiles.h"
 #include "scene/mesh_io.h"
-#include "scene/save_folder.h"
 
 namespace sward {
 namespace {
@@ -41,14 +40,6 @@ std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     return s;
 }
 
-// Changes with the file.
-std::string versionOf(const std::filesystem::path& dir, const std::string& file) {
-    const auto place = currentFile(dir, file);
-    std::error_code fault;
-    const auto time = place ? std::filesystem::last_write_time(*place, fault) : std::filesystem::file_time_type{};
-    return fmt::format("{}/{} {}", dir.string(), file, fault || !place ? 0 : time.time_since_epoch().count());
-}
-
 void describe(GpuMesh& m) {
     const GLuint mesh = m.mesh.id();
     glVertexArrayVertexBuffer(mesh, 0, m.vertices.id(), 0, sizeof(MeshVertex));
@@ -80,7 +71,7 @@ GpuMesh uploadMesh(Gpu& gpu, const Mesh& mesh) {
 // The file's mesh; read again when the file changed. What cannot be read is told once and not drawn.
 const GpuMesh& meshOf(DrawContext& ctx, MeshState& s, const std::string& file) {
     GpuMesh& m = s.meshes[file];
-    std::string version = versionOf(ctx.project.dir, file);
+    std::string version = fileVersion(ctx.project.dir, file);
     if (m.version == version) return m;
     const Result<Mesh> mesh = readMesh(ctx.project.dir, file);
     m = mesh ? uploadMesh(ctx.gpu, *mesh) : GpuMesh{};

@@ -13,6 +13,7 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
     if (const GrassField* f = firstOf<GrassField>(ctx.project)) {
         const SharedResources& r = ctx.shared;
         if (wanted == &f->orientation && r.orientation) return r.orientation;
+        if (wanted == &f->forces && r.forces) return r.forces;
         if (wanted == &f->vegetation && r.vegetation) return r.vegetation;
         if (wanted == &f->ambientOcclusion && r.occlusion) return r.occlusion;
         if (wanted == &f->bladeHeight && r.bladeHeights) return r.bladeHeights;
@@ -21,6 +22,9 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
     }
     return ctx.maps.get(kOwner, field.path, wanted->map, true, true);
 }
+
+// How the shader shows it.
+float kindOf(const FieldRow& row) { return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4; }
 
 // Metres, with room for the ground's own roughness.
 float tallestGrass(Project& project) {
@@ -36,13 +40,15 @@ void draw(DrawContext& ctx) {
     const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
-    if (map.empty() || !ctx.use(0, depthConstants(ctx.targets))) return;
-    glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
+    const bool pressed = field->row->isForce && has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
+    if ((map.empty() && !pressed) || !ctx.use(0, depthConstants(ctx.targets))) return;
+    if (!map.empty()) glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
     const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
-    const float texelsPerMetre = static_cast<float>(map.info().width * overlay.tiling) * ctx.globals.maps.x;
-    glUniform4f(0, static_cast<float>(map.info().channels), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    const float texelsPerMetre = static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
+    glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
+    glUniform1i(2, !map.empty());
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -52,7 +58,7 @@ void draw(DrawContext& ctx) {
 }
 
 const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                        featureSet(Feature::TerrainHeights), depthVariants}};
+                                        featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
 const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
 
 }  // namespace

@@ -334,7 +334,7 @@ CellGround groundUnder(const Terrain& t, double x0, double z0, double x1, double
 bool pressedBetween(const RayField& f, const glm::dvec2& from, const glm::dvec2& to) {
     const glm::dvec2 extent = mapExtent(*f.terrain), low = from * extent, high = to * extent;
     for (const Force& force : f.forces) {
-        const glm::dvec2 far(static_cast<double>(force.radius * force.reach));
+        const glm::dvec2 far(static_cast<double>(farOf(force)));
         if (glm::all(glm::greaterThanEqual(glm::max(force.from, force.to) + far, low)) && glm::all(glm::lessThanEqual(glm::min(force.from, force.to) - far, high))) return true;
     }
     if (!f.grass->forces.present()) return false;

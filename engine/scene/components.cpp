@@ -62,6 +62,11 @@ constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType 
     row.mapType = type;
     return row;
 }
+constexpr FieldRow forces(const char* name, size_t offset, const char* help) {
+    FieldRow row = map(name, offset, 4, PixelType::U8, help);
+    row.isForce = true;
+    return row;
+}
 constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
     FieldRow row = map(name, offset, 1, PixelType::F32, help);
     row.unit = "m";
@@ -217,7 +222,7 @@ constexpr FieldRow kGrassFieldFields[] = {
         "colour and opacity over the blades' own colour"),
     map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
         "share of the sky that the ground sees"),
-    map("forces", offsetof(GrassField, forces), 4, PixelType::U8,
+    forces("forces", offsetof(GrassField, forces),
         "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
     map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8, "share of their height that blades have; none: all of it"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
@@ -333,8 +338,8 @@ FeatureSet windFeatures(const void* component) {
 }
 
 constexpr FieldRow kForceFields[] = {
-    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints"),
-    real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5}, "how far from its middle it presses blades down; 0: nowhere"),
+    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: as the entity's StaticMesh stands on the ground"),
+    real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5}, "how far from its middle it presses blades down, 0: nowhere; an outline presses inside, and pushes out to radius * (reach - 1) around"),
     real("length", offsetof(ForceSource, length), "m", {0, 1000, 0.1, 2}, "of a foot, or of a wheel's tread on the ground"),
     real("headingDeg", offsetof(ForceSource, headingDeg), "deg", {-360, 360, 0, 360}, "where a foot or wheel points, clockwise from north (-z)"),
     real("reach", offsetof(ForceSource, reach), "radii", {1, 20, 1, 4}, "how far around it blades are pushed aside"),
@@ -343,7 +348,8 @@ constexpr FieldRow kForceFields[] = {
 };
 FeatureSet forceFeatures(const void* component) {
     const auto& f = *static_cast<const ForceSource*>(component);
-    return f.strength > 0 && f.radius > 0 ? featureSet(Feature::Forces) : FeatureSet{};
+    if (!(f.strength > 0 && f.radius > 0)) return {};
+    return f.shape == static_cast<int>(ForceShape::Outline) ? featureSet(Feature::Forces, Feature::ForceOutlines) : featureSet(Feature::Forces);
 }
 
 constexpr FieldRow kFogFields[] = {

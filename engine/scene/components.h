@@ -205,16 +205,16 @@ struct Track {
 // Source: Jahrmann and Wimmer 2013, section 5.2; frame/forces.h.
 struct ForceSource {
     int shape = 2;                        // index into kForceShapes
-    float radius = 0.3f;                  // metres pressed down; of a foot or wheel, half its width
+    float radius = 0.3f;                  // metres pressed down; of a foot or wheel, half its width; of an outline, of its rim alone
     float length = 0.3f;                  // metres of a foot, and of a wheel's tread on the ground
     float headingDeg = 0;                 // where a foot or wheel points, clockwise from -z (north)
-    float reach = 2;                      // radii out to which blades are pushed aside
+    float reach = 2;                      // radii out to which blades are pushed aside; of an outline, one less, from its edge
     float strength = 1;                   // share; 0: none
     float recovery = 20;                  // seconds in which a track recovers; infinite: it stays
     std::vector<Track> tracks;            // left in playtest; never saved
 };
-inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object"};
-enum class ForceShape { Foot, Wheel, Object };
+inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object", "outline"};
+enum class ForceShape { Foot, Wheel, Object, Outline };
 
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {

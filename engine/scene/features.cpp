@@ -39,6 +39,7 @@ constexpr FeatureNames kNames[] = {
     {"wind", "WIND"},
     {"gusts", "GUSTS"},
     {"forces", "FORCES"},
+    {"force-outlines", "FORCE_OUTLINES"},
     {"force-map", "FORCE_MAP"},
     {"far-darkening", "FAR_DARKENING"},
     {"far-blur", "FAR_BLUR"},

@@ -37,6 +37,7 @@ enum class Feature : uint8_t {
     Wind,              // wind blows
     Gusts,             // in gusts, from a picture; else in waves
     Forces,            // something presses on the grass
+    ForceOutlines,     // in the shape of an object's outline
     ForceMap,          // painted forces do
     FarDarkening,      // far blades are darker
     FarBlur,           // what is far is blurred

@@ -55,6 +55,7 @@ struct FieldRow {
     PixelType mapType = PixelType::U16;         // Map: type of a new one
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isHeight = false;                      // Map: heights, never 8-bit
+    bool isForce = false;                       // Map: what presses on blades; four channels that are no colour
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
 };
@@ -103,7 +104,7 @@ enum class Stage { Simulate, Bake, Shadow, Reflect, Depth, Opaque, Blades, Slice
 // Which views a pass takes part in: a set of bits.
 enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2, kViewShadow = 4, kViewCapture = 8, kViewCompare = 16 };
 // What a pass reads and writes; within a stage the planner runs writers before readers.
-enum ResourceBits : unsigned { kSceneColor = 1, kSceneDepth = 2, kHeights = 4, kGroundCover = 8, kSkyLight = 16, kImage = 32, kResolved = 64 };
+enum ResourceBits : unsigned { kSceneColor = 1, kSceneDepth = 2, kHeights = 4, kGroundCover = 8, kSkyLight = 16, kImage = 32, kResolved = 64, kForces = 128 };
 
 struct DrawContext;  // frame/draw_context.h
 // What an effect keeps while its features are there. One per project; freed when they go.

@@ -35,14 +35,15 @@ map.create { path = tint, width = 480, height = 480, type = "u8", value = { 0.58
 map.noise(tint, { scale = 16, octaves = 4, amount = 0.7, seed = 5, mode = "set", channels = { 4 } })
 map.curve(tint, { { 0.4, 0 }, { 0.7, 0.35 } }, { channels = { 4 } })
 
--- Boulders, and bare ground under each.
+-- Boulders, and bare ground under each; each pushes the grass aside around its outline.
 local stone = { 0.13, 0.125, 0.11 }
 for i, s in ipairs { { 1.5, 1.0, 1.2 }, { 0.8, 0.6, 0.9 }, { 2.4, 1.7, 2.0 } } do
     mesh.write("models/boulder" .. i .. ".glb", { { shape = "ball", at = { 0, s[2] * 0.4, 0 }, size = s, rough = 0.2, seed = 70 + i, color = stone } })
 end
 for i, at in ipairs { { 52, 74, 1 }, { 54.4, 72.8, 2 }, { 68, 62, 3 }, { 71, 64.5, 2 }, { 40, 60, 1 }, { 84, 80, 3 }, { 34, 44, 2 }, { 62, 88, 2 } } do
     entity.add("boulder" .. i, { Transform = { position = { at[1], 0, at[2] } },
-                                 StaticMesh = { file = "models/boulder" .. at[3] .. ".glb", rotationDeg = { 0, 67 * i % 360, 0 } } })
+                                 StaticMesh = { file = "models/boulder" .. at[3] .. ".glb", rotationDeg = { 0, 67 * i % 360, 0 } },
+                                 ForceSource = { shape = "outline", radius = 0.3, reach = 2.5 } })
     map.disc(tall, { x = at[1], z = at[2], radius = ({ 0.9, 0.55, 1.4 })[at[3]], soft = 0.4, value = 0 })
 end
 

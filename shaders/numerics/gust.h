@@ -44,6 +44,19 @@ FN vec3 longForce(vec2 offset, vec2 line, real radius, real reach, real share) {
     return vec3(away.x * push, away.y * push, share * inside);
 }
 
+// The force that an outline throws at a place: inside, blades lie, each its own way; around, they are pushed away from the edge out to
+// radius * (reach - 1), ever less. distance: to the edge, below 0 inside; slope: how it changes over a metre towards x and z, which the
+// push goes along. Across the edge the press gives way to the push within a fifth of a radius, outside: where both are whole, blades that
+// face inwards would stand upright, through what presses them.
+FN vec3 outlineForce(real distance, vec2 slope, real radius, real reach, real share) {
+    real rim = radius * (reach - 1.0f);
+    if (!(radius > kTiny) || !(distance < max(rim, real(0.2) * radius))) return vec3(real(0.0), real(0.0), real(0.0));
+    real inside = clamp(1.0f - distance / (real(0.2) * radius), real(0.0), real(1.0));
+    real push = share * (1.0f - inside) * max(rim - distance, real(0.0)) / max(rim, kTiny);
+    real steep = max(sqrt(dot(slope, slope)), real(1.0));  // less where two edges are equally near: no way out
+    return vec3(slope.x * (push / steep), slope.y * (push / steep), share * inside);
+}
+
 // The force that a texel of a painted map says: x, z about 1/2 the push, z the press, all times w. A push of half a step of eight bits
 // is none.
 FN vec3 paintedForce(vec4 texel) {

@@ -1,13 +1,21 @@
-// A painted map over the scene, looked at from above: what stands on a place takes the place's colour.
+// A painted map over the scene, looked at from above: what stands on a place takes the place's colour. Over painted forces, also those of
+// what stands and went there. Needs: const bool FORCES, GRASS.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
+#include "numerics/hash.h"
+#include "numerics/population.h"
+#include "numerics/wind.h"
+#include "numerics/gust.h"
 #include "lib/heights.glsl"
 #include "lib/scene_depth.glsl"
 layout(binding = TEX_SCENE) uniform sampler2D map;
-layout(location = 0) uniform vec4 overlay;  // channels; tiling, as in shared/frame.h; metres a pixel at 1 m; texels a metre
+layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
+layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
+layout(location = 0) uniform vec4 overlay;  // 1 amounts, 2 directions, 3 forces, 4 colours; tiling, as in shared/frame.h; metres a pixel at 1 m; texels a metre
 layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
+layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
 out vec4 color;
 
 vec4 mapAt(vec2 place, float level) {
@@ -25,6 +33,16 @@ vec2 leanOf(vec4 texel) {
     return length(lean) < 1.5 / 255.0 ? vec2(0.0) : lean / max(length(lean), 1.0);
 }
 
+// As blades meet it: painted, and of what stands and went there.
+vec3 forceAt(vec2 place, float level) {
+    vec3 sum = painted ? paintedForce(mapAt(place, level)) : vec3(0.0);
+    vec2 inMap = (place - frame.eye.xz - force.square.xy) * force.square.z;
+    if (FORCES && GRASS && inMap == clamp(inMap, vec2(0.0), vec2(1.0))) sum += textureLod(forcesAround, inMap, 0.0).rga;
+    return forceOf(sum);
+}
+
+vec2 wayAt(vec2 place, float level) { return overlay.x > 2.5 ? forceAt(place, level).xy : leanOf(mapAt(place, level)); }
+
 // Hue by direction, clockwise from red in the north.
 vec3 directionColor(vec2 lean) {
     float turn = atan(lean.x, -lean.y) / 6.2831853;
@@ -36,7 +54,7 @@ vec3 directionColor(vec2 lean) {
 float arrow(vec2 place, float metresPerPixel) {
     float pitch = exp2(ceil(log2(metresPerPixel * 40.0)));
     vec2 middle = (floor(place / pitch) + 0.5) * pitch;
-    vec2 lean = leanOf(mapAt(middle, max(0.0, log2(pitch * overlay.w) - 1.0)));
+    vec2 lean = wayAt(middle, max(0.0, log2(pitch * overlay.w) - (overlay.x > 2.5 ? 3.0 : 1.0)));
     float strength = length(lean);
     if (strength < 0.04) return 0.0;
     vec2 d = lean / strength, from = (place - middle) / pitch;
@@ -54,10 +72,18 @@ vec2 footOf(vec3 position, vec2 place) {
     return place + position.xz * clamp(over / max(-position.y, 1e-3), 0.0, 0.5);
 }
 
-vec4 directionView(vec3 position, vec2 place, vec4 texel, float metresPerPixel) {
-    vec2 lean = leanOf(texel);
-    vec4 seen = vec4(directionColor(lean), mix(0.1, 0.5, length(lean)));
+// Hue says where to, darkness how flat; what nothing presses on stays clear.
+vec4 forceColor(vec3 f) {
+    float push = length(f.xy);
+    return vec4(directionColor(f.xy) * (1.0 - 0.4 * f.z), mix(0.06, 0.65, max(push, f.z)));
+}
+
+vec4 withArrows(vec4 seen, vec3 position, vec2 place, float metresPerPixel) {
     return mix(seen, vec4(0.03, 0.03, 0.05, 0.85), arrow(footOf(position, place), metresPerPixel));
+}
+
+vec4 directionView(vec3 position, vec2 place, vec2 lean, float metresPerPixel) {
+    return withArrows(vec4(directionColor(lean), mix(0.1, 0.5, length(lean))), position, place, metresPerPixel);
 }
 
 vec3 srgb(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308))); }
@@ -71,8 +97,10 @@ void main() {
     if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, frame.terrain.xy))) discard;
     if (position.y - groundHeight(place) > tallest) discard;
     float metresPerPixel = length(position) * overlay.z;
-    vec4 texel = mapAt(place, max(0.0, log2(metresPerPixel * overlay.w)));
+    float level = max(0.0, log2(metresPerPixel * overlay.w));
+    vec4 texel = painted ? mapAt(place, level) : vec4(0.0);
     if (overlay.x < 1.5) color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
-    else if (overlay.x < 2.5) color = directionView(position, place, texel, metresPerPixel);
+    else if (overlay.x < 2.5) color = directionView(position, place, leanOf(texel), metresPerPixel);
+    else if (overlay.x < 3.5) color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
     else color = vec4(srgb(texel.rgb), texel.a * 0.75);
 }

@@ -37,7 +37,7 @@ TEST(BrushBook, ModifiersChangeTheStrokeAndNotTheSettings) {
     EXPECT_EQ(currentBrush(s).value, 1);
     BrushBook m = painting("subtract");
     EXPECT_EQ(strokeBrush(m, true, false).mode, "add");
-    for (const char* lays : {"comb", "direction"}) {
+    for (const char* lays : {"comb", "direction", "press"}) {
         BrushBook c = painting(lays);
         EXPECT_EQ(strokeBrush(c, true, false).mode, "subtract");
         EXPECT_EQ(strokeBrush(c, false, true).mode, "smooth");

@@ -37,15 +37,18 @@ constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
 TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     std::vector<std::string> names;
     for (const BrushRow& row : brushRows()) names.push_back(row.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction", "press"}));
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
-        EXPECT_EQ(paints(row, 1), name != "comb" && name != "direction") << name;
-        EXPECT_EQ(paints(row, 2), name == "comb" || name == "direction" || name == "smooth" || name == "subtract")
-            << name;
-        EXPECT_FALSE(paints(row, 4)) << name;
+        const bool any = name == "smooth" || name == "subtract", lays = name == "comb" || name == "direction";
+        EXPECT_EQ(paints(row, MapKind::Amounts), !lays && name != "press") << name;
+        EXPECT_EQ(paints(row, MapKind::Directions), lays || any) << name;
+        EXPECT_EQ(paints(row, MapKind::Forces), name == "press" || any) << name;
+        EXPECT_FALSE(paints(row, MapKind::Colours)) << name;
     }
     EXPECT_EQ(findBrush("spray"), nullptr);
+    EXPECT_EQ(brushesFor(MapKind::Forces), "subtract, smooth or press");
+    EXPECT_EQ(brushesFor(MapKind::Colours), "");
 }
 
 TEST(Brush, ZeroRadiusZeroStrengthAndBrokenNumbersPaintNothing) {
@@ -69,8 +72,9 @@ TEST(Brush, ZeroRadiusZeroStrengthAndBrokenNumbersPaintNothing) {
 }
 
 TEST(Brush, MapsOfSeveralChannelsAreLeftAlone) {
-    const Map before({64, 64, 4, PixelType::U8});
-    for (const BrushRow& row : brushRows()) {
+    for (const int channels : {3, 4}) for (const BrushRow& row : brushRows()) {
+        if (channels == 4 && row.forces) continue;
+        const Map before({64, 64, channels, PixelType::U8});
         Map map = before;
         applyStamp(map, row, {32, 32, 20, 20}, brushOf(1));
         EXPECT_TRUE(map.sameTiles(before)) << row.name;

@@ -128,8 +128,11 @@ TEST(Document, StrokesOnWhatCannotBePaintedAreRefusedAndSayWhy) {
     b.map = "vegetation";
     EXPECT_NE(refusal(b).find("no map to paint on"), std::string::npos) << refusal(b);
     ASSERT_TRUE(f.doc.setMap("vegetation", Map({64, 64, 4, PixelType::U8}), "fill"));
-    EXPECT_NE(refusal(b).find("one or two channels"), std::string::npos) << refusal(b);
-    b.map = "nonsense";
+    EXPECT_NE(refusal(b).find("do not paint colours"), std::string::npos) << refusal(b);
+    ASSERT_TRUE(f.doc.createMap("lawn.GrassField.forces"));
+    b.map = "forces", b.mode = "add";
+    EXPECT_NE(refusal(b).find("use subtract, smooth or press"), std::string::npos) << refusal(b);
+    b.map = "nonsense", b.mode = "subtract";
     EXPECT_NE(refusal(b).find("nonsense"), std::string::npos);
     b = subtract(1);
     b.mode = "spray";
@@ -227,7 +230,7 @@ TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
         const auto field = findField(f.doc.project(), tables().components, std::string("lawn.GrassField.") + name);
         return static_cast<const MapField*>(field->value)->map.at(3, 3, c);
     };
-    for (const char* name : {"orientation", "ambientOcclusion", "vegetation"}) {
+    for (const char* name : {"orientation", "ambientOcclusion", "vegetation", "forces"}) {
         const Project before = f.copy();
         ASSERT_TRUE(f.doc.createMap(std::string("lawn.GrassField.") + name));
         EXPECT_FALSE(f.same(before)) << name;
@@ -239,6 +242,8 @@ TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
     EXPECT_EQ(value("ambientOcclusion", 0), 1);
     EXPECT_NEAR(value("orientation", 0), 0.5, 1e-4);
     EXPECT_EQ(value("vegetation", 3), 0);
+    EXPECT_NEAR(value("forces", 0), 0.5, 3e-3);
+    EXPECT_EQ(value("forces", 3), 0);
     EXPECT_FALSE(f.doc.createMap("lawn.GrassField.maxGeom"));
     EXPECT_FALSE(f.doc.createMap("nobody.GrassField.orientation"));
 }

@@ -424,6 +424,32 @@ TEST(Script, DirectionsAreCombedAndLaidTowardsAnAngle) {
                  "does not paint directions");
 }
 
+TEST(Script, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
+    EXPECT_EQ(Stage().fault(R"(
+        project.new()
+        map.create{path = 'forces', width = 160, height = 160, value = {0.5, 0.5, 0, 0}}
+        local empty = map.hash('forces')
+        brush.select{map = 'forces', mode = 'press', radius = 2}
+        brush.stroke{{10, 10}, {30, 10}}
+        local x, z, press, share = map.at('forces', 20, 10)
+        expect.near(x, 1, 1e-2) expect.near(z, 0.5, 1e-2) expect.near(press, 1, 1e-2) expect.near(share, 1, 1e-2)
+        brush.select{map = 'forces', mode = 'subtract', strength = 1, radius = 3}
+        brush.stroke{{20, 10}}
+        x, z, press, share = map.at('forces', 20, 10)
+        expect.equal(share, 0)
+        edit.undo() edit.undo() expect.equal(map.hash('forces'), empty)
+        brush.select{map = 'forces', mode = 'press', radius = 3, strength = 0.5}  -- a click pushes apart
+        brush.stroke{{20, 20}}
+        x, z, press, share = map.at('forces', 21, 20)
+        expect.less(0.8, x) expect.near(z, 0.5, 0.1) expect.near(share, 0.5, 0.02)
+        x = map.at('forces', 19, 20) expect.less(x, 0.2)
+        edit.undo() expect.equal(map.hash('forces'), empty))"),
+              "");
+    EXPECT_FAULT(Stage(), "project.new() map.create{path = 'forces', width = 8, height = 8} brush.select{map = 'forces', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+                 "does not paint forces");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}", "no map to paint on");
+}
+
 TEST(Script, EraseTakesEverySpeciesInOneStep) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()

@@ -9,6 +9,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOrientation = "lawn.GrassField.orientation";
+constexpr const char* kForces = "lawn.GrassField.forces";
 
 class EditorTools : public test::EditorFixture {
   protected:
@@ -223,6 +224,58 @@ TEST_F(EditorTools, CombingInTheViewportLaysTheGrassTheWayTheHandGoes) {
     EXPECT_FALSE(doc.canUndo());
 }
 
+TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) {
+    ok(ui->click("Tools/Press"));
+    EXPECT_EQ(app->brushes.map, kForces);
+    EXPECT_NE(get("Brush/New map").find(" x "), std::string::npos);
+    ok(ui->set("Brush/Strength", "1"));
+    const std::vector<uint8_t> before = picture();
+    paint();  // to the right on the screen
+    ASSERT_TRUE(mapOf(kForces).present());
+    EXPECT_EQ(overlayOf(*app).map, kForces);
+    const Rect& r = app->viewport.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w), static_cast<int>(r.h), static_cast<double>(r.w) * 0.45,
+                               static_cast<double>(r.h) * 0.8);
+    ASSERT_TRUE(at);
+    const glm::dvec2 size = findGround(doc.project()).terrain->size;
+    const Map& map = mapOf(kForces).map;
+    const auto channel = [&](int c) { return static_cast<double>(map.sample(at->x / size.x, at->z / size.y, c)); };
+    const double yaw = app->viewport.camera.yaw;
+    EXPECT_NEAR(channel(0) * 2 - 1, std::cos(yaw), 0.1);
+    EXPECT_NEAR(channel(1) * 2 - 1, std::sin(yaw), 0.1);
+    EXPECT_NEAR(channel(2), 1, 0.02);
+    EXPECT_NEAR(channel(3), 1, 0.02);
+    const std::vector<uint8_t> shown = picture();
+    ok(ui->key("o"));
+    const std::vector<uint8_t> pressed = picture();
+    EXPECT_NE(pressed, shown) << "the overlay shows nothing";
+    EXPECT_NE(pressed, before) << "the grass stands as before";
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(mapOf(kForces).present());
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_EQ(picture(), before);
+    ok(ui->key("ctrl+y"));
+    EXPECT_EQ(picture(), pressed);
+}
+
+TEST_F(EditorTools, TheOverlayOfForcesShowsWhatStandsThereToo) {
+    ok(ui->set("Brush/Map", kForces));
+    EXPECT_EQ(app->brushes.tool, "press");
+    EXPECT_EQ(overlayOf(*app).map, "") << "nothing presses";
+    const Rect& r = app->viewport.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w), static_cast<int>(r.h), static_cast<double>(r.w) * 0.5,
+                               static_cast<double>(r.h) * 0.8);
+    ASSERT_TRUE(at);
+    ASSERT_TRUE(doc.addEntity("stone"));
+    ASSERT_TRUE(doc.addComponent("stone", "ForceSource"));
+    ASSERT_TRUE(doc.addComponent("stone", "Transform"));
+    ASSERT_TRUE(doc.setField("stone.Transform.position", fmt::format("[{}, {}, {}]", at->x, at->y, at->z)));
+    EXPECT_EQ(overlayOf(*app).map, kForces);
+    const std::vector<uint8_t> shown = picture();
+    ok(ui->key("o"));
+    EXPECT_NE(picture(), shown);
+}
+
 TEST_F(EditorTools, TheDialAndTheNumberSetTheAngle) {
     ok(ui->click("Tools/Direction"));
     ok(ui->set("Brush/Angle", "135"));
@@ -243,7 +296,7 @@ TEST_F(EditorTools, TheOverlayShowsDirectionsUnaskedAndDensitiesOnDemand) {
     ok(ui->click("Brush/Create map"));
     EXPECT_TRUE(overlayShown(*app));
     EXPECT_NE(picture(), plain);
-    for (const char* map : {"ambientOcclusion", "vegetation"}) {
+    for (const char* map : {"ambientOcclusion", "vegetation", "forces"}) {
         ok(ui->set("Brush/Map", map));
         ok(ui->click("Brush/Create map"));
         EXPECT_TRUE(overlayShown(*app)) << map;

@@ -57,6 +57,7 @@ Project everything() {
     t.castShadows = true;
     p.dir = objectsFolder();
     putObject(p, "cube", {{}}, {6, 0, 6});
+    put<ForceSource>(p, "cube").shape = static_cast<int>(ForceShape::Outline);
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
@@ -150,7 +151,8 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"lights that cast no shadows", [](Project& p) { for (const auto& [name, e] : p.entities) if (Light* l = p.registry.get<Light>(e)) l->castShadows = false; }},
         {"a calm", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->strength = 0; }},
         {"wind in waves", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = static_cast<int>(WindModel::Waves); }},
-        {"a force without strength", [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "stone"))->strength = 0; }},
+        {"forces without strength", [](Project& p) { for (const char* name : {"stone", "cube"}) p.registry.get<ForceSource>(findEntity(p, name))->strength = 0; }},
+        {"no force of an outline", [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = static_cast<int>(ForceShape::Object); }},
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades", [&](Project& p) { grass(p).technique = static_cast<int>(Technique::Tessellated), grass(p).beyond = static_cast<int>(Beyond::Nothing); }},

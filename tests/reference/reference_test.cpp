@@ -12,7 +12,7 @@
 #include "scene/map_io.h"
 #include "scene/unique.h"
 #include "scene/wind.h"
-#include "scenes.h"
+#include "objects.h"
 #include "sky/daylight.h"
 #include "sky/exposure.h"
 #include "support.h"
@@ -241,6 +241,7 @@ struct BruteForce {
     Map gusts;
 
     UniqueBlades own;
+    Outlines outlines;
 
     // tiled: maps repeat, and blades have painted heights.
     explicit BruteForce(bool windy, bool tiled = false, Population population = Population::Patch) {
@@ -285,6 +286,9 @@ struct BruteForce {
             foot.radius = 0.5f, foot.reach = 3;
             leaveTrack(foot, {2, 3}, {3.5, 2.5}, kTime - 5);
             put(p, "foot", foot);
+            putObject(p, "block", {{.size = {1.2f, 0.3f, 0.4f}}, {.size = {0.3f, 0.3f, 1}, .at = {0, 0, 0.5f}}}, {4.5, 0, 1.6});
+            p.registry.get<StaticMesh>(findEntity(p, "block"))->rotationDeg.y = 20;
+            put<ForceSource>(p, "block").shape = static_cast<int>(ForceShape::Outline);
             Map pressed({6, 6, 4, PixelType::U8});
             for (int i = 0; i < 4; ++i) pressed.set(4, 4, i, i == 0 ? 0.9f : 0.8f);
             grass.forces = field(pressed, "maps/f.png");
@@ -308,7 +312,7 @@ struct BruteForce {
                                                          f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)), clumpStrengths(f.species[0]));
             glm::vec2 lean = here.lean;
             if (const Wind* wind = windOf(p)) lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts, in, b.dither);
-            glm::vec3 force = forceAt(forcesOf(p, kTime), at);
+            glm::vec3 force = forceAt(forcesOf(p, kTime, &outlines), at);
             if (f.forces.present()) force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
             lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
             addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale * share), {at.x, terrainHeight(t, at.x, at.y), at.y});

@@ -1,0 +1,88 @@
+#include "grass/force_outlines.h"
+
+#include "frame/draw_context.h"
+#include "frame/forces.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/force-outlines";
+
+// The outline's distances as a texture, while a force has it.
+struct Drawn {
+    std::shared_ptr<const Footprint> outline;
+    Texture distances;
+};
+struct OutlinesState : EffectState {
+    std::map<const Footprint*, Drawn> outlines;
+    VertexArray square;
+};
+
+std::unique_ptr<EffectState> makeState(DrawContext&) {
+    auto s = std::make_unique<OutlinesState>();
+    s->square = makeVertexArray(kOwner);
+    return s;
+}
+
+Texture upload(DrawContext& ctx, const Footprint& f) {
+    Texture t = makeTexture2D(ctx.gpu, kOwner, GL_R32F, f.width, f.height);
+    glTextureSubImage2D(t.id(), 0, 0, 0, f.width, f.height, GL_RED, GL_FLOAT, f.distances.data());
+    return t;
+}
+
+void update(DrawContext& ctx) {
+    OutlinesState& s = ctx.own<OutlinesState>();
+    std::map<const Footprint*, Drawn> kept;
+    for (const Force& f : ctx.shared.forceTarget.forces) {
+        if (!f.outline || kept.contains(f.outline.get())) continue;
+        const auto known = s.outlines.find(f.outline.get());
+        kept[f.outline.get()] = known != s.outlines.end() ? std::move(known->second) : Drawn{f.outline, upload(ctx, *f.outline)};
+    }
+    s.outlines = std::move(kept);
+}
+
+void drawOne(DrawContext& ctx, const Force& f) {
+    const Footprint& o = *f.outline;
+    const glm::vec2 at(f.from - glm::dvec2(ctx.eye.x, ctx.eye.z)), size = o.high() - o.low;
+    glUniform4f(0, at.x, at.y, farOf(f), f.share);
+    glUniform4f(1, f.radius, f.reach, f.heading.x, f.heading.y);
+    glUniform4f(2, o.low.x, o.low.y, size.x, size.y);
+    glUniform2f(3, f.scale, o.texel);
+    glBindTextureUnit(TEX_OBJECT, ctx.own<OutlinesState>().outlines.at(&o).distances.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
+}
+
+void draw(DrawContext& ctx) {
+    const ForceTarget& target = ctx.shared.forceTarget;
+    if (!ctx.use()) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, target.side, target.side);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
+    glBindVertexArray(ctx.own<OutlinesState>().square.id());
+    for (const Force& f : target.forces)
+        if (f.outline) drawOne(ctx, f);
+    glBlendEquation(GL_FUNC_ADD);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
+    glViewport(0, 0, ctx.targets.width, ctx.targets.height);
+}
+
+const System kSystems[] = {{"grass/force-outlines/upload", update}};
+const ProgramRow kPrograms[] = {{"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
+const Pass kPasses[] = {{"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
+
+}  // namespace
+
+const EffectRow& forceOutlinesEffect() {
+    static const EffectRow row{"grass/force-outlines", featureSet(Feature::ForceOutlines, Feature::Forces, Feature::Grass, Feature::Terrain), kSystems, kPasses, makeState,
+                               "an object presses on the grass in the shape of its outline"};
+    return row;
+}
+
+}  // namespace sward
