@@ -29,7 +29,7 @@ const Tables& tables() {
     static const EffectRow effects[] = {
         sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
         windEffect(), gustsEffect(),
-        groundEffect(), shadeEffect(),            // ground
+        groundEffect(), groundDepthEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
         forcesEffect(), forceOutlinesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
         waterEffect(), reflectionEffect(),        // water

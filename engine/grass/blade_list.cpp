@@ -77,7 +77,7 @@ struct Lister {
         if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
         if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
-        addStrip(out.indices, i, q.shadows ? shadowQuads(cell.segments) : cell.segments, q.cells.segments, q.shadows);
+        addStrip(out.indices, i, q.shadows ? std::min(q.cells.segments, kShadowQuads) : cell.segments, q.cells.segments, q.shadows);
         ++out.blades;
     }
 };

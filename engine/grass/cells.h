@@ -43,9 +43,8 @@ struct GeometryRange {
     float min, inv, max;
 };
 GeometryRange geometryRange(const GrassField& field);
-// Quads of a shadow on the ground of a blade that has so many: it may leave its curve by four times as much, two pixels.
-inline constexpr int kShadowQuads = 2;  // at most
-inline int shadowQuads(int quads) { return std::min((quads + 1) / 2, kShadowQuads); }
+// Quads of a shadow on the ground, at most; one would lose a quarter of its area.
+inline constexpr int kShadowQuads = 2;
 // The farthest that a blade's middle is from its chord, metres: |tip - 2 control| / 4.
 float bladeSagitta(const Patch& patch);
 // How far a species' blades rise above and reach beyond their cell, metres.

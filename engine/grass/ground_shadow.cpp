@@ -26,7 +26,7 @@ struct ShadowState : EffectState {
 std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
-    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], shadowQuads(blades.cells[i].segments), blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
+    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], std::min(blades.segments, kShadowQuads), blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
     return commands;
 }
 

@@ -5,8 +5,8 @@
 // sample of seen ground darkens it and sets the stencil's bit of that light, so that shadows of one light do not add up and yet may fade
 // with their length and with the blade that throws them. A shadow takes away the light of its own light alone: where two
 // lights' shadows cross, the shares that are left are multiplied.
-// The sun and the first six lamps that cast shadows throw them. Blades have half of their quads, two at most, and no texture.
-// Does not: shade the ground beyond maxGeom (the horizontal slice does, grass/slices.h), nor objects. Cost: three to five vertices of a blade a light.
+// The sun and the first six lamps that cast shadows throw them. Blades have two quads at most, no texture, and end in a point.
+// Does not: shade the ground beyond maxGeom (the horizontal slice does, grass/slices.h), nor objects. Cost: a blade's five vertices a light.
 #pragma once
 #include "scene/rows.h"
 

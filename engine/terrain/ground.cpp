@@ -23,6 +23,10 @@ struct GroundState : EffectState {
     int failed = 0;
 };
 
+struct DepthState : EffectState {
+    Buffer nodes;
+};
+
 constexpr int kNodeIndices = 6 * kNodeQuads * kNodeQuads;
 
 // 17 x 17 vertices as two bytes each and two triangles a quad; then two triangles for a whole node, where ground is level.
@@ -97,29 +101,30 @@ void select(DrawContext& ctx) {
     bindMaps(ctx, s, t);
 }
 
-void drawMesh(DrawContext& ctx, GroundState& s) {
-    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, s.selected, s.nodes);
-    ctx.pass->instances += s.selected.size();
+void drawMesh(DrawContext& ctx, const Buffer& room) {
+    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, room);
+    ctx.pass->instances += ctx.shared.groundMesh.nodes.size();
 }
 
 void drawDepth(DrawContext& ctx) {
-    GroundState& s = ctx.own<GroundState>();
-    if (s.selected.empty() || !ctx.use()) return;
+    if (ctx.shared.groundMesh.nodes.empty() || !ctx.use()) return;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawMesh(ctx, s);
+    drawMesh(ctx, ctx.own<DepthState>().nodes);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-// Where the ground is seen, the stencil says so: blades' shadows lie there alone.
+// Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
 void draw(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     if (s.selected.empty() || !ctx.use()) return;
     glBindTextures(TEX_DENSITY, MAX_SPECIES, ctx.shared.densities.data());
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    drawMesh(ctx, s);
-    glDisable(GL_STENCIL_TEST);
+    if (ctx.targets.stencil) {
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    }
+    drawMesh(ctx, s.nodes);
+    if (ctx.targets.stencil) glDisable(GL_STENCIL_TEST);
 }
 
 const System kSystems[] = {{"terrain/select", select}};
@@ -127,13 +132,23 @@ const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl
 const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
                                  featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows,
                                             Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
-const Pass kPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth, kDepthPrograms, drawDepth},
-                        {"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover | kSceneDepth, kSceneColor, kPrograms, draw}};
+const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth, kDepthPrograms, drawDepth}};
+const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& groundEffect() {
     static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain), kSystems, kPasses, makeState, "there is ground to stand on"};
+    return row;
+}
+const EffectRow& groundDepthEffect() {
+    static const EffectRow row{"terrain/depth", featureSet(Feature::Terrain, Feature::TerrainHeights), {}, kDepthPasses,
+                               [](DrawContext& ctx) -> std::unique_ptr<EffectState> {
+                                   auto s = std::make_unique<DepthState>();
+                                   s->nodes = makeBuffer(ctx.gpu, "terrain/depth", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+                                   return s;
+                               },
+                               "hills hide what stands behind them, so that it is not lit"};
     return row;
 }
 

@@ -13,4 +13,6 @@
 
 namespace sward {
 const EffectRow& groundEffect();
+// The depth of land that is not level, before all else: hills hide grass. Reads the nodes that the ground has chosen.
+const EffectRow& groundDepthEffect();
 }  // namespace sward

@@ -16,7 +16,7 @@ layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint com
 layout(location = 0) uniform uint chosenCount;
 layout(location = 1) uniform uint patchBlades;
 layout(location = 2) uniform vec2 shares;        // of a cell's blades that are drawn, and that shade
-layout(location = 3) uniform uint shadowQuads;   // of a blade, at most; 0: none shades
+layout(location = 3) uniform uint shadowQuads;   // of a blade; 0: none shades
 
 void command(uint at, uint i, ChosenCell c, uint quads, float share) {
     precise float drawn = float(bladesOf(c)) * share;
@@ -41,6 +41,6 @@ void main() {
     if (any && isSet(c, CHOSEN_SEEN)) command(i, i, c, levelOfCell(c), shares.x);
     else nothing(i);
     if (shadowQuads == 0u) return;
-    if (any) command(chosenCount + i, i, c, min((levelOfCell(c) + 1u) / 2u, shadowQuads), shares.y);
+    if (any) command(chosenCount + i, i, c, shadowQuads, shares.y);
     else nothing(chosenCount + i);
 }

@@ -17,7 +17,7 @@ struct Design {
     float minGeom, maxGeom, minBTF, maxBTF;
 };
 inline constexpr Design kMeadow{"1,000 blades/m2 of 25 cm on 40 m", 1000, 0.25f, 0.006f, 40, 3, 6, 9, 13};
-inline constexpr Design kLawn{"10,000 blades/m2 of 8 cm on 20 m", 10000, 0.08f, 0.004f, 20, 2, 4, 6, 9};
+inline constexpr Design kLawn{"10,000 blades/m2 of 8 cm on 20 m", 10000, 0.08f, 0.004f, 20, 2, 4, 7, 11};
 inline constexpr Design kTurf{"88,000 blades/m2 of 3 cm on 10 m", 88000, 0.03f, 0.0015f, 10, 1.5f, 3, 6, 9};
 
 template <class C>
