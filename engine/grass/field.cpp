@@ -51,10 +51,25 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
-void publishMaps(DrawContext& ctx, const GrassField& f) {
+// All species are drawn by one program, which reads a density map if any of them has one.
+void publishDensities(DrawContext& ctx, FieldState& state, const GrassField& f) {
     const Terrain& t = *ctx.shared.ground.terrain;
+    const auto bare = [](const Species& s) { return !s.density.present(); };
+    const bool some = has(ctx.plan.features, Feature::GrassDensity) && std::any_of(f.species.begin(), f.species.end(), bare);
+    if (!some) state.everywhere = {};
+    if (some && !state.everywhere.id()) {
+        const uint8_t one = 255;
+        state.everywhere = makeTexture2D(ctx.gpu, "grass/density", GL_R8, 1, 1);
+        glTextureSubImage2D(state.everywhere.id(), 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &one);
+    }
+    ctx.shared.densities.fill(0);
     for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
-        ctx.shared.densities[i] = f.species[i].density.present() ? ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map, false, tilingOf(t, f.species[i].densityTiling).repeats) : 0;
+        ctx.shared.densities[i] = bare(f.species[i]) ? state.everywhere.id() : ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map, false, tilingOf(t, f.species[i].densityTiling).repeats);
+}
+
+void publishMaps(DrawContext& ctx, FieldState& state, const GrassField& f) {
+    const Terrain& t = *ctx.shared.ground.terrain;
+    publishDensities(ctx, state, f);
     const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
         to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
     };
@@ -108,7 +123,7 @@ void update(DrawContext& ctx) {
     FieldState& state = ctx.own<FieldState>();
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.shared.ground.terrain) return;
-    publishMaps(ctx, f);
+    publishMaps(ctx, state, f);
     state.species.resize(std::min<size_t>(f.species.size(), MAX_SPECIES));
     for (size_t i = 0; i < state.species.size(); ++i) {
         if (!state.species[i]) state.species[i] = std::make_unique<FieldSpecies>();

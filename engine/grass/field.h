@@ -40,6 +40,7 @@ struct FieldSpecies {
 struct FieldState : EffectState {
     std::vector<std::unique_ptr<FieldSpecies>> species;  // the field's first MAX_SPECIES
     Buffer cover;
+    Texture everywhere;  // the density of species without a map, where others have one: 1
     void jobs(std::vector<JobNews>& out) const override;
 };
 

@@ -67,6 +67,26 @@ TEST(GpuCells, PicturesAndCountsAreTheCpus) {
         }
 }
 
+TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
+    NoGlErrors errors;
+    for (const Technique technique : {Technique::Tessellated, Technique::Hybrid})
+        for (const Culling culling : {Culling::Gpu, Culling::Cpu}) {
+            Project p = meadow(technique, true);
+            GrassField& f = grassIn(p);
+            f.species.push_back(f.species[0]);
+            f.species[1].name = "low", f.species[1].height *= 0.5f;
+            Map ones({8, 8, 1, PixelType::U8});
+            for (int i = 0; i < 64; ++i) ones.set(i % 8, i / 8, 0, 1);
+            f.species[1].density = {"maps/ones.png", ones};
+            Renderer painted(gpu(), tables()), bare(gpu(), tables());
+            const auto expected = pictureOf(painted, p, culling, eyeHeight());
+            f.species[1].density = {};
+            for (int frame = 0; frame < 2; ++frame)
+                EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight())) << kTechniques[static_cast<size_t>(technique)] << " " << kCullings[static_cast<size_t>(culling)] << " frame " << frame;
+            EXPECT_EQ(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
+        }
+}
+
 TEST(GpuCells, StagesDrawWhatWasChosenAsWell) {
     NoGlErrors errors;
     Project p = meadow(Technique::Tessellated, true);
