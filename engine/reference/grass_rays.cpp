@@ -76,7 +76,7 @@ std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& l
     const float rise = b.control.y / std::max(b.tip.y, size * 0.05f + 1e-30f);
     const glm::vec2 low = glm::max(glm::min(glm::vec2(0), glm::min(tip, control)) - radius, glm::vec2(-farthest));
     const glm::vec2 high = glm::min(glm::max(glm::vec2(0), glm::max(tip, control)) + radius, glm::vec2(farthest));
-    const float top = std::max(highest, rise * highest), side = 0.5f * b.width + 1e-5f;
+    const float top = std::max(highest, std::min(rise * highest, b.control.y + 0.5f * (highest - b.tip.y))), side = 0.5f * b.width + 1e-5f;
     return {glm::vec3(low.x, 0, low.y) * (1 + scale) - glm::vec3(side, 1e-5f, side), glm::vec3(high.x, top, high.y) * (1 + scale) + glm::vec3(side, 1e-5f, side)};
 }
 

@@ -49,7 +49,9 @@ FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 le
     real height = sqrt(max(size2 - reach2, real(0.0)));
     p.tip = vec3(reach.x, height, reach.y);
     vec2 shift = (reach - vec2(t.x, t.z)) * real(0.5);
-    p.control = vec3(c.x + shift.x, c.y * height / max(t.y, size * real(0.05) + kTiny), c.z + shift.y);
+    // Lowered in proportion; raised by half, as the middle of a straight one is: in proportion, one that lay almost flat would shoot up.
+    real lowered = c.y * height / max(t.y, size * real(0.05) + kTiny), raised = c.y + (height - t.y) * real(0.5);
+    p.control = vec3(c.x + shift.x, min(lowered, raised), c.z + shift.y);
     real across = sqrt(reach2);
     vec2 own = vec2(facing.x * mirror.x, facing.y * mirror.y);
     p.facing = across > size * real(0.02) ? reach / across : own;

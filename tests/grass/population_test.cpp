@@ -136,6 +136,18 @@ TEST(Pose, ALeaningBladeKeepsItsLengthAndStaysAboveGround) {
         }
 }
 
+// One that lies almost flat, raised by a clump or by the wind, once shot up to many times its length.
+TEST(Pose, ARaisedBladeIsHardlyHigherThanItIsLong) {
+    for (const float flat : {0.05f, 0.3f, 0.8f, 1.2f})
+        for (const float bent : {0.5f, 0.75f, 1.0f}) {
+            const glm::vec3 tip(0.3f * std::cos(flat), 0.3f * std::sin(flat), 0), control(0.05f, 0.3f * bent, 0.02f);
+            for (const float lean : {-2.0f, -0.9f, -0.4f, -0.1f, 0.0f, 0.2f}) {
+                const f32::BladePose pose = f32::poseBlade(control, tip, {1, 0}, {1, 1}, {lean, 0.1f}, 1.0f);
+                for (int i = 0; i <= 16; ++i) EXPECT_LE(f32::bladePosition(pose.control, pose.tip, static_cast<float>(i) / 16).y, 1.15f * 0.3f) << flat << " " << bent << " " << lean;
+            }
+        }
+}
+
 TEST(Pose, NoLeanAndNoMirrorIsThePatchsOwnBlade) {
     const Patch p = makePatch(species(2000), 0.5f, 1);
     for (const Blade& b : p.blades) {
