@@ -262,7 +262,8 @@ struct Renderer::Impl {
         ctx.pass = &pass;
         ctx.row = p.pass;
         ctx.state = states[p.effect].get();
-        glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
+        const bool labelled = gpu.watched || ctx.settings.measure;
+        if (labelled) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
         if (ctx.settings.measure) timer.begin();
         p.pass->draw(ctx);
         if (ctx.settings.measure) {
@@ -271,7 +272,7 @@ struct Renderer::Impl {
             pass.vertices = cost.vertices;
             pass.fragments = cost.fragments;
         }
-        glPopDebugGroup();
+        if (labelled) glPopDebugGroup();
     }
 
     // The population is recounted only when what it is a product of has changed.

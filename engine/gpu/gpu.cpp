@@ -76,6 +76,7 @@ Status describe(Gpu& gpu) {
     gpu.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gpu.version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     gpu.software = isSoftware(gpu.renderer);
+    gpu.watched = epoxy_has_gl_extension("GL_EXT_debug_tool");
     glGetIntegerv(GL_MAX_SAMPLES, &gpu.maxSamples);
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
