@@ -472,7 +472,7 @@ void eachScene(const RayField& f, const Ray& ray, Memory& memory, const double& 
             if (cell.version.mirror.x < 0) o.x = f.grass->cellSize - o.x, w.x = -w.x;
             if (cell.version.mirror.y < 0) o.z = f.grass->cellSize - o.z, w.z = -w.z;
             eachPiece(cell.version.shift * f.grass->cellSize, f.grass->cellSize, kind.reach, o, w, static_cast<float>(std::min(end, b) - a) * 1.0001f + 1e-6f,
-                      [&](const glm::vec3& from, float far) { ask(q, embreeRay(from, w, 0, far), a); });
+                      [&](const glm::vec3& start, float far) { ask(q, embreeRay(start, w, 0, far), a); });
         });
     }
 }

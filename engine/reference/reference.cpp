@@ -202,7 +202,7 @@ WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& di
 struct Path {
     Ray ray;
     glm::vec3 weight{1}, sum{0};
-    std::optional<Surface> met;
+    std::optional<Surface> met = {};
     bool seesSun = true;
 };
 void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassMemory& memory) {
