@@ -31,14 +31,6 @@ double groundUnder(const Project& p, const glm::dvec3& at) {
     return ground.origin.y + (ground.terrain ? terrainHeight(*ground.terrain, at.x - ground.origin.x, at.z - ground.origin.z) : 0);
 }
 
-// About x, then z: what is left of an object's rotation without its heading.
-glm::mat3 tiltOf(const StaticMesh& mesh) {
-    const glm::dvec3 r = glm::radians(mesh.rotationDeg);
-    const glm::dmat3 z(glm::dvec3(std::cos(r.z), std::sin(r.z), 0), glm::dvec3(-std::sin(r.z), std::cos(r.z), 0), glm::dvec3(0, 0, 1));
-    const glm::dmat3 x(glm::dvec3(1, 0, 0), glm::dvec3(0, std::cos(r.x), std::sin(r.x)), glm::dvec3(0, -std::sin(r.x), std::cos(r.x)));
-    return glm::mat3(z * x);
-}
-
 // From the y of the turned mesh on it is higher than all blades; infinity: all of it is lower.
 float cutOf(const Project& p, const PlacedMesh& placed, const Mesh& mesh, const glm::mat3& tilt) {
     const double top = (groundUnder(p, placed.at) + tallestBlade(p) - placed.at.y) / static_cast<double>(placed.mesh->scale);
@@ -97,7 +89,7 @@ std::shared_ptr<const Footprint> Outlines::of(const Project& p, const std::strin
     if (!read) tell(read.error().text());
     std::shared_ptr<const Footprint> made;
     if (read) {
-        const glm::mat3 tilt = tiltOf(*mesh);
+        const glm::mat3 tilt(rotationOf({mesh->rotationDeg.x, 0, mesh->rotationDeg.z}));  // the heading is the force's
         Footprint f = makeFootprint(*read, tilt, cutOf(p, placed, *read, tilt));
         if (!f.empty()) made = std::make_shared<const Footprint>(std::move(f));
     }

@@ -6,17 +6,13 @@
 #include "scene/save_folder.h"
 
 namespace sward {
-namespace {
 
-// About x, then z, then y.
 glm::dmat3 rotationOf(const glm::dvec3& degrees) {
     const glm::dvec3 r = glm::radians(degrees);
     glm::dmat4 m = glm::rotate(glm::dmat4(1), r.y, glm::dvec3(0, 1, 0));
     m = glm::rotate(m, r.z, glm::dvec3(0, 0, 1));
     return glm::dmat3(glm::rotate(m, r.x, glm::dvec3(1, 0, 0)));
 }
-
-}  // namespace
 
 PlacedMesh placeMesh(const Project& p, Entity e) {
     const Ground ground = findGround(p);

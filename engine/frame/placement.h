@@ -15,6 +15,8 @@ struct PlacedMesh {
     glm::dvec3 at{0};     // its origin in the world
     glm::dmat3 turn{1};   // rotation, without the scale
 };
+// Degrees about x, then z, then y.
+glm::dmat3 rotationOf(const glm::dvec3& degrees);
 // Every StaticMesh with a file, in the order of their entities' names. One that stands on the ground counts its height
 // from the terrain below its origin (at the terrain's edge where it stands beyond).
 std::vector<PlacedMesh> placedMeshes(const Project& p);

@@ -59,7 +59,6 @@ void draw(DrawContext& ctx) {
     if (!ctx.use()) return;
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glViewport(0, 0, target.side, target.side);
-    glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     glBlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
@@ -68,9 +67,6 @@ void draw(DrawContext& ctx) {
         if (f.outline) drawOne(ctx, f);
     glBlendEquation(GL_FUNC_ADD);
     glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
-    glViewport(0, 0, ctx.targets.width, ctx.targets.height);
 }
 
 const System kSystems[] = {{"grass/force-outlines/upload", update}};
