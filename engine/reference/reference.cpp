@@ -67,6 +67,8 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     v.toWorld = glm::inverse(glm::dmat4(viewProjection(camera, settings.width, settings.height)));
     v.globals.mode.y = std::exp2(camera.exposure);
     v.globals.eye = glm::vec4(glm::vec3(v.eye), 0);
+    const Terrain& t = *firstOf<Terrain>(scene.project);
+    v.globals.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
     v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky), v.hasHaze = has(scene.features, Feature::Fog);
     SkySums sums;
     if (v.hasSun) addSun(v.globals, scene.project, scene.time);
@@ -81,7 +83,8 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
 
 glm::vec3 horizonOf(const View& v, const glm::dvec3& way) {
     const FrameGlobals& g = v.globals;
-    return f32::horizonLight(glm::vec3(g.horizon[0]), glm::vec3(g.horizon[1]), glm::vec3(g.horizon[2]), {g.skySun.x, g.skySun.z}, {static_cast<float>(way.x), static_cast<float>(way.z)});
+    const auto h = [&g](int i) { return glm::vec3(g.horizon[i]); };
+    return f32::horizonLight(g.horizon[0], g.horizon[1], h(2), h(3), h(4), {g.skySun.x, g.skySun.z}, {static_cast<float>(way.x), static_cast<float>(way.z)});
 }
 
 // What a ray sees that meets nothing: the sky, and the plain beyond the terrain.
@@ -89,7 +92,7 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     if (!v.hasSky) return glm::vec3(0);
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
-    if (d.y < 0) return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x, f32::plainDistance(g.eye.y, -d.y));
+    if (d.y < 0) return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x, f32::plainDistance(glm::vec3(g.eye), {g.terrain.x, g.terrain.y}, d));
     glm::vec3 light = f32::skyRadianceOf(v.sky, d) * glm::vec3(g.skyGain);
     if (withSun && v.hasSun) light += glm::vec3(g.sunLight) * f32::sunDisc(glm::dot(d, glm::vec3(g.sunDirection)));
     return light;

@@ -35,15 +35,29 @@ glm::vec3 skyOnGround(const glm::vec3& sun, float turbidity) {
     return sum * (2.0f / (kRows * kColumns));  // solid angle 2 pi / n each, divided by pi
 }
 
+// The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least chord to the sun and
+// the greatest, by its series.
+void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
+    const float r = glm::length(glm::vec2(sun.x, sun.z)), least = std::sqrt(2 - 2 * r), most = std::sqrt(2 + 2 * r);
+    const glm::vec2 h = r > 1e-4f ? glm::vec2(sun.x, sun.z) / r : glm::vec2(1, 0);
+    const float middle = 0.5f * (least + most), half = std::max(0.5f * (most - least), 1e-4f);
+    glm::vec3 a[5]{};
+    for (int i = 0; i < 5; ++i) {
+        const float node = static_cast<float>(i) * kPi / 4, chord = middle + half * std::cos(node);
+        const float c = std::clamp((1 - 0.5f * chord * chord) / std::max(r, 1e-4f), -1.0f, 1.0f), n = std::sqrt(1 - c * c);
+        const glm::vec3 seen = f32::skyRadiance(glm::vec3(h.x * c - h.y * n, 0, h.y * c + h.x * n), sun, turbidity);
+        for (int k = 0; k < 5; ++k) a[k] += seen * (std::cos(static_cast<float>(k) * node) * (i % 4 == 0 ? 0.25f : 0.5f) * (k % 4 == 0 ? 0.5f : 1.0f));
+    }
+    const glm::vec3 powers[] = {a[0] - a[2] + a[4], a[1] - 3.0f * a[3], 2.0f * a[2] - 8.0f * a[4], 4.0f * a[3], 8.0f * a[4]};
+    for (int i = 0; i < 5; ++i) s.horizon[i] = glm::vec4(powers[i], i == 0 ? middle : i == 1 ? 1 / half : 0);
+}
+
 void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity) {
     if (s.sun == sun && s.turbidity == turbidity) return;
     s.sun = sun;
     s.turbidity = turbidity;
     s.level = skyOnGround(sun, turbidity);
-    const glm::vec2 flat(sun.x, sun.z);
-    const glm::vec2 h = glm::length(flat) > 1e-4f ? glm::normalize(flat) : glm::vec2(1, 0);
-    const glm::vec2 ways[3] = {h, {-h.y, h.x}, -h};
-    for (int i = 0; i < 3; ++i) s.horizon[i] = f32::skyRadiance(glm::normalize(glm::vec3(ways[i].x, 0.02f, ways[i].y)), sun, turbidity);
+    fitHorizon(s, sun, turbidity);
 }
 
 // A camera's white balance: three quarters of the way to making white ground look white. Luminance is kept.
@@ -99,7 +113,7 @@ void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
     g.sunLight *= glm::vec4(balance, 1);
     g.skyLight = glm::vec4(s.level * gain, 0);
     g.groundLight = glm::vec4(glm::vec3(g.groundLight) * balance + s.level * gain * kGroundAlbedo, 0);
-    for (int i = 0; i < 3; ++i) g.horizon[i] = glm::vec4(s.horizon[i] * gain, 0);
+    for (int i = 0; i < 5; ++i) g.horizon[i] = s.horizon[i] * glm::vec4(gain, 1);
 }
 
 void addHaze(FrameGlobals& g, const Project& p) {

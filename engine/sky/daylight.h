@@ -14,7 +14,8 @@ struct Project;
 struct SkySums {
     glm::vec3 sun{2};  // no direction: nothing integrated yet
     float turbidity = 0;
-    glm::vec3 level{0}, horizon[3]{};
+    glm::vec3 level{0};
+    glm::vec4 horizon[5]{};  // of horizonLight, numerics/light.h
 };
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.

@@ -40,7 +40,7 @@ const EffectRow& skyEffect() {
     return row;
 }
 const EffectRow& hazeEffect() {
-    static const EffectRow row{"sky/haze", featureSet(Feature::Fog), kHazeSystems, {}, nullptr, "what is far fades into the horizon"};
+    static const EffectRow row{"sky/haze", featureSet(Feature::Fog), kHazeSystems, {}, nullptr, "what is far fades into the horizon, and land is not drawn where nothing of it is left"};
     return row;
 }
 

@@ -80,6 +80,7 @@ void select(DrawContext& ctx) {
     updateTile(ctx, s, t);
     TerrainLod lod = terrainLod(t);
     lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) * static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky)) lod.hidden = f32::hazeReach(ctx.globals.haze.x);
     s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};

@@ -4,6 +4,7 @@ namespace sward {
 namespace {
 
 constexpr double kMorphStart = 0.75;  // of a level's range: from here vertices move to the next level's
+constexpr double kHorizonSine = 0.01; // up to here the sky is as it is at the horizon (numerics/sky.h)
 
 struct Selection {
     const Terrain& terrain;
@@ -24,6 +25,7 @@ struct Selection {
     bool visible(double x, double z, double size) const {
         if (x >= terrain.size.x || z >= terrain.size.y) return false;
         const auto [low, high] = bounds.over(terrain.size, x, z, x + size, z + size);
+        if (const double d = distance(x, z, size); d > lod.hidden && high - eye.y < kHorizonSine * d) return false;
         return frustum.touches(glm::vec3(x - eye.x, low - eye.y, z - eye.z), glm::vec3(x + size - eye.x, high - eye.y, z + size - eye.z));
     }
 

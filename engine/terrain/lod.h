@@ -12,6 +12,7 @@ struct TerrainLod {
     double spacing = 0.25;   // metres, level 0
     double range = 30;       // metres to which level 0 reaches; level l to range * 2^l
     int levels = 1;          // the last covers the whole terrain
+    double hidden = std::numeric_limits<double>::infinity();     // metres from which haze hides all land that does not stand before the sky
     double plainFrom = std::numeric_limits<double>::infinity();  // metres from which all land is a plane to within a pixel: as few nodes as
                                                                  // can be, whose levels may differ by more than one
 };

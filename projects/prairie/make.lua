@@ -34,7 +34,7 @@ entity.add("daisies", { Flowers = { densityTiling = every(67), flowersPerM2 = 9,
     secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 40 } })
 entity.add("sun", { Light = { azimuthDeg = 205, elevationDeg = 33 } })
 entity.add("sky", { Sky = { turbidity = 2.8 } })
-entity.add("haze", { Fog = { visibility = 7000 } })
+entity.add("haze", { Fog = { visibility = 1400 } })
 entity.add("wind", { Wind = { strength = 0.25, azimuthDeg = 100, speed = 5, gustSize = 11, turbulence = 0.4 } })
 
 -- Heights are mirrored where they repeat: waves with a crest or a trough on every edge go on there without a crease.

@@ -29,7 +29,7 @@ struct FrameGlobals {
     SHARED_VEC4 skyGain;       // factor of numerics/sky.h radiances: exposure and white balance
     SHARED_VEC4 skySun;        // the sun that the sky is computed for; w: turbidity, 0: a uniform sky
     SHARED_VEC4 groundLight;   // what the ground throws back, divided by pi
-    SHARED_VEC4 horizon[3];    // sky at the horizon towards the sun, across and away from it; w: 0
+    SHARED_VEC4 horizon[5];    // sky at the horizon, as numerics/light.h has it (horizonLight)
     SHARED_VEC4 haze;          // x: extinction per metre (0: none)
     SHARED_VEC4 heights;       // height above the eye = x + y * (texel - z): z is subtracted first (T-4)
     SHARED_VEC4 groundColor;   // mean reflectance of the soil; w: tiles per metre

@@ -109,6 +109,31 @@ TEST(TerrainLod, LandThatIsAPlaneToTheEyeTakesFewNodes) {
     EXPECT_LT(few[0], all[0]);
 }
 
+// Nodes near enough to be seen through haze are the same in a field of any size; beyond, only what stands before the sky is drawn.
+TEST(TerrainLod, LandThatHazeHidesIsNotDrawn) {
+    const auto nodesOf = [](double size, double hidden, double peak) {
+        Terrain t = hills(128, 256);
+        t.mapSize = 256, t.heightTiling = 1;
+        t.size = {size, size};
+        if (peak > 0) t.mapSize = 0, t.height.map.set(120, 120, 0, static_cast<float>(peak));
+        HeightBounds bounds;
+        updateHeightBounds(bounds, t);
+        TerrainLod lod = terrainLod(t);
+        lod.hidden = hidden;
+        return selectNodes(t, lod, bounds, {1200, 10, 1200}, everywhere());
+    };
+    const auto far = [](const TerrainNode& n) {
+        const double side = kNodeQuads * static_cast<double>(n.level.x);
+        return std::hypot(std::max({static_cast<double>(n.place.x), -n.place.x - side, 0.0}), std::max({static_cast<double>(n.place.y), -n.place.y - side, 0.0}));
+    };
+    const auto some = nodesOf(2560, 1000, 0), many = nodesOf(80 * 256, 1000, 0), all = nodesOf(80 * 256, 1e30, 0);
+    EXPECT_EQ(some.size(), many.size());
+    EXPECT_GT(all.size(), many.size());
+    for (const TerrainNode& n : many) EXPECT_LE(far(n), 1000);
+    const auto mountain = nodesOf(80 * 256, 1000, 3000);
+    EXPECT_TRUE(std::any_of(mountain.begin(), mountain.end(), [&far](const TerrainNode& n) { return far(n) > 1000; }));
+}
+
 TEST(TerrainLod, AFinerMapCostsNoMoreTriangles) {
     const Frustum view = frustumOf(viewProjection({{100, 6, 100}, {300, 0, 300}, 55, 0}, 640, 480));
     size_t nodes[2];
