@@ -176,6 +176,8 @@ void drawPatches(DrawContext& ctx, TessState& state, const std::string& constant
     }
 }
 
+// Quads are cut as tessellation stages cut them (Mesa's, and Direct3D's), the lower half's across the upper's: with several samples a pixel's
+// alpha is taken within its triangle.
 std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
     std::vector<uint32_t> out;
     out.reserve(firstStrip(most + 1) * blades);
@@ -183,7 +185,8 @@ std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
         for (uint32_t b = 0; b < blades; ++b)
             for (uint32_t row = 0; row < static_cast<uint32_t>(n); ++row) {
                 const uint32_t a = 2 * (b * static_cast<uint32_t>(n + 1) + row), c = a + 2;
-                out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
+                if (row < static_cast<uint32_t>(n) / 2) out.insert(out.end(), {a, a + 1, c + 1, a, c + 1, c});
+                else out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
             }
     return out;
 }

@@ -32,13 +32,13 @@ TessBlade patchBlade() {
 
 void main() {
     TessBlade t = patchBlade();
-    float u = gl_TessCoord.x, v = gl_TessCoord.y;
+    float u = gl_TessCoord.x > 0.25 ? 1.0 : 0.0, v = gl_TessCoord.y;  // stages put a vertex between the two of a row: there it draws nothing
     vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width);
     SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end, t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
     vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
     BladeLight light = lightPoint(t, middle, f.normal, v, shown);
     lit = light.lit, sunned = light.sunned;
-    maskAt = mix(maskOf(t, middle - across), maskOf(t, middle + across), u);  // stages put a vertex between the two of a row
+    maskAt = maskOf(t, middle + (2.0 * u - 1.0) * across);
     strip = vec3(t.plain ? -1.0 : u, v, t.opacity);
     grain = t.grain;
     cutAtWater(t.root.y + f.position.y);
