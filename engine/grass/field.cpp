@@ -4,6 +4,7 @@
 #include "core/numerics.h"
 #include "grass/cells.h"
 #include "scene/tiling.h"
+#include "scene/wind.h"
 
 namespace sward {
 namespace {
@@ -99,10 +100,12 @@ void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
     const Terrain& t = *ctx.shared.ground.terrain;
     cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
+    const Wind* wind = windOf(ctx.project);
     for (size_t i = 0; i < state.species.size(); ++i) {
         cover.densities[static_cast<int>(i)] = shaderTiling(t, f.species[i].densityTiling);
         cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
         cover.height[static_cast<int>(i)] = state.species[i]->look.height;
+        cover.gusts[static_cast<int>(i)] = wind ? windStrength(*wind, f.species[i]) : 0;
     }
     const auto [from, upTo] = shadowRange(f);
     cover.shadows = {from, f32::lodInverse(from, upTo), f.farDarkening, f.farDarkeningDistance};

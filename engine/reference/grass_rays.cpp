@@ -37,7 +37,7 @@ struct Cell {
     RTCScene scene = nullptr;  // null: nothing grows
     f32::CellVersion version{glm::vec2(1), glm::vec2(0)};
     double base = 0;           // height of the plane at the cell's corner
-    WindGlobals wind{};        // about the cell's corner; unused in a calm
+    WindGlobals wind{};        // about the cell's corner, as strong as the kind feels it; unused in a calm
     CellGround ground;
     uint32_t first = 0;        // of its blades among the kind's
 };
@@ -104,6 +104,7 @@ struct Kind {
     TexelGrid image;
     Look look;
     float leanAtFull = 0, reach = 0;
+    float gust = 0, windSlope = 0;  // lean (m per m) that a full gust gives it, and by how much the wind's may change over a metre
     glm::vec3 clumps{0};
     DevicePtr device;
     mutable std::mutex mutex;
@@ -128,7 +129,6 @@ struct RayField {
     const Wind* wind = nullptr;    // null: a calm
     const Map* gusts = nullptr;    // its picture of gusts, which may be the one that is made
     Map made;
-    float windSlope = 0;
     double time = 0;
     std::vector<Force> forces;
     std::vector<std::unique_ptr<Kind>> kinds;
@@ -371,7 +371,7 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, 
     const auto [paint, differs] = paintOver(*f.grass, from, to);
     const float half = 0.5f * f.grass->cellSize;
     const glm::vec2 lean = (paint * kind.leanAtFull + windLeanIn(f, cell, glm::vec2(half), -1)) * cell.version.mirror;
-    const float wind = f.wind ? f.windSlope * 1.4142136f * half + 0.13f * f.wind->strength * f.wind->turbulence : 0.0f;
+    const float wind = f.wind ? kind.windSlope * 1.4142136f * half + 0.13f * kind.gust * f.wind->turbulence : 0.0f;
     key.leanX = static_cast<int>(std::lround(lean.x / kLeanStep)), key.leanZ = static_cast<int>(std::lround(lean.y / kLeanStep));
     const float beside = glm::length(lean - glm::vec2(key.leanX, key.leanZ) * kLeanStep);
     key.spread = classOf(beside + differs * kind.leanAtFull + wind + 1.4142136f * kind.clumps.x, kSpreadStep);
@@ -390,7 +390,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
     c.version = isUnique(*f.grass) ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
-    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time);
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.way.z = f.kinds[kind]->gust;
     c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }
@@ -502,6 +502,12 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
     return s;
 }
 
+void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
+    WindGlobals g = windGlobals(wind, {0, 0}, 0);
+    g.way.z = kind.gust = windStrength(wind, *kind.species);
+    kind.windSlope = windSlope(g, gusts);
+}
+
 }  // namespace
 
 GrassRays::GrassRays(std::unique_ptr<RayField> field) : field_(std::move(field)) {}
@@ -519,10 +525,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
     f->time = time;
     f->forces = forcesOf(p, time);
     f->wind = windOf(p);
-    if (f->wind) {
-        f->gusts = &gustsOf(*f->wind, f->made);
-        f->windSlope = windSlope(windGlobals(*f->wind, {0, 0}, 0), *f->gusts);
-    }
+    if (f->wind) f->gusts = &gustsOf(*f->wind, f->made);
     for (size_t i = 0; i < f->grass->species.size() && i < MAX_SPECIES; ++i) {
         if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
         const Species& s = f->grass->species[i];
@@ -537,6 +540,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
         updateLook(kind->look, lookKey, s, kind->patch, 1, image);
         kind->leanAtFull = leanAtFull(s);
         kind->clumps = clumpStrengths(s);
+        if (f->wind) feelWind(*kind, *f->wind, *f->gusts);
         kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
         kind->device.reset(rtcNewDevice(nullptr));
         if (!kind->device) return Error{ExitCode::Failed, "rays cannot be prepared: Embree has no memory, or does not know this processor", "", 0, 0, "close other programs"};

@@ -133,6 +133,8 @@ constexpr FieldRow kSpeciesFields[] = {
     real("leanDeg", offsetof(Species, leanDeg), "deg", {0, 90, 0, 60}, "mean lean from the vertical"),
     real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
          "how much the lean differs, both ways"),
+    real("stiffness", offsetof(Species, stiffness), "", {0.05, 100, 0.25, 4},
+         "how much it resists the wind: 2 leans half as far, 0.5 twice as far; what presses it lays it down all the same"),
     number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
     number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16}, "quads along a blade at most, where it is tessellated"),
     imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
@@ -319,7 +321,7 @@ FeatureSet skyFeatures(const void* component) {
 
 constexpr FieldRow kWindFields[] = {
     choice("model", offsetof(Wind, model), kWindModels, "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
-    real("strength", offsetof(Wind, strength), "", {0, 2, 0, 1}, "how far a full gust leans a blade, metres a metre; 0: a calm"),
+    real("strength", offsetof(Wind, strength), "", {0, kStrongestWind, 0, 1}, "how far a full gust leans a blade, metres a metre, at a stiffness of 1; 0: a calm"),
     real("azimuthDeg", offsetof(Wind, azimuthDeg), "deg", {-360, 360, 0, 360}, "where it blows to, clockwise from north (-z)"),
     real("speed", offsetof(Wind, speed), "m/s", {0, 100, 0, 15}, "how fast gusts and waves travel"),
     real("gustSize", offsetof(Wind, gustSize), "m", {0.1, 10000, 2, 30}, "length of a gust along the wind"),

@@ -51,6 +51,7 @@ struct Species {
     float bend = 0.5f;                    // how far the tip droops, as a share of the length
     float leanDeg = 8;                    // mean lean from the vertical towards the painted (or own) direction
     float leanVariationDeg = 10;
+    float stiffness = 1;                  // against the wind alone: 2 leans and quivers half as far (scene/wind.h, windStrength)
     int segments = 3;                     // quads a blade
     int smoothness = 5;                   // quads a blade has at most where it is tessellated
     std::string texture;                  // PNG with alpha; empty: made by the program
@@ -183,7 +184,7 @@ enum class SkyModel { Clear, Uniform };
 // Waves: Jahrmann and Wimmer 2013, equation 9, travelling at `speed`. Noise: a picture of gusts that the wind carries along.
 struct Wind {
     int model = 1;                        // index into kWindModels
-    float strength = 0.3f;                // lean of a full gust, metres a metre of blade; 0: a calm
+    float strength = 0.3f;                // lean of a full gust, metres a metre of blade of stiffness 1; 0: a calm
     float azimuthDeg = 70;                // where it blows to, clockwise from -z (north)
     float speed = 4;                      // m/s, at which gusts and waves travel
     float gustSize = 8;                   // metres of a gust along the wind; across it twice as much
@@ -193,6 +194,7 @@ struct Wind {
     float c1 = 0.2f, c2 = 0.05f, c3 = 0.1f;  // of equation 9, 1/m; c1 and c3 in twentieths, so that waves have a period
     float epsilon = 0.5f;                 // of equation 9
 };
+inline constexpr float kStrongestWind = 2;
 inline constexpr const char* kWindModels[] = {"waves", "noise"};
 enum class WindModel { Waves, Noise };
 

@@ -69,6 +69,8 @@ const Map& gustsOf(const Wind& wind, Map& made) {
     return made;
 }
 
+float windStrength(const Wind& w, const Species& s) { return std::min(w.strength / s.stiffness, kStrongestWind); }
+
 WindGlobals windGlobals(const Wind& w, const glm::dvec2& eye, double seconds) {
     const double angle = glm::radians(static_cast<double>(w.azimuthDeg)), speed = static_cast<double>(w.speed);
     const glm::dvec2 way(std::sin(angle), -std::cos(angle));

@@ -19,7 +19,11 @@ const Map& gustsOf(const Wind& wind, Map& made);
 // How many gusts lie along and across a picture: it covers so many times gustSize.
 inline constexpr double kGustsInPicture = 8;
 
-// As shaders read it. eye: relative to the terrain's corner. seconds: scene time, of any age.
+// The lean (m per m) that a full gust gives a species: Wind.strength divided by its stiffness; at most what the strongest wind gives
+// one of stiffness 1, which lies as flat as blades do (numerics/population.h, poseBlade).
+float windStrength(const Wind& wind, const Species& species);
+
+// As shaders read it, for a stiffness of 1: way.z is the strength. eye: relative to the terrain's corner. seconds: scene time, of any age.
 WindGlobals windGlobals(const Wind& wind, const glm::dvec2& eye, double seconds);
 // Seconds after which waves are again what they were: infinite without waves. c1 and c3 are taken in twentieths for it.
 double wavePeriod(const Wind& wind);

@@ -20,7 +20,7 @@ entity.add("grass", { GrassField = {
           leanDeg = 12, leanVariationDeg = 16, segments = 4, clumpSize = 0.5, clumpStrength = 0.65, translucency = 0.8, gloss = 0.5,
           rootColor = { 0.04, 0.055, 0.018 }, midColor = { 0.06, 0.12, 0.028 }, tipColor = { 0.115, 0.17, 0.05 } },
         { name = "reed", bladesPerM2 = 130, height = 1.0, heightVariation = 0.4, width = 0.016, bend = 0.55,
-          leanDeg = 6, leanVariationDeg = 11, segments = 5, clumpSize = 0.9, clumpStrength = 0.6, translucency = 0.7, gloss = 0.6,
+          leanDeg = 6, leanVariationDeg = 11, stiffness = 2, segments = 5, clumpSize = 0.9, clumpStrength = 0.6, translucency = 0.7, gloss = 0.6,
           rootColor = { 0.07, 0.07, 0.03 }, midColor = { 0.075, 0.12, 0.035 }, tipColor = { 0.16, 0.17, 0.075 } },
         { name = "dry", bladesPerM2 = 900, height = 0.34, heightVariation = 0.4, width = 0.005, bend = 0.8,
           leanDeg = 14, leanVariationDeg = 24, segments = 4, clumpSize = 0.6, clumpStrength = 0.8, translucency = 0.5,

@@ -14,7 +14,7 @@ entity.add("field", { GrassField = {
           leanDeg = 9, leanVariationDeg = 8, segments = 5, smoothness = 6, texture = "maps/ear.png", clumpSize = 0.8, clumpStrength = 0.5, translucency = 0.5, gloss = 0.3,
           rootColor = { 0.16, 0.12, 0.05 }, midColor = { 0.31, 0.23, 0.085 }, tipColor = { 0.42, 0.32, 0.14 }, hueVariationDeg = 3 },
         { name = "leaves", bladesPerM2 = 350, height = 0.45, heightVariation = 0.3, width = 0.01, bend = 0.5, smoothness = 6,
-          leanDeg = 18, leanVariationDeg = 20, segments = 4, clumpSize = 0.8, clumpStrength = 0.4, translucency = 0.6,
+          leanDeg = 18, leanVariationDeg = 20, stiffness = 0.6, segments = 4, clumpSize = 0.8, clumpStrength = 0.4, translucency = 0.6,
           rootColor = { 0.12, 0.11, 0.04 }, midColor = { 0.24, 0.2, 0.07 }, tipColor = { 0.33, 0.25, 0.1 } },
     },
 } })

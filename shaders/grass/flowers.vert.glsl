@@ -38,7 +38,7 @@ float densityAt(vec2 uv) {
 }
 
 vec2 leanAt(Flower f, vec2 at, vec2 place) {
-    vec2 lean = windLeanAt(at, f.grain);
+    vec2 lean = windLeanAt(at, f.grain, wind.way.z);
     if ((FORCES && GRASS) || FORCE_MAP) {
         vec3 pressed = forceHere(at, place);
         lean = forcedLean(lean, pressed.xy, pressed.z, f.facing);

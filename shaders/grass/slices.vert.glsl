@@ -46,7 +46,7 @@ struct Place {
 };
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
-    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0);
+    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
     p.scale = 1.0;
     p.lighter = 1.0;
     if (GRASS_CLUMPS && slices.clumps.w > 0.0) {

@@ -55,7 +55,7 @@ BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     vec3 clump = vec3(0.0);
     if (GRASS_CLUMPS && species.tipColor.w > 0.0) clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
     BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
-    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z);
+    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z, cover.gusts[int(species.counts.w)]);
     if (FORCES || FORCE_MAP) {
         vec3 pressed = forceHere(s.root.xz, s.uv);
         p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);

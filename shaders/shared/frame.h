@@ -51,7 +51,7 @@ struct LightsGlobals {
 
 // The wind, about the eye (scene/wind.h).
 struct WindGlobals {
-    SHARED_VEC4 way;           // x, z of the unit vector along which it blows; strength: lean (m per m) of a full gust; turbulence
+    SHARED_VEC4 way;           // x, z of the unit vector along which it blows; strength: lean (m per m) of a full gust at stiffness 1; turbulence
     SHARED_VEC4 begin;         // the eye's place in the picture of gusts, in repeats of it: along, across; the same for finer gusts
     SHARED_VEC4 rate;          // repeats a metre: along, across; the same for finer gusts
     SHARED_VEC4 phases;        // x: of quivers (turns); y, z, w: WindPhase of the eye (numerics/wind.h)
@@ -72,6 +72,7 @@ struct CoverGlobals {
     SHARED_VEC4 bladeHeight;   // x: its tiling; y, z, w: 0
     SHARED_VEC4 shade;         // by species: share of light left at the soil under full density
     SHARED_VEC4 height;        // by species: mean height (m)
+    SHARED_VEC4 gusts;         // by species: lean (m per m) of a full gust; 0 in a calm
     SHARED_VEC4 shadows;       // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so alone;
                                // z: share of light that far grass loses; w: distance at which it has (m)
 };

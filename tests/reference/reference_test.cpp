@@ -244,7 +244,7 @@ struct BruteForce {
     Outlines outlines;
 
     // tiled: maps repeat, and blades have painted heights.
-    explicit BruteForce(bool windy, bool tiled = false, Population population = Population::Patch) {
+    explicit BruteForce(bool windy, bool tiled = false, Population population = Population::Patch, float stiffness = 1) {
         p.dir = folder().path;
         Terrain t;
         t.size = {6, 6};
@@ -257,7 +257,7 @@ struct BruteForce {
         GrassField f;
         f.cellSize = 0.75f;
         Species& s = f.species[0];
-        s.bladesPerM2 = 300, s.height = 0.2f, s.width = 0.02f, s.texture = plainImage(), s.clumpStrength = 1, s.leanDeg = 35;
+        s.bladesPerM2 = 300, s.height = 0.2f, s.width = 0.02f, s.texture = plainImage(), s.clumpStrength = 1, s.leanDeg = 35, s.stiffness = stiffness;
         Map density({8, 8, 1, PixelType::U8});
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < 8; ++x) density.set(x, y, 0, static_cast<float>((x * 5 + y * 3) % 8) / 7);
@@ -311,7 +311,7 @@ struct BruteForce {
             const f32::BladePlace here = f32::bladePlace(f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
                                                          f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)), clumpStrengths(f.species[0]));
             glm::vec2 lean = here.lean;
-            if (const Wind* wind = windOf(p)) lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts, in, b.dither);
+            if (const Wind* wind = windOf(p)) lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts, in, b.dither) / f.species[0].stiffness;
             glm::vec3 force = forceAt(forcesOf(p, kTime, &outlines), at);
             if (f.forces.present()) force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
             lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
@@ -358,6 +358,11 @@ void expectEqualToBruteForce(const BruteForce& all) {
 }
 TEST(GrassRays, MeetWhatBruteForceMeetsOnHillsWithPaintClumpsAndDensity) { expectEqualToBruteForce(BruteForce(false)); }
 TEST(GrassRays, MeetWhatBruteForceMeetsInWindAndUnderFeet) { expectEqualToBruteForce(BruteForce(true)); }
+
+TEST(GrassRays, MeetWhatBruteForceMeetsAmongStiffBladesAndSoftOnes) {
+    expectEqualToBruteForce(BruteForce(true, false, Population::Patch, 0.7f));
+    expectEqualToBruteForce(BruteForce(true, false, Population::Unique, 4));
+}
 
 TEST(GrassRays, MeetWhatBruteForceMeetsWhereMapsRepeatAndBladesAreLow) { expectEqualToBruteForce(BruteForce(false, true)); }
 TEST(GrassRays, MeetWhatBruteForceMeetsAmongUniqueBlades) { expectEqualToBruteForce(BruteForce(true, true, Population::Unique)); }

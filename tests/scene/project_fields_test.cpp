@@ -98,6 +98,10 @@ TEST(Fields, AreSetFromTextAndKeepTheirValueWhenThatIsWrong) {
     EXPECT_EQ(get("ground.Terrain.size"), "[30, 20.5]");
     EXPECT_TRUE(set("meadow.GrassField.species[lawn].segments", "4"));
     EXPECT_FALSE(set("meadow.GrassField.species[lawn].segments", "4.5"));
+    EXPECT_TRUE(set("meadow.GrassField.species[lawn].stiffness", "2.5"));
+    for (const char* text : {"0", "-1", "0.04", "101", "nan", "inf", "stiff", ""})
+        EXPECT_FALSE(set("meadow.GrassField.species[lawn].stiffness", text)) << text;
+    EXPECT_EQ(get("meadow.GrassField.species[lawn].stiffness"), "2.5");
     EXPECT_FALSE(set("meadow.GrassField.species", "x"));
     EXPECT_FALSE(set("ground.Terrain.groundTexture", "../soil.png"));
     EXPECT_FALSE(set("ground.Terrain.height", "maps/x.exr")) << "texels come by import";

@@ -81,6 +81,30 @@ TEST_P(WindModels, BlowsAlongItsAzimuthAndNeverHarderThanItsStrength) {
     EXPECT_LE(most, 0.6f * 1.000001f);
     EXPECT_GT(most, 0.3f);
 }
+TEST_P(WindModels, LeansAndQuiversByTheShareThatStiffnessLeaves) {
+    wind.strength = 0.3f, wind.turbulence = 1;
+    Species s;
+    ASSERT_EQ(s.stiffness, 1);
+    EXPECT_EQ(windStrength(wind, s), wind.strength) << "to the last bit: pictures are those without the field";
+    const auto leanOf = [&](float stiffness, const glm::vec2& at, float grain) {
+        s.stiffness = stiffness;
+        WindGlobals g = windGlobals(wind, {0, 0}, 17);
+        g.way.z = windStrength(wind, s);
+        return windLeanAt(g, gusts, at, grain);
+    };
+    float most = 0, quivers = 0;
+    for (int i = 0; i < 500; ++i) {
+        const glm::vec2 at(0.31f * static_cast<float>(i), 0.17f * static_cast<float>(i));
+        const float grain = static_cast<float>(i % 7) / 7;
+        const glm::vec2 one = leanOf(1, at, grain), quiver = one - leanOf(1, at, -1);
+        most = std::max(most, glm::length(one)), quivers = std::max(quivers, glm::length(quiver));
+        EXPECT_LT(glm::length(leanOf(2, at, grain) - 0.5f * one), 1e-7f);
+        EXPECT_LT(glm::length(leanOf(0.5f, at, grain) - 2.0f * one), 1e-6f);
+        EXPECT_LT(glm::length(leanOf(4, at, grain) - leanOf(4, at, -1) - 0.25f * quiver), 1e-7f) << "the quiver too";
+    }
+    EXPECT_GT(most, 0.2f);
+    EXPECT_GT(quivers, 0.02f);
+}
 INSTANTIATE_TEST_SUITE_P(Models, WindModels, ::testing::Values(0, 1));
 
 TEST(Wind, WavesComeBackAfterTheirPeriod) {
@@ -91,6 +115,20 @@ TEST(Wind, WavesComeBackAfterTheirPeriod) {
     for (int i = 0; i < 40; ++i) EXPECT_LT(glm::length(leanAt(w, {}, {0.3 * i, 2}, 1) - leanAt(w, {}, {0.3 * i, 2}, 1 + 1000 * period)), 1e-5f);
     w.speed = 0;
     EXPECT_TRUE(std::isinf(wavePeriod(w)));
+}
+
+TEST(Wind, LeansTheSoftestNoFartherThanTheStrongestWindLeansOthers) {
+    Wind w;
+    Species s;
+    for (const float strength : {0.0f, 0.3f, 1.9f, kStrongestWind})
+        for (const float stiffness : {0.05f, 0.5f, 1.0f, 3.0f, 100.0f}) {
+            w.strength = strength, s.stiffness = stiffness;
+            EXPECT_LE(windStrength(w, s), kStrongestWind);
+            EXPECT_EQ(windStrength(w, s), std::min(strength / stiffness, kStrongestWind)) << strength << " " << stiffness;
+            const f32::BladePose pose = f32::poseBlade({0, 0.5f, 0}, {0, 1, 0}, {1, 0}, {1, 1}, {windStrength(w, s), 0}, 1);
+            EXPECT_GE(pose.tip.y, 0.049f);
+            EXPECT_NEAR(glm::length(pose.tip), 1, 1e-5f);
+        }
 }
 
 TEST(Wind, GustsHaveNoSeamAndFillTheirRange) {
