@@ -10,6 +10,7 @@
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "grass/slice_file.h"
+#include "scene/wind.h"
 
 namespace sward {
 namespace {
@@ -94,7 +95,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species
     if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
-    if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, 0.25f);
+    if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
     return l;
 }
 

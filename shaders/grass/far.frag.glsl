@@ -80,7 +80,9 @@ void main() {
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
-    float vertical = GRASS_SLICES ? verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
+    vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
+    // Vertical slices that lean cover less of what lies below: as much as they are lowered.
+    float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
     vec4 stored;
     float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
@@ -92,8 +94,7 @@ void main() {
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
     vec3 clump = clumpsHere(r, pixel);
-    vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]) + clump.xy;
-    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean, true);
+    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

@@ -48,7 +48,7 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.place.z * frame.mode.w);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light = lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
+    BladeLight light = lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
     lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);

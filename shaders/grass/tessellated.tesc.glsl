@@ -3,8 +3,10 @@
 layout(vertices = 1) out;
 
 in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladeLook[];
+in vec3 bladeUpright[];
 flat in uint bladeGrain[];
 out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
+out vec3 stemUpright[];
 flat out uint stemGrain[];
 
 void main() {
@@ -13,6 +15,7 @@ void main() {
     stemTip[gl_InvocationID] = bladeTip[gl_InvocationID];
     stemFacing[gl_InvocationID] = bladeFacing[gl_InvocationID];
     stemLook[gl_InvocationID] = bladeLook[gl_InvocationID];
+    stemUpright[gl_InvocationID] = bladeUpright[gl_InvocationID];
     stemGrain[gl_InvocationID] = bladeGrain[gl_InvocationID];
     float along = bladeRoot[gl_InvocationID].w, across = min(along, 1.0);
     gl_TessLevelOuter[0] = along;

@@ -5,6 +5,7 @@
 layout(quads, equal_spacing, ccw) in;
 
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
+in vec3 stemUpright[];
 flat in uint stemGrain[];
 centroid out vec4 lit;     // as in geometry.vert.glsl
 centroid out vec4 sunned;
@@ -17,6 +18,7 @@ TessBlade patchBlade() {
     t.pose.control = stemControl[0].xyz;
     t.pose.tip = stemTip[0].xyz;
     t.pose.facing = stemFacing[0].xy;
+    t.pose.upright = stemUpright[0];
     t.root = stemRoot[0].xyz;
     t.uv = stemLook[0].zw;
     t.width = stemControl[0].w;

@@ -14,8 +14,13 @@ vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
 struct Lit {
     vec3 color, normal, toEye, position, fromRoot;
     vec2 facing;
+    vec3 upright;   // of its pose
     float open, density;
 };
+// Where in the shadow mask it is, for a light.
+vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
+    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(stoodUp(towards, upright), 1e-6, towards), species.mask.xy).xy;
+}
 vec3 sunOn(Lit p) {
     if (!SUN) return vec3(0.0);
     return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) * sunVisible(p.position, vec3(0.0));
@@ -26,7 +31,7 @@ vec3 lampsOn(Lit p) {
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, p.position);
         float share = p.open;
-        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskPoint(p.fromRoot, p.facing, l.direction, species.mask.xy).xy, p.density);
+        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
         sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
@@ -48,7 +53,7 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
     if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {
         o.sunned = vec4(sun * (1.0 - share), p.density);
-        o.maskAt = maskPoint(p.fromRoot, p.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection.xyz);
     } else {
         rest += sun * p.open;
     }

@@ -82,14 +82,14 @@ TessBlade tessBlade(TessCell c, uint index) {
 // Where in the shadow mask a vertex of it is.
 vec2 maskOf(TessBlade t, vec3 fromRoot) {
     if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0)) return vec2(0.0);
-    return maskPoint(inFullHeight(fromRoot, t.uv), t.pose.facing, frame.sunDirection.xyz, species.mask.xy).xy;
+    return maskFor(inFullHeight(fromRoot, t.uv), t.pose.facing, t.pose.upright, frame.sunDirection.xyz);
 }
 
 // Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.
 BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
     vec3 position = t.root + fromRoot;
     shown = dot(normal, position) > 0.0 ? -normal : normal;
-    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, mix(species.rootColor.w, 1.0, v), t.density), t.uv);
+    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, t.pose.upright, mix(species.rootColor.w, 1.0, v), t.density), t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;
 }

@@ -136,6 +136,16 @@ TEST(Pose, ALeaningBladeKeepsItsLengthAndStaysAboveGround) {
         }
 }
 
+TEST(Pose, StoodUpTakesThePlacesLeanOffAgain) {
+    const Patch p = makePatch(species(2000), 0.5f, 1);
+    for (const Blade& b : p.blades)
+        for (const glm::vec2 lean : {glm::vec2(0), glm::vec2(0.4f, 0.1f), glm::vec2(-0.3f, 0.5f)}) {
+            const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, lean, 1.0f);
+            EXPECT_LT(glm::length(f32::stoodUp(pose.tip, pose.upright) - b.tip), 1e-4f * glm::length(b.tip) / std::max(pose.tip.y / glm::length(b.tip), 0.05f)) << lean.x;
+            if (lean.x == 0) EXPECT_LT(glm::length(f32::stoodUp({1, 1, 1}, pose.upright) - glm::vec3(1)), 1e-4f);
+        }
+}
+
 // One that lies almost flat, raised by a clump or by the wind, once shot up to many times its length.
 TEST(Pose, ARaisedBladeIsHardlyHigherThanItIsLong) {
     for (const float flat : {0.05f, 0.3f, 0.8f, 1.2f})
