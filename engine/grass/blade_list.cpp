@@ -1,5 +1,6 @@
 #include "grass/blade_list.h"
 
+#include <atomic>
 #include <bit>
 
 #include "core/jobs.h"
@@ -118,10 +119,14 @@ void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int seg
 
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells) {
     std::vector<CellList> lists(cells.size());
-    parallelFor(cells.size(), [&](size_t i) { lists[i] = listCell(q, cells[i]); });
+    std::atomic<size_t> indices = 0;
+    parallelFor(cells.size(), [&](size_t i) {
+        if (indices > kMostListed) return;
+        lists[i] = listCell(q, cells[i]);
+        indices += lists[i].indices.size();
+    });
     BladeList out;
-    size_t indices = 0;
-    for (const CellList& l : lists) indices += l.indices.size();
+    if (indices > kMostListed) return out.tooMany = true, out;
     out.indices.reserve(indices);
     for (size_t i = 0; i < lists.size(); ++i) {
         const CellList& l = lists[i];

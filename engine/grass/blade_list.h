@@ -28,7 +28,9 @@ struct BladeList {
     std::vector<uint32_t> indices;      // triangles over the 2 (segments + 1) vertices of each blade of the patch
     std::vector<DrawCommand> commands;  // one a cell that has any; the instance is its place among the cells
     uint64_t blades = 0;
+    bool tooMany = false;               // more than kMostListed: nothing is listed
 };
+inline constexpr size_t kMostListed = size_t{1} << 28;  // indices; 1 GB: what drivers give in one piece. More are drawn by ranges of the patch
 // Adds the indices of a strip of n quads over some of the blade's rows of vertices; pointed: the last is a triangle.
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed = false);
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells);

@@ -11,7 +11,6 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/geometry";
-constexpr size_t kMostListed = size_t{1} << 28;  // indices; 1 GB: what drivers give in one piece. More are drawn by the patch's
 
 struct SpeciesState {
     uint64_t key = 0;  // of the patch that the mesh was made from
@@ -83,7 +82,7 @@ void commandLists(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Tra
     if (s.least.empty() || s.way != way || s.samples != ctx.targets.samples) s.least = leastShown(query.patch, way, ctx.targets.samples);
     s.way = way, s.samples = ctx.targets.samples;
     const BladeList list = listBlades({query, s.least, query.reach, ctx.settings.detail}, s.selected);
-    if (list.indices.size() > kMostListed) return commandRanges(ctx, s);
+    if (list.tooMany) return commandRanges(ctx, s);
     writeBuffer(ctx.gpu, s.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
     uploadCommands(ctx, s, list.commands, list.blades);
 }

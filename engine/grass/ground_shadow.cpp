@@ -48,15 +48,11 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
         one.count = static_cast<GLsizei>(blades.count);
         return;
     }
-    std::vector<DrawCommand> commands;
-    if (blades.count > 0 && ctx.gpu.software) {
-        BladeList list = shadowList(ctx, one, i, blades, share);
-        commands = std::move(list.commands);
-        writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
-    } else {
-        commands = commandRanges(blades, share);
-        one.listed = {};
-    }
+    BladeList list;
+    const bool listed = blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, i, blades, share)).tooMany;
+    if (listed) writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
+    else one.listed = {};
+    const std::vector<DrawCommand> commands = listed ? std::move(list.commands) : commandRanges(blades, share);
     one.count = static_cast<GLsizei>(commands.size());
     if (one.count > 0) writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
     else one.commands = {};
