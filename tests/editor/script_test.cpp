@@ -424,6 +424,35 @@ TEST(Script, DirectionsAreCombedAndLaidTowardsAnAngle) {
                  "does not paint directions");
 }
 
+TEST(Script, ColoursAreLaidErasedAndSmoothed) {
+    EXPECT_EQ(Stage().fault(R"(
+        project.new()
+        for _, name in ipairs {'terrainMap', 'vegetation'} do
+            map.create{path = name, width = 160, height = 160, type = 'u8', value = 0}
+            local empty = map.hash(name)
+            brush.select{map = name, mode = 'add', radius = 2, falloff = 0, value = 0.8, color = {0.9, 0.8, 0.1}}
+            brush.stroke{{10, 10}, {30, 10}}
+            local r, g, b, a = map.at(name, 20, 10)
+            expect.near(r, 0.9, 0.01) expect.near(g, 0.8, 0.01) expect.near(b, 0.1, 0.01) expect.near(a, 0.8, 0.01)
+            brush.select{map = name, mode = 'smooth', radius = 4}
+            brush.stroke{{20, 12}}
+            r, g, b, a = map.at(name, 20, 12)
+            expect.near(r, 0.9, 0.01) expect.less(0.1, a) expect.less(a, 0.7)
+            brush.select{map = name, mode = 'subtract', radius = 5}
+            brush.stroke{{20, 10}}
+            r, g, b, a = map.at(name, 20, 10)
+            expect.near(r, 0.9, 0.01) expect.equal(a, 0)
+            for i = 1, 3 do expect.truthy(edit.undo()) end
+            expect.equal(map.hash(name), empty)
+        end)"),
+              "");
+    const std::string begin = "project.new() map.create{path = 'vegetation', width = 8, height = 8} ";
+    EXPECT_FAULT(Stage(), begin + "brush.select{map = 'vegetation', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}", "use add, subtract, set, smooth or noise");
+    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5}}", "three numbers");
+    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, 2}}", "three numbers");
+    EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, -0.5}}", "not between 0 and 1");
+}
+
 TEST(Script, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()
