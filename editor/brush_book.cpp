@@ -1,6 +1,9 @@
 #include "brush_book.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace sward {
@@ -17,8 +20,11 @@ BrushSettings& currentBrush(BrushBook& book) {
     return book.settings.emplace(key, fresh).first->second;
 }
 
+glm::vec3& currentColor(BrushBook& book) { return book.colors.try_emplace(book.map, 1.f).first->second; }
+
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
     BrushSettings brush = currentBrush(book);
+    brush.color = currentColor(book);
     if (ctrl && shift) {
         brush.mode = "subtract";
     } else if (shift) {
@@ -34,6 +40,19 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
             brush.mode = "subtract";
     }
     return brush;
+}
+
+std::string colorText(const glm::vec3& color) {
+    const glm::ivec3 c(glm::round(glm::clamp(color, 0.f, 1.f) * 255.f));
+    return fmt::format("#{:02x}{:02x}{:02x}", c.x, c.y, c.z);
+}
+
+std::optional<glm::vec3> parseColor(const std::string& text) {
+    const std::string digits = text.starts_with('#') ? text.substr(1) : text;
+    unsigned value = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (digits.size() != 6 || fault != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return glm::vec3(value >> 16, value >> 8 & 255, value & 255) / 255.f;
 }
 
 void growBrush(BrushSettings& brush, int steps) {

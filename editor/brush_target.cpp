@@ -8,16 +8,16 @@ namespace {
 
 bool present(const FieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
 
-// The map of this kind that a tool goes to: the last one painted, else the first.
-std::string mapOfKind(EditorApp& app, const BrushRow& row) {
-    std::string first;
-    for (const FieldRef& map : paintableMaps(app)) {
-        if (!paints(row, kindOf(*map.row))) continue;
-        const auto last = app.brushes.lastMap.find(kindOf(*map.row));
-        if (last != app.brushes.lastMap.end() && last->second == map.path) return map.path;
-        if (first.empty() || map.path.ends_with(".density") > first.ends_with(".density")) first = map.path;
-    }
-    return first;
+// The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
+std::string mapFor(EditorApp& app, const BrushRow& row) {
+    std::vector<std::string> fitting;
+    for (const FieldRef& map : paintableMaps(app))
+        if (paints(row, kindOf(*map.row))) fitting.push_back(map.path);
+    for (const std::string& map : app.brushes.recentMaps)
+        if (std::find(fitting.begin(), fitting.end(), map) != fitting.end()) return map;
+    for (const std::string& map : fitting)
+        if (map.ends_with(".density")) return map;
+    return fitting.empty() ? "" : fitting.front();
 }
 
 std::string toolFor(const BrushBook& book, MapKind kind) {
@@ -27,28 +27,23 @@ std::string toolFor(const BrushBook& book, MapKind kind) {
         case MapKind::Amounts: return "add";
         case MapKind::Directions: return "comb";
         case MapKind::Forces: return "press";
-        case MapKind::Colours: break;
+        case MapKind::Colours: return "add";
     }
     return kLookTool;
 }
 
 void remember(BrushBook& book, MapKind kind) {
-    book.lastMap[kind] = book.map;
+    std::erase(book.recentMaps, book.map);
+    book.recentMaps.insert(book.recentMaps.begin(), book.map);
     if (book.tool != kLookTool) book.lastTool[kind] = book.tool;
 }
 
 }  // namespace
 
-std::vector<FieldRef> shownMaps(EditorApp& app) {
+std::vector<FieldRef> paintableMaps(EditorApp& app) {
     if (!app.doc.isOpen()) return {};
     std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
     std::erase_if(maps, [](const FieldRef& f) { return f.row->isHeight; });
-    return maps;
-}
-
-std::vector<FieldRef> paintableMaps(EditorApp& app) {
-    std::vector<FieldRef> maps = shownMaps(app);
-    std::erase_if(maps, [](const FieldRef& f) { return kindOf(*f.row) == MapKind::Colours; });
     return maps;
 }
 
@@ -68,7 +63,7 @@ void selectTool(EditorApp& app, const std::string& tool) {
     if (!row && tool != kLookTool) return;
     const std::optional<FieldRef> map = chosenMap(app);
     if (row && (!map || !paints(*row, kindOf(*map->row)))) {
-        const std::string other = mapOfKind(app, *row);
+        const std::string other = mapFor(app, *row);
         if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
         app.brushes.map = other;
     }
@@ -81,12 +76,25 @@ void toggleLook(EditorApp& app) {
     selectTool(app, app.brushes.tool != kLookTool ? kLookTool : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
 }
 
+void pickColor(EditorApp& app) {
+    const std::optional<FieldRef> map = chosenMap(app);
+    if (!map || kindOf(*map->row) != MapKind::Colours) return say(app, "Pick Colour: the brush is on no map of colours");
+    const Map& texels = static_cast<const MapField*>(map->value)->map;
+    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
+    if (!app.viewport.ground || texels.empty() || !scale) return say(app, "Pick Colour: there is nothing under the pointer");
+    const glm::dvec3 at = *app.viewport.ground - findGround(app.doc.project()).origin;
+    const glm::dvec2 place(at.x / scale->width, at.z / scale->depth), inside = scale->repeats ? place - glm::floor(place) : place;
+    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255)) return say(app, "Pick Colour: nothing is painted there");
+    for (int c = 0; c < 3; ++c) currentColor(app.brushes)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
+    say(app, "the brush's colour is " + colorText(currentColor(app.brushes)));
+}
+
 void keepTargetValid(EditorApp& app) {
-    const std::vector<FieldRef> maps = shownMaps(app);
+    const std::vector<FieldRef> maps = paintableMaps(app);
     const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
     if (std::none_of(maps.begin(), maps.end(), named)) {
         const BrushRow* row = findBrush("add");
-        app.brushes.map = mapOfKind(app, *row);
+        app.brushes.map = mapFor(app, *row);
     }
     const std::optional<FieldRef> map = chosenMap(app);
     if (!map) return;

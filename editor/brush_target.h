@@ -6,15 +6,15 @@
 
 namespace sward {
 
-// Maps that brushes paint on, absent ones included: amounts, directions and forces, no heights.
+// Maps that brushes paint on, absent ones included; no heights.
 std::vector<FieldRef> paintableMaps(EditorApp& app);
-// Those, and colour maps, which are shown but not painted.
-std::vector<FieldRef> shownMaps(EditorApp& app);
 // The chosen map, or nothing if the project has none.
 std::optional<FieldRef> chosenMap(EditorApp& app);
 void selectMap(EditorApp& app, const std::string& path);
 void selectTool(EditorApp& app, const std::string& tool);
 void toggleLook(EditorApp& app);  // from looking back to the tool that painted last
+// The brush takes the colour that the chosen map has under the pointer; where there is none, it says so.
+void pickColor(EditorApp& app);
 // After the project changed: the chosen map must be one that it has, the tool one that paints it.
 void keepTargetValid(EditorApp& app);
 

@@ -82,6 +82,7 @@ constexpr Command kCommands[] = {
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
     {"Brush", "Look Without Painting", "v", "", toggleLook, opened},
     {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
+    {"Brush", "Pick Colour Under Pointer", "i", "", pickColor, opened, false},
     {"Brush", "Shift Erases", "", "", shiftErases, always, true,
      [](EditorApp& app) { return app.brushes.shiftErases; }},
     {"Play", "Start or Stop", "f5", "", togglePlay, opened, true, played, true},

@@ -389,7 +389,6 @@ Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool creat
         return usage(field.path + ": there is no map to paint on", "create or import one first");
     const MapKind kind = kindOf(*field.row);
     if (paints(*findBrush(brush.mode), kind)) return {};
-    if (kind == MapKind::Colours) return usage(field.path + ": brushes do not paint colours", "import or fill this map instead");
     return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)), "use " + brushesFor(kind));
 }
 
@@ -407,6 +406,7 @@ Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSetting
     BrushSettings settings = brush;
     settings.low = field->row->isHeight ? -1e5f : 0.0f;
     settings.high = field->row->isHeight ? 1e5f : 1.0f;
+    settings.colours = kindOf(*field->row) == MapKind::Colours;
     return StrokePart{field->path, Stroke(*findBrush(brush.mode), settings, *scale, info, history.position())};
 }
 

@@ -74,6 +74,8 @@ Status checkBrush(const BrushSettings& b) {
         return usage("the brush's spacing is not between 0 and 100", "it is a share of the diameter");
     if (!inside(b.angleDeg, -1e6, 1e6))
         return usage("the brush's angle is not between -1e6 and 1e6", "give degrees, clockwise from north");
+    for (int c = 0; c < 3; ++c)
+        if (!inside(b.color[c], 0, 1)) return usage("the brush's colour is not between 0 and 1", "give red, green and blue (sRGB), each from 0 to 1");
     if (!inside(b.value, -1e6, 1e6))
         return usage("the brush's value is not between -1e6 and 1e6", "give a finite number");
     return {};
@@ -139,7 +141,7 @@ void Stroke::end() {
 void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
     Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++,
-            heading.x,   heading.y};
+            heading.x,   heading.y, settings_.colours ? kColourSpread : 0};
     if (scale_.mirrored) {  // what falls over the edge lies nearer to the stamp's middle on this side, where it is painted already
         s.x = f64::mirrorUnit(s.x / info_.width) * info_.width;
         s.y = f64::mirrorUnit(s.y / info_.height) * info_.height;

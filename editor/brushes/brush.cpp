@@ -7,15 +7,17 @@
 
 namespace sward {
 namespace {
+constexpr unsigned kLaid = bitOf(MapKind::Amounts) | bitOf(MapKind::Colours), kDirections = bitOf(MapKind::Directions), kForces = bitOf(MapKind::Forces),
+                   kAll = kLaid | kDirections | kForces;
 constexpr BrushRow kBrushes[] = {
-    {"add", "Add", "Raises the map: more blades, higher ground", applyAdd},
-    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean, less pressed", applySubtract, true, true, true},
-    {"set", "Set", "Paints towards a value", applySet},
-    {"smooth", "Smooth", "Evens out what is painted", applySmooth, true, true, true},
-    {"noise", "Noise", "Roughens towards random values, the same for the same seed", applyNoise},
-    {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, false, true, false, true},
-    {"direction", "Direction", "Lays the grass towards an angle", applyDirection, false, true},
-    {"press", "Press", "Presses the grass down and pushes it the way the stroke goes, as a roller does; a click pushes it apart", applyPress, false, false, true, true},
+    {"add", "Add", "Raises the map: more blades, higher ground. Lays colour over what is there", applyAdd, kLaid},
+    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean, less pressed, less colour", applySubtract, kAll},
+    {"set", "Set", "Paints towards a value, or towards a colour of an opacity", applySet, kLaid},
+    {"smooth", "Smooth", "Evens out what is painted", applySmooth, kAll},
+    {"noise", "Noise", "Roughens towards random values, the same for the same seed", applyNoise, kLaid},
+    {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, kDirections, true},
+    {"direction", "Direction", "Lays the grass towards an angle", applyDirection, kDirections},
+    {"press", "Press", "Presses the grass down and pushes it the way the stroke goes, as a roller does; a click pushes it apart", applyPress, kForces, true},
 };
 }  // namespace
 
@@ -31,15 +33,7 @@ const char* kindName(MapKind kind) {
     return names[static_cast<size_t>(kind)];
 }
 
-bool paints(const BrushRow& row, MapKind kind) {
-    switch (kind) {
-        case MapKind::Amounts: return row.amounts;
-        case MapKind::Directions: return row.directions;
-        case MapKind::Forces: return row.forces;
-        case MapKind::Colours: break;
-    }
-    return false;
-}
+bool paints(const BrushRow& row, MapKind kind) { return (row.kinds & bitOf(kind)) != 0; }
 
 std::string brushesFor(MapKind kind) {
     std::vector<std::string> names;
@@ -58,7 +52,7 @@ const BrushRow* findBrush(const std::string& name) {
 
 TileRange stampTiles(const MapInfo& info, const Stamp& s) {
     // A stamp smaller than a texel reaches one texel around its centre.
-    const double rx = std::max(s.radiusX, 1.0), ry = std::max(s.radiusY, 1.0);
+    const double rx = std::max(s.radiusX, 1.0) + s.spread, ry = std::max(s.radiusY, 1.0) + s.spread;
     if (!(s.radiusX > 0 && s.radiusY > 0) || info.width <= 0 || info.height <= 0) return {};
     if (!(s.x + rx > 0 && s.y + ry > 0 && s.x - rx < info.width && s.y - ry < info.height)) return {};
     const auto tileOf = [](double texel, int size) {

@@ -3,6 +3,7 @@
 // Hard case T-7: zero radius paints nothing; a stroke of zero length is one stamp; zero strength is the identity.
 #pragma once
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,13 +15,14 @@ namespace sward {
 
 struct FieldRow;
 
-// What a map's channels mean to a brush. Colours are not painted.
+// What a map's channels mean to a brush.
 enum class MapKind {
     Amounts,     // one channel: density, heights
     Directions,  // two: direction x, z about 0.5, its length the strength
     Forces,      // four: push x, z about 0.5, press; all times the fourth
-    Colours,
+    Colours,     // four: colour (sRGB) and opacity
 };
+constexpr unsigned bitOf(MapKind kind) { return 1u << static_cast<unsigned>(kind); }
 MapKind kindOf(const FieldRow& map);
 const char* kindName(MapKind kind);  // "amounts"
 
@@ -29,12 +31,15 @@ struct BrushSettings {
     std::string mode = "add";     // a row's name
     float radius = 1;             // metres
     float strength = 1;           // [0,1]: share of the full effect that a stamp has at its centre
-    float value = 1;              // what set paints towards, and the most that noise does
+    float value = 1;              // what set paints towards, and the most that noise does; of colours the opacity
     float falloff = 0.5f;         // 0: hard edge; 1: falls off from the centre
     float spacing = 0.1f;         // distance between stamps as a share of the diameter
     int seed = 0;                 // of noise
     float angleDeg = 0;           // of direction: where blades lean, clockwise from north (-z) seen from above
-    float low = 0, high = 1;      // limits of what is painted on float maps; integer maps keep [0,1]
+    glm::vec3 color{1};           // what is laid on maps of colours: sRGB in [0,1], as they hold it
+    // Of the map, filled in by who knows it:
+    float low = 0, high = 1;  // limits of what is painted on float maps; integer maps keep [0,1]
+    bool colours = false;     // its four channels are a colour and an opacity, not a force
 };
 
 // In texels of the map; radiusX != radiusY where texels are not square.
@@ -45,7 +50,11 @@ struct Stamp {
     // up over stamps to what they would be without rounding. 0 rounds to nearest.
     uint32_t turn = 0;
     double headingX = 0, headingZ = 0;  // where the stroke goes, for comb and press; any length; none: nowhere yet
+    // Texels beyond its edge as far as which texels of no opacity take a colour that is laid. Nothing is seen of that, but
+    // filtering would mix what they held into the edge: a dark rim.
+    double spread = 0;
 };
+inline constexpr double kColourSpread = 8;  // as far as mip level 3 reaches
 
 // The tiles that a stamp may change: [x0, x1[ by [y0, y1[; empty if it misses the map or paints nothing.
 struct TileRange {
@@ -59,14 +68,12 @@ struct BrushRow {
     const char* label;  // "Add"
     const char* help;
     // Reads `map` as it was before the stamp (smooth needs neighbours) and returns the new tile, or the old pointer if
-    // nothing changed. Of maps with a number of channels that it does not paint every tile is returned as it is; four
-    // channels it takes for forces. Settings that are not finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
+    // nothing changed. Of maps with a number of channels that it does not paint every tile is returned as it is. Settings
+    // that are not finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
     std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
                                          const BrushSettings& brush);
-    bool amounts = true;      // the kinds of maps that it paints
-    bool directions = false;
-    bool forces = false;
-    bool follows = false;     // paints the way the stroke goes: the first stamp waits until it goes somewhere, or ends
+    unsigned kinds = 0;    // the maps that it paints: a sum of bitOf
+    bool follows = false;  // paints the way the stroke goes: the first stamp waits until it goes somewhere, or ends
 };
 bool paints(const BrushRow& row, MapKind kind);
 // "press, smooth or subtract": the brushes that paint such maps.

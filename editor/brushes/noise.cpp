@@ -1,6 +1,7 @@
 // Moves each texel towards a random number between 0 and the brush's value, the same for every stamp with the same
-// seed, so that painting longer brings the pattern out and never drifts.
-#include "brushes/paint.h"
+// seed, so that painting longer brings the pattern out and never drifts. On maps of colours the number is the opacity of the
+// brush's colour.
+#include "brushes/colours.h"
 
 namespace sward {
 namespace {
@@ -15,6 +16,11 @@ uint32_t texelHash(uint32_t x, uint32_t y, uint32_t seed) {
 
 std::shared_ptr<const Tile> applyNoise(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
     const uint32_t seed = static_cast<uint32_t>(brush.seed);
+    if (brush.colours)
+        return layColour(map, tx, ty, stamp, brush, [&](int x, int y, double) {
+            const uint32_t h = texelHash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), seed);
+            return static_cast<double>(brush.value) * (h >> 8) * 0x1p-24;
+        });
     return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
         using Real = std::remove_cvref_t<decltype(row.scale)>;
         const Real amount = row.scale * static_cast<Real>(brush.value) * static_cast<Real>(0x1p-24);

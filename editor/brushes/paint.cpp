@@ -11,6 +11,7 @@ StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushS
     centreY_ = static_cast<float>(stamp.y - ty * kTileSize - 0.5);
     invX_ = static_cast<float>(1.0 / rx);
     invY_ = static_cast<float>(1.0 / ry);
+    farthest_ = static_cast<float>((1 + stamp.spread / ry) * (1 + stamp.spread / ry));
     invRange_ = static_cast<float>(1.0 / (1.0 - core * core));
     strength_ = static_cast<float>(std::clamp<double>(brush.strength, 0.0, 1.0) * cover);
     columns_ = std::min(kTileSize, info.width - tx * kTileSize);
@@ -20,7 +21,7 @@ StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushS
 bool StampWeights::row(int y, float* weight) const {
     const float dy = (static_cast<float>(y) - centreY_) * invY_;
     const float dy2 = dy * dy;
-    if (y >= rows_ || !(dy2 < 1.0f)) return false;
+    if (y >= rows_ || !(dy2 < farthest_)) return false;
     alignas(64) float w[kTileSize];
     for (int i = 0; i < kTileSize; ++i) {
         const float dx = (static_cast<float>(i) - centreX_) * invX_;
@@ -52,7 +53,7 @@ void texelOfForce(const PaintedForce& force, double* texel) {
 bool usableBrush(const Stamp& stamp, const BrushSettings& b) {
     const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
                         std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&
-                        std::isfinite(b.falloff) && std::isfinite(b.low) && std::isfinite(b.high);
+                        std::isfinite(b.falloff) && std::isfinite(b.color.x + b.color.y + b.color.z) && std::isfinite(b.low) && std::isfinite(b.high);
     return finite && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
 }
 

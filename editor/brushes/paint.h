@@ -1,6 +1,7 @@
 // What all brushes share: the weights of a stamp over a tile, and the loop that adds a change to its texels.
 // Values and changes are counted in steps of the map's type: 0 to 255, 0 to 65535, or the float itself.
-// Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, or of four that make a force.
+// Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, of four that make a force;
+// of colours: colours.h.
 #pragma once
 #include <limits>
 #include <type_traits>
@@ -30,11 +31,12 @@ struct PaintRow {
 class StampWeights {
   public:
     StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty);
-    // False if the row (0 to kTileSize - 1) has no weight at all; else fills kTileSize weights.
+    // False if the row (0 to kTileSize - 1) lies beyond the stamp and its spread; else fills kTileSize weights.
     bool row(int y, float* weight) const;
 
   private:
     float centreX_, centreY_, invX_, invY_, invRange_, strength_;
+    float farthest_;  // rows beyond this many radii, squared, are not painted
     int columns_, rows_;
 };
 
@@ -135,6 +137,18 @@ void turnTowards(const PaintRow<Real>& row, const Target& target) {
         row.change[i] = (target(i / 2, i % 2) - row.value[i]) * static_cast<Real>(row.weight[i / 2]);
 }
 
+// Of maps of four channels: mix(i, weight, texel) makes of each texel, four numbers in [0, 1], what it becomes.
+template <class Real, class Mix>
+void changeTexels(const PaintRow<Real>& row, const Mix& mix) {
+    const double scale = static_cast<double>(row.scale);
+    for (int i = 0; i < kTileSize; ++i) {
+        double before[4] = {}, texel[4] = {};
+        for (int c = 0; c < 4; ++c) before[c] = texel[c] = static_cast<double>(row.value[4 * i + c]) / scale;
+        mix(i, static_cast<double>(row.weight[i]), texel);
+        for (int c = 0; c < 4; ++c) row.change[4 * i + c] = static_cast<Real>((texel[c] - before[c]) * scale);
+    }
+}
+
 // A force as it acts: push and press times their share.
 struct PaintedForce {
     double x = 0, z = 0, press = 0, share = 0;
@@ -145,18 +159,12 @@ PaintedForce forceOfTexel(const double* texel);
 void texelOfForce(const PaintedForce& force, double* texel);  // a push of no share: none
 template <class Real, class Target>
 void pressTowards(const PaintRow<Real>& row, const Target& target) {
-    const double scale = static_cast<double>(row.scale);
-    for (int i = 0; i < kTileSize; ++i) {
-        const double w = static_cast<double>(row.weight[i]);
-        double texel[4] = {}, next[4] = {};
-        for (int c = 0; c < 4; ++c) texel[c] = next[c] = static_cast<double>(row.value[4 * i + c]) / scale;
+    changeTexels(row, [&](int i, double w, double* texel) {
         const PaintedForce a = forceOfTexel(texel), b = target(i);
-        if (w > 0 && (a.share > 0 || b.share > 0)) {
-            const auto mixed = [w](double from, double to) { return from + (to - from) * w; };
-            texelOfForce({mixed(a.x, b.x), mixed(a.z, b.z), mixed(a.press, b.press), mixed(a.share, b.share)}, next);
-        }
-        for (int c = 0; c < 4; ++c) row.change[4 * i + c] = static_cast<Real>((next[c] - texel[c]) * scale);
-    }
+        if (!(w > 0 && (a.share > 0 || b.share > 0))) return;
+        const auto mixed = [w](double from, double to) { return from + (to - from) * w; };
+        texelOfForce({mixed(a.x, b.x), mixed(a.z, b.z), mixed(a.press, b.press), mixed(a.share, b.share)}, texel);
+    });
 }
 
 // The modes; one file each.

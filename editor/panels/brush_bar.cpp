@@ -29,7 +29,7 @@ void next(EditorApp& app, const char* label, float width) {
 
 void mapCombo(EditorApp& app) {
     std::vector<std::string> names, paths;
-    for (const FieldRef& map : shownMaps(app)) {
+    for (const FieldRef& map : paintableMaps(app)) {
         paths.push_back(map.path);
         names.push_back(static_cast<const MapField*>(map.value)->present() ? map.path : map.path + " (new)");
     }
@@ -124,6 +124,24 @@ void angle(EditorApp& app, float& angleDeg) {
     dial(app, angleDeg);
 }
 
+// What is laid on a map of colours: a swatch with a picker, and the colour as it is written in image programs.
+void color(EditorApp& app) {
+    next(app, "Colour", em(7) + ImGui::GetFrameHeight());
+    caption("Colour");
+    glm::vec3& chosen = currentColor(app.brushes);
+    ui::srgbEdit("Colour/Swatch", &chosen.x);
+    ui::tooltip("What the brush lays. Click to choose; I takes the map's colour under the pointer.");
+    ImGui::SameLine(0, 4);
+    ImGui::SetNextItemWidth(em(5.5f));
+    if (const auto typed = ui::textField("Colour", colorText(chosen))) {
+        const std::optional<glm::vec3> parsed = parseColor(*typed);
+        ui::setError("Colour", parsed ? "" : "a colour is written as #e5c81a: two digits 0 to f each of red, green and blue");
+        if (parsed) chosen = *parsed;
+    }
+    const std::string* error = ui::errorAt("Colour");
+    ui::tooltip(error ? *error : "Red, green and blue as #rrggbb.");
+}
+
 }  // namespace
 
 void drawBrushBar(EditorApp& app) {
@@ -143,7 +161,11 @@ void drawBrushBar(EditorApp& app) {
                      : "How much one pass over a place changes it: - and = change it.");
     number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(app, b.angleDeg);
-    if (b.mode == "set")
+    const bool colours = map && kindOf(*map->row) == MapKind::Colours;
+    if (colours) color(app);
+    if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
+        number(app, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1), "How far the colour covers what lies under the map; 1: wholly.");
+    if (b.mode == "set" && !colours)
         number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
                "What the brush paints towards: 0 is bare, 1 is full.");
 }

@@ -89,6 +89,21 @@ void forces(const Rect& r, const std::string& title, double yaw) {
     text({at.x + rest - ImGui::CalcTextSize(kFlat).x, at.y + 2 * line}, kFlat, ui::kDimText);
 }
 
+// Each place has its own colour: the bar says with the brush's how opacity shows.
+void colours(const Rect& r, const std::string& title, const char* none, const glm::vec3& color) {
+    constexpr const char* kHelp = "the map's colours, by opacity";
+    const float line = ImGui::GetTextLineHeight(), wide = std::max(ImGui::CalcTextSize(title.c_str()).x, ImGui::CalcTextSize(kHelp).x);
+    ImVec2 at = box(r, wide + 2 * kPad, 2 * kPad + 3 * line + 20);
+    text(at, title);
+    text({at.x, at.y + line + 2}, kHelp, ui::kDimText);
+    at.y += 2 * line + 6;
+    const ImU32 full = ImGui::GetColorU32({color.x, color.y, color.z, 1}), clear = full & ~IM_COL32_A_MASK;
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor(at, {at.x + wide, at.y + 10}, clear, full, full, clear);
+    text({at.x, at.y + 12}, none, ui::kDimText);
+    constexpr const char* kWhole = "1 covered";
+    text({at.x + wide - ImGui::CalcTextSize(kWhole).x, at.y + 12}, kWhole, ui::kDimText);
+}
+
 }  // namespace
 
 void drawOverlayLegend(EditorApp& app) {
@@ -100,6 +115,10 @@ void drawOverlayLegend(EditorApp& app) {
     if (kind == MapKind::Amounts)
         amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
     if (kind == MapKind::Forces) forces(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Colours) {
+        const bool soil = std::string_view(map->component->name) == "Terrain";
+        colours(app.viewport.rect, title, soil ? "0 soil" : "0 grass", currentColor(app.brushes));
+    }
     if (kind == MapKind::Directions) directions(app.viewport.rect, title, app.viewport.camera.yaw);
 }
 

@@ -5,7 +5,7 @@
 namespace sward::script {
 namespace {
 
-// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0}
+// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0, color = {1, 1, 1}}
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;
@@ -18,6 +18,7 @@ int select(lua_State* L, State& state) {
     brush.spacing = static_cast<float>(options.number("spacing", 0.1));
     brush.seed = static_cast<int>(std::clamp(options.number("seed", 0), -1e9, 1e9));
     brush.angleDeg = static_cast<float>(options.number("angle", 0));
+    brush.color = vectorOption(L, options, "color", brush.color, 1);
     options.finish();
     orRaise(L, checkBrush(brush));
     state.host.brush = brush;

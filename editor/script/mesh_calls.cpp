@@ -9,21 +9,6 @@ namespace {
 
 constexpr float kFarthest = 1e4f;  // metres
 
-glm::vec3 vectorOption(lua_State* L, Options& options, const char* name, const glm::vec3& otherwise) {
-    if (!options.push(name)) return otherwise;
-    glm::vec3 out(0);
-    const bool table = lua_istable(L, -1) && luaL_len(L, -1) == 3;
-    for (int c = 0; c < 3 && table; ++c) {
-        lua_geti(L, -1, c + 1);
-        out[c] = lua_type(L, -1) == LUA_TNUMBER ? static_cast<float>(lua_tonumber(L, -1)) : NAN;
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
-    const auto sound = [](float v) { return std::isfinite(v) && std::abs(v) <= kFarthest; };
-    if (!table || !sound(out.x) || !sound(out.y) || !sound(out.z)) raise(L, fmt::format("{} must be three numbers within {}", name, kFarthest));
-    return out;
-}
-
 int wholeOption(lua_State* L, Options& options, const char* name, int otherwise, int low, int high) {
     const double v = options.number(name, otherwise);
     if (!(v >= low && v <= high)) raise(L, fmt::format("{} must lie between {} and {}", name, low, high));
@@ -42,7 +27,7 @@ SolidKind kindOption(lua_State* L, Options& options) {
 
 // Cylinders name what their size means.
 glm::vec3 sizeOf(lua_State* L, Options& options, SolidKind kind) {
-    if (kind != SolidKind::Cylinder) return vectorOption(L, options, "size", glm::vec3(1));
+    if (kind != SolidKind::Cylinder) return vectorOption(L, options, "size", glm::vec3(1), kFarthest);
     const double radius = options.number("radius"), height = options.number("height"), top = options.number("top", radius);
     if (!(radius >= 0 && top >= 0 && radius + top > 0 && height > 0 && radius + top + height < static_cast<double>(kFarthest)))
         raise(L, "radius and top must be 0 or more, one of them and height above 0");
@@ -54,9 +39,9 @@ Solid solidAt(lua_State* L, int index) {
     Solid s;
     s.kind = kindOption(L, options);
     s.size = sizeOf(L, options, s.kind);
-    s.at = vectorOption(L, options, "at", glm::vec3(0));
-    s.turnDeg = vectorOption(L, options, "turn", glm::vec3(0));
-    s.color = vectorOption(L, options, "color", glm::vec3(0.5f));
+    s.at = vectorOption(L, options, "at", glm::vec3(0), kFarthest);
+    s.turnDeg = vectorOption(L, options, "turn", glm::vec3(0), kFarthest);
+    s.color = vectorOption(L, options, "color", glm::vec3(0.5f), kFarthest);
     s.sides = wholeOption(L, options, "sides", s.sides, 3, 256);
     s.count = wholeOption(L, options, "count", s.count, 1, 100000);
     s.leaf = static_cast<float>(options.number("leaf", s.leaf));

@@ -118,6 +118,21 @@ void Options::finish() {
     raise(L_, fmt::format("no option is called {}; there are {}", strangers[0], names));
 }
 
+glm::vec3 vectorOption(lua_State* L, Options& options, const char* name, const glm::vec3& otherwise, float most) {
+    if (!options.push(name)) return otherwise;
+    glm::vec3 out(0);
+    const bool table = lua_istable(L, -1) && luaL_len(L, -1) == 3;
+    for (int c = 0; c < 3 && table; ++c) {
+        lua_geti(L, -1, c + 1);
+        out[c] = lua_type(L, -1) == LUA_TNUMBER ? static_cast<float>(lua_tonumber(L, -1)) : NAN;
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    const auto sound = [most](float v) { return std::isfinite(v) && std::abs(v) <= most; };
+    if (!table || !sound(out.x) || !sound(out.y) || !sound(out.z)) raise(L, fmt::format("{} must be three numbers within {}", name, most));
+    return out;
+}
+
 std::vector<std::pair<double, double>> pointsArg(lua_State* L, int index, const char* what) {
     index = lua_absindex(L, index);
     if (!lua_istable(L, index)) raise(L, fmt::format("{} must be a list of points {{{{x, z}}, …}}", what));

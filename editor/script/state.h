@@ -95,6 +95,8 @@ class Options {
     int table_;
     std::vector<std::string> known_;
 };
+// The option {a, b, c}; raises if it is not three finite numbers of at most `most` in size.
+glm::vec3 vectorOption(lua_State* L, Options& options, const char* name, const glm::vec3& otherwise, float most);
 // A list of points {{x, z}, …}; raises if a coordinate is not finite.
 std::vector<std::pair<double, double>> pointsArg(lua_State* L, int index, const char* what);
 

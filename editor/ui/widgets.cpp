@@ -215,6 +215,12 @@ bool menuItem(const std::string& label, const std::string& chord, bool checked, 
 bool colorEdit(const std::string& label, float linear[3]) {
     float srgb[3];
     for (int i = 0; i < 3; ++i) srgb[i] = toSrgb(linear[i]);
+    const bool changed = srgbEdit(label, srgb);
+    for (int i = 0; i < 3 && changed; ++i) linear[i] = fromSrgb(srgb[i]);
+    return changed;
+}
+
+bool srgbEdit(const std::string& label, float srgb[3]) {
     const std::string id = idOf(label);
     const ImVec4 shownColor{srgb[0], srgb[1], srgb[2], 1};
     if (ImGui::ColorButton(id.c_str(), shownColor, ImGuiColorEditFlags_NoTooltip)) ImGui::OpenPopup(id.c_str());
@@ -228,8 +234,6 @@ bool colorEdit(const std::string& label, float linear[3]) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 14);
     const bool changed = ImGui::ColorPicker3((id + "picker").c_str(), srgb, flags);
     ImGui::EndPopup();
-    if (changed)
-        for (int i = 0; i < 3; ++i) linear[i] = fromSrgb(srgb[i]);
     return changed;
 }
 

@@ -91,6 +91,8 @@ void endMenu();
 bool menuItem(const std::string& label, const std::string& chord = {}, bool checked = false, bool enabled = true);
 // A colour in linear light, edited in a picker behind a swatch; also while the person drags in the picker.
 bool colorEdit(const std::string& label, float linear[3]);
+// The same of a colour in sRGB.
+bool srgbEdit(const std::string& label, float srgb[3]);
 
 // How a number is edited.
 struct NumberSpec {

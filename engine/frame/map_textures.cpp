@@ -1,5 +1,7 @@
 #include "frame/map_textures.h"
 
+#include "core/numerics.h"
+
 namespace sward {
 namespace {
 
@@ -61,6 +63,25 @@ std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, i
     return {level, level + channels};
 }
 
+uint16_t decoded(uint16_t v) {
+    static const std::vector<uint16_t> table = [] {
+        std::vector<uint16_t> t(65536);
+        for (size_t i = 0; i < t.size(); ++i) t[i] = static_cast<uint16_t>(std::lround(65535 * f32::srgbDecode(static_cast<float>(i) / 65535)));
+        return t;
+    }();
+    return table[v];
+}
+float decoded(float v) { return f32::srgbDecode(v); }
+
+// A tile of colours as linear light; opacities as they are. For types that the GPU has no sRGB format of.
+template <class T>
+std::vector<T> decodedTile(const T* texels) {
+    std::vector<T> out(texels, texels + size_t(kTileSize) * kTileSize * 4);
+    for (size_t i = 0; i < out.size(); ++i)
+        if (i % 4 != 3) out[i] = decoded(out[i]);
+    return out;
+}
+
 constexpr int kTileLevels = 7;  // 128 = 2^7
 
 template <class F>
@@ -104,6 +125,9 @@ void MapTextures::uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty
     withPixelType(info.type, [&](auto zero) {
         using T = decltype(zero);
         const T* pixels = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
+        std::vector<T> linear;
+        if constexpr (!std::is_same_v<T, uint8_t>)
+            if (srgb && info.channels == 4) linear = decodedTile(pixels), pixels = linear.data();
         const auto last = uploadChain<T>(e.texture, formatOf(info, srgb), pixels, x, y, w, h, kTileSize, info.channels, kTileLevels, uploaded_);
         std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(), map.texelBytes());
     });

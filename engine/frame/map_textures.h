@@ -14,7 +14,7 @@ namespace sward {
 class MapTextures {
   public:
     explicit MapTextures(Gpu& gpu) : gpu_(gpu) {}
-    // owner: who is charged ("terrain/ground"); key: the map's identity, its PATH. srgb: 8-bit colour is decoded by the GPU.
+    // owner: who is charged ("terrain/ground"); key: the map's identity, its PATH. srgb: four channels are a colour, read as linear light; the GPU decodes 8 bits.
     // Formats: U8 R8/RG8/RGBA8, U16 R16/RG16/RGBA16, F32 R32F/RG32F/RGBA32F.
     GLuint get(const std::string& owner, const std::string& key, const Map& map, bool srgb = false, bool repeat = false);
     void beginFrame();

@@ -20,7 +20,7 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
         for (size_t i = 0; i < f->species.size() && i < r.densities.size(); ++i)
             if (wanted == &f->species[i].density && r.densities[i]) return r.densities[i];
     }
-    return ctx.maps.get(kOwner, field.path, wanted->map, true, true);
+    return ctx.maps.get(kOwner, field.path, wanted->map, !field.row->isForce, true);
 }
 
 // How the shader shows it.

@@ -44,6 +44,26 @@ TEST(BrushBook, ModifiersChangeTheStrokeAndNotTheSettings) {
     }
 }
 
+TEST(BrushBook, AColourStaysWithItsMapForAllToolsAndGoesIntoStrokes) {
+    BrushBook b = painting("add");
+    b.map = "ground.Terrain.terrainMap";
+    EXPECT_EQ(currentColor(b), glm::vec3(1));
+    currentColor(b) = {0.9f, 0.8f, 0.1f};
+    b.tool = "set";
+    EXPECT_EQ(strokeBrush(b, false, false).color, glm::vec3(0.9f, 0.8f, 0.1f));
+    b.map = "lawn.GrassField.vegetation";
+    EXPECT_EQ(strokeBrush(b, true, false).color, glm::vec3(1));
+}
+
+TEST(BrushBook, ColoursAreWrittenAsInImagePrograms) {
+    EXPECT_EQ(colorText({0.9f, 0, 1.4f}), "#e600ff");
+    for (const char* text : {"#e5c81a", "E5C81A"}) {
+        ASSERT_TRUE(parseColor(text)) << text;
+        EXPECT_EQ(colorText(*parseColor(text)), "#e5c81a");
+    }
+    for (const char* text : {"", "#", "#fff", "#e5c81", "#e5c81ag", "#e5c81g", "-e5c81", "#-5c81a", "yellow"}) EXPECT_FALSE(parseColor(text)) << text;
+}
+
 TEST(BrushBook, ThePresetMakesShiftAnEraser) {
     BrushBook b = painting("add");
     b.shiftErases = true;

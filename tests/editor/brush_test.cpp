@@ -41,14 +41,15 @@ TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
         const bool any = name == "smooth" || name == "subtract", lays = name == "comb" || name == "direction";
-        EXPECT_EQ(paints(row, MapKind::Amounts), !lays && name != "press") << name;
+        const bool amounts = !lays && name != "press";
+        EXPECT_EQ(paints(row, MapKind::Amounts), amounts) << name;
         EXPECT_EQ(paints(row, MapKind::Directions), lays || any) << name;
         EXPECT_EQ(paints(row, MapKind::Forces), name == "press" || any) << name;
-        EXPECT_FALSE(paints(row, MapKind::Colours)) << name;
+        EXPECT_EQ(paints(row, MapKind::Colours), amounts) << name;
     }
     EXPECT_EQ(findBrush("spray"), nullptr);
     EXPECT_EQ(brushesFor(MapKind::Forces), "subtract, smooth or press");
-    EXPECT_EQ(brushesFor(MapKind::Colours), "");
+    EXPECT_EQ(brushesFor(MapKind::Colours), "add, subtract, set, smooth or noise");
 }
 
 TEST(Brush, ZeroRadiusZeroStrengthAndBrokenNumbersPaintNothing) {
@@ -73,7 +74,7 @@ TEST(Brush, ZeroRadiusZeroStrengthAndBrokenNumbersPaintNothing) {
 
 TEST(Brush, MapsOfSeveralChannelsAreLeftAlone) {
     for (const int channels : {3, 4}) for (const BrushRow& row : brushRows()) {
-        if (channels == 4 && row.forces) continue;
+        if (channels == 4 && paints(row, MapKind::Forces)) continue;
         const Map before({64, 64, channels, PixelType::U8});
         Map map = before;
         applyStamp(map, row, {32, 32, 20, 20}, brushOf(1));
@@ -136,7 +137,7 @@ TEST(Brush, WeakSetConvergesToItsValue) {
 
 TEST(Brush, NothingIsPaintedOutsideTheRadiusNorBeyondTheEdgeOfTheMap) {
     for (const BrushRow& row : brushRows()) {
-        if (!row.amounts) continue;
+        if (!paints(row, MapKind::Amounts)) continue;
         const Map before = randomMap(300, 200, PixelType::U16, 3);
         Map map = before;
         applyStamp(map, row, {290, 190, 40, 25}, brushOf(0.7f, 0.3f, 0.9f));
@@ -279,7 +280,7 @@ TEST(Brush, NoiseIsTheSameForASeedAndUniform) {
 
 TEST(Brush, OneStampEqualsItsTilesAppliedOneByOneInAnyOrder) {
     for (const BrushRow& row : brushRows()) {
-        if (!row.amounts) continue;
+        if (!paints(row, MapKind::Amounts)) continue;
         const Map before = randomMap(500, 400, PixelType::U16, 6);
         const Stamp stamp{260, 200, 170, 150, 5};
         Map whole = before, single = before;

@@ -128,7 +128,12 @@ TEST(Document, StrokesOnWhatCannotBePaintedAreRefusedAndSayWhy) {
     b.map = "vegetation";
     EXPECT_NE(refusal(b).find("no map to paint on"), std::string::npos) << refusal(b);
     ASSERT_TRUE(f.doc.setMap("vegetation", Map({64, 64, 4, PixelType::U8}), "fill"));
-    EXPECT_NE(refusal(b).find("do not paint colours"), std::string::npos) << refusal(b);
+    b.mode = "comb";
+    EXPECT_NE(refusal(b).find("does not paint colours"), std::string::npos) << refusal(b);
+    EXPECT_NE(refusal(b).find("use add, subtract, set, smooth or noise"), std::string::npos) << refusal(b);
+    b.mode = "add", b.color.y = 1.5f;
+    EXPECT_NE(refusal(b).find("colour is not between 0 and 1"), std::string::npos) << refusal(b);
+    b.color.y = 1;
     ASSERT_TRUE(f.doc.createMap("lawn.GrassField.forces"));
     b.map = "forces", b.mode = "add";
     EXPECT_NE(refusal(b).find("use subtract, smooth or press"), std::string::npos) << refusal(b);
@@ -246,6 +251,34 @@ TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
     EXPECT_EQ(value("forces", 3), 0);
     EXPECT_FALSE(f.doc.createMap("lawn.GrassField.maxGeom"));
     EXPECT_FALSE(f.doc.createMap("nobody.GrassField.orientation"));
+}
+
+TEST(Document, AStrokeOfColourMakesTheMapAndUndoRestoresTheTilesThemselves) {
+    Fixture f;
+    const auto map = [&](const char* name) { return static_cast<const MapField*>(findMap(f.doc.project(), tables().components, name)->value)->map; };
+    for (const char* name : {"terrainMap", "vegetation"}) {
+        const Project before = f.copy();
+        BrushSettings b;
+        b.map = name, b.radius = 3, b.color = {0.9f, 0.8f, 0.1f}, b.strength = 0.6f;
+        ASSERT_TRUE(f.doc.beginStrokes({&b, 1}, 10, 10, true)) << name;
+        f.doc.strokeTo(20, 10);
+        f.doc.endStroke();
+        f.doc.pumpStroke(0);
+        const Map first = map(name);
+        EXPECT_EQ(first.info().channels, 4);
+        EXPECT_NEAR(first.sample(15.0 / 40, 10.0 / 40, 0), 0.9f, 0.01f);
+        EXPECT_GT(first.sample(15.0 / 40, 10.0 / 40, 3), 0.9f) << "stamps add up";
+        EXPECT_EQ(first.sample(15.0 / 40, 30.0 / 40, 3), 0) << "the rest is transparent";
+        b.mode = "subtract";
+        stroke(f.doc, b, {{12, 5}, {18, 15}});
+        EXPECT_NE(map(name).hash(), first.hash());
+        ASSERT_TRUE(f.doc.undo());
+        EXPECT_TRUE(map(name).sameTiles(first));
+        ASSERT_TRUE(f.doc.undo());
+        EXPECT_TRUE(f.same(before));
+        ASSERT_TRUE(f.doc.redo());
+        EXPECT_TRUE(map(name).sameTiles(first));
+    }
 }
 
 TEST(Document, AGroupIsOneStepAndMayNest) {

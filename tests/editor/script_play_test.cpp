@@ -2,29 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "playtest/playtest.h"
-#include "script/script.h"
-#include "support.h"
-#include "techniques.h"
+#include "script_stage.h"
 
 namespace sward {
 namespace {
 
-struct Stage {
-    test::TempDir dir;
-    Document doc{tables()};
-    ScriptHost host{doc};
-    // The error's text; "" if there is none.
-    std::string fault(const std::string& text) {
-        test::writeText(dir / "test.lua", text);
-        const Status s = runScript(dir / "test.lua", host);
-        return s ? "" : s.error().text();
-    }
-};
-#define EXPECT_FAULT(run, script, part)                                         \
-    do {                                                                        \
-        const std::string fault_ = (run).fault(script);                         \
-        EXPECT_NE(fault_.find(part), std::string::npos) << "fault: " << fault_; \
-    } while (0)
+using test::Stage;
 
 TEST(ScriptPlay, StartsStepsHashesAndStops) {
     Stage r;

@@ -4,38 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "scene/mesh_io.h"
-#include "support.h"
-#include "techniques.h"
+#include "script_stage.h"
 
 namespace sward {
 namespace {
 
-using test::TempDir;
-
-struct Stage {
-    TempDir dir;
-    Document doc{tables()};
-    std::vector<std::string> printed;
-    ScriptHost host{doc};
-    Stage() {
-        host.print = [this](const std::string& line) { printed.push_back(line); };
-    }
-    Status run(const std::string& text) {
-        test::writeText(dir / "test.lua", text);
-        return runScript(dir / "test.lua", host);
-    }
-    // The error's text; "" if there is none.
-    std::string fault(const std::string& text) {
-        const Status s = run(text);
-        return s ? "" : s.error().text();
-    }
-};
+using test::Stage;
 #define EXPECT_RUNS(text) EXPECT_EQ(Stage().fault(text), "")
-#define EXPECT_FAULT(run, script, part)                                         \
-    do {                                                                        \
-        const std::string fault_ = (run).fault(script);                         \
-        EXPECT_NE(fault_.find(part), std::string::npos) << "fault: " << fault_; \
-    } while (0)
 
 TEST(Script, PrintGoesToTheHostLineByLine) {
     Stage r;
@@ -399,77 +374,6 @@ TEST(Script, UiCallsWithoutAWindowSaySo) {
                              "ui.drag(1, 2, 3, 4)", "ui.rect('x')", "ui.wait(1)", "ui.screenshot('x.png')"})
         EXPECT_FAULT(Stage(), call, "test.lua:1: ui.* needs the editor's window");
 }
-
-TEST(Script, DirectionsAreCombedAndLaidTowardsAnAngle) {
-    EXPECT_EQ(Stage().fault(R"(
-        project.new()
-        map.create{path = 'orientation', width = 160, height = 160, type = 'u16', value = 0.5}
-        local empty = map.hash('orientation')
-        brush.select{map = 'orientation', mode = 'comb', radius = 2}
-        brush.stroke{{10, 10}} expect.equal(map.hash('orientation'), empty)
-        brush.stroke{{10, 10}, {30, 10}}
-        local x, z = map.at('orientation', 20, 10)
-        expect.near(x, 1, 1e-3) expect.near(z, 0.5, 1e-3)
-        brush.select{map = 'orientation', mode = 'direction', angle = 180, strength = 0.5, radius = 2}
-        brush.stroke{{20, 20}}
-        x, z = map.at('orientation', 20, 20)
-        expect.near(x, 0.5, 1e-3) expect.near(z, 0.75, 1e-3)
-        edit.undo() edit.undo() expect.equal(map.hash('orientation'), empty))"),
-              "");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
-                 "does not paint amounts");
-    EXPECT_FAULT(Stage(),
-                 "project.new() map.create{path = 'orientation', width = 8, height = 8} brush.select{map = "
-                 "'orientation'} brush.stroke{{1, 1}}",
-                 "does not paint directions");
-}
-
-TEST(Script, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
-    EXPECT_EQ(Stage().fault(R"(
-        project.new()
-        map.create{path = 'forces', width = 160, height = 160, value = {0.5, 0.5, 0, 0}}
-        local empty = map.hash('forces')
-        brush.select{map = 'forces', mode = 'press', radius = 2}
-        brush.stroke{{10, 10}, {30, 10}}
-        local x, z, press, share = map.at('forces', 20, 10)
-        expect.near(x, 1, 1e-2) expect.near(z, 0.5, 1e-2) expect.near(press, 1, 1e-2) expect.near(share, 1, 1e-2)
-        brush.select{map = 'forces', mode = 'subtract', strength = 1, radius = 3}
-        brush.stroke{{20, 10}}
-        x, z, press, share = map.at('forces', 20, 10)
-        expect.equal(share, 0)
-        edit.undo() edit.undo() expect.equal(map.hash('forces'), empty)
-        brush.select{map = 'forces', mode = 'press', radius = 3, strength = 0.5}  -- a click pushes apart
-        brush.stroke{{20, 20}}
-        x, z, press, share = map.at('forces', 21, 20)
-        expect.less(0.8, x) expect.near(z, 0.5, 0.1) expect.near(share, 0.5, 0.02)
-        x = map.at('forces', 19, 20) expect.less(x, 0.2)
-        edit.undo() expect.equal(map.hash('forces'), empty))"),
-              "");
-    EXPECT_FAULT(Stage(), "project.new() map.create{path = 'forces', width = 8, height = 8} brush.select{map = 'forces', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
-                 "does not paint forces");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}", "no map to paint on");
-}
-
-TEST(Script, EraseTakesEverySpeciesInOneStep) {
-    EXPECT_EQ(Stage().fault(R"(
-        project.new()
-        entity.set('lawn.GrassField.species', {{name = 'lawn'}, {name = 'clover'}})
-        map.create{path = 'species[lawn].density', width = 64, height = 64, value = 1}
-        brush.select{map = 'species[lawn].density', radius = 3, falloff = 0}
-        brush.erase{{20, 20}, {24, 20}}
-        for _, name in ipairs{'lawn', 'clover'} do
-            expect.near(map.at('species[' .. name .. '].density', 22, 20), 0, 1e-3)
-            expect.near(map.at('species[' .. name .. '].density', 5, 5), 1, 1e-3)
-        end
-        edit.undo()
-        expect.truthy(not map.exists('lawn.GrassField.species[clover].density'))
-        expect.near(map.at('species[lawn].density', 22, 20), 1, 1e-3)
-        entity.remove('lawn'))"),
-              "");
-    EXPECT_FAULT(Stage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
-}
-
-// --- the console -----------------------------------------------------------------------------------------------------
 
 TEST(ScriptConsole, KeepsItsStateAndPrintsExpressions) {
     Stage r;

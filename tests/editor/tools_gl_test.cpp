@@ -9,6 +9,7 @@ namespace sward {
 namespace {
 
 constexpr const char* kOrientation = "lawn.GrassField.orientation";
+constexpr const char* kVegetation = "lawn.GrassField.vegetation";
 constexpr const char* kForces = "lawn.GrassField.forces";
 
 class EditorTools : public test::EditorFixture {
@@ -304,11 +305,65 @@ TEST_F(EditorTools, TheOverlayShowsDirectionsUnaskedAndDensitiesOnDemand) {
     }
 }
 
-TEST_F(EditorTools, ColourMapsAreShownButNotPainted) {
-    ok(ui->set("Brush/Map", "vegetation"));
-    EXPECT_EQ(app->brushes.tool, kLookTool);
+TEST_F(EditorTools, TheSwatchShowsForMapsOfColoursOnly) {
+    for (const FieldRef& map : paintableMaps(*app)) {
+        ok(ui->set("Brush/Map", map.path));
+        const std::string name = map.row->name;
+        const bool colours = name == "terrainMap" || name == "vegetation";
+        EXPECT_EQ(ui->exists("Brush/Colour"), colours) << name;
+        EXPECT_EQ(ui->exists("Brush/Colour/Swatch"), colours) << name;
+        EXPECT_EQ(ui->exists("Brush/Opacity"), colours) << name;
+    }
+    ok(ui->set("Brush/Map", kVegetation));
+    EXPECT_EQ(app->brushes.tool, "add");
+    ok(ui->click("Tools/Subtract"));
+    EXPECT_FALSE(ui->exists("Brush/Opacity"));
+    ok(ui->click("Tools/Comb"));
+    EXPECT_EQ(app->brushes.map, kOrientation);
     ok(ui->click("Tools/Add"));
-    EXPECT_TRUE(app->brushes.map.ends_with(".density"));
+    EXPECT_EQ(app->brushes.map, kVegetation) << "the last map that it paints";
+    ok(ui->set("Brush/Colour", "#8020a0"));
+    EXPECT_EQ(get("Brush/Colour"), "#8020a0");
+    EXPECT_FALSE(ui->set("Brush/Colour", "purple"));
+    EXPECT_EQ(get("Brush/Colour"), "#8020a0");
+    ok(ui->set("Brush/Map", "terrainMap"));
+    EXPECT_EQ(get("Brush/Colour"), "#ffffff");
+    ok(ui->click("Brush/Colour/Swatch"));
+    EXPECT_TRUE(app->book.widgets.at("Brush/Colour/Swatch").open);
+    ok(ui->key("escape"));
+}
+
+TEST_F(EditorTools, PaintingAColourMakesTheMapAndPickingFindsItAgain) {
+    ok(ui->set("Brush/Map", kVegetation));
+    ok(ui->set("Brush/Colour", "#8020a0"));
+    ok(ui->set("Brush/Strength", "1"));
+    const std::vector<uint8_t> before = picture();
+    paint();
+    ASSERT_TRUE(mapOf(kVegetation).present());
+    EXPECT_EQ(mapOf(kVegetation).map.info().channels, 4);
+    const std::vector<uint8_t> shown = picture();
+    ok(ui->key("o"));
+    const std::vector<uint8_t> tinted = picture();
+    EXPECT_NE(tinted, shown) << "the overlay shows nothing";
+    EXPECT_NE(tinted, before) << "the grass has its own colour still";
+    ok(ui->set("Brush/Colour", "#000000"));
+    const Rect& r = app->viewport.rect;
+    const auto pickAt = [&](float across) {
+        moveTo(static_cast<double>(r.x + r.w * across), static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8);
+        ok(ui->wait(2));
+        ok(ui->key("i"));
+    };
+    pickAt(0.45f);
+    EXPECT_EQ(get("Brush/Colour"), "#8020a0");
+    ok(ui->set("Brush/Colour", "#000000"));
+    pickAt(0.95f);
+    EXPECT_EQ(get("Brush/Colour"), "#000000") << "nothing is painted there";
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(mapOf(kVegetation).present());
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_EQ(picture(), before);
+    ok(ui->key("ctrl+y"));
+    EXPECT_EQ(picture(), tinted);
 }
 
 TEST_F(EditorTools, CtrlShiftErasesEverySpeciesInOneStep) {

@@ -33,6 +33,22 @@ TEST(MapTextures, HoldTheMapsTexels) {
     }
 }
 
+// The format says it of 8 bits, and its texels come back as they were stored.
+TEST(MapTextures, ColoursOfMoreThanEightBitsAreUploadedAsLinearLight) {
+    NoGlErrors errors;
+    for (const PixelType type : {PixelType::U16, PixelType::F32}) {
+        MapTextures textures(gpu());
+        const Map m = noisy({140, 130, 4, type});
+        textures.beginFrame();
+        std::vector<glm::vec4> texels(140 * 130);
+        glGetTextureImage(textures.get("test", "m", m, true), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)), texels.data());
+        for (int y = 0; y < 130; ++y)
+            for (int x = 0; x < 140; ++x)
+                for (int c = 0; c < 4; ++c)
+                    ASSERT_NEAR(texels[static_cast<size_t>(y * 140 + x)][c], c < 3 ? f32::srgbDecode(m.at(x, y, c)) : m.at(x, y, c), 1e-5f);
+    }
+}
+
 TEST(MapTextures, EveryMipLevelKeepsTheMean) {
     MapTextures textures(gpu());
     const Map m = noisy({512, 256, 1, PixelType::U16});
