@@ -19,6 +19,7 @@
 #include "lib/slices.glsl"
 #include "lib/far.glsl"
 #include "lib/wind.glsl"
+#include "lib/force.glsl"
 #include "lib/transparency.glsl"
 
 in vec3 position;
@@ -74,6 +75,12 @@ vec3 clumpsHere(Repeated r, float pixel) {
     return left * c * slices.clumps.xxz;
 }
 
+// The force where this ray meets grass that lies: on the ground, below the slice.
+vec3 forceSeen(vec3 toEye) {
+    vec2 on = -toEye.xz * (slices.areas.z / max(toEye.y, 0.03));
+    return forceHere(position.xz + on, mapPlace(place + on));
+}
+
 void main() {
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
@@ -82,7 +89,8 @@ void main() {
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
     float vertical = GRASS_SLICES ? verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
     vec4 stored;
-    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, stored);
+    vec3 pressed = forceSeen(toEye);
+    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, laidBy(pressed), stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
@@ -93,7 +101,7 @@ void main() {
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
     vec3 clump = clumpsHere(r, pixel);
     vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]) + clump.xy;
-    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean, true);
+    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean, pressed.z, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
