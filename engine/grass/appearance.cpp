@@ -37,16 +37,17 @@ struct Posed {
     glm::vec3 upright;
     float height, area, open;
 };
-// `clumps`: by how much clumps lean them, each another way.
-std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps) {
+// `clumps`: by how much clumps lean them, each another way; `press`: how far they are laid down, each its own way.
+std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps, float press = 0) {
     std::vector<Posed> out;
     out.reserve(look.points.size() * 4);
     for (size_t i = 0; i < look.points.size(); ++i)
         for (int m = 0; m < 4; ++m) {
             const LookPoint& p = look.points[i];
             const float turn = 2.399963f * static_cast<float>(4 * (i / kPoints) + m), most = 1.414214f * clumps;
-            const glm::vec2 along = lean + most * glm::vec2(std::cos(turn), std::sin(turn));
-            const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, {m & 1 ? -1.0f : 1.0f, m & 2 ? -1.0f : 1.0f}, along, 1);
+            const glm::vec2 mirror(m & 1 ? -1.0f : 1.0f, m & 2 ? -1.0f : 1.0f);
+            const glm::vec2 along = f32::forcedLean(lean + most * glm::vec2(std::cos(turn), std::sin(turn)), glm::vec2(0), press, p.facing * mirror);
+            const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, mirror, along, 1);
             const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, p.along);
             out.push_back({p.color, f.normal, pose.upright, f.position.y, p.area / 4, p.open});
         }
@@ -57,6 +58,13 @@ std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps) 
 float areaTowards(const std::vector<Posed>& points, const glm::vec3& e) {
     float sum = 0;
     for (const Posed& p : points) sum += p.area * std::abs(glm::dot(p.normal, e));
+    return sum;
+}
+
+// Towards a level view: the mean over azimuths.
+float areaAcross(const std::vector<Posed>& points) {
+    float sum = 0;
+    for (const Posed& p : points) sum += p.area * 0.63662f * std::sqrt(std::max(1 - p.normal.y * p.normal.y, 0.0f));
     return sum;
 }
 
@@ -170,6 +178,17 @@ glm::vec3 viewOf(int i) {
 glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) { return glm::clamp(a / glm::max(b, glm::vec3(1e-9f)), glm::vec3(0.2f), glm::vec3(5)); }
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
+// By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light (lib/blade.glsl).
+std::array<glm::vec4, LOOK_VIEWS> laidGains(const Look& look, const FieldLight& light) {
+    const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
+    const BladeShade none{.rows = {1.0f}};
+    FieldLight open = light;
+    if (light.shade) open.shade = &none;
+    std::array<glm::vec4, LOOK_VIEWS> out;
+    for (int i = 0; i < LOOK_VIEWS; ++i) out[static_cast<size_t>(i)] = glm::vec4(quotient(asBlades(laid, viewOf(i), open).value(), asBlades(standing, viewOf(i), light).value()), 0);
+    return out;
+}
+
 }  // namespace
 
 void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key, const Rgba8& blade) {
@@ -192,9 +211,9 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
     }
     // Values of clumps are noise in [-1, 1] of deviation 0.4.
     if (s.clumpSize > 0) look.clumpLean = 0.4f * 0.8f * s.clumpStrength * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f)));
-    const auto points = posed(look, glm::vec2(0), look.clumpLean);
-    for (const Posed& p : points) look.across += p.area * 0.63662f * std::sqrt(std::max(1 - p.normal.y * p.normal.y, 0.0f));
-    look.above = areaTowards(points, {0, 1, 0});
+    const auto points = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
+    look.across = areaAcross(points), look.above = areaTowards(points, {0, 1, 0});
+    look.laidAcross = areaAcross(laid), look.laidAbove = areaTowards(laid, {0, 1, 0});
 }
 
 float lightLeft(const Look& look, float sinElevation) {
@@ -226,6 +245,8 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
     Gains out;
     out.sliceAmbient = 0.5f * (light.sky + light.ground);
     out.farAmbient = 0.25f * light.ground + 0.75f * light.sky;
+    out.laid.fill(glm::vec4(1, 1, 1, 0));
+    if (light.pressed) out.laid = laidGains(look, light);
     std::vector<glm::vec4> weights;
     for (const auto& [direction, color] : light.suns) weights.push_back(imageWeights(direction, light.weighting));
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);

@@ -31,6 +31,7 @@ struct Look {
     std::vector<LookPoint> points;
     float across = 0;   // area towards a level view, m2 a m2 of ground, mean over azimuths
     float above = 0;    // area towards a view from the zenith
+    float laidAcross = 0, laidAbove = 0;  // the same of blades that are pressed down
     float height = 0;   // mean, metres
     float clumpLean = 0;  // metres a metre by which clumps lean blades, one standard deviation; slices do not know it
 };
@@ -48,12 +49,14 @@ struct FieldLight {
     const BladeShade* shade = nullptr;                // how blades shade blades in direct light; null: depth below the tips does
     int weighting = 0;                                // LightWeighting: how slices weigh their images
     float lean = 0;                                   // that paint or wind gives, m per m: where their change is taken; 0: neither is there
+    bool pressed = false;                             // whether something may press blades down
 };
 
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
 struct Gains {
     std::array<glm::vec4, LOOK_VIEWS> slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
     std::array<glm::vec4, LOOK_VIEWS> far;     // rgb: factor of the horizontal slice; w: the same for +z
+    std::array<glm::vec4, LOOK_VIEWS> laid;    // rgb: how many times as bright blades are that are pressed down; 1 where none may be
     glm::vec3 sliceAmbient, farAmbient;        // ambient light that their texels are taken to receive
 };
 Gains gainsOf(const Look& look, const FieldLight& light);

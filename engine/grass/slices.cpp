@@ -96,11 +96,12 @@ FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
+    l.pressed = has(ctx.plan.features, Feature::Forces) || has(ctx.plan.features, Feature::ForceMap);
     return l;
 }
 
 void updateGains(FieldSpecies& s, const FieldLight& l) {
-    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean, l.translucency, l.gloss, l.roughness};
+    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean, l.translucency, l.gloss, l.roughness, l.pressed ? 1.0f : 0.0f};
     if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
@@ -129,7 +130,9 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     g.clumps = glm::vec4(clumpStrengths(sp), sp.clumpSize);
     g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
     const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
+    g.laid = {s.look.laidAcross, s.look.laidAbove, 0, 0};
     for (int i = 0; i < LOOK_VIEWS; ++i) {
+        g.laidGains[i] = conserving ? gains.laid[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
         g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
         g.farGains[i] = conserving ? gains.far[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
     }
@@ -344,7 +347,7 @@ constexpr auto kLook = [] {
 };
 constexpr auto kShadow = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion,
-                      Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
+                      Feature::Forces, Feature::ForceMap, Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 };
 const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};

@@ -7,6 +7,7 @@
 //   - the horizontal slice is opaque by Beer's law along the slanted ray, less what vertical slices already cover.
 //   - from steeply above, where one would look between them, vertical slices give way to the horizontal one.
 //   - each end of a vertical slice is moved a little along the cells' edge that it lies on.
+//   - where grass is pressed, vertical slices sink, and the horizontal one covers what they leave, as blades that lie do.
 //   - every tier is scaled to the mean radiance of the blades it stands for (appearance.h).
 // Does not: bake (slice_bake.h).
 #pragma once

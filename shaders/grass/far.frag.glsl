@@ -19,6 +19,7 @@
 #include "lib/slices.glsl"
 #include "lib/far.glsl"
 #include "lib/wind.glsl"
+#include "lib/force.glsl"
 #include "lib/transparency.glsl"
 
 in vec3 position;
@@ -74,6 +75,19 @@ vec3 clumpsHere(Repeated r, float pixel) {
     return left * c * slices.clumps.xxz;
 }
 
+// The force where this ray is so high over the ground, metres.
+vec3 forceSeen(vec3 toEye, float high) {
+    vec2 on = toEye.xz * ((high - slices.areas.z) / max(toEye.y, 0.03));
+    return forceHere(position.xz + on, mapPlace(place + on));
+}
+// What lies there: x, how much of the grass; y, how much of it is pressed. Vertical slices that stand before it hide it themselves; where there
+// are none, a ray sees of it what it would if it came in among grass that lies, too.
+vec2 laidSeen(vec3 toEye, float vertical) {
+    if (!FORCES && !FORCE_MAP) return vec2(0.0);
+    vec3 f = forceSeen(toEye, 0.0);
+    return vec2(laidBy(f), f.z) * mix(laidBy(forceSeen(toEye, slices.lean.z * slices.shape.x)), 1.0, vertical);
+}
+
 void main() {
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
@@ -84,7 +98,8 @@ void main() {
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
     float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
     vec4 stored;
-    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, stored);
+    vec2 laid = laidSeen(toEye, vertical);
+    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
@@ -94,7 +109,7 @@ void main() {
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
     vec3 clump = clumpsHere(r, pixel);
-    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, true);
+    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, laid.y, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

@@ -19,6 +19,7 @@
 #include "lib/ground_light.glsl"
 #include "lib/slices.glsl"
 #include "lib/far.glsl"
+#include "lib/force.glsl"
 
 layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
 
@@ -36,7 +37,7 @@ void main() {
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
     float high = max(towards.y, 0.2);  // lower light throws no longer shadows
     vec4 stored;
-    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0, stored);
+    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0, laidBy(forceHere(position.xz, uv)), stored);
     vec3 takes = shadowShare(light, position, uv, normalize(normal), soilLeft(cover.shade[int(slices.ambient.w)], grown, tall), near);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

@@ -42,13 +42,14 @@ struct Place {
     vec2 wide;      // lean that is the same over many blades: by paint, wind and clumps
     vec2 lean;      // all of it, horizontal metres a metre of height
     float scale;    // of heights
-    float lighter;
+    float lighter, press;
 };
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
     p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
     p.scale = 1.0;
     p.lighter = 1.0;
+    p.press = 0.0;
     if (GRASS_CLUMPS && slices.clumps.w > 0.0) {
         vec3 c = clumpValues(cell.x, cell.y, inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
         p.wide += c.xy * slices.clumps.x;
@@ -57,10 +58,11 @@ Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     }
     p.lean = p.wide;
     if (GRASS_HEIGHTS) p.scale *= bladeShare(uv);
-    if (FORCES || FORCE_MAP) {  // a slice has no blades to lay down each its own way: it sinks
+    if (FORCES || FORCE_MAP) {  // the horizontal slice covers what it leaves
         vec3 pressed = forceHere(foot.xz, uv);
         p.lean += pressed.xy;
-        p.scale *= 1.0 - 0.9 * pressed.z;
+        p.press = pressed.z;
+        p.scale *= sunk(p.press);
     }
     return p;
 }
@@ -103,7 +105,7 @@ void main() {
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
     weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y), (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
 
-    brighter = p.lighter * darkened(far) * slices.shape.w * sliceGain(-foot / far, p.wide, false);
+    brighter = p.lighter * darkened(far) * slices.shape.w * sliceGain(-foot / far, p.wide, p.press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);

@@ -24,14 +24,24 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
-// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m.
-vec3 sliceGain(vec3 toEye, vec2 lean, bool far) {
+// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`: how far
+// they are laid down.
+vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
     vec4 across = slices.gains[t.view.x] * t.weight.x + slices.gains[t.view.y] * t.weight.y + slices.gains[t.view.z] * t.weight.z + slices.gains[t.view.w] * t.weight.w;
     vec4 above = slices.farGains[t.view.x] * t.weight.x + slices.farGains[t.view.y] * t.weight.y + slices.farGains[t.view.z] * t.weight.z + slices.farGains[t.view.w] * t.weight.w;
     float leant = max(1.0 + dot(lean, vec2(across.w, above.w)), 0.1);
-    return (far ? above.rgb : across.rgb) * leant;
+    vec3 gain = (far ? above.rgb : across.rgb) * leant;
+    if (!FORCES && !FORCE_MAP) return gain;
+    vec4 laid = slices.laidGains[t.view.x] * t.weight.x + slices.laidGains[t.view.y] * t.weight.y + slices.laidGains[t.view.z] * t.weight.z + slices.laidGains[t.view.w] * t.weight.w;
+    return gain * mix(vec3(1.0), laid.rgb, press);
 }
+
+// Share of its height that a slice keeps where it is pressed: it has no blades to lay down each its own way, so it sinks.
+const float kSinks = 0.9;
+float sunk(float press) { return 1.0 - kSinks * press; }
+// How much of the grass lies under a force (lib/force.glsl), in [0, 1]: what slices lack of their height, pressed down and pushed over.
+float laidBy(vec3 f) { return min((1.0 - sunk(f.z) * sqrt(1.0 - min(dot(f.xy, f.xy), 0.9))) / kSinks, 1.0); }
 
 // Share of vertical slices that is drawn for a view of this sine: from steeply above one would look between them.
 float verticalShare(float sine) {

@@ -94,8 +94,10 @@ struct SliceGlobals {
     SHARED_VEC4 farAmbient;    // that the horizontal slice receives; w: tangent of the elevation above which vertical slices give way
     SHARED_VEC4 clumps;        // x: lean (m per m); y: share of height; z: share of lightness; w: clump size (m)
     SHARED_VEC4 lean;          // x: lean (m per m) at full paint; y: translucency; z: mean height (cells); w: 2^-(levels finer than a pixel)
+    SHARED_VEC4 laid;          // of grass that lies, pressed down: x, y: its area as in areas
     SHARED_VEC4 gains[LOOK_VIEWS];     // rgb: factor of vertical slices; w: brighter by a lean (m per m) towards +x
     SHARED_VEC4 farGains[LOOK_VIEWS];  // rgb: factor of the horizontal slice; w: by one towards +z
+    SHARED_VEC4 laidGains[LOOK_VIEWS]; // rgb: factor of either where grass lies, on top
 };
 
 // What the vertex shader of blades reads of a species.

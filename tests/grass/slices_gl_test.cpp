@@ -144,6 +144,37 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     }
 }
 
+// Mean colour inside a disc of three metres that something pressed flat, seen from a distance.
+glm::dvec3 pressedColor(Technique technique, const Light& sun, double distance) {
+    Project p = meadow(technique);
+    grassOf(p).species[0].bladesPerM2 = 1200;
+    *p.registry.get<Light>(findEntity(p, "sun")) = sun;
+    ForceSource disc;
+    disc.radius = 3;
+    put(p, "disc", disc);
+    put<Transform>(p, "disc", {{10, 0, 10}});
+    const auto pixels = picture(p, {{10, 1.7, 9.6 + std::sqrt(distance * distance - 1.7 * 1.7)}, {10, 0, 9.6}, static_cast<float>(40 / distance), 0});
+    glm::dvec3 sum(0);
+    for (size_t i = 0; i < pixels.size(); i += 3) sum += glm::dvec3(pixels[i], pixels[i + 1], pixels[i + 2]);
+    return sum * (3.0 / static_cast<double>(pixels.size()));
+}
+
+TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
+    NoGlErrors errors;
+    const Light behind{.azimuthDeg = 135, .elevationDeg = 40}, against{.azimuthDeg = 0, .elevationDeg = 20};
+    for (const Light& sun : {behind, against})
+        for (const double distance : {2.5, 8.0}) {
+            const glm::dvec3 blades = pressedColor(Technique::Geometry, sun, distance);
+            for (const Technique technique : {Technique::Slices, Technique::Flat}) {
+                const glm::dvec3 share = pressedColor(technique, sun, distance) / blades;
+                const std::string which = fmt::format("{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green", kTechniques[static_cast<size_t>(technique)], distance, sun.elevationDeg, share.x, share.y);
+                std::printf("  %s\n", which.c_str());
+                EXPECT_NEAR(share.y, 1, 0.5) << which;
+                EXPECT_GT(share.y / share.x, 0.8) << which << "; soil is red";
+            }
+        }
+}
+
 TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
     NoGlErrors errors;
     Project p = meadow(Technique::Slices);
