@@ -29,7 +29,11 @@ UniqueBlades makeUnique(const Species& species, const GrassField& field, const T
 // Hash over all that makeUnique reads but the density map.
 uint64_t uniqueKey(const Species& species, const GrassField& field, const Terrain& terrain);
 
-// Unsound error, naming the limit, if a unique population has more blades than that; `blades`: virtualBlades of the project.
+// The first entity by name whose GrassField has a unique population; empty if none has.
+std::string uniqueField(const Project& p);
+// Unsound error, naming project.json, the field and the limit, if a unique population has more blades than that; `blades`: virtualBlades of
+// the project. Without it they are counted, if there is such a population.
 Status checkUnique(const Project& p, double blades);
+Status checkUnique(const Project& p);
 
 }  // namespace sward

@@ -350,6 +350,23 @@ TEST(RepairedProjects, WhatIsUnknownIsKeptAndWrittenBack) {
         << "what is gone takes the unknown with it";
 }
 
+// What loads, so that the editor can mend it, and what no verb would draw.
+TEST(CheckedScenes, AUniquePopulationBeyondItsLimitIsRefusedAtItsPlace) {
+    TempDir dir;
+    const auto checked = [&](const char* size) {
+        writeText(dir / "p/project.json", entity(fmt::format("\"Terrain\": {{\"size\": [{}, {}]}},\n\"GrassField\": {{\"population\": \"unique\"}}", size, size)));
+        EXPECT_TRUE(loadProject(dir / "p", rows()));
+        return checkProject(dir / "p", rows());
+    };
+    EXPECT_TRUE(checked("30").refused.empty());
+    const CheckReport r = checked("40");
+    ASSERT_EQ(r.refused.size(), 1u);
+    EXPECT_EQ(r.refused[0].code, ExitCode::Unsound);
+    EXPECT_EQ(r.refused[0].text().substr(0, (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string().size()),
+              (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string());
+    EXPECT_NE(r.refused[0].remedy.find("\"patch\""), std::string::npos);
+}
+
 TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
     const Project p = accepted(

@@ -1,0 +1,30 @@
+// What `check` finds in a scene that loads: what other verbs would refuse.
+#include "scene/project_json.h"
+#include "scene/unique.h"
+
+namespace sward {
+namespace {
+
+// The value of a PATH without list elements, in the tree that the project was read from; null if it is not written there.
+const Json* valueOf(const Json& root, const std::string& entity, const char* component, const char* field) {
+    const Json* at = root.find("entities");
+    for (const std::string_view key : {std::string_view(entity), std::string_view(component), std::string_view(field)})
+        if (at) at = at->find(key);
+    return at;
+}
+
+void checkPopulation(const SceneToCheck& s, CheckReport& report) {
+    Status counted = checkUnique(s.project);
+    if (counted) return;
+    Error e = counted.error();
+    if (const Json* at = valueOf(s.root, uniqueField(s.project), "GrassField", "population")) e.line = at->line, e.column = at->column;
+    report.refused.push_back(std::move(e));
+}
+
+}  // namespace
+
+void checkScene(const SceneToCheck& scene, CheckReport& report) {
+    if (report.refused.empty()) checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
+}
+
+}  // namespace sward
