@@ -37,5 +37,25 @@ TEST(Options, SceneTimeIsFinite) {
     EXPECT_EQ(run({"fit", "/no/project", "--budget-ms", "10", "--time", "nan"}).code, 2);
 }
 
+TEST(Options, SamplesAPixelAreThoseOfTheHelp) {
+    for (const char* samples : {"1", "2", "4", "8"}) EXPECT_EQ(run({"render", "/no/project", "--msaa", samples}).code, kTaken) << samples;
+    for (const char* samples : {"3", "0", "-1", "16", "4.5", "many"}) {
+        const Refused r = run({"render", "/no/project", "--msaa", samples});
+        EXPECT_EQ(r.code, 2) << samples;
+        EXPECT_NE(r.said.find("1, 2, 4 or 8"), std::string::npos) << r.said;
+    }
+}
+
+TEST(Options, AFilmsRateIsAboveZero) {
+    for (const char* rate : {"0", "-25", "nan", "inf"})
+        for (const char* verb : {"render", "reference"}) {
+            const Refused r = run({verb, "/no/project", "--frames", "2", "--out", "t", "--fps", rate});
+            EXPECT_EQ(r.code, 2) << verb << " " << rate;
+            EXPECT_NE(r.said.find("--fps"), std::string::npos) << r.said;
+        }
+    EXPECT_EQ(run({"render", "/no/project", "--frames", "2", "--out", "t", "--fps", "0.5"}).code, kTaken);
+    EXPECT_EQ(run({"render", "/no/project", "--frames", "-2"}).code, 2);
+}
+
 }  // namespace
 }  // namespace sward
