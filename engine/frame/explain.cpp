@@ -40,8 +40,8 @@ const char* whyAbsent(Feature f) {
         case Feature::Fog: return "no Fog has a finite visibility";
         case Feature::Wind: return "no Wind has a strength above 0";
         case Feature::Gusts: return "no Wind of the model \"noise\" blows";
-        case Feature::Forces: return "no ForceSource has a strength and a radius above 0";
-        case Feature::ForceOutlines: return "no ForceSource of the shape \"outline\" has a strength and a radius above 0";
+        case Feature::Forces: return "no ForceSource with a Transform has a strength and a radius above 0, and none left tracks";
+        case Feature::ForceOutlines: return "no ForceSource of the shape \"outline\" with a Transform has a strength and a radius above 0";
         case Feature::ForceMap: return "no GrassField has a forces map";
         case Feature::FarDarkening: return "no GrassField has a farDarkening above 0";
         case Feature::FarBlur: return "no GrassField has a farBlur";

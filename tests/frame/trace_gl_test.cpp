@@ -184,6 +184,21 @@ TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
     }
 }
 
+TEST(Trace, AForceThatStandsNowhereIsAsIfItWereNotThere) {
+    NoGlErrors errors;
+    Project p = lawn();
+    Trace never;
+    {
+        Renderer fresh(gpu(), tables());
+        never = traceOf(fresh, p);
+    }
+    put<ForceSource>(p, "feet").shape = static_cast<int>(ForceShape::Foot);
+    Renderer renderer(gpu(), tables());
+    expectSame(never, traceOf(renderer, p), "a source without a Transform");
+    put(p, "feet", Transform{{10, 0, 8}});
+    EXPECT_GT(traceOf(renderer, p).ledger.count("grass/forces"), 0u);
+}
+
 TEST(Trace, AnEmptySceneRunsOnlyWhatEveryPictureNeeds) {
     NoGlErrors errors;
     Renderer renderer(gpu(), tables());
