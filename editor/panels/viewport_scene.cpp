@@ -114,13 +114,14 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
     if (app.measure) app.viewport.countedRevision = ~uint64_t(0);
 }
 
-// What only counting over maps and cells tells: once at rest.
+// What only counting over maps and cells tells: once at rest. A playtest changes no population: that is counted once for all of it.
 void countAtRest(EditorApp& app, const ViewCamera& camera) {
     Viewport& v = app.viewport;
     const bool coarse = v.resolution.drawnScale < 1 && app.surface->fixedStep() == 0;
-    if (coarse || playing(app) || v.countedRevision == app.doc.revision()) return;
+    if (coarse && !playing(app)) return;
+    if (std::exchange(v.populationRevision, app.doc.revision()) != app.doc.revision()) v.bladesVirtual = virtualBlades(app.doc.project());
+    if (playing(app) || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
-    v.bladesVirtual = virtualBlades(app.doc.project());
     v.bladesVisible =
         app.measure ? visibleBlades(app.doc.project(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
 }
