@@ -119,6 +119,7 @@ struct EditorApp {
     std::string consoleLine;
     std::vector<std::string> consoleHistory;
     std::string notice;  // the red bar over the viewport; empty: none
+    std::string drawNotice;  // what the last drawing raised there, while it fails; empty: it did not fail
     std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;

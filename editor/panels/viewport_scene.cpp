@@ -72,11 +72,23 @@ void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
     v.hasImage = true;
 }
 
+// The bar stands while drawing fails, unless the person or another error took it; it goes with its cause.
+void tellOfDrawing(EditorApp& app, const Status& status) {
+    const bool stands = !app.drawNotice.empty() && app.notice == app.drawNotice;
+    if (status) {
+        if (stands) app.notice.clear();
+        app.drawNotice.clear();
+    } else if (app.notice.empty() || (stands && status.error().text() != app.notice)) {
+        showError(app, status.error());
+        app.drawNotice = app.notice;
+    }
+}
+
 double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
     const Status status = app.renderer->draw(projectShown(app), camera, settings);
     app.renderer->finish();
-    if (!status && app.notice.empty()) showError(app, status.error());
+    tellOfDrawing(app, status);
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
