@@ -1,7 +1,7 @@
 // The population "unique": every cell has blades of its own, instead of one patch repeated (Jahrmann and Wimmer 2013, sections 3 and 4.2:
 // the basic technique, for small scenes). How many a cell has follows from the density's texels, to the last part of a blade (J-9).
 // A blade has a threshold as a patch's has, and is stored where the density at its root reaches it; so any choice by thresholds is even,
-// and the first quarter of a cell's blades is its coarse version, for views that need no more (reflections).
+// and the first of a cell's blades are a coarser version of it, for views that need no more (reflections).
 // Does not: serve slices, which are images of the patch; they show the patch's.
 // Cost: 64 bytes a blade; making them about 0.2 us for each that the density would allow.
 #pragma once
