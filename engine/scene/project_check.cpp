@@ -1,4 +1,4 @@
-// What `check` finds in a scene that loads: what other verbs would refuse.
+// What `check` finds in a scene that loads: what other verbs would refuse, what does nothing, and what is surely not meant.
 #include "scene/project_json.h"
 #include "scene/unique.h"
 
@@ -21,10 +21,25 @@ void checkPopulation(const SceneToCheck& s, CheckReport& report) {
     report.refused.push_back(std::move(e));
 }
 
+std::string placeOf(const SceneToCheck& s, const Json* at) {
+    const std::string file = (s.project.dir / "project.json").string();
+    return at ? fmt::format("{}:{}", file, at->line) : file;
+}
+
+// Drawing says the same once it comes to it (frame/forces.h).
+void checkOutline(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
+    const ForceSource* f = s.project.registry.get<ForceSource>(e);
+    const StaticMesh* mesh = s.project.registry.get<StaticMesh>(e);
+    if (!f || f->shape != static_cast<int>(ForceShape::Outline) || (mesh && !mesh->file.empty())) return;
+    report.repaired.push_back({placeOf(s, valueOf(s.root, name, "ForceSource", "shape")),
+                               name + ".ForceSource.shape: " + kOutlineOfNothing});
+}
+
 }  // namespace
 
 void checkScene(const SceneToCheck& scene, CheckReport& report) {
     if (report.refused.empty()) checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
+    for (const auto& [name, e] : scene.project.entities) checkOutline(scene, name, e, report);
 }
 
 }  // namespace sward

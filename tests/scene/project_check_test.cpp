@@ -367,6 +367,22 @@ TEST(CheckedScenes, AUniquePopulationBeyondItsLimitIsRefusedAtItsPlace) {
     EXPECT_NE(r.refused[0].remedy.find("\"patch\""), std::string::npos);
 }
 
+TEST(CheckedScenes, AnOutlineOfNoMeshIsAFaultWithItsRemedy) {
+    TempDir dir;
+    const auto checked = [&](const char* components) {
+        writeText(dir / "p/project.json", entity(components));
+        const CheckReport r = checkProject(dir / "p", rows());
+        EXPECT_TRUE(r.refused.empty());
+        return r.repaired;
+    };
+    const std::vector<Fault> faults = checked("\"Transform\": {},\n\"ForceSource\": {\"radius\": 1, \"shape\": \"outline\"}");
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].where, (dir / "p/project.json:4").string());
+    EXPECT_NE(faults[0].message.find("e.ForceSource.shape: an outline is that of the entity's StaticMesh, and it has none with a file: add one"), std::string::npos) << faults[0].message;
+    EXPECT_EQ(checked("\"ForceSource\": {\"shape\": \"outline\"},\n\"StaticMesh\": {}").size(), 1u);
+    EXPECT_TRUE(checked("\"ForceSource\": {\"shape\": \"object\"}").empty());
+}
+
 TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
     const Project p = accepted(
