@@ -35,11 +35,29 @@ void checkOutline(const SceneToCheck& s, const std::string& name, Entity e, Chec
                                name + ".ForceSource.shape: " + kOutlineOfNothing});
 }
 
+// A blade that has no height or no width is not seen.
+void checkSpecies(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
+    const GrassField* f = s.project.registry.get<GrassField>(e);
+    if (!f) return;
+    const Json* list = valueOf(s.root, name, "GrassField", "species");
+    for (size_t i = 0; i < f->species.size(); ++i) {
+        const Species& sp = f->species[i];
+        const Json* read = list && i < list->array.size() ? &list->array[i] : nullptr;
+        for (const auto& [field, value] : {std::pair("height", sp.height), std::pair("width", sp.width)})
+            if (sp.bladesPerM2 > 0 && value == 0)
+                report.noticed.push_back({placeOf(s, read ? read->find(field) : nullptr),
+                                          fmt::format("{}.GrassField.species[{}].{} is 0: none of its blades is seen; raise it, or set bladesPerM2 to 0", name, sp.name, field)});
+    }
+}
+
 }  // namespace
 
 void checkScene(const SceneToCheck& scene, CheckReport& report) {
     if (report.refused.empty()) checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
-    for (const auto& [name, e] : scene.project.entities) checkOutline(scene, name, e, report);
+    for (const auto& [name, e] : scene.project.entities) {
+        checkOutline(scene, name, e, report);
+        checkSpecies(scene, name, e, report);
+    }
 }
 
 }  // namespace sward

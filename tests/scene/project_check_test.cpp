@@ -383,6 +383,20 @@ TEST(CheckedScenes, AnOutlineOfNoMeshIsAFaultWithItsRemedy) {
     EXPECT_TRUE(checked("\"ForceSource\": {\"shape\": \"object\"}").empty());
 }
 
+TEST(CheckedScenes, ASpeciesWithoutHeightOrWidthIsNoticedButSound) {
+    TempDir dir;
+    writeText(dir / "p/project.json", entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"height\": 0},\n{\"name\": \"b\", \"width\": 0},\n"
+                                             "{\"name\": \"c\", \"width\": 0, \"bladesPerM2\": 0}, {\"name\": \"d\"}]}"));
+    const CheckReport r = checkProject(dir / "p", rows());
+    EXPECT_TRUE(r.refused.empty());
+    EXPECT_TRUE(r.repaired.empty());
+    ASSERT_EQ(r.noticed.size(), 2u) << "what does not grow, and what has both, is as meant";
+    EXPECT_EQ(r.noticed[0].where, (dir / "p/project.json:3").string());
+    EXPECT_EQ(r.noticed[1].where, (dir / "p/project.json:4").string());
+    EXPECT_EQ(r.noticed[0].message.find("e.GrassField.species[a].height is 0"), 0u) << r.noticed[0].message;
+    EXPECT_EQ(r.noticed[1].message.find("e.GrassField.species[b].width is 0"), 0u) << r.noticed[1].message;
+}
+
 TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
     const Project p = accepted(
