@@ -47,7 +47,7 @@ struct Viewport {
     FrameStats stats;            // of the same
     double bladesVirtual = 0;    // the population, counted at rest
     uint64_t bladesVisible = 0;  // counted at rest while measuring
-    uint64_t countedRevision = ~uint64_t(0);
+    uint64_t populationRevision = ~uint64_t(0), countedRevision = ~uint64_t(0);
     unsigned picture = 0, pictureTarget = 0, pictureSource = 0;  // GL texture on the screen, and how it is written
     int pictureWidth = 0, pictureHeight = 0;
     int skipped = 0;  // frames that showed an old image because input was waiting
@@ -119,6 +119,7 @@ struct EditorApp {
     std::string consoleLine;
     std::vector<std::string> consoleHistory;
     std::string notice;  // the red bar over the viewport; empty: none
+    std::string drawNotice;  // what the last drawing raised there, while it fails; empty: it did not fail
     std::string status;  // last message
     FileDialog files;
     UnsavedDialog unsaved;

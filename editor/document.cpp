@@ -3,10 +3,12 @@
 
 #include <set>
 
+#include "core/log.h"
 #include "field_walk.h"
 #include "history.h"
 #include "new_map.h"
 #include "playtest/playtest.h"
+#include "scene/unique.h"
 #include "stroke.h"
 
 namespace fs = std::filesystem;
@@ -123,6 +125,7 @@ Result<std::vector<std::string>> Document::save() {
     p.repairedMaps.clear();
     impl_->saved = snapshot(p, impl_->rows());
     ++impl_->revision;
+    if (Status s = checkUnique(p); !s) logWarning("saved, but it cannot be drawn: " + s.error().text());
     return written;
 }
 

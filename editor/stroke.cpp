@@ -66,8 +66,8 @@ Status checkBrush(const BrushSettings& b) {
         for (const BrushRow& row : brushRows()) names += (names.empty() ? "" : ", ") + std::string(row.name);
         return usage(fmt::format("there is no brush \"{}\"", b.mode), "use one of " + names);
     }
-    if (!inside(b.radius, 0, 1e6))
-        return usage("the brush's radius is not between 0 and 1e6 m", "give a length in metres");
+    if (!inside(b.radius, 0, 1e6) || b.radius == 0)
+        return usage("the brush's radius is not above 0, up to 1e6 m", "give a length in metres");
     if (!inside(b.strength, 0, 1)) return usage("the brush's strength is not between 0 and 1", "1 is the full effect");
     if (!inside(b.falloff, 0, 1)) return usage("the brush's falloff is not between 0 and 1", "0 is a hard edge");
     if (!inside(b.spacing, 0, 100))

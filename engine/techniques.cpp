@@ -31,7 +31,7 @@ const Tables& tables() {
         windEffect(), gustsEffect(),
         groundEffect(), groundDepthEffect(), shadeEffect(),            // ground
         meshEffect(), shadowEffect(),             // objects
-        forcesEffect(), forceOutlinesEffect(), maskEffect(), fieldEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
+        forcesEffect(), forceOutlinesEffect(), maskEffect(), fieldEffect(), farDarkeningEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
         waterEffect(), reflectionEffect(),        // water
         farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
     };

@@ -10,6 +10,18 @@ namespace {
 
 int exitCode(ExitCode c) { return static_cast<int>(c); }
 
+// Of an option: CLI11 reads "nan" and "inf" as numbers.
+const CLI::Validator kFinite([](const std::string& text) {
+    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : "\"" + text + "\" is no number of seconds; write one such as 1.5";
+}, "");
+const CLI::Validator kRate([](const std::string& text) {
+    const double value = std::strtod(text.c_str(), nullptr);
+    return std::isfinite(value) && value > 0 ? std::string() : "\"" + text + "\" is no rate; write pictures a second, above 0, such as 25";
+}, "");
+const CLI::Validator kSamples([](const std::string& text) {
+    return text == "1" || text == "2" || text == "4" || text == "8" ? std::string() : "\"" + text + "\" is no number of samples; write 1, 2, 4 or 8";
+}, "");
+
 struct Verbs {
     CLI::App app{"Sward: an editor and renderer for grass and forest", "sward"};
     int result = 0;
@@ -43,10 +55,10 @@ struct Verbs {
         v->add_option("--technique", o.technique, "hybrid, tessellated, geometry, slices or flat (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
-        v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)");
-        v->add_option("--time", o.time, "scene time in seconds");
+        v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")->check(kSamples);
+        v->add_option("--time", o.time, "scene time in seconds (default: 0)")->check(kFinite);
         v->add_option("--frames", o.frames, "measure N frames after 3 warm-ups; with --fps write them");
-        v->add_option("--fps", o.fps, "with --frames or --path: write frame_0000.png and so on at this rate (along a path 25)");
+        v->add_option("--fps", o.fps, "with --frames or --path: write frame_0000.png and so on at this rate (along a path 25)")->check(kRate);
         v->add_option("--out", o.out, "file (one camera) or folder (several); .png or .exr");
         v->add_option("--stats", o.stats, "write statistics as JSON to this file");
     }
@@ -67,10 +79,10 @@ struct Verbs {
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
         CLI::Option* path = v->add_option("--path", o.path, "name of a CameraPath: moments of it, instead of cameras");
         v->add_option("--frames", o.frames, "with --path: how many moments (default: 5)")->needs(path);
-        v->add_option("--fps", o.fps, "with --path: so many moments a second from its beginning (default: evenly over all of it)")->needs(path);
+        v->add_option("--fps", o.fps, "with --path: so many moments a second from its beginning (default: evenly over all of it)")->needs(path)->check(kRate);
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
-        v->add_option("--time", o.time, "scene time in seconds");
+        v->add_option("--time", o.time, "scene time in seconds (default: 0)")->check(kFinite);
         v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 32)");
         v->add_option("--lighting", o.lighting, "of the truth: full, or direct (lit as techniques light, only shadows traced)");
         v->add_option("--seed", o.seed, "of the truth's rays, never of the scene (default: 1)");

@@ -132,7 +132,7 @@ Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
     if (o.lighting != "full" && o.lighting != "direct") return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     s.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
     if (o.view != "final") return usage("the reference shows light alone", "leave --view out");
-    if (o.frames < 0 || o.fps < 0) return usage("--frames and --fps take positive numbers", "");
+    if (o.frames < 0) return usage("--frames takes a number from 0", "");
     if (s.shards > 1 && o.fps > 0) return usage("a film has no shards", "leave --shard or --fps out");
     return s;
 }

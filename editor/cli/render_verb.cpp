@@ -138,7 +138,7 @@ int renderVerb(const RenderOptions& o) {
     if (!size) return report(size.error());
     auto mode = parseView(o.view);
     if (!mode) return report(mode.error());
-    if (o.msaa < 1 || o.frames < 0 || o.fps < 0) return report({ExitCode::Usage, "--msaa, --frames and --fps take positive numbers", "", 0, 0, ""});
+    if (o.frames < 0) return report({ExitCode::Usage, "--frames takes a number from 0", "", 0, 0, ""});
     auto project = openForRendering(o);
     if (!project) return report(project.error());
     auto gpu = makeHeadlessGpu();

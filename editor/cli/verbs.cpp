@@ -18,6 +18,7 @@ int checkVerb(const std::string& dir, bool strict) {
     const CheckReport r = checkProject(dir, tables().components);
     for (const Error& e : r.refused) std::printf("refused: %s\n", e.text().c_str());
     for (const Fault& f : r.repaired) std::printf("repaired: %s: %s\n", f.where.c_str(), f.message.c_str());
+    for (const Fault& f : r.noticed) std::printf("noticed: %s: %s\n", f.where.c_str(), f.message.c_str());
     if (!r.refused.empty() || (strict && !r.repaired.empty())) {
         std::printf("%s: %zu refused, %zu repaired\n", dir.c_str(), r.refused.size(), r.repaired.size());
         return static_cast<int>(ExitCode::Unsound);

@@ -23,7 +23,7 @@ void text(ImVec2 at, const std::string& words, ImU32 color = IM_COL32_WHITE) {
     ImGui::GetWindowDrawList()->AddText(at, color, words.c_str());
 }
 
-void amounts(const Rect& r, const std::string& title, const char* least, const char* most) {
+void amounts(const Rect& r, const std::string& title, const AmountEnds& ends) {
     const float line = ImGui::GetTextLineHeight(), bar = 150;
     const float width = std::max(bar, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
     ImVec2 at = box(r, width, 2 * kPad + 2 * line + 16);
@@ -33,8 +33,8 @@ void amounts(const Rect& r, const std::string& title, const char* least, const c
     const float half = at.x + bar / 2;
     list.AddRectFilledMultiColor(at, {half, at.y + 10}, kNone, kHalf, kHalf, kNone);
     list.AddRectFilledMultiColor({half, at.y}, {at.x + bar, at.y + 10}, kHalf, kFull, kFull, kHalf);
-    text({at.x, at.y + 12}, least, ui::kDimText);
-    text({at.x + bar - ImGui::CalcTextSize(most).x, at.y + 12}, most, ui::kDimText);
+    text({at.x, at.y + 12}, ends.least, ui::kDimText);
+    text({at.x + bar - ImGui::CalcTextSize(ends.most).x, at.y + 12}, ends.most, ui::kDimText);
 }
 
 ImU32 hueOf(float turn) {
@@ -106,14 +106,20 @@ void colours(const Rect& r, const std::string& title, const char* none, const gl
 
 }  // namespace
 
+AmountEnds amountEnds(const FieldRow& map) {
+    const std::string_view name = map.name;
+    if (name == "ambientOcclusion") return {"0 closed", "1 open"};
+    if (name == "bladeHeight") return {"0 no height", "1 full height"};
+    if (name == "gusts") return {"0 calm", "1 gust"};
+    return {"0 bare", "1 full"};
+}
+
 void drawOverlayLegend(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
     if (overlayOf(app).map.empty() || !map) return;
     const std::string title = map->path;
-    const bool sky = std::string_view(map->row->name) == "ambientOcclusion";
     const MapKind kind = kindOf(*map->row);
-    if (kind == MapKind::Amounts)
-        amounts(app.viewport.rect, title, sky ? "0 closed" : "0 bare", sky ? "1 open" : "1 full");
+    if (kind == MapKind::Amounts) amounts(app.viewport.rect, title, amountEnds(*map->row));
     if (kind == MapKind::Forces) forces(app.viewport.rect, title, app.viewport.camera.yaw);
     if (kind == MapKind::Colours) {
         const bool soil = std::string_view(map->component->name) == "Terrain";

@@ -72,11 +72,23 @@ void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
     v.hasImage = true;
 }
 
+// The bar stands while drawing fails, unless the person or another error took it; it goes with its cause.
+void tellOfDrawing(EditorApp& app, const Status& status) {
+    const bool stands = !app.drawNotice.empty() && app.notice == app.drawNotice;
+    if (status) {
+        if (stands) app.notice.clear();
+        app.drawNotice.clear();
+    } else if (app.notice.empty() || (stands && status.error().text() != app.notice)) {
+        showError(app, status.error());
+        app.drawNotice = app.notice;
+    }
+}
+
 double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
     const Status status = app.renderer->draw(projectShown(app), camera, settings);
     app.renderer->finish();
-    if (!status && app.notice.empty()) showError(app, status.error());
+    tellOfDrawing(app, status);
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -114,13 +126,14 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
     if (app.measure) app.viewport.countedRevision = ~uint64_t(0);
 }
 
-// What only counting over maps and cells tells: once at rest.
+// What only counting over maps and cells tells: once at rest. A playtest changes no population: that is counted once for all of it.
 void countAtRest(EditorApp& app, const ViewCamera& camera) {
     Viewport& v = app.viewport;
     const bool coarse = v.resolution.drawnScale < 1 && app.surface->fixedStep() == 0;
-    if (coarse || playing(app) || v.countedRevision == app.doc.revision()) return;
+    if (coarse && !playing(app)) return;
+    if (std::exchange(v.populationRevision, app.doc.revision()) != app.doc.revision()) v.bladesVirtual = virtualBlades(app.doc.project());
+    if (playing(app) || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
-    v.bladesVirtual = virtualBlades(app.doc.project());
     v.bladesVisible =
         app.measure ? visibleBlades(app.doc.project(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
 }

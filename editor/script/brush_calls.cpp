@@ -9,6 +9,8 @@ namespace {
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;
+    const bool named = options.push("map");
+    if (named) lua_pop(L, 1);
     brush.map = options.text("map", "density");
     brush.mode = options.text("mode", "add");
     brush.radius = static_cast<float>(options.number("radius", 1));
@@ -21,6 +23,7 @@ int select(lua_State* L, State& state) {
     brush.color = vectorOption(L, options, "color", brush.color, 1);
     options.finish();
     orRaise(L, checkBrush(brush));
+    if (named && state.document().isOpen()) orRaise(L, findMap(state.document().project(), state.rows(), brush.map));
     state.host.brush = brush;
     return 0;
 }

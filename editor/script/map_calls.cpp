@@ -207,7 +207,7 @@ int importBoth(lua_State* L, State& state, const FieldRef& density, const std::f
     const auto remembered = p.imports.find(density.path);
     const bool flip = options.flip.value_or(remembered != p.imports.end() && remembered->second.flip);
     PackedMaps maps = orRaise(L, readPacked(file, flip));
-    if (maps.ownCoarse) logWarning(file.string() + ": its green channel is read over: coarse views draw every fourth blade everywhere");
+    if (maps.ownCoarse) logWarning(file.string() + ": " + kGreenNotKept);
     const float tiling = orRaise(L, mapScale(p, density)).factor;
     GroupOrNothing group(state.document(), "import " + density.path);
     orRaise(L, state.document().setMap(density.path, std::move(maps.density), "import"));

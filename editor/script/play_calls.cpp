@@ -1,5 +1,7 @@
 // play.*: start, stop, pause, step, input, hash, state of the playtest. Steps are exact: the same script gives the same hashes.
 #include "core/hash.h"
+#include "core/json.h"
+#include "frame/ground.h"
 #include "playtest/playtest.h"
 #include "script/state.h"
 
@@ -44,12 +46,26 @@ PlayStart startOf(State& state, const Project& p) {
     return start;
 }
 
+// The walker would be set down at the nearest edge; without ground to walk on, play itself refuses.
+void refuseOffTheGround(lua_State* L, const Project& p, const glm::dvec2& at) {
+    const Ground ground = findGround(p);
+    if (!ground.terrain) return;
+    const glm::dvec2 low(ground.origin.x, ground.origin.z), high = low + ground.terrain->size;
+    if (glm::all(glm::greaterThanEqual(at, low)) && glm::all(glm::lessThanEqual(at, high))) return;
+    raise(L, fmt::format("play.start: at {{{}, {}}} is no ground; x goes from {} to {}, z from {} to {}", shortestText(at.x), shortestText(at.y),
+                         shortestText(low.x), shortestText(high.x), shortestText(low.y), shortestText(high.y)));
+}
+
 int start(lua_State* L, State& state) {
-    PlayStart from = startOf(state, openProject(L));
+    const Project& p = openProject(L);
+    PlayStart from = startOf(state, p);
     if (!lua_isnoneornil(L, 1)) {
         Options options(L, 1);
         const glm::dvec3 along = from.view.target - from.view.eye;
-        if (const auto at = pairOption(L, options, "at", "x", "z")) from.view.eye.x = at->x, from.view.eye.z = at->y;
+        if (const auto at = pairOption(L, options, "at", "x", "z")) {
+            refuseOffTheGround(L, p, *at);
+            from.view.eye.x = at->x, from.view.eye.z = at->y;
+        }
         from.view.target = from.view.eye + along;
         from.time = options.number("time", from.time);
         options.finish();

@@ -40,8 +40,8 @@ const char* whyAbsent(Feature f) {
         case Feature::Fog: return "no Fog has a finite visibility";
         case Feature::Wind: return "no Wind has a strength above 0";
         case Feature::Gusts: return "no Wind of the model \"noise\" blows";
-        case Feature::Forces: return "no ForceSource has a strength and a radius above 0";
-        case Feature::ForceOutlines: return "no ForceSource of the shape \"outline\" has a strength and a radius above 0";
+        case Feature::Forces: return "no ForceSource with a Transform has a strength and a radius above 0, and none left tracks";
+        case Feature::ForceOutlines: return "no ForceSource of the shape \"outline\" with a Transform has a strength and a radius above 0";
         case Feature::ForceMap: return "no GrassField has a forces map";
         case Feature::FarDarkening: return "no GrassField has a farDarkening above 0";
         case Feature::FarBlur: return "no GrassField has a farBlur";
@@ -95,10 +95,30 @@ Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tabl
     return m;
 }
 
-// What a feature cannot do for all that runs; empty: nothing to say.
-const char* shortOf(Feature f, const FramePlan& plan) {
+// How far each tier of the grass follows what moves it.
+struct Follows {
+    Feature what, tier;
+    const char* how;
+};
+constexpr Follows kFollows[] = {
+    {Feature::Wind, Feature::GrassGeometry, "blades bend and quiver each by itself"},
+    {Feature::Wind, Feature::GrassTessellated, "blades bend and quiver each by itself"},
+    {Feature::Wind, Feature::GrassSlices, "slices lean with the gust"},
+    {Feature::Wind, Feature::GrassFar, "the horizontal slice brightens and darkens with the gust"},
+    {Feature::Forces, Feature::GrassGeometry, "blades are laid down each its own way"},
+    {Feature::Forces, Feature::GrassTessellated, "blades are laid down each its own way"},
+    {Feature::Forces, Feature::GrassSlices, "slices sink and lean"},
+    {Feature::Forces, Feature::GrassFar, "the horizontal slice covers what sunk slices leave, as grass that lies"},
+};
+
+// How far what runs follows a feature; empty: nothing to say.
+std::string noteOn(Feature f, const FramePlan& plan) {
     const bool slices = has(plan.features, Feature::GrassSlices) || has(plan.features, Feature::GrassFar);
-    return f == Feature::GrassUnique && slices ? "slices are images of one patch: grass that is drawn by them repeats it" : "";
+    if (f == Feature::GrassUnique && slices) return "slices are images of one patch: grass that is drawn by them repeats it";
+    std::string note;
+    for (const Follows& row : kFollows)
+        if (row.what == (f == Feature::ForceMap ? Feature::Forces : f) && has(plan.features, row.tier)) note += (note.empty() ? "" : ", ") + std::string(row.how);
+    return note;
 }
 
 Json names(const std::vector<std::string>& list) {
@@ -127,7 +147,7 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
             j["passes"] = names(it->second.passes);
             j["programs"] = names(it->second.programs);
             j["gpu_bytes"] = it->second.bytes;
-            if (*shortOf(f, plan)) j["note"] = shortOf(f, plan);
+            if (const std::string note = noteOn(f, plan); !note.empty()) j["note"] = note;
             all["features"].push(std::move(j));
         } else {
             j["because"] = whyAbsent(f);
@@ -143,7 +163,7 @@ std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
         out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
         out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes), joined(m.programs));
         out += fmt::format("  memory    {:.2f} MB on the GPU\n", static_cast<double>(m.bytes) / 1e6);
-        if (*shortOf(f, plan)) out += fmt::format("  note      {}\n", shortOf(f, plan));
+        if (const std::string note = noteOn(f, plan); !note.empty()) out += fmt::format("  note      {}\n", note);
     }
     for (const EffectRow* e : plan.effects) out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
     out += "\nWhat it lacks: not run, not compiled, not in memory\n";

@@ -72,11 +72,11 @@ float farOf(const Force& f) {
 
 std::shared_ptr<const Footprint> Outlines::of(const Project& p, const std::string& entity) {
     const auto tell = [&](const std::string& what) {
-        if (told_.insert(entity + what).second) logWarning(entity + ".ForceSource.shape: " + what + "; it presses nothing");
+        if (told_.insert(entity + what).second) logWarning(entity + ".ForceSource.shape: " + what);
         return nullptr;
     };
     const StaticMesh* mesh = p.registry.get<StaticMesh>(findEntity(p, entity));
-    if (!mesh || mesh->file.empty()) return tell("an outline is that of the entity's StaticMesh, and it has none with a file: add one, or choose another shape");
+    if (!mesh || mesh->file.empty()) return tell(kOutlineOfNothing);
     const PlacedMesh placed = placeMesh(p, findEntity(p, entity));
     const std::string key = fmt::format("{} {} {} {} {} {}", fileVersion(p.dir, mesh->file), mesh->rotationDeg.x, mesh->rotationDeg.z, mesh->scale,
                                         groundUnder(p, placed.at) - placed.at.y, tallestBlade(p));
@@ -86,7 +86,7 @@ std::shared_ptr<const Footprint> Outlines::of(const Project& p, const std::strin
         return known->second.footprint;
     }
     const Result<Mesh> read = readMesh(p.dir, mesh->file);
-    if (!read) tell(read.error().text());
+    if (!read) tell(read.error().text() + "; it presses nothing");
     std::shared_ptr<const Footprint> made;
     if (read) {
         const glm::mat3 tilt(rotationOf({mesh->rotationDeg.x, 0, mesh->rotationDeg.z}));  // the heading is the force's

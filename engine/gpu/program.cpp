@@ -1,6 +1,7 @@
 #include "gpu/program.h"
 
 #include <fstream>
+#include <mutex>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -19,6 +20,27 @@ fs::path shaderFolder() {
 }
 
 namespace {
+
+struct SharedHeader {
+    const char *path, *text;
+};
+constexpr SharedHeader kSharedHeaders[] = {
+#include "shared_headers.inc"
+};
+
+std::string textOf(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void warnOfOthers(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> told;
+    const std::vector<std::string> others = otherHeaders(folder);
+    const std::lock_guard lock(mutex);
+    if (!others.empty() && told.insert(folder).second)
+        logWarning(fmt::format("{}: not as it was when this program was built; pictures may be garbage (build again, or bring back the shaders of this version)", (folder / others[0]).string()));
+}
 
 std::optional<std::string> includeOf(const std::string& line) {
     const size_t hash = line.find_first_not_of(" \t");
@@ -64,6 +86,16 @@ struct Loader {
 };
 
 }  // namespace
+
+std::vector<std::string> otherHeaders(const fs::path& folder) {
+    std::vector<std::string> others;
+    std::error_code ec;
+    for (const SharedHeader& h : kSharedHeaders)
+        if (fs::exists(folder / h.path, ec) && textOf(folder / h.path) != h.text) others.push_back(h.path);
+    return others;
+}
+
+Programs::Programs(fs::path folder) : folder_(std::move(folder)) { warnOfOthers(folder_); }
 
 Result<ShaderText> loadShaderText(const fs::path& folder, const std::string& path, const std::string& constants) {
     Loader loader{folder, {}, {}};

@@ -15,6 +15,10 @@ namespace sward {
 // Where shaders/ lies: beside the build tree of the running executable, else the source tree it was built from.
 std::filesystem::path shaderFolder();
 
+// Of the headers that C++ and GLSL share (shared/*.h): those in the folder that are not as they were when this program was built, by
+// their paths. What is drawn with such is garbage. One that is not there is left to who includes it.
+std::vector<std::string> otherHeaders(const std::filesystem::path& folder);
+
 struct ShaderText {
     std::string text;                // "#version", feature constants, then the sources with #line
     std::vector<std::string> files;  // by the number that their lines carry
@@ -44,7 +48,8 @@ struct Reload {
 
 class Programs {
   public:
-    explicit Programs(std::filesystem::path folder = shaderFolder()) : folder_(std::move(folder)) {}
+    // Warns, once a folder, if its shaders are of another version than this program.
+    explicit Programs(std::filesystem::path folder = shaderFolder());
     // The program with these constants, compiled at first use. Failed with the compiler's log.
     Result<GLuint> get(const ProgramSources& sources, const std::string& constants);
     // Recompiles what changed on disk since it was last compiled.

@@ -222,5 +222,9 @@ const EffectRow& fieldEffect() {
                                "there is grass: its patches, maps and textures"};
     return row;
 }
+const EffectRow& farDarkeningEffect() {
+    static const EffectRow row{"grass/far-darkening", featureSet(Feature::FarDarkening, Feature::Grass, Feature::Terrain), {}, {}, nullptr, "far grass is darker, which shows depth"};
+    return row;
+}
 
 }  // namespace sward

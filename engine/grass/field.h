@@ -45,6 +45,8 @@ struct FieldState : EffectState {
 };
 
 const EffectRow& fieldEffect();
+// Says why far grass is darker; the programs that draw it make it so.
+const EffectRow& farDarkeningEffect();
 
 // The query for a species' drawn blades in this view.
 CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t species);

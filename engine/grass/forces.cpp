@@ -104,7 +104,7 @@ const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewRefle
 
 const EffectRow& forcesEffect() {
     static const EffectRow row{"grass/forces", featureSet(Feature::Forces, Feature::Grass, Feature::Terrain), kSystems, kPasses, makeState,
-                               "something presses on the grass: blades are laid down each its own way, slices sink and lean, the horizontal slice does not follow"};
+                               "something presses on the grass"};
     return row;
 }
 

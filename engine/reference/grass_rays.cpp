@@ -520,7 +520,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
     f->terrain = findGround(p).terrain;
     f->grass = firstOf<GrassField>(p);
     if (!f->terrain || !f->grass) return GrassRays(std::move(f));
-    if (Status s = checkUnique(p, isUnique(*f->grass) ? virtualBlades(p) : 0); !s) return s.error();
+    if (Status s = checkUnique(p); !s) return s.error();
     updateHeightBounds(f->bounds, *f->terrain);
     f->time = time;
     f->forces = forcesOf(p, time);

@@ -340,7 +340,7 @@ FeatureSet windFeatures(const void* component) {
 }
 
 constexpr FieldRow kForceFields[] = {
-    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: as the entity's StaticMesh stands on the ground"),
+    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: as the entity's StaticMesh stands on the ground. A foot without a Transform is the walker's, in play"),
     real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5}, "how far from its middle it presses blades down, 0: nowhere; an outline presses inside, and pushes out to radius * (reach - 1) around"),
     real("length", offsetof(ForceSource, length), "m", {0, 1000, 0.1, 2}, "of a foot, or of a wheel's tread on the ground"),
     real("headingDeg", offsetof(ForceSource, headingDeg), "deg", {-360, 360, 0, 360}, "where a foot or wheel points, clockwise from north (-z)"),
@@ -473,11 +473,17 @@ std::span<const ComponentRow> sharedComponentRows() {
 
 // --- features of a scene -----------------------------------------------------------------------------------------
 namespace {
+// A source of force presses where it stands and where it left tracks; in play the walker's feet have these alone.
+bool presses(const Registry& registry, Entity e) {
+    const ForceSource* s = registry.get<ForceSource>(e);
+    return s && (registry.get<Transform>(e) || !s->tracks.empty());
+}
 // What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
 FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
     FeatureSet all;
     for (const ComponentRow& row : rows)
         if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
+    if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
     if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;
 }

@@ -217,6 +217,8 @@ struct ForceSource {
 };
 inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object", "outline"};
 enum class ForceShape { Foot, Wheel, Object, Outline };
+inline constexpr const char* kOutlineOfNothing =
+    "an outline is that of the entity's StaticMesh, and it has none with a file: add one, or choose another shape; it presses nothing";
 
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {

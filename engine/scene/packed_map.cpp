@@ -105,7 +105,7 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
     const bool flip = flipOf(p, *density, options);
     Result<PackedMaps> maps = readPacked(file, flip, repaired);
     if (!maps) return maps.error();
-    if (maps->ownCoarse && repaired) repaired->push_back("its green channel is read over: coarse views draw every fourth blade everywhere");
+    if (maps->ownCoarse && repaired) repaired->emplace_back(kGreenNotKept);
     put(p, *density, std::move(maps->density), file, flip);
     put(p, *height, std::move(maps->bladeHeight), file, flip);
     tilingBeside(p, *height) = tilingBeside(p, *density);

@@ -11,8 +11,9 @@ namespace sward {
 struct PackedMaps {
     Map density;      // red, 16 bits
     Map bladeHeight;  // blue, 8 bits
-    bool ownCoarse = false;  // green is not kCoarseShare of red: it said more than is kept
+    bool ownCoarse = false;  // green is not kCoarseShare of red: it said more than is kept (kGreenNotKept)
 };
+inline constexpr const char* kGreenNotKept = "its green channel is not kept: coarse views (reflections) draw an even choice of the blades everywhere";
 // Green as it is written, as a share of red: every fourth blade.
 inline constexpr float kCoarseShare = 0.25f;
 

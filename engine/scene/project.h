@@ -110,6 +110,7 @@ Result<Project> loadProject(const std::filesystem::path& dir, std::span<const Co
 struct CheckReport {
     std::vector<Error> refused;
     std::vector<Fault> repaired;
+    std::vector<Fault> noticed;  // allowed, but surely not meant
 };
 CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
 // Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved` (or,

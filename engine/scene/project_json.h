@@ -39,4 +39,12 @@ Json projectJson(const Project& p, std::span<const ComponentRow> rows,
 // The first value that the tables do not allow (out of range, not finite), or nothing.
 Status checkValues(const Project& p, std::span<const ComponentRow> rows);
 
+// A project as it was read, with the tree that it was read from, whose lines messages name.
+struct SceneToCheck {
+    const Project& project;
+    const Json& root;
+};
+// Adds to the faults of reading those of the scene as a whole. Reads every texel of the density maps of a unique population.
+void checkScene(const SceneToCheck& scene, CheckReport& report);
+
 }  // namespace sward

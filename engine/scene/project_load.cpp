@@ -23,6 +23,7 @@ struct MapLoad {
 struct Loading {
     fs::path dir;
     ProjectReader reader;
+    Json root;
     bool soundJson = false;
 };
 
@@ -54,6 +55,7 @@ void readProjectJson(Loading& l) {
     if (Status s = upgradeProject(*json, l.reader.file, projectUpgrades()); !s) return refuse(s.error());
     l.soundJson = true;
     l.reader.read(*json);
+    l.root = std::move(*json);
     if (l.reader.project.name.empty()) l.reader.project.name = fs::absolute(l.dir, ignored).filename().string();
 }
 
@@ -195,7 +197,9 @@ Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> r
 
 CheckReport checkProject(const fs::path& dir, std::span<const ComponentRow> rows) {
     Loading l = load(dir, rows, true);
-    return {std::move(l.reader.refused), std::move(l.reader.repaired)};
+    CheckReport report{std::move(l.reader.refused), std::move(l.reader.repaired), {}};
+    if (l.soundJson) checkScene({l.reader.project, l.root}, report);
+    return report;
 }
 
 }  // namespace sward

@@ -72,12 +72,20 @@ uint64_t uniqueKey(const Species& s, const GrassField& f, const Terrain& t) {
     return h.value();
 }
 
-Status checkUnique(const Project& p, double blades) {
-    bool unique = false;
-    p.registry.each<GrassField>([&](Entity, const GrassField& f) { unique |= isUnique(f); });
-    if (!unique || blades <= kMaxUniqueBlades) return {};
-    return Error{ExitCode::Unsound, fmt::format("{:.0f} blades of their own are more than a unique population may have: {:.0f}, which take 128 MB", blades, kMaxUniqueBlades), p.dir.string(), 0, 0,
-                 "set GrassField.population to \"patch\", or lower bladesPerM2 or the terrain's size"};
+std::string uniqueField(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const GrassField* f = p.registry.get<GrassField>(e); f && isUnique(*f)) return name;
+    return {};
 }
+
+Status checkUnique(const Project& p, double blades) {
+    const std::string field = uniqueField(p);
+    if (field.empty() || blades <= kMaxUniqueBlades) return {};
+    const std::string path = field + ".GrassField.population";
+    return Error{ExitCode::Unsound, fmt::format("{}: {:.0f} blades of their own are more than \"unique\" may have: {:.0f}, which take 128 MB", path, blades, kMaxUniqueBlades),
+                 p.dir.empty() ? std::string() : (p.dir / "project.json").string(), 0, 0, "set it to \"patch\", or lower bladesPerM2 or the terrain's size"};
+}
+
+Status checkUnique(const Project& p) { return uniqueField(p).empty() ? Status() : checkUnique(p, virtualBlades(p)); }
 
 }  // namespace sward

@@ -33,7 +33,7 @@ const System kGustSystems[] = {{"sky/gusts", runGusts}};
 const EffectRow& windEffect() {
     static const EffectRow row{"sky/wind", featureSet(Feature::Wind), kWindSystems, {},
                                [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindState>(); },
-                               "wind blows: blades bend and quiver each by itself, slices lean with the gust, the horizontal slice brightens and darkens with it"};
+                               "wind blows, and what grows follows it"};
     return row;
 }
 const EffectRow& gustsEffect() {

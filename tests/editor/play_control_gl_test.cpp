@@ -45,6 +45,15 @@ TEST_F(EditorPlay, KeysStartPauseStepAndStop) {
     EXPECT_EQ(app->viewport.drawnSettings.time, 0);
 }
 
+TEST_F(EditorPlay, BladesAreCountedThoughItBeganBeforeTheFirstPicture) {
+    ASSERT_TRUE(doc.open(dir / "meadow"));
+    app->viewport.bladesVirtual = 0;
+    ASSERT_TRUE(doc.startPlay({.view = viewOf(app->viewport.camera)}));
+    ok(ui->wait(3));
+    EXPECT_EQ(shown(), "playing");
+    EXPECT_EQ(app->viewport.bladesVirtual, 2000.0 * 40 * 40);
+}
+
 TEST_F(EditorPlay, ButtonsAndTheMenuDoTheSame) {
     EXPECT_FALSE(ui->click("Play/Pause")) << "disabled while nothing is played";
     ok(ui->click("Play/Start"));

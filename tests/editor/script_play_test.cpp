@@ -53,6 +53,9 @@ TEST(ScriptPlay, CallsThatMakeNoSenseAreRefused) {
     EXPECT_FAULT(r, "project.new() play.start() play.input { look = 3 }", "look must be {yaw, pitch}");
     r.doc.stopPlay();
     EXPECT_FAULT(r, "project.new() play.start { at = { 1 } }", "at must be {x, z}");
+    for (const char* off : {"{ 500, -500 }", "{ -0.1, 20 }", "{ 20, 40.1 }"}) EXPECT_FAULT(r, fmt::format("project.new() play.start {{ at = {} }}", off), "x goes from 0 to 40, z from 0 to 40");
+    for (const char* on : {"{ 0, 0 }", "{ 40, 40 }"}) EXPECT_EQ(r.fault(fmt::format("project.new() play.start {{ at = {} }} play.stop()", on)), "");
+    EXPECT_FAULT(r, "project.new() entity.remove('ground') entity.add('ground', {Terrain = {}, Transform = {position = {100, 0, 200}}}) play.start { at = { 20, 20 } }", "x goes from 100 to 140, z from 200 to 240");
     EXPECT_FAULT(r, "project.new() play.start() while true do play.step(10000000) end", "instructions");
 }
 

@@ -316,6 +316,8 @@ TEST(Script, BrushesPaintOneUndoStepAStroke) {
     EXPECT_FAULT(Stage(), "project.new() brush.stroke{{1, 0/0}}", "point 1");
     EXPECT_FAULT(Stage(), "brush.select{mode = 'spray'}", "add, subtract, set, smooth, noise");
     EXPECT_FAULT(Stage(), "brush.select{radius = -1}", "radius");
+    EXPECT_FAULT(Stage(), "brush.select{radius = 0}", "above 0");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'nope'}", "\"nope\"");
     EXPECT_FAULT(Stage(), "brush.select{size = 1}", "no option is called size");
     EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'vegetation'} brush.stroke{{1, 1}}", "no map to paint on");
 }

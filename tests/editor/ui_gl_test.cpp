@@ -199,6 +199,23 @@ TEST_F(EditorUi, AnErrorStandsOverTheViewportUntilDismissed) {
     EXPECT_FALSE(ui->exists("Viewport/Error"));
 }
 
+TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
+    ok(doc.setField("lawn.GrassField.population", "unique"));
+    ok(ui->wait(3));
+    EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 3200000 blades"), std::string::npos) << get("Viewport/Error");
+    ok(doc.setField("lawn.GrassField.species[lawn].bladesPerM2", "1500"));
+    ok(ui->wait(3));
+    EXPECT_NE(get("Viewport/Error").find("2400000 blades"), std::string::npos) << get("Viewport/Error");
+    ok(doc.setField("lawn.GrassField.population", "patch"));
+    ok(ui->wait(3));
+    EXPECT_FALSE(ui->exists("Viewport/Error"));
+    showError(*app, {ExitCode::Failed, "the disk is full", "", 0, 0, ""});
+    ok(doc.setField("lawn.GrassField.seed", "7"));
+    ok(ui->wait(3));
+    EXPECT_TRUE(ui->exists("Viewport/Error")) << "another error is not drawing's to take away";
+    ok(ui->click("Viewport/Dismiss"));
+}
+
 TEST_F(EditorUi, TheViewportIsNotDrawnAgainWhenNothingChanged) {
     ok(ui->wait(3));
     app->viewport.lastMs = -1;

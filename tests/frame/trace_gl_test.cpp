@@ -184,6 +184,21 @@ TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
     }
 }
 
+TEST(Trace, AForceThatStandsNowhereIsAsIfItWereNotThere) {
+    NoGlErrors errors;
+    Project p = lawn();
+    Trace never;
+    {
+        Renderer fresh(gpu(), tables());
+        never = traceOf(fresh, p);
+    }
+    put<ForceSource>(p, "feet").shape = static_cast<int>(ForceShape::Foot);
+    Renderer renderer(gpu(), tables());
+    expectSame(never, traceOf(renderer, p), "a source without a Transform");
+    put(p, "feet", Transform{{10, 0, 8}});
+    EXPECT_GT(traceOf(renderer, p).ledger.count("grass/forces"), 0u);
+}
+
 TEST(Trace, AnEmptySceneRunsOnlyWhatEveryPictureNeeds) {
     NoGlErrors errors;
     Renderer renderer(gpu(), tables());
@@ -213,6 +228,35 @@ TEST(Trace, ExplainNamesTheEntityAndWhatIsAbsent) {
     const auto parsed = parseJson(json, "explain");
     ASSERT_TRUE(parsed);
     EXPECT_EQ(parsed->find("features")->array.size() + parsed->find("absent")->array.size(), static_cast<size_t>(Feature::Count));
+}
+
+TEST(Trace, ExplainSaysHowFarTheTechniqueFollowsWhatMovesGrass) {
+    Renderer renderer(gpu(), tables());
+    Project p = lawn();
+    put<Wind>(p, "wind");
+    put<ForceSource>(p, "stone");
+    put(p, "stone", Transform{{10, 0, 8}});
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    const auto told = [&](Technique t) {
+        f.technique = static_cast<int>(t);
+        return renderer.explain(p, false);
+    };
+    const auto holds = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+    f.beyond = static_cast<int>(Beyond::Nothing);
+    const std::string blades = told(Technique::Tessellated), flat = told(Technique::Flat), hybrid = told(Technique::Hybrid);
+    EXPECT_TRUE(holds(blades, "note      blades bend and quiver each by itself\n")) << blades;
+    EXPECT_TRUE(holds(blades, "note      blades are laid down each its own way\n")) << blades;
+    EXPECT_TRUE(holds(flat, "note      the horizontal slice brightens and darkens with the gust\n")) << flat;
+    EXPECT_FALSE(holds(flat, "blades bend")) << flat;
+    EXPECT_TRUE(holds(hybrid, "note      blades bend and quiver each by itself, slices lean with the gust, the horizontal slice brightens")) << hybrid;
+}
+
+TEST(Trace, ExplainHasALineForWhatDarkensFarGrass) {
+    Renderer renderer(gpu(), tables());
+    Project p = lawn();
+    EXPECT_EQ(renderer.explain(p, false).find("\n  grass/far-darkening:"), std::string::npos);
+    p.registry.get<GrassField>(findEntity(p, "grass"))->farDarkening = 0.3f;
+    EXPECT_NE(renderer.explain(p, false).find("\n  grass/far-darkening: far grass is darker"), std::string::npos);
 }
 
 }  // namespace

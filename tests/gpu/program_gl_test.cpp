@@ -1,5 +1,6 @@
 #include "gpu/program.h"
 
+#include "core/log.h"
 #include "frame/plan.h"
 #include "scenes.h"
 #include "support.h"
@@ -54,6 +55,25 @@ TEST(Program, AMissingIncludeNamesTheFileThatWantsIt) {
     ASSERT_FALSE(program);
     EXPECT_NE(program.error().text().find("gone.glsl"), std::string::npos);
     EXPECT_NE(program.error().text().find("a.frag.glsl:2"), std::string::npos) << program.error().text();
+}
+
+TEST(Program, SharedHeadersOfAnotherVersionAreSaidOnceAFolder) {
+    TempDir dir;
+    EXPECT_TRUE(otherHeaders(dir.path).empty()) << "what is not there is left to who includes it";
+    EXPECT_TRUE(otherHeaders(shaderFolder()).empty());
+    writeText(dir / "shared/frame.h", readText(shaderFolder() / "shared/frame.h"));
+    EXPECT_TRUE(otherHeaders(dir.path).empty());
+    std::string log;
+    const int sink = addLogSink([&](LogLevel, const std::string& text) { log += text + "\n"; });
+    Programs same(dir.path);
+    EXPECT_EQ(log, "");
+    writeText(dir / "shared/frame.h", readText(shaderFolder() / "shared/frame.h") + "\n#define TEX_OTHER 3\n");
+    EXPECT_EQ(otherHeaders(dir.path), std::vector<std::string>{"shared/frame.h"});
+    Programs one(dir.path), two(dir.path);
+    removeLogSink(sink);
+    const size_t first = log.find((dir / "shared/frame.h").string());
+    EXPECT_NE(first, std::string::npos) << log;
+    EXPECT_EQ(log.find("shared/frame.h", first + dir.path.string().size() + 5), std::string::npos) << log;
 }
 
 TEST(Program, AMisspeltFeatureIsACompileError) {

@@ -350,6 +350,53 @@ TEST(RepairedProjects, WhatIsUnknownIsKeptAndWrittenBack) {
         << "what is gone takes the unknown with it";
 }
 
+// What loads, so that the editor can mend it, and what no verb would draw.
+TEST(CheckedScenes, AUniquePopulationBeyondItsLimitIsRefusedAtItsPlace) {
+    TempDir dir;
+    const auto checked = [&](const char* size) {
+        writeText(dir / "p/project.json", entity(fmt::format("\"Terrain\": {{\"size\": [{}, {}]}},\n\"GrassField\": {{\"population\": \"unique\"}}", size, size)));
+        EXPECT_TRUE(loadProject(dir / "p", rows()));
+        return checkProject(dir / "p", rows());
+    };
+    EXPECT_TRUE(checked("30").refused.empty());
+    const CheckReport r = checked("40");
+    ASSERT_EQ(r.refused.size(), 1u);
+    EXPECT_EQ(r.refused[0].code, ExitCode::Unsound);
+    EXPECT_EQ(r.refused[0].text().substr(0, (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string().size()),
+              (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string());
+    EXPECT_NE(r.refused[0].remedy.find("\"patch\""), std::string::npos);
+}
+
+TEST(CheckedScenes, AnOutlineOfNoMeshIsAFaultWithItsRemedy) {
+    TempDir dir;
+    const auto checked = [&](const char* components) {
+        writeText(dir / "p/project.json", entity(components));
+        const CheckReport r = checkProject(dir / "p", rows());
+        EXPECT_TRUE(r.refused.empty());
+        return r.repaired;
+    };
+    const std::vector<Fault> faults = checked("\"Transform\": {},\n\"ForceSource\": {\"radius\": 1, \"shape\": \"outline\"}");
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].where, (dir / "p/project.json:4").string());
+    EXPECT_NE(faults[0].message.find("e.ForceSource.shape: an outline is that of the entity's StaticMesh, and it has none with a file: add one"), std::string::npos) << faults[0].message;
+    EXPECT_EQ(checked("\"ForceSource\": {\"shape\": \"outline\"},\n\"StaticMesh\": {}").size(), 1u);
+    EXPECT_TRUE(checked("\"ForceSource\": {\"shape\": \"object\"}").empty());
+}
+
+TEST(CheckedScenes, ASpeciesWithoutHeightOrWidthIsNoticedButSound) {
+    TempDir dir;
+    writeText(dir / "p/project.json", entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"height\": 0},\n{\"name\": \"b\", \"width\": 0},\n"
+                                             "{\"name\": \"c\", \"width\": 0, \"bladesPerM2\": 0}, {\"name\": \"d\"}]}"));
+    const CheckReport r = checkProject(dir / "p", rows());
+    EXPECT_TRUE(r.refused.empty());
+    EXPECT_TRUE(r.repaired.empty());
+    ASSERT_EQ(r.noticed.size(), 2u) << "what does not grow, and what has both, is as meant";
+    EXPECT_EQ(r.noticed[0].where, (dir / "p/project.json:3").string());
+    EXPECT_EQ(r.noticed[1].where, (dir / "p/project.json:4").string());
+    EXPECT_EQ(r.noticed[0].message.find("e.GrassField.species[a].height is 0"), 0u) << r.noticed[0].message;
+    EXPECT_EQ(r.noticed[1].message.find("e.GrassField.species[b].width is 0"), 0u) << r.noticed[1].message;
+}
+
 TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
     const Project p = accepted(

@@ -112,6 +112,9 @@ TEST(Unique, MoreThanMemoryHoldsIsRefusedWithTheLimitAndTheRemedy) {
     EXPECT_EQ(refused.error().code, ExitCode::Unsound);
     EXPECT_NE(refused.error().text().find("2000000"), std::string::npos) << refused.error().text();
     EXPECT_NE(refused.error().remedy.find("patch"), std::string::npos);
+    EXPECT_EQ(refused.error().message.substr(0, 28), "grass.GrassField.population:");
+    ASSERT_FALSE(checkUnique(p));
+    EXPECT_EQ(checkUnique(p).error().text(), refused.error().text());
 }
 
 }  // namespace
