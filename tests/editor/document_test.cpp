@@ -109,7 +109,7 @@ TEST(Document, UndoDuringAStrokeTakesAllOfItBack) {
 
 TEST(Document, StrokesThatPaintNothingLeaveNoStep) {
     Fixture f;
-    stroke(f.doc, subtract(0), {{10, 10}, {20, 20}});
+    EXPECT_FALSE(f.doc.beginStroke(subtract(0), 10, 10));
     stroke(f.doc, subtract(5, 0), {{10, 10}, {20, 20}});
     stroke(f.doc, subtract(2), {{-30, -30}});
     EXPECT_FALSE(f.doc.canUndo());
@@ -531,7 +531,7 @@ class RandomProgram {
                 done = d.setMap("orientation", Map({int(1 + random_() % 3), 2, 2, PixelType::U16}), "fill");
                 break;
             default:
-                stroke(d, subtract(float(random_() % 10), 0.3f),
+                stroke(d, subtract(float(1 + random_() % 10), 0.3f),
                        {{double(random_() % 40), 20}, {20, double(random_() % 40)}});
         }
     }
