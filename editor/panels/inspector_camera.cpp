@@ -59,8 +59,8 @@ void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     float at = app.viewport.pathSecond;
-    ui::NumberSpec spec;
-    spec.softMax = std::max(1.0, secondsOf(p)), spec.hardMin = 0, spec.hardMax = spec.softMax, spec.unit = "s";
+    const double end = std::max(1.0, secondsOf(p));
+    const ui::NumberSpec spec{.softMax = end, .hardMin = 0, .hardMax = end, .unit = "s"};
     if (ui::slider(path + "/Second", at, spec)) app.viewport.pathSecond = at, app.viewport.camera = flyFrom(viewOf(cameraOn(p, static_cast<double>(at))));
     ui::tooltip("Moves the view along the path.");
 }

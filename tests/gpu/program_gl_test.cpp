@@ -14,7 +14,7 @@ struct Shaders {
     TempDir dir;
     ProgramSources sources{"test/program", "a.vert.glsl", "a.frag.glsl", nullptr};
     Shaders() {
-        writeText(dir / "a.vert.glsl", std::string("#include \"lib/value.glsl\"\n#include \"lib/value.glsl\"\n") + kVertex);
+        writeText(dir / "a.vert.glsl", fmt::format("#include \"lib/value.glsl\"\n#include \"lib/value.glsl\"\n{}", kVertex));
         writeText(dir / "a.frag.glsl", "#include \"lib/value.glsl\"\nout vec4 c;\nvoid main() { c = vec4(VALUE); }\n");
         writeText(dir / "lib/value.glsl", "const float VALUE = 1.0;\n");
     }
