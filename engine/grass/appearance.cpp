@@ -34,7 +34,6 @@ float lengthOf(const Blade& b) {
 // A point as it stands in a cell: mirrored, leant by paint.
 struct Posed {
     glm::vec3 color, normal;
-    glm::vec3 upright;
     float height, area, open;
 };
 // `clumps`: by how much clumps lean them, each another way; `press`: how far they are laid down, each its own way.
@@ -49,7 +48,7 @@ std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps, 
             const glm::vec2 along = f32::forcedLean(lean + most * glm::vec2(std::cos(turn), std::sin(turn)), glm::vec2(0), press, p.facing * mirror);
             const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, mirror, along, 1);
             const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, p.along);
-            out.push_back({p.color, f.normal, pose.upright, f.position.y, p.area / 4, p.open});
+            out.push_back({p.color, f.normal, f.position.y, p.area / 4, p.open});
         }
     std::sort(out.begin(), out.end(), [](const Posed& a, const Posed& b) { return a.height > b.height; });
     return out;
@@ -80,7 +79,7 @@ struct Mean {
 // Share of light from a direction that reaches a point among its neighbours.
 float passes(const Posed& p, const FieldLight& l, const glm::vec3& light) {
     if (!l.shade || l.shade->rows.empty()) return p.open;
-    const f32::MaskPoint at = f32::maskPointOf({0, p.height * p.upright.y, 0}, {1, 0}, f32::unitOr(f32::stoodUp(light, p.upright), 1e-6f, light), l.shade->radius, l.shade->top);
+    const f32::MaskPoint at = f32::maskPointOf({0, p.height, 0}, {1, 0}, light, l.shade->radius, l.shade->top);
     const size_t n = l.shade->rows.size();
     return l.shade->rows[std::min(static_cast<size_t>(at.height * static_cast<float>(n)), n - 1)];
 }
