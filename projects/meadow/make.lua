@@ -55,6 +55,10 @@ for i = 0, 6 do
     local along, side = 7.5 * i - 4, (i % 2 * 2 - 1) * 1.7
     prints[#prints + 1] = { 46 + ax * along - az * side, 92 + az * along + ax * side }
 end
+-- What lies crushed is bruised and dry: a giant's steps are seen from any side, whatever the sun.
+for _, p in ipairs(prints) do
+    map.polyline(tint, { points = { { p[1] - half * ax, p[2] - half * az }, { p[1] + half * ax, p[2] + half * az } }, width = 2 * radius, soft = 0.4, value = { 0.36, 0.36, 0.18, 0.55 } })
+end
 map.create { path = forces, width = 768, height = 768, type = "u8", value = { 0.5, 0.5, 0, 0 } }
 map.fill(forces, function(x, z)
     for _, p in ipairs(prints) do
