@@ -44,10 +44,10 @@ SWARD_LIMITS("brush", [] {
         for (int i = 0; i < 15; ++i) {
             const Map undo = map;
             ms.push_back(1000 * seconds([&] {
-                applyStamp(map, row, {2000.0 + i, 2100, 500, 500}, brush);
-                textures.get("bench", "map", map);
-                glFinish();
-            }));
+                             applyStamp(map, row, {2000.0 + i, 2100, 500, 500}, brush);
+                             textures.get("bench", "map", map);
+                             glFinish();
+                         }));
         }
     }
     reportLimit("stamp of 500 texels' radius, undo and upload included", median(ms), 8, "ms");

@@ -24,9 +24,9 @@ struct Timed {
     double frame(const ViewCamera& c, const ViewSettings& s) {
         bool drawn = false;
         const double took = 1000 * seconds([&] {
-            drawn = bool(renderer.draw(project, c, s));
-            renderer.finish();
-        });
+                                drawn = bool(renderer.draw(project, c, s));
+                                renderer.finish();
+                            });
         return drawn ? took : NAN;
     }
 };
@@ -36,7 +36,8 @@ void printPasses(Timed& t, const ViewCamera& c, ViewSettings s) {
     s.measure = true;
     t.frame(c, s);
     for (const PassStats& p : t.renderer.stats().passes)
-        std::fprintf(stderr, "  %-20s %7.1f ms %9lu vertices %9lu fragments\n", p.name.c_str(), p.ms, static_cast<unsigned long>(p.vertices), static_cast<unsigned long>(p.fragments));
+        std::fprintf(stderr, "  %-20s %7.1f ms %9lu vertices %9lu fragments\n", p.name.c_str(), p.ms,
+                     static_cast<unsigned long>(p.vertices), static_cast<unsigned long>(p.fragments));
 }
 
 struct Race {
@@ -56,8 +57,10 @@ Race race(const Design& d, int frames, bool passes = false) {
 void reportRace(const Design& d, double times, int frames) {
     if (!gpu()) return reportLimit(d.name, NAN, 1 / times, "x");
     const Race r = race(d, frames, true);
-    std::fprintf(stderr, "%s, tiers at %g to %g and %g to %g m: geometry %.0f ms, hybrid %.1f ms, %.1f times\n", d.name, d.minGeom, d.maxGeom, d.minBTF, d.maxBTF, r.geometry, r.hybrid, r.geometry / r.hybrid);
-    reportLimit((std::string("hybrid as a share of geometry, ") + d.name).c_str(), r.hybrid / r.geometry, 1 / times, "x");
+    std::fprintf(stderr, "%s, tiers at %g to %g and %g to %g m: geometry %.0f ms, hybrid %.1f ms, %.1f times\n", d.name,
+                 d.minGeom, d.maxGeom, d.minBTF, d.maxBTF, r.geometry, r.hybrid, r.geometry / r.hybrid);
+    reportLimit((std::string("hybrid as a share of geometry, ") + d.name).c_str(), r.hybrid / r.geometry, 1 / times,
+                "x");
 }
 
 // The density at which hybrid and geometry take the same time, on the meadow: between the two tried densities where the
@@ -87,8 +90,8 @@ SWARD_LIMITS("hybrid-even", [] {
     if (gpu()) printBreakEven();
 });
 
-// 20 x 20 m of 10,000 blades/m2 at 640 x 480, one sample. The aim is 50 ms; the limit is what another program's static field without
-// light takes on such a machine.
+// 20 x 20 m of 10,000 blades/m2 at 640 x 480, one sample. The aim is 50 ms; the limit is what another program's static
+// field without light takes on such a machine.
 SWARD_LIMITS("hybrid-frame", [] {
     if (!gpu()) return reportLimit("a lawn of 20 x 20 m at 640 x 480", NAN, 1, "ms");
     Timed t(designed(kLawn, 20), Technique::Hybrid);
@@ -99,19 +102,23 @@ SWARD_LIMITS("hybrid-frame", [] {
     reportLimit("a lawn of 20 x 20 m at 640 x 480", median(t.ms), 103, "ms");
 });
 
-// Walking 3 m across both transitions in steps of 1 cm: the change of each tile of 16 x 16 pixels at each step, less that of blades alone.
+// Walking 3 m across both transitions in steps of 1 cm: the change of each tile of 16 x 16 pixels at each step, less
+// that of blades alone.
 SWARD_LIMITS("hybrid-walk", [] {
     if (!gpu()) return reportLimit("change at a step, hybrid less blades", NAN, 1.25, "x");
     Renderer renderer(*gpu(), tables());
     Project p = designed(kMeadow, 24);
     for (const auto& [name, distance] : {std::pair{"blades to slices", 6.0}, std::pair{"slices to far", 16.0}}) {
         const Restless seen = restless(renderer, p, lookingAt(distance), 300, sized(160, 112));
-        reportLimit((std::string("change of pixels at a step as a share of blades', ") + name).c_str(), seen.pixels, 1.25, "x");
-        reportLimit((std::string("change of tiles at a step as a share of blades', ") + name).c_str(), seen.means, 1.25, "x");
+        reportLimit((std::string("change of pixels at a step as a share of blades', ") + name).c_str(), seen.pixels,
+                    1.25, "x");
+        reportLimit((std::string("change of tiles at a step as a share of blades', ") + name).c_str(), seen.means, 1.25,
+                    "x");
     }
 });
 
-// --- 25 times the field, from high above -------------------------------------------------------------------------------
+// --- 25 times the field, from high above
+// -------------------------------------------------------------------------------
 
 double coveredShare(Timed& t, const ViewCamera& c, const ViewSettings& s) {
     ViewSettings tiers = s;
@@ -126,16 +133,22 @@ double coveredShare(Timed& t, const ViewCamera& c, const ViewSettings& s) {
 SWARD_LIMITS("hybrid-whole", [] {
     if (!gpu()) return reportLimit("ms a grass pixel at whole, field of 25 times", NAN, 1.2, "x");
     const ViewSettings s = sized(640, 480);
-    const auto whole = [](double side) { return ViewCamera{{0.5 * side, 0.7 * side, -0.25 * side}, {0.5 * side, 0, 0.45 * side}, 55, 0}; };
+    const auto whole = [](double side) {
+        return ViewCamera{{0.5 * side, 0.7 * side, -0.25 * side}, {0.5 * side, 0, 0.45 * side}, 55, 0};
+    };
     Timed small(designed(kMeadow, 40), Technique::Hybrid), large(designed(kMeadow, 200), Technique::Hybrid);
     const double smallPixels = coveredShare(small, whole(40), s), largePixels = coveredShare(large, whole(200), s);
     small.frame(whole(40), s), large.frame(whole(200), s);
-    for (int i = 0; i < 7; ++i) small.ms.push_back(small.frame(whole(40), s)), large.ms.push_back(large.frame(whole(200), s));
-    std::fprintf(stderr, "whole: 40 m %.1f ms over %.0f pixels, 200 m %.1f ms over %.0f pixels\n", median(small.ms), smallPixels, median(large.ms), largePixels);
-    reportLimit("ms a grass pixel at whole, field of 25 times", median(large.ms) / largePixels / (median(small.ms) / smallPixels), 1.2, "x");
+    for (int i = 0; i < 7; ++i)
+        small.ms.push_back(small.frame(whole(40), s)), large.ms.push_back(large.frame(whole(200), s));
+    std::fprintf(stderr, "whole: 40 m %.1f ms over %.0f pixels, 200 m %.1f ms over %.0f pixels\n", median(small.ms),
+                 smallPixels, median(large.ms), largePixels);
+    reportLimit("ms a grass pixel at whole, field of 25 times",
+                median(large.ms) / largePixels / (median(small.ms) / smallPixels), 1.2, "x");
 });
 
-// --- making and loading slices -----------------------------------------------------------------------------------------
+// --- making and loading slices
+// -----------------------------------------------------------------------------------------
 
 SWARD_LIMITS("slices", [] {
     GrassField f;
@@ -145,7 +158,8 @@ SWARD_LIMITS("slices", [] {
     const auto folder = std::filesystem::temp_directory_path() / fmt::format("sward-bench-{}", getpid());
     JobControl control;
     std::optional<SliceImages> images;
-    reportLimit("slices of the paper's resolutions, made", seconds([&] { images = std::move(*bakeSlices(spec, control)); }), 25, "s");
+    reportLimit("slices of the paper's resolutions, made",
+                seconds([&] { images = std::move(*bakeSlices(spec, control)); }), 25, "s");
     cacheSlices(folder, sliceKey(spec), *images);
     std::optional<SliceImages> loaded;
     SliceTextures textures;

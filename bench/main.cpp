@@ -81,8 +81,10 @@ int main(int argc, char** argv) {
         std::string a = argv[i];
         if (a.starts_with("--filter=")) filter = a.substr(9), a = "--benchmark_filter=" + filter;
         if (a == "--filter" && i + 1 < argc) filter = argv[++i], a = "--benchmark_filter=" + filter;
-        if (a == "--limits") limitsOnly = true;
-        else texts.push_back(a);
+        if (a == "--limits")
+            limitsOnly = true;
+        else
+            texts.push_back(a);
     }
     std::vector<char*> args;
     for (std::string& t : texts) args.push_back(t.data());

@@ -1,5 +1,6 @@
-// What the size of a field costs (Jahrmann and Wimmer 2013, table 1, scene Instance): the sample project prairie at `human`, made larger by its
-// one field Terrain.size; and whether it stays the same picture where it stands far from the origin.
+// What the size of a field costs (Jahrmann and Wimmer 2013, table 1, scene Instance): the sample project prairie at
+// `human`, made larger by its one field Terrain.size; and whether it stays the same picture where it stands far from
+// the origin.
 #include <deque>
 
 #include "bench/limits.h"
@@ -43,9 +44,9 @@ struct Sized {
     double frame(const ViewCamera& c, const ViewSettings& s) {
         bool drawn = false;
         const double took = 1000 * seconds([&] {
-            drawn = bool(renderer.draw(project, c, s));
-            renderer.finish();
-        });
+                                drawn = bool(renderer.draw(project, c, s));
+                                renderer.finish();
+                            });
         return drawn ? took : NAN;
     }
     // Of a drawn frame. bytes: of all renderers together.
@@ -59,8 +60,9 @@ struct Sized {
         }
         c.nodes += static_cast<double>(renderer.stats().cells);
         c.bytes = static_cast<double>(renderer.stats().gpuBytes);
-        std::fprintf(stderr, "%.0f m: %.0f vertices, %.0f fragments, %.0f nodes and cells, %lu blades\n", project.registry.get<Terrain>(findEntity(project, "land"))->size.x, c.vertices, c.fragments, c.nodes,
-                     static_cast<unsigned long>(renderer.stats().bladesGeometry));
+        std::fprintf(stderr, "%.0f m: %.0f vertices, %.0f fragments, %.0f nodes and cells, %lu blades\n",
+                     project.registry.get<Terrain>(findEntity(project, "land"))->size.x, c.vertices, c.fragments,
+                     c.nodes, static_cast<unsigned long>(renderer.stats().bladesGeometry));
         return c;
     }
 };
@@ -74,7 +76,8 @@ SWARD_LIMITS("prairie-size", [] {
     const Counts few = a.counts(a.feet(), s);
     Sized b(std::move(*large));
     const Counts many = b.counts(b.feet(), s);
-    reportLimit("vertices of a prairie of 90,000 m as a share of one of 2,000 m", many.vertices / few.vertices, 1.01, "x");
+    reportLimit("vertices of a prairie of 90,000 m as a share of one of 2,000 m", many.vertices / few.vertices, 1.01,
+                "x");
     reportLimit("fragments of the same", many.fragments / few.fragments, 1.01, "x");
     reportLimit("nodes and cells of the same", many.nodes / few.nodes, 1.01, "x");
     reportLimit("bytes of the same", (many.bytes - few.bytes) / few.bytes, 1.01, "x");
@@ -108,7 +111,8 @@ SWARD_LIMITS("prairie-horizon", [] {
     for (int i = 0; i < 7; ++i)
         for (Sized& t : all) t.ms.push_back(t.frame(t.camera(), s));
     for (size_t i = 1; i < all.size(); ++i)
-        reportLimit(fmt::format("up to the horizon, 90,000 m as a share of {:.0f}: time, in turn", kSides[i]).c_str(), least(all[0].ms) / least(all[i].ms), 1.15, "x");
+        reportLimit(fmt::format("up to the horizon, 90,000 m as a share of {:.0f}: time, in turn", kSides[i]).c_str(),
+                    least(all[0].ms) / least(all[i].ms), 1.15, "x");
 });
 
 // Levels of 255 that any channel of any pixel differs by between two pictures.
@@ -132,7 +136,8 @@ SWARD_LIMITS("prairie-far", [] {
     Camera& camera = const_cast<Camera&>(*findCamera(here.project, "human"));
     camera.eye += far, camera.target += far;
     here.frame(here.camera(), s);
-    reportLimit("a prairie moved by 90,000 m, at the worst pixel", mostDifferent(before, here.renderer.readImage()), 1, "levels");
+    reportLimit("a prairie moved by 90,000 m, at the worst pixel", mostDifferent(before, here.renderer.readImage()), 1,
+                "levels");
 });
 
 }  // namespace

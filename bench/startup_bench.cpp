@@ -26,7 +26,8 @@ SWARD_LIMITS("startup", [] {
     // `check` starts, loads and needs no context; the context is added, made here.
     bool made = false;
     const double context = seconds([&] { made = static_cast<bool>(makeHeadlessGpu()); });
-    reportLimit("startup: football loaded, and a context made", made ? medianRun("check " + football) + context : std::nan(""), 1, "s");
+    reportLimit("startup: football loaded, and a context made",
+                made ? medianRun("check " + football) + context : std::nan(""), 1, "s");
     reportLimit("startup: football at human as a PNG of 320x240",
                 medianRun("render " + football + " --camera human --size 320x240 --out " + picture), 4, "s");
     std::filesystem::remove(picture);

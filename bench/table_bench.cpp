@@ -1,5 +1,6 @@
-// Table 1 of Jahrmann and Wimmer 2013 beside the same questions put to Sward: three scenes, their sizes, effects on what is far, on and off;
-// and at sizes that both can hold, every blade stored (`unique`, the paper's basic technique) against one patch drawn many times
+// Table 1 of Jahrmann and Wimmer 2013 beside the same questions put to Sward: three scenes, their sizes, effects on
+// what is far, on and off; and at sizes that both can hold, every blade stored (`unique`, the paper's basic technique)
+// against one patch drawn many times
 // (`patch`, the paper's instanced one). What stands beside each other are ratios: the machines have nothing in common.
 #include "bench/limits.h"
 #include "frame/renderer.h"
@@ -15,17 +16,19 @@ enum Added : unsigned { kNothing = 0, kObjects = 1, kFlowers = 2 };
 // A row of the paper's, with effects and without.
 struct Published {
     const char* scene;
-    double side;                // metres
+    double side;  // metres
     unsigned added;
     double fpsOn, fpsOff, blades;
 };
 constexpr Published kTable[] = {
     {"oasis", 160, kNothing, 75, 78, 136650},      {"oasis", 320, kNothing, 65, 68, 330816},
-    {"meadow", 300, kNothing, 84, 88, 348370},     {"meadow", 300, kObjects, 83, 87, 348370},     {"meadow", 600, kObjects, 81, 85, 340716},
-    {"prairie", 300, kNothing, 60, 62, 660000},    {"prairie", 600, kNothing, 56, 58, 824000},    {"prairie", 2000, kFlowers, 55, 57, 1008000},
-    {"prairie", 4000, kFlowers, 55, 57, 1008000},  {"prairie", 8000, kFlowers, 55, 57, 1008000},  {"prairie", 90000, kFlowers, 55, 57, 1008000},
+    {"meadow", 300, kNothing, 84, 88, 348370},     {"meadow", 300, kObjects, 83, 87, 348370},
+    {"meadow", 600, kObjects, 81, 85, 340716},     {"prairie", 300, kNothing, 60, 62, 660000},
+    {"prairie", 600, kNothing, 56, 58, 824000},    {"prairie", 2000, kFlowers, 55, 57, 1008000},
+    {"prairie", 4000, kFlowers, 55, 57, 1008000},  {"prairie", 8000, kFlowers, 55, 57, 1008000},
+    {"prairie", 90000, kFlowers, 55, 57, 1008000},
 };
-constexpr int kFrames = 3;            // timed, of each
+constexpr int kFrames = 3;              // timed, of each
 constexpr double kLargestStored = 600;  // metres: the paper's memory ends at 1,000, ours at kMaxUniqueBlades
 
 template <class C>
@@ -47,7 +50,8 @@ void resize(Project& p, double side) {
 
 // Sparser where all blades of that size could not be stored, for both populations alike.
 void thinToStore(GrassField& f, const Project& p) {
-    const float share = static_cast<float>(std::min(1.0, 0.95 * static_cast<double>(kMaxUniqueBlades) / std::max(virtualBlades(p), 1.0)));
+    const float share = static_cast<float>(
+        std::min(1.0, 0.95 * static_cast<double>(kMaxUniqueBlades) / std::max(virtualBlades(p), 1.0)));
     for (Species& s : f.species) s.bladesPerM2 *= share;
 }
 
@@ -87,13 +91,16 @@ struct Drawn {
         s.measure = first;
         bool drawn = false;
         const double ms = 1000 * seconds([&] {
-            drawn = bool(renderer.draw(project, viewOf(*findCamera(project, "human")), s));
-            renderer.finish();
-        });
+                              drawn = bool(renderer.draw(project, viewOf(*findCamera(project, "human")), s));
+                              renderer.finish();
+                          });
         Measured& m = at[effects];
-        if (!drawn) m.ms = NAN;
-        else if (first) m.blades = renderer.stats().bladesGeometry;
-        else m.ms = std::min(m.ms, ms);
+        if (!drawn)
+            m.ms = NAN;
+        else if (first)
+            m.blades = renderer.stats().bladesGeometry;
+        else
+            m.ms = std::min(m.ms, ms);
     }
     // Frames that compile, and are counted; `others`: bytes that are not its own.
     void begin(int64_t others) {
@@ -136,11 +143,18 @@ double mega(int64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 void print(const Row& r, int effects) {
     const Published& p = *r.published;
     const Measured& m = r.patch[effects];
-    std::fprintf(stderr, "%-8s %6.0f  %-8s %-3s | %5.1f ms %9.0f | %7.1f ms %8lu %6.1f MB |", p.scene, p.side, p.added & kObjects ? "objects" : p.added & kFlowers ? "flowers" : "-", effects ? "on" : "off",
-                 1000 / (effects ? p.fpsOn : p.fpsOff), p.blades, m.ms, static_cast<unsigned long>(m.blades), mega(m.bytes));
+    std::fprintf(stderr, "%-8s %6.0f  %-8s %-3s | %5.1f ms %9.0f | %7.1f ms %8lu %6.1f MB |", p.scene, p.side,
+                 p.added & kObjects   ? "objects"
+                 : p.added & kFlowers ? "flowers"
+                                      : "-",
+                 effects ? "on" : "off", 1000 / (effects ? p.fpsOn : p.fpsOff), p.blades, m.ms,
+                 static_cast<unsigned long>(m.blades), mega(m.bytes));
     const Measured& s = r.stored[effects];
-    if (r.hasStored) std::fprintf(stderr, " %7.1f ms %8lu %6.1f MB | %5.2f |", s.ms, static_cast<unsigned long>(s.blades), mega(s.bytes), s.ms / m.ms);
-    else std::fprintf(stderr, " %31s | %5s |", "-", "-");
+    if (r.hasStored)
+        std::fprintf(stderr, " %7.1f ms %8lu %6.1f MB | %5.2f |", s.ms, static_cast<unsigned long>(s.blades),
+                     mega(s.bytes), s.ms / m.ms);
+    else
+        std::fprintf(stderr, " %31s | %5s |", "-", "-");
     if (effects) std::fprintf(stderr, " %5.2f %5.2f", p.fpsOff / p.fpsOn, m.ms / r.patch[0].ms);
     std::fprintf(stderr, "\n");
 }
@@ -149,7 +163,9 @@ SWARD_LIMITS("prairie-table", [] {
     if (!gpu()) return reportLimit("stored blades as a share of a patch's time", NAN, 1.25, "x");
     std::vector<Row> rows;
     std::fprintf(stderr, "320 x 240, 1 sample, least of %d frames in turn, %s\n", kFrames, gpu()->renderer.c_str());
-    std::fprintf(stderr, "scene    metres  added    far | the paper's       | a patch                      | every blade stored           | ratio | on/off: paper's, ours\n");
+    std::fprintf(stderr,
+                 "scene    metres  added    far | the paper's       | a patch                      | every blade "
+                 "stored           | ratio | on/off: paper's, ours\n");
     for (const Published& p : kTable)
         if (std::optional<Row> row = measure(p)) {
             rows.push_back(*row);

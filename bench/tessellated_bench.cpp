@@ -1,4 +1,5 @@
-// What tessellated blades cost: a frame by the blade, the GPU's stages against strips, the CPU's part, and what a frame hands over.
+// What tessellated blades cost: a frame by the blade, the GPU's stages against strips, the CPU's part, and what a frame
+// hands over.
 #include <ctime>
 
 #include "bench/limits.h"
@@ -32,20 +33,23 @@ ViewCamera overPlain() { return {{16, 1.7, -14}, {16, 0, 16}, 55, 0}; }
 double frameMs(Renderer& r, Project& p, const ViewCamera& c, const ViewSettings& s) {
     bool drawn = false;
     const double took = 1000 * seconds([&] {
-        drawn = bool(r.draw(p, c, s));
-        r.finish();
-    });
+                            drawn = bool(r.draw(p, c, s));
+                            r.finish();
+                        });
     return drawn ? took : NAN;
 }
 void printPass(Renderer& r, Project& p, const ViewCamera& c, ViewSettings s) {
     const std::clock_t before = std::clock();
     frameMs(r, p, c, s);
-    std::fprintf(stderr, "  %.0f ms of all cores together\n", 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
+    std::fprintf(stderr, "  %.0f ms of all cores together\n",
+                 1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     s.measure = true;
     frameMs(r, p, c, s);
     for (const PassStats& pass : r.stats().passes)
-        std::fprintf(stderr, "  %-20s %7.1f ms %9lu vertices %9lu fragments\n", pass.name.c_str(), pass.ms, static_cast<unsigned long>(pass.vertices), static_cast<unsigned long>(pass.fragments));
-    std::fprintf(stderr, "  %lu blades, %.2f ms of the CPU's\n", static_cast<unsigned long>(r.stats().bladesGeometry), r.stats().cpuCullMs);
+        std::fprintf(stderr, "  %-20s %7.1f ms %9lu vertices %9lu fragments\n", pass.name.c_str(), pass.ms,
+                     static_cast<unsigned long>(pass.vertices), static_cast<unsigned long>(pass.fragments));
+    std::fprintf(stderr, "  %lu blades, %.2f ms of the CPU's\n", static_cast<unsigned long>(r.stats().bladesGeometry),
+                 r.stats().cpuCullMs);
 }
 
 // Blades of 12 to 2 and of 1 triangles, by their length on screen; with and without wind in turn.
@@ -71,8 +75,10 @@ SWARD_LIMITS("tessellated-plain", [] {
     for (size_t wind = 0; wind < 2; ++wind) {
         printPass(renderers[wind], projects[wind], overPlain(), s);
         const double blades = static_cast<double>(renderers[wind].stats().bladesGeometry);
-        std::fprintf(stderr, "  fastest frame: %.3f us a blade\n", 1000 * *std::min_element(ms[wind].begin(), ms[wind].end()) / blades);
-        reportLimit(wind ? "frame time a plain blade in wind" : "frame time a plain blade", 1000 * median(ms[wind]) / blades, 0.25, "us");
+        std::fprintf(stderr, "  fastest frame: %.3f us a blade\n",
+                     1000 * *std::min_element(ms[wind].begin(), ms[wind].end()) / blades);
+        reportLimit(wind ? "frame time a plain blade in wind" : "frame time a plain blade",
+                    1000 * median(ms[wind]) / blades, 0.25, "us");
     }
 });
 
@@ -93,7 +99,8 @@ void raceAt(int level) {
             if (i > 0) ms[way].push_back(took);
         }
     std::fprintf(stderr, "level %d: stages %.1f ms, strips %.1f ms\n", level, median(ms[0]), median(ms[1]));
-    reportLimit(("strips as a share of stages, level " + std::to_string(level)).c_str(), median(ms[1]) / median(ms[0]), 1, "x");
+    reportLimit(("strips as a share of stages, level " + std::to_string(level)).c_str(), median(ms[1]) / median(ms[0]),
+                1, "x");
 }
 SWARD_LIMITS("tessellated-ways", [] {
     if (!gpu()) return reportLimit("strips as a share of stages", NAN, 1, "x");
@@ -118,7 +125,8 @@ void measureCpu(Culling culling) {
     std::vector<double> ms;
     GlCalls calls;
     for (int i = 0; i < 6; ++i) {
-        if (i < 5) frameMs(renderer, p, overPlain(), sized(64, 48, 1));
+        if (i < 5)
+            frameMs(renderer, p, overPlain(), sized(64, 48, 1));
         else {
             const CountGlCalls count;
             frameMs(renderer, p, overPlain(), sized(64, 48, 1));
@@ -127,7 +135,8 @@ void measureCpu(Culling culling) {
         if (i > 0) ms.push_back(renderer.stats().cpuCullMs);
     }
     const uint64_t labels = calls.byName["glPushDebugGroup"] + calls.byName["glPopDebugGroup"];
-    const std::string what = std::string("a million tessellated blades, cells chosen by ") + kCullings[static_cast<size_t>(culling)];
+    const std::string what =
+        std::string("a million tessellated blades, cells chosen by ") + kCullings[static_cast<size_t>(culling)];
     reportLimit((what + ": CPU").c_str(), median(ms), 0.5, "ms");
     reportLimit((what + ": GL calls").c_str(), static_cast<double>(calls.calls - labels), 100, "calls");
     reportLimit((what + ": upload").c_str(), static_cast<double>(calls.bytes) / 1024, 64, "KB");

@@ -27,7 +27,8 @@ std::vector<uint8_t> bytesOf(const Picture& p) {
     std::vector<uint8_t> rgb;
     rgb.reserve(p.pixels.size() * 3);
     for (const glm::vec3& c : p.pixels)
-        for (int i = 0; i < 3; ++i) rgb.push_back(static_cast<uint8_t>(std::lround(255 * (c[i] > 0 ? std::min(c[i], 1.0f) : 0.0f))));
+        for (int i = 0; i < 3; ++i)
+            rgb.push_back(static_cast<uint8_t>(std::lround(255 * (c[i] > 0 ? std::min(c[i], 1.0f) : 0.0f))));
     return rgb;
 }
 
@@ -64,7 +65,8 @@ void dropScene(Comparison& c) {
 ComparisonKey keyOf(EditorApp& app) {
     const Comparison& c = app.accuracy.comparison;
     const Viewport& v = app.viewport;
-    return {c.against, app.doc.revision(), viewOf(v.camera), v.pictureWidth, v.pictureHeight, c.preview ? c.preview->technique + c.preview->text() : ""};
+    return {c.against,      app.doc.revision(), viewOf(v.camera),
+            v.pictureWidth, v.pictureHeight,    c.preview ? c.preview->technique + c.preview->text() : ""};
 }
 
 ViewSettings settingsFor(EditorApp& app, int width, int height) {
@@ -160,13 +162,15 @@ void followReference(EditorApp& app) {
     if (!drawOwn(app)) return compareWith(app, Against::Off);
     if (app.surface->fixedStep() > 0) {
         JobControl control;
-        while (c.against == Against::Reference && c.sum.passes < kHeadlessPasses) takePass(app, tracePass(nextPass(app), control));
+        while (c.against == Against::Reference && c.sum.passes < kHeadlessPasses)
+            takePass(app, tracePass(nextPass(app), control));
         return;
     }
     if (c.job.active()) {
         if (auto pass = c.job.take(c.key.revision)) takePass(app, std::move(*pass));
     } else if (c.sum.passes < kMostPasses) {
-        c.job = Job<ComparedPass>("reference", c.key.revision, [work = nextPass(app)](JobControl& control) { return tracePass(work, control); });
+        c.job = Job<ComparedPass>("reference", c.key.revision,
+                                  [work = nextPass(app)](JobControl& control) { return tracePass(work, control); });
     }
 }
 
@@ -179,7 +183,9 @@ Status makeCopy(EditorApp& app) {
     c.copyRevision = c.key.revision;
     if (!c.renderer) c.renderer = std::make_unique<Renderer>(app.gpu, app.doc.tables());
     ViewSettings view;  // its fields are not the project's
-    const CostSetting setting = c.against == Against::Settings && c.preview ? *c.preview : CostSetting{kAgainst[static_cast<size_t>(c.against)], {}};
+    const CostSetting setting = c.against == Against::Settings && c.preview
+                                    ? *c.preview
+                                    : CostSetting{kAgainst[static_cast<size_t>(c.against)], {}};
     return applySetting(*c.copy, app.doc.tables(), setting, view);
 }
 
@@ -189,8 +195,10 @@ Status drawStrip(EditorApp& app, int from, int to) {
     ViewSettings s = settingsFor(app, c.key.width, to - from);
     s.part = {0, from, c.key.width, c.key.height};
     if (Status status = c.renderer->draw(*c.copy, c.key.camera, s); !status) return status;
-    if (c.picture.id() == 0) c.picture = makeTexture2D(app.gpu, "editor/comparison", GL_RGBA8, c.key.width, c.key.height);
-    glCopyImageSubData(c.renderer->image(), GL_TEXTURE_2D, 0, 0, 0, 0, c.picture.id(), GL_TEXTURE_2D, 0, 0, from, 0, c.key.width, to - from, 1);
+    if (c.picture.id() == 0)
+        c.picture = makeTexture2D(app.gpu, "editor/comparison", GL_RGBA8, c.key.width, c.key.height);
+    glCopyImageSubData(c.renderer->image(), GL_TEXTURE_2D, 0, 0, 0, 0, c.picture.id(), GL_TEXTURE_2D, 0, 0, from, 0,
+                       c.key.width, to - from, 1);
     c.topFirst = false;
     return {};
 }
@@ -237,9 +245,11 @@ void drawHeat(EditorApp& app) {
     if (!pair) return;
     const ErrorMap errors = errorMap(*pair, c.metric);
     std::vector<uint8_t> rgb = heatmap(errors, heatScale(c.metric));
-    for (size_t i = 0; i < errors.size(); ++i)  // what does not count is the picture in grey, so that one finds one's way
+    for (size_t i = 0; i < errors.size();
+         ++i)  // what does not count is the picture in grey, so that one finds one's way
         if (!std::isfinite(errors[i]))
-            for (size_t k = 0; k < 3; ++k) rgb[3 * i + k] = static_cast<uint8_t>(40 + 60 * std::clamp(c.own.pixels[i].y, 0.0f, 1.0f));
+            for (size_t k = 0; k < 3; ++k)
+                rgb[3 * i + k] = static_cast<uint8_t>(40 + 60 * std::clamp(c.own.pixels[i].y, 0.0f, 1.0f));
     c.heat = uploaded(app.gpu, "editor/comparison", c.own.width, c.own.height, rgb);
 }
 
@@ -248,10 +258,13 @@ bool atRest(const EditorApp& app) {
     const Viewport& v = app.viewport;
     if (!v.hasImage || app.doc.stroking() || c.key.width < 1 || c.key.height < 1) return false;
     if (app.surface->fixedStep() > 0) return app.refineNow;
-    return v.gesture == Gesture::None && !v.flying && app.now - c.changed >= kCompareRestSeconds && v.resolution.drawnScale >= 1 && app.making.empty();
+    return v.gesture == Gesture::None && !v.flying && app.now - c.changed >= kCompareRestSeconds &&
+           v.resolution.drawnScale >= 1 && app.making.empty();
 }
 
-bool sameView(const ViewCamera& a, const ViewCamera& b) { return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure; }
+bool sameView(const ViewCamera& a, const ViewCamera& b) {
+    return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
+}
 
 }  // namespace
 
@@ -278,7 +291,8 @@ Truth meanOf(const PassSum& s) {
     for (size_t i = 0; i < s.sum.size(); ++i) {
         const double mean = s.sum[i] / n, variance = std::max(0.0, s.squares[i] / n - mean * mean) * n / (n - 1);
         t.color.push_back(static_cast<float>(mean));
-        t.error.push_back(s.passes > 1 ? static_cast<float>(std::sqrt(variance / n)) : std::numeric_limits<float>::infinity());
+        t.error.push_back(s.passes > 1 ? static_cast<float>(std::sqrt(variance / n))
+                                       : std::numeric_limits<float>::infinity());
     }
     for (const double g : s.grass) t.grass.push_back(static_cast<float>(g / n));
     return t;
@@ -296,7 +310,8 @@ glm::ivec2 comparisonSize(int width, int height) {
 }
 
 bool ComparisonKey::operator==(const ComparisonKey& o) const {
-    return against == o.against && revision == o.revision && sameView(camera, o.camera) && width == o.width && height == o.height && settings == o.settings;
+    return against == o.against && revision == o.revision && sameView(camera, o.camera) && width == o.width &&
+           height == o.height && settings == o.settings;
 }
 
 void compareWith(EditorApp& app, Against against) {
@@ -344,7 +359,8 @@ void followComparison(EditorApp& app) {
 bool comparing(const EditorApp& app) {
     const Comparison& c = app.accuracy.comparison;
     if (c.against == Against::Off || !app.doc.isOpen() || app.surface->fixedStep() > 0) return false;
-    return isTechnique(c.against) ? c.strips < kStrips || (c.renderer && !c.renderer->jobs().empty()) : c.sum.passes < kMostPasses;
+    return isTechnique(c.against) ? c.strips < kStrips || (c.renderer && !c.renderer->jobs().empty())
+                                  : c.sum.passes < kMostPasses;
 }
 
 std::string techniqueShown(Document& document) {
@@ -354,9 +370,13 @@ std::string techniqueShown(Document& document) {
 
 std::string comparisonLabel(const EditorApp& app) {
     const Comparison& c = app.accuracy.comparison;
-    const std::string name = c.against == Against::Settings && c.preview ? "preview: " + c.preview->technique : kAgainst[static_cast<size_t>(c.against)];
-    if (c.picture.id() == 0) return name + (comparing(app) && app.now - c.changed >= kCompareRestSeconds ? ", coming" : ", once the view rests");
-    if (c.against == Against::Reference) return fmt::format("{}, {} sample{}", name, c.sum.passes, c.sum.passes == 1 ? "" : "s");
+    const std::string name = c.against == Against::Settings && c.preview ? "preview: " + c.preview->technique
+                                                                         : kAgainst[static_cast<size_t>(c.against)];
+    if (c.picture.id() == 0)
+        return name +
+               (comparing(app) && app.now - c.changed >= kCompareRestSeconds ? ", coming" : ", once the view rests");
+    if (c.against == Against::Reference)
+        return fmt::format("{}, {} sample{}", name, c.sum.passes, c.sum.passes == 1 ? "" : "s");
     return name;
 }
 

@@ -1,4 +1,5 @@
-// Sweeps and fits as programs beside the editor, on a copy of the project as it is now, and what is done with their results.
+// Sweeps and fits as programs beside the editor, on a copy of the project as it is now, and what is done with their
+// results.
 #include <fmt/format.h>
 
 #include <sstream>
@@ -17,7 +18,9 @@ namespace {
 constexpr const char* kSize = "320x240";
 constexpr const char* kSamples = "16";
 
-fs::path folderFor(EditorApp& app) { return stateDir() / "cost" / hashHex(projectHash(app.doc.project(), app.doc.tables().components)); }
+fs::path folderFor(EditorApp& app) {
+    return stateDir() / "cost" / hashHex(projectHash(app.doc.project(), app.doc.tables().components));
+}
 
 // Unsaved work included; image files come from the project's folder.
 Status writeCopy(EditorApp& app, const fs::path& to) {
@@ -49,16 +52,21 @@ template <class Run>
 Status launch(EditorApp& app, Run& run, const char* verb, std::vector<std::string> more) {
     if (!app.doc.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
     const std::string camera = accuracyCamera(app);
-    if (camera.empty()) return Error{ExitCode::Unsound, "the project has no camera to measure from", "", 0, 0, "add an entity with a Camera"};
-    if (run.child.running()) return Error{ExitCode::Failed, std::string(verb) + " runs already", "", 0, 0, "stop it first"};
+    if (camera.empty())
+        return Error{
+            ExitCode::Unsound, "the project has no camera to measure from", "", 0, 0, "add an entity with a Camera"};
+    if (run.child.running())
+        return Error{ExitCode::Failed, std::string(verb) + " runs already", "", 0, 0, "stop it first"};
     run.folder = folderFor(app);
     run.copy = run.folder / (std::string("project-") + verb);
     run.started = app.now;
     run.error.clear();
     if (Status s = writeCopy(app, run.copy); !s) return s;
-    std::vector<std::string> args{app.accuracy.program, verb, run.copy.string(), "--camera", camera, "--size", kSize, "--samples", kSamples};
+    std::vector<std::string> args{app.accuracy.program, verb,    run.copy.string(), "--camera", camera, "--size", kSize,
+                                  "--samples",          kSamples};
     args.insert(args.end(), more.begin(), more.end());
-    Result<ChildProcess> child = ChildProcess::start(args, run.folder / (std::string(verb) + ".out"), run.folder / (std::string(verb) + ".err"));
+    Result<ChildProcess> child =
+        ChildProcess::start(args, run.folder / (std::string(verb) + ".out"), run.folder / (std::string(verb) + ".err"));
     if (!child) return child.error();
     run.child = std::move(*child);
     return {};
@@ -104,7 +112,10 @@ void finishSweep(EditorApp& app, int code) {
 void finishFit(EditorApp& app, int code) {
     Fit& f = app.accuracy.fit;
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
-    Result<FitShown> shown = text && !text->empty() ? fitFrom(*text) : Result<FitShown>(Error{ExitCode::Failed, failure("fit", code, f.folder / "fit.err"), "", 0, 0, ""});
+    Result<FitShown> shown =
+        text && !text->empty()
+            ? fitFrom(*text)
+            : Result<FitShown>(Error{ExitCode::Failed, failure("fit", code, f.folder / "fit.err"), "", 0, 0, ""});
     if (shown)
         f.result = std::move(*shown), say(app, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
     else
@@ -136,7 +147,8 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
     for (const std::string& value : setting.values) {
         const size_t equals = value.find('=');
         if (equals == std::string::npos || isViewSetting(value)) continue;
-        if (Status s = document.setField(grassPath(entity, value.substr(0, equals)), value.substr(equals + 1)); !s) return s;
+        if (Status s = document.setField(grassPath(entity, value.substr(0, equals)), value.substr(equals + 1)); !s)
+            return s;
     }
     return {};
 }
@@ -153,7 +165,8 @@ void startSweep(EditorApp& app) {
 void startFit(EditorApp& app) {
     Fit& f = app.accuracy.fit;
     f.result.reset();
-    const Status started = launch(app, f, "fit", {"--budget-ms", fmt::format("{:g}", f.budget), "--candidates", "20", "--json"});
+    const Status started =
+        launch(app, f, "fit", {"--budget-ms", fmt::format("{:g}", f.budget), "--candidates", "20", "--json"});
     if (!accept(app, started)) dropCopy(f);
 }
 
@@ -183,7 +196,9 @@ std::string accuracyCamera(EditorApp& app) {
         const Camera* c = app.doc.project().registry.get<Camera>(e);
         if (!c) continue;
         if (first.empty()) first = name;
-        if (glm::length(c->eye - now.eye) < 1e-4 && glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5) return name;
+        if (glm::length(c->eye - now.eye) < 1e-4 &&
+            glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5)
+            return name;
     }
     return first;
 }
@@ -203,7 +218,8 @@ bool isPresent(Document& document, const CostSetting& setting) {
             if (isViewSetting(value) && value != "msaa=4" && value != "detail=1") return false;
             const size_t equals = value.find('=');
             if (isViewSetting(value)) continue;
-            const auto field = findField(document.project(), document.tables().components, grassPath(entity, value.substr(0, equals)));
+            const auto field =
+                findField(document.project(), document.tables().components, grassPath(entity, value.substr(0, equals)));
             if (!field || fieldText(*field) != value.substr(equals + 1)) return false;
         }
     }
@@ -226,14 +242,19 @@ Result<std::vector<std::string>> adoptSettings(Document& document, const CostSet
 Result<FitShown> fitFrom(const std::string& text) {
     const Result<Json> j = parseJson(text, "fit.out");
     if (!j) return j.error();
-    const Json *best = j->find("best"), *shipped = j->find("shipped"), *better = j->find("next_better"), *fits = j->find("fits");
-    if (!best || !shipped || !fits || best->type != Json::Type::Object) return Error{ExitCode::Unsound, "sward fit gave no result", "", 0, 0, "measure again"};
+    const Json *best = j->find("best"), *shipped = j->find("shipped"), *better = j->find("next_better"),
+               *fits = j->find("fits");
+    if (!best || !shipped || !fits || best->type != Json::Type::Object)
+        return Error{ExitCode::Unsound, "sward fit gave no result", "", 0, 0, "measure again"};
     FitShown f;
     f.fits = fits->boolean;
     f.budget = numberAt(*j, "budget_ms");
     f.ms = numberAt(*best, "ms"), f.appearance = numberAt(*best, "appearance"), f.settings = textAt(*best, "settings");
-    if (shipped->type == Json::Type::Object) f.shippedMs = numberAt(*shipped, "ms"), f.shippedAppearance = numberAt(*shipped, "appearance");
-    if (better && better->type == Json::Type::Object) f.better = fmt::format("{:.3g} ms for {:.4f}: {}", numberAt(*better, "ms"), numberAt(*better, "appearance"), textAt(*better, "settings"));
+    if (shipped->type == Json::Type::Object)
+        f.shippedMs = numberAt(*shipped, "ms"), f.shippedAppearance = numberAt(*shipped, "appearance");
+    if (better && better->type == Json::Type::Object)
+        f.better = fmt::format("{:.3g} ms for {:.4f}: {}", numberAt(*better, "ms"), numberAt(*better, "appearance"),
+                               textAt(*better, "settings"));
     return f;
 }
 

@@ -127,7 +127,9 @@ void present(EditorApp& app) {
 }
 
 // Something is made beside that will show.
-bool waitsForWork(const EditorApp& app) { return app.occlusion || !app.making.empty() || comparing(app) || measuring(app); }
+bool waitsForWork(const EditorApp& app) {
+    return app.occlusion || !app.making.empty() || comparing(app) || measuring(app);
+}
 
 bool moves(const EditorApp& app) { return playing(app) && app.doc.play()->runs(); }
 
@@ -235,7 +237,8 @@ void runUntilQuit(EditorApp& app) {
         tickAutosave(app, clockSeconds());
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.viewport.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.book.tooltipDue || waitsForWork(app) || app.surface->closeRequested()) runFrame(app);
+        if (wantsFrame(app) || refine || app.book.tooltipDue || waitsForWork(app) || app.surface->closeRequested())
+            runFrame(app);
     }
     endAutosave(app);
 }

@@ -34,7 +34,7 @@ enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split };
 
 struct Viewport {
     FlyCamera camera;
-    float pathSecond = 0;           // where the inspector last moved it along a path
+    float pathSecond = 0;  // where the inspector last moved it along a path
     ViewMode mode = ViewMode::Final;
     Rect rect;  // window coordinates
     bool hovered = false;
@@ -118,16 +118,16 @@ struct EditorApp {
     LogBook log;
     std::string consoleLine;
     std::vector<std::string> consoleHistory;
-    std::string notice;  // the red bar over the viewport; empty: none
+    std::string notice;      // the red bar over the viewport; empty: none
     std::string drawNotice;  // what the last drawing raised there, while it fails; empty: it did not fail
-    std::string status;  // last message
+    std::string status;      // last message
     FileDialog files;
     UnsavedDialog unsaved;
     Autosave autosave;
     Accuracy accuracy;
     std::optional<OcclusionBake> occlusion;  // being baked
     std::vector<JobNews> making;             // what the renderer makes beside, as of the last frame
-    std::string holding;  // path whose slider holds an undo group
+    std::string holding;                     // path whose slider holds an undo group
 
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
     std::deque<std::string> luaLines;             // entered, run before the next frame: they may run frames themselves

@@ -45,7 +45,8 @@ Status useOcclusion(Document& document, Map map) {
     const std::string field = fieldEntity(document.project()) + ".GrassField.ambientOcclusion";
     document.beginGroup("bake ambient occlusion");
     const Terrain& t = *findGround(document.project()).terrain;
-    Status done = document.setField(field + "Tiling", fmt::format("{}", mapExtent(t).x / t.size.x));  // the map is made for its place
+    Status done = document.setField(field + "Tiling",
+                                    fmt::format("{}", mapExtent(t).x / t.size.x));  // the map is made for its place
     if (done) done = document.setMap(field, std::move(map), "bake ambient occlusion");
     done ? document.endGroup() : document.cancelGroup();
     return done;
@@ -72,12 +73,18 @@ Result<std::string> runOcclusion(Document& document, const BakeSettings& setting
 
 Result<std::string> keepSlices(const SliceSpec& spec, const BakeProgress& progress) {
     const auto cached = std::make_shared<bool>(false);
-    Job<SliceImages> job("slices of " + spec.species.name, 0, [spec, cached](JobControl& control) { return slicesOf(cacheDir(), spec, control, cached.get()); });
+    Job<SliceImages> job("slices of " + spec.species.name, 0, [spec, cached](JobControl& control) {
+        return slicesOf(cacheDir(), spec, control, cached.get());
+    });
     await(job, progress);
     const std::optional<Result<SliceImages>> made = job.take(0);
-    if (!made) return Error{ExitCode::Interrupted, "slices of " + spec.species.name + " were not baked: it was cancelled", "", 0, 0, "bake again"};
+    if (!made)
+        return Error{
+            ExitCode::Interrupted, "slices of " + spec.species.name + " were not baked: it was cancelled", "", 0, 0,
+            "bake again"};
     if (!*made) return made->error();
-    return fmt::format("{}: {:.1f} MB{}", spec.species.name, static_cast<double>((*made)->bytes()) / 1e6, *cached ? ", cached already" : "");
+    return fmt::format("{}: {:.1f} MB{}", spec.species.name, static_cast<double>((*made)->bytes()) / 1e6,
+                       *cached ? ", cached already" : "");
 }
 
 Result<std::string> runSlices(Document& document, const BakeSettings&, const BakeProgress& progress) {
@@ -85,7 +92,9 @@ Result<std::string> runSlices(Document& document, const BakeSettings&, const Bak
     const std::vector<SliceSpec> specs = projectSlices(document.project(), document.tables());
     std::vector<std::string> said;
     for (const SliceSpec& spec : specs) {
-        const Result<std::string> kept = keepSlices(spec, [&](double share) { return progress((static_cast<double>(said.size()) + share) / static_cast<double>(specs.size())); });
+        const Result<std::string> kept = keepSlices(spec, [&](double share) {
+            return progress((static_cast<double>(said.size()) + share) / static_cast<double>(specs.size()));
+        });
         if (!kept) return kept.error();
         said.push_back(*kept);
     }
@@ -95,7 +104,9 @@ Result<std::string> runSlices(Document& document, const BakeSettings&, const Bak
 
 constexpr BakeRow kRows[] = {
     {"slices", "slices", "images of blades for grass that is drawn as slices, into the cache", runSlices},
-    {"ambientOcclusion", "ao", "which share of the sky objects and hills leave the ground to see, into GrassField.ambientOcclusion", runOcclusion},
+    {"ambientOcclusion", "ao",
+     "which share of the sky objects and hills leave the ground to see, into GrassField.ambientOcclusion",
+     runOcclusion},
 };
 
 }  // namespace
@@ -111,8 +122,11 @@ void offerBakes(ScriptHost& host) {
 }
 
 Status checkBakeSettings(const BakeSettings& s) {
-    if (s.samples < 1 || s.samples > 65536) return Error{ExitCode::Usage, fmt::format("{} samples", s.samples), "", 0, 0, "from 1 to 65536"};
-    if (s.size < 0 || s.size > 8192) return Error{ExitCode::Usage, fmt::format("a map of {} texels", s.size), "", 0, 0, "from 1 to 8192, or 0: as it is"};
+    if (s.samples < 1 || s.samples > 65536)
+        return Error{ExitCode::Usage, fmt::format("{} samples", s.samples), "", 0, 0, "from 1 to 65536"};
+    if (s.size < 0 || s.size > 8192)
+        return Error{
+            ExitCode::Usage, fmt::format("a map of {} texels", s.size), "", 0, 0, "from 1 to 8192, or 0: as it is"};
     return {};
 }
 
@@ -120,19 +134,37 @@ Result<OcclusionBake> startOcclusion(Document& document, const BakeSettings& set
     if (Status s = checkBakeSettings(settings); !s) return s.error();
     if (!document.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
     if (fieldEntity(document.project()).empty())
-        return Error{ExitCode::Unsound, "there is no GrassField to hold the ambient occlusion", document.project().dir.string(), 0, 0, "add an entity with a GrassField"};
+        return Error{ExitCode::Unsound,
+                     "there is no GrassField to hold the ambient occlusion",
+                     document.project().dir.string(),
+                     0,
+                     0,
+                     "add an entity with a GrassField"};
     if (const Terrain* t = findGround(document.project()).terrain; t && t->mapSize > 0 && t->size.x != t->size.y)
-        return Error{ExitCode::Unsound, "ambient occlusion is baked for the whole terrain, which a square of mapSize does not cover", document.project().dir.string(), 0, 0, "set Terrain.mapSize to 0, or make the terrain square"};
+        return Error{ExitCode::Unsound,
+                     "ambient occlusion is baked for the whole terrain, which a square of mapSize does not cover",
+                     document.project().dir.string(),
+                     0,
+                     0,
+                     "set Terrain.mapSize to 0, or make the terrain square"};
     const OcclusionSettings wanted = settingsOf(settings);
     const uint64_t hash = occlusionHash(document.project(), wanted);
     const auto copy = std::make_shared<Project>(snapshot(document.project(), document.tables().components));
-    return OcclusionBake{settings, Job<Map>("ambient occlusion", hash, [copy, wanted, hash](JobControl& control) { return occlusionOf(*copy, wanted, hash, control); })};
+    return OcclusionBake{settings, Job<Map>("ambient occlusion", hash, [copy, wanted, hash](JobControl& control) {
+                             return occlusionOf(*copy, wanted, hash, control);
+                         })};
 }
 
 std::optional<Status> finishOcclusion(Document& document, OcclusionBake& bake) {
     if (!bake.job.finished()) return {};
     std::optional<Result<Map>> made = bake.job.take(occlusionHash(document.project(), settingsOf(bake.settings)));
-    if (!made) return Error{ExitCode::Failed, "ambient occlusion was not baked: it was cancelled, or the scene changed meanwhile", "", 0, 0, "bake again"};
+    if (!made)
+        return Error{ExitCode::Failed,
+                     "ambient occlusion was not baked: it was cancelled, or the scene changed meanwhile",
+                     "",
+                     0,
+                     0,
+                     "bake again"};
     if (!*made) return made->error();
     return useOcclusion(document, std::move(**made));
 }

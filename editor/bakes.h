@@ -1,6 +1,6 @@
-// What can be baked: one row a bake, for `sward bake`, scripts and the editor's menu. Bakes that take seconds run on a snapshot
-// in the background; what they give is one undo step, or lies in the cache where the renderer finds it.
-// Does not: draw progress; who asks for a bake does.
+// What can be baked: one row a bake, for `sward bake`, scripts and the editor's menu. Bakes that take seconds run on a
+// snapshot in the background; what they give is one undo step, or lies in the cache where the renderer finds it. Does
+// not: draw progress; who asks for a bake does.
 #pragma once
 #include <functional>
 #include <optional>
@@ -23,8 +23,8 @@ struct BakeRow {
     const char* name;  // "ambientOcclusion": scripts' bake.NAME
     const char* flag;  // "ao": sward bake --FLAG
     const char* help;
-    // Runs to the end, with the result in the document or the cache; says in a line what was made. Failed when cancelled: nothing
-    // has changed then.
+    // Runs to the end, with the result in the document or the cache; says in a line what was made. Failed when
+    // cancelled: nothing has changed then.
     Result<std::string> (*run)(Document&, const BakeSettings&, const BakeProgress&);
 };
 std::span<const BakeRow> bakeRows();

@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-constexpr double kReach = 2;          // heights of the species
+constexpr double kReach = 2;  // heights of the species
 constexpr double kLeastTexels = 2;
 
 double heightOf(const Project& p, const FieldRef& density) {
@@ -28,13 +28,17 @@ Status heightFromDensity(Document& document, const std::string& name) {
     const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField& from = *static_cast<const MapField*>(density->value);
-    if (!from.present()) return Error{ExitCode::Usage, density->path + ": there is no map", "", 0, 0, "create or import one first"};
+    if (!from.present())
+        return Error{ExitCode::Usage, density->path + ": there is no map", "", 0, 0, "create or import one first"};
     const Result<MapScale> scale = mapScale(p, *density);
     if (!scale) return scale.error();
     Map map = convertMap(from.map, height->row->mapType);
     const double radius = kReach * heightOf(p, *density);
-    const auto texels = [&](int n, double metres) { return std::clamp(radius * n / metres, kLeastTexels, static_cast<double>(n)); };
-    blurMap(map, texels(map.info().width, scale->width), texels(map.info().height, scale->depth), kAllChannels, scale->repeats);
+    const auto texels = [&](int n, double metres) {
+        return std::clamp(radius * n / metres, kLeastTexels, static_cast<double>(n));
+    };
+    blurMap(map, texels(map.info().width, scale->width), texels(map.info().height, scale->depth), kAllChannels,
+            scale->repeats);
     document.beginGroup("height from density");
     Status done = document.setMap(height->path, std::move(map), "height from density");
     if (done) done = document.setField(height->path + "Tiling", fmt::format("{}", scale->factor));

@@ -1,6 +1,5 @@
-// The brush's settings, one set for each tool and map, so that what is set for one never leaks into another; a colour for each map,
-// since tools take turns with it.
-// Does not: paint.
+// The brush's settings, one set for each tool and map, so that what is set for one never leaks into another; a colour
+// for each map, since tools take turns with it. Does not: paint.
 #pragma once
 #include <map>
 #include <optional>

@@ -29,7 +29,8 @@ std::optional<double> underBrush(EditorApp& app) {
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
     if (!perM2 || !scale) return {};
     const glm::dvec3 at = *v.ground - findGround(app.doc.project()).origin;
-    return bladesInDisc(static_cast<const MapField*>(map->value)->map, *perM2, *scale, at.x, at.z, static_cast<double>(currentBrush(app.brushes).radius));
+    return bladesInDisc(static_cast<const MapField*>(map->value)->map, *perM2, *scale, at.x, at.z,
+                        static_cast<double>(currentBrush(app.brushes).radius));
 }
 
 // Densities of all species: erasing may paint each.
@@ -83,14 +84,16 @@ double bladesInDisc(const Map& density, double bladesPerM2, const MapScale& scal
         for (int tx = first(x, w); tx <= last(x, w); tx += step) {
             const int mx = wrapped(tx, info.width), my = wrapped(ty, info.height);
             if (mx < 0 || my < 0 || mx >= info.width || my >= info.height) continue;
-            if (std::hypot((tx + 0.5) * w - x, (ty + 0.5) * d - z) <= radius) sum += static_cast<double>(density.at(mx, my));
+            if (std::hypot((tx + 0.5) * w - x, (ty + 0.5) * d - z) <= radius)
+                sum += static_cast<double>(density.at(mx, my));
         }
     return sum * bladesPerM2 * w * d * step * step;
 }
 
 double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale) {
     const MapInfo& info = now.info();
-    const double texels = static_cast<double>(info.width) * info.height, perTexel = bladesPerM2 * scale.width * scale.depth / texels;
+    const double texels = static_cast<double>(info.width) * info.height,
+                 perTexel = bladesPerM2 * scale.width * scale.depth / texels;
     if (!before.empty() && !(before.info() == info)) return 0;
     double sum = 0;
     for (int ty = 0; ty < now.tilesY(); ++ty)
@@ -98,7 +101,8 @@ double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const 
             if (!before.empty() && before.tile(tx, ty) == now.tile(tx, ty)) continue;
             for (int y = ty * kTileSize; y < std::min((ty + 1) * kTileSize, info.height); ++y)
                 for (int x = tx * kTileSize; x < std::min((tx + 1) * kTileSize, info.width); ++x)
-                    sum += static_cast<double>(now.at(x, y)) - (before.empty() ? 1 : static_cast<double>(before.at(x, y)));
+                    sum +=
+                        static_cast<double>(now.at(x, y)) - (before.empty() ? 1 : static_cast<double>(before.at(x, y)));
         }
     return sum * perTexel;
 }

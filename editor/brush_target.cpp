@@ -24,10 +24,14 @@ std::string toolFor(const BrushBook& book, MapKind kind) {
     const auto last = book.lastTool.find(kind);
     if (last != book.lastTool.end()) return last->second;
     switch (kind) {
-        case MapKind::Amounts: return "add";
-        case MapKind::Directions: return "comb";
-        case MapKind::Forces: return "press";
-        case MapKind::Colours: return "add";
+        case MapKind::Amounts:
+            return "add";
+        case MapKind::Directions:
+            return "comb";
+        case MapKind::Forces:
+            return "press";
+        case MapKind::Colours:
+            return "add";
     }
     return kLookTool;
 }
@@ -73,19 +77,24 @@ void selectTool(EditorApp& app, const std::string& tool) {
 
 void toggleLook(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
-    selectTool(app, app.brushes.tool != kLookTool ? kLookTool : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
+    selectTool(app, app.brushes.tool != kLookTool ? kLookTool
+                                                  : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
 }
 
 void pickColor(EditorApp& app) {
     const std::optional<FieldRef> map = chosenMap(app);
-    if (!map || kindOf(*map->row) != MapKind::Colours) return say(app, "Pick Colour: the brush is on no map of colours");
+    if (!map || kindOf(*map->row) != MapKind::Colours)
+        return say(app, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    if (!app.viewport.ground || texels.empty() || !scale) return say(app, "Pick Colour: there is nothing under the pointer");
+    if (!app.viewport.ground || texels.empty() || !scale)
+        return say(app, "Pick Colour: there is nothing under the pointer");
     const glm::dvec3 at = *app.viewport.ground - findGround(app.doc.project()).origin;
-    const glm::dvec2 place(at.x / scale->width, at.z / scale->depth), inside = scale->repeats ? place - glm::floor(place) : place;
+    const glm::dvec2 place(at.x / scale->width, at.z / scale->depth),
+        inside = scale->repeats ? place - glm::floor(place) : place;
     if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255)) return say(app, "Pick Colour: nothing is painted there");
-    for (int c = 0; c < 3; ++c) currentColor(app.brushes)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
+    for (int c = 0; c < 3; ++c)
+        currentColor(app.brushes)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
     say(app, "the brush's colour is " + colorText(currentColor(app.brushes)));
 }
 
@@ -113,7 +122,8 @@ std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
 bool showsSources(EditorApp& app, const FieldRef& map) {
-    return map.row->isForce && has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
+    return map.row->isForce &&
+           has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
 }
 }  // namespace
 

@@ -21,7 +21,8 @@ void keepTargetValid(EditorApp& app);
 // What a stroke begun with these modifiers paints, a brush for each map (brush_book.h).
 std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift);
 
-// --- the overlay: on at first for what cannot be seen otherwise (directions, forces, openness), remembered for each map
+// --- the overlay: on at first for what cannot be seen otherwise (directions, forces, openness), remembered for each
+// map
 bool overlayShown(EditorApp& app);
 void toggleOverlay(EditorApp& app);
 MapOverlay overlayOf(EditorApp& app);

@@ -27,7 +27,8 @@ int exitCodeOf(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 12
 
 }  // namespace
 
-Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& args, const std::filesystem::path& output, const std::filesystem::path& errors) {
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& args, const std::filesystem::path& output,
+                                         const std::filesystem::path& errors) {
     std::vector<char*> argv;
     for (const std::string& a : args) argv.push_back(const_cast<char*>(a.c_str()));
     argv.push_back(nullptr);

@@ -1,5 +1,5 @@
-// A program that works beside the editor, in a process group of its own: a crash, its memory and its load are not the editor's.
-// Does not: read what it writes; that goes to files.
+// A program that works beside the editor, in a process group of its own: a crash, its memory and its load are not the
+// editor's. Does not: read what it writes; that goes to files.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,8 @@ class ChildProcess {
   public:
     ChildProcess() = default;
     // args[0] is the program. Failed: it cannot be started. It is killed when the thread that starts it ends.
-    static Result<ChildProcess> start(const std::vector<std::string>& args, const std::filesystem::path& output, const std::filesystem::path& errors);
+    static Result<ChildProcess> start(const std::vector<std::string>& args, const std::filesystem::path& output,
+                                      const std::filesystem::path& errors);
     ChildProcess(ChildProcess&& other) noexcept;
     ChildProcess& operator=(ChildProcess&& other) noexcept;
     ~ChildProcess();  // stop()

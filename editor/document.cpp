@@ -20,7 +20,11 @@ Error usage(std::string message, std::string remedy = "") {
     return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
 }
 Error notWhilePlaying() {
-    return {ExitCode::Failed, "the project is being played and cannot be changed, saved or left", "", 0, 0,
+    return {ExitCode::Failed,
+            "the project is being played and cannot be changed, saved or left",
+            "",
+            0,
+            0,
             "stop first: F5, or play.stop()"};
 }
 Error notOpen() { return {ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"}; }
@@ -200,7 +204,8 @@ uint64_t Document::revision() const { return impl_->revision; }
 Status Document::startPlay(const PlayStart& start) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     if (impl_->groupDepth > 0)
-        return Error{ExitCode::Failed, "play cannot start while a value is being changed", "", 0, 0, "let go of it first"};
+        return Error{ExitCode::Failed,    "play cannot start while a value is being changed", "", 0, 0,
+                     "let go of it first"};
     impl_->finishStroke();
     Result<std::unique_ptr<Playtest>> play = Playtest::start(project(), impl_->rows(), start);
     if (!play) return play.error();
@@ -392,7 +397,8 @@ Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool creat
         return usage(field.path + ": there is no map to paint on", "create or import one first");
     const MapKind kind = kindOf(*field.row);
     if (paints(*findBrush(brush.mode), kind)) return {};
-    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)), "use " + brushesFor(kind));
+    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)),
+                 "use " + brushesFor(kind));
 }
 
 }  // namespace
@@ -497,8 +503,12 @@ bool Document::Impl::step(bool forward) {
     return true;
 }
 
-bool Document::canUndo() const { return !impl_->play && impl_->groupDepth == 0 && (impl_->stroke || impl_->history.next(false)); }
-bool Document::canRedo() const { return !impl_->play && impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true); }
+bool Document::canUndo() const {
+    return !impl_->play && impl_->groupDepth == 0 && (impl_->stroke || impl_->history.next(false));
+}
+bool Document::canRedo() const {
+    return !impl_->play && impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true);
+}
 std::string Document::undoLabel() const {
     if (impl_->stroke) return "stroke";
     const UndoStep* next = impl_->history.next(false);

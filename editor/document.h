@@ -88,8 +88,8 @@ class Document {
     void endStroke();       // works off the rest on later pumps; the step is complete then
     bool stroking() const;  // from beginStroke until the step is complete
 
-    // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes the oldest steps
-    // go, but never the newest; counted are the tiles that a step alone keeps.
+    // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes
+    // the oldest steps go, but never the newest; counted are the tiles that a step alone keeps.
     bool canUndo() const;
     bool canRedo() const;
     std::string undoLabel() const;

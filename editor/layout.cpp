@@ -32,7 +32,8 @@ float& bottomHeight(Layout& l) { return openTab(l) == "Accuracy" ? l.accuracy : 
 
 void clampLayout(Layout& l, float width, float height) {
     l.right = std::clamp(l.right, std::min(kLeastRight, width / 2), std::max(kLeastRight, width - 2 * kLeastViewport));
-    for (float* bottom : {&l.bottom, &l.accuracy}) *bottom = std::clamp(*bottom, kLeastBottom, std::max(kLeastBottom, height - 2 * kLeastViewport));
+    for (float* bottom : {&l.bottom, &l.accuracy})
+        *bottom = std::clamp(*bottom, kLeastBottom, std::max(kLeastBottom, height - 2 * kLeastViewport));
     l.outliner = std::clamp(l.outliner, 0.1f, 0.9f);
 }
 
@@ -93,7 +94,8 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     std::ofstream out(file);
-    out << fmt::format("right {}\noutliner {}\nbottom {}\naccuracy {}\ntab {}\n", l.right, l.outliner, l.bottom, l.accuracy, l.tab);
+    out << fmt::format("right {}\noutliner {}\nbottom {}\naccuracy {}\ntab {}\n", l.right, l.outliner, l.bottom,
+                       l.accuracy, l.tab);
     if (l.shiftErases) out << "shift erases\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());

@@ -39,7 +39,8 @@ Map newMap(const Project& p, const FieldRef& map) {
     Map made(info);
     const MapKind kind = kindOf(*map.row);
     if (kind == MapKind::Colours) return made;
-    const std::vector<std::byte> row = rowOf(info, kind == MapKind::Amounts ? glm::vec4(1) : glm::vec4(0.5f, 0.5f, 0, 0));
+    const std::vector<std::byte> row =
+        rowOf(info, kind == MapKind::Amounts ? glm::vec4(1) : glm::vec4(0.5f, 0.5f, 0, 0));
     for (int y = 0; y < info.height; ++y) made.writeRows(y, 1, row.data());
     return made;
 }

@@ -136,7 +136,9 @@ FrameInput widgetInput(const EditorApp& app) {
 }
 
 Project& projectShown(EditorApp& app) { return playing(app) ? app.doc.play()->project() : app.doc.project(); }
-ViewCamera viewShown(const EditorApp& app) { return playing(app) ? app.doc.play()->view() : viewOf(app.viewport.camera); }
+ViewCamera viewShown(const EditorApp& app) {
+    return playing(app) ? app.doc.play()->view() : viewOf(app.viewport.camera);
+}
 double timeShown(const EditorApp& app) { return playing(app) ? app.doc.play()->time() : 0; }
 
 }  // namespace sward

@@ -10,11 +10,11 @@ struct Project;
 struct ViewCamera;
 
 struct PlayControl {
-    bool seen = false;        // played in the last frame
-    bool captured = false;    // the mouse turns the walker's head and keys move it
-    bool looked = false;      // the pointer's place is known ...
+    bool seen = false;      // played in the last frame
+    bool captured = false;  // the mouse turns the walker's head and keys move it
+    bool looked = false;    // the pointer's place is known ...
     double lastX = 0, lastY = 0;
-    double last = 0;          // seconds of the last frame's clock
+    double last = 0;  // seconds of the last frame's clock
 };
 
 bool playing(const EditorApp& app);

@@ -19,7 +19,8 @@ Error usage(std::string message, std::string remedy) {
 std::string tilingName(const FieldRef& map) { return std::string(map.row->name) + "Tiling"; }
 const float* tilingIn(std::span<const FieldRow> fields, const void* base, const std::string& wanted) {
     for (const FieldRow& field : fields)
-        if (field.name == wanted && field.type == FieldType::Float) return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
+        if (field.name == wanted && field.type == FieldType::Float)
+            return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
     return nullptr;
 }
 float tilingFactor(const Project& p, const FieldRef& map) {
@@ -56,7 +57,9 @@ Result<MapScale> mapScale(const Project& p, const FieldRef& map) {
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
     const float factor = tilingFactor(p, map);
     const Tiling tiling = tilingOf(*terrain, factor);
-    return MapScale{tiling.metres.x, tiling.metres.y, tiling.repeats, tiling.repeats && map.row->isHeight, factor, shaderTiling(*terrain, factor)};
+    return MapScale{tiling.metres.x, tiling.metres.y,
+                    tiling.repeats,  tiling.repeats && map.row->isHeight,
+                    factor,          shaderTiling(*terrain, factor)};
 }
 
 Status checkBrush(const BrushSettings& b) {
@@ -75,7 +78,9 @@ Status checkBrush(const BrushSettings& b) {
     if (!inside(b.angleDeg, -1e6, 1e6))
         return usage("the brush's angle is not between -1e6 and 1e6", "give degrees, clockwise from north");
     for (int c = 0; c < 3; ++c)
-        if (!inside(b.color[c], 0, 1)) return usage("the brush's colour is not between 0 and 1", "give red, green and blue (sRGB), each from 0 to 1");
+        if (!inside(b.color[c], 0, 1))
+            return usage("the brush's colour is not between 0 and 1",
+                         "give red, green and blue (sRGB), each from 0 to 1");
     if (!inside(b.value, -1e6, 1e6))
         return usage("the brush's value is not between -1e6 and 1e6", "give a finite number");
     return {};
@@ -140,9 +145,10 @@ void Stroke::end() {
 
 void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
-    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++,
-            heading.x,   heading.y, settings_.colours ? kColourSpread : 0};
-    if (scale_.mirrored) {  // what falls over the edge lies nearer to the stamp's middle on this side, where it is painted already
+    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX,           settings_.radius * texelsZ, turn_++,
+            heading.x,   heading.y,   settings_.colours ? kColourSpread : 0};
+    if (scale_.mirrored) {  // what falls over the edge lies nearer to the stamp's middle on this side, where it is
+                            // painted already
         s.x = f64::mirrorUnit(s.x / info_.width) * info_.width;
         s.y = f64::mirrorUnit(s.y / info_.height) * info_.height;
     }

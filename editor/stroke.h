@@ -9,13 +9,14 @@
 
 namespace sward {
 
-// How metres on the terrain become texels of a map. A map with a tiling factor repeats over the terrain (scene/tiling.h): every point
-// falls into its one repeat, where a stroke over the edge goes on at the other; or, of heights, turns back as in a mirror.
+// How metres on the terrain become texels of a map. A map with a tiling factor repeats over the terrain
+// (scene/tiling.h): every point falls into its one repeat, where a stroke over the edge goes on at the other; or, of
+// heights, turns back as in a mirror.
 struct MapScale {
     double width = 1, depth = 1;  // metres that the map covers once
     bool repeats = false, mirrored = false;
-    float factor = 1;             // its tiling ...
-    float tiling = 0;             // ... as shaders take it
+    float factor = 1;  // its tiling ...
+    float tiling = 0;  // ... as shaders take it
 };
 // Of the terrain that the map's entity has, or the first terrain by name. Fails if there is none.
 Result<MapScale> mapScale(const Project& p, const FieldRef& map);

@@ -5,35 +5,36 @@
 #include "grass/force_outlines.h"
 #include "grass/forces.h"
 #include "grass/geometry.h"
-#include "grass/slices.h"
-#include "grass/tessellated.h"
-#include "post/far_blur.h"
-#include "post/map_overlay.h"
-#include "objects/mesh.h"
-#include "objects/shadow.h"
 #include "grass/ground_shadow.h"
 #include "grass/mask.h"
+#include "grass/slices.h"
+#include "grass/tessellated.h"
+#include "objects/mesh.h"
+#include "objects/shadow.h"
+#include "post/far_blur.h"
+#include "post/map_overlay.h"
 #include "post/tonemap.h"
 #include "scene/components.h"
 #include "sky/lamps.h"
 #include "sky/sky.h"
 #include "sky/wind.h"
-#include "water/reflection.h"
-#include "water/surface.h"
 #include "terrain/ground.h"
 #include "terrain/shade.h"
+#include "water/reflection.h"
+#include "water/surface.h"
 
 namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
-        sunEffect(), skyEffect(), hazeEffect(), lampsEffect(),  // light
-        windEffect(), gustsEffect(),
-        groundEffect(), groundDepthEffect(), shadeEffect(),            // ground
-        meshEffect(), shadowEffect(),             // objects
-        forcesEffect(), forceOutlinesEffect(), maskEffect(), fieldEffect(), farDarkeningEffect(), geometryEffect(), groundShadowEffect(), farEffect(), farShadowEffect(), slicesEffect(), tessellatedEffect(), flowersEffect(),  // grass
-        waterEffect(), reflectionEffect(),        // water
-        farBlurEffect(), tonemapEffect(), mapOverlayEffect(), decalEffect(),  // the screen
+        sunEffect(),         skyEffect(),           hazeEffect(),       lampsEffect(),                       // light
+        windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
+        meshEffect(),        shadowEffect(),                                                                 // objects
+        forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
+        geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
+        tessellatedEffect(), flowersEffect(),                                           // grass
+        waterEffect(),       reflectionEffect(),                                        // water
+        farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};
     return all;

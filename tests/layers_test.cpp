@@ -33,7 +33,8 @@ Place placeOf(const fs::path& relative) {
     std::string folder = part->string();
     if (folder == "engine") folder += "/" + (std::next(part, 2) == relative.end() ? "." : std::next(part)->string());
     for (size_t i = 0; i < kLayers.size(); ++i)
-        if (std::find(kLayers[i].begin(), kLayers[i].end(), folder) != kLayers[i].end()) return {static_cast<int>(i), folder};
+        if (std::find(kLayers[i].begin(), kLayers[i].end(), folder) != kLayers[i].end())
+            return {static_cast<int>(i), folder};
     return {-1, folder};
 }
 
@@ -58,7 +59,8 @@ std::string includedBy(const std::string& line) {
 // The file of ours that `name` means in `from`, relative to root; empty if none.
 fs::path resolve(const fs::path& root, const fs::path& from, const std::string& name) {
     for (const fs::path& base : {(root / from).parent_path(), root, root / "engine", root / "editor"})
-        if (fs::is_regular_file(base / name)) return fs::weakly_canonical(base / name).lexically_relative(fs::weakly_canonical(root));
+        if (fs::is_regular_file(base / name))
+            return fs::weakly_canonical(base / name).lexically_relative(fs::weakly_canonical(root));
     return {};
 }
 
@@ -84,14 +86,16 @@ std::string refusal(const fs::path& root, const fs::path& file, const std::strin
     const Place other = placeOf(target);
     if (other.layer < 0) return other.folder + " has no place in the order of layers";
     if (other.layer > mine.layer) return other.folder + " is above " + mine.folder;
-    if (other.layer == mine.layer && other.folder != mine.folder) return mine.folder + " and " + other.folder + " are neighbours";
+    if (other.layer == mine.layer && other.folder != mine.folder)
+        return mine.folder + " and " + other.folder + " are neighbours";
     return "";
 }
 
 Lines layerBreaches(const fs::path& root) {
     Lines out;
     for (const fs::path& file : sources(root, {"engine", "editor"})) {
-        if (placeOf(file).layer < 0) out.push_back(file.string() + ": " + placeOf(file).folder + " has no place in the order of layers");
+        if (placeOf(file).layer < 0)
+            out.push_back(file.string() + ": " + placeOf(file).folder + " has no place in the order of layers");
         const Lines lines = linesOf(root / file);
         for (size_t i = 0; i < lines.size(); ++i)
             if (const std::string name = includedBy(lines[i]); !name.empty())
@@ -108,9 +112,12 @@ Lines headerBreaches(const fs::path& root) {
         if (file.extension() != ".h") continue;
         const Lines lines = linesOf(root / file);
         bool guarded = std::find(lines.begin(), lines.end(), "#pragma once") != lines.end();
-        for (size_t i = 0; i < lines.size() && lines[i].starts_with("//"); ++i) guarded |= lines[i].find("no guard") != std::string::npos;
-        const bool says = !lines.empty() && lines[lines[0] == "#pragma once" && lines.size() > 1 ? 1 : 0].starts_with("// ");
-        if (!guarded || !says) out.push_back(file.string() + ": a header opens with a line that says what it is, and #pragma once");
+        for (size_t i = 0; i < lines.size() && lines[i].starts_with("//"); ++i)
+            guarded |= lines[i].find("no guard") != std::string::npos;
+        const bool says =
+            !lines.empty() && lines[lines[0] == "#pragma once" && lines.size() > 1 ? 1 : 0].starts_with("// ");
+        if (!guarded || !says)
+            out.push_back(file.string() + ": a header opens with a line that says what it is, and #pragma once");
     }
     return out;
 }
@@ -129,7 +136,9 @@ Lines lengthBreaches(const fs::path& root) {
     Lines out;
     for (const fs::path& file : sources(root, {"engine", "editor", "tests", "bench"})) {
         const Lines lines = linesOf(root / file);
-        if (lines.size() > kMaxFileLines) out.push_back(fmt::format("{}: {} lines; over {}, a file lacks a second name", file.string(), lines.size(), kMaxFileLines));
+        if (lines.size() > kMaxFileLines)
+            out.push_back(fmt::format("{}: {} lines; over {}, a file lacks a second name", file.string(), lines.size(),
+                                      kMaxFileLines));
         for (size_t i = 0; i < lines.size(); ++i) {
             const size_t indent = lines[i].find_first_not_of(' ');
             if (indent > 4 || indent == std::string::npos || !opensFunction(lines[i])) continue;
@@ -137,7 +146,8 @@ Lines lengthBreaches(const fs::path& root) {
             size_t end = i + 1;
             while (end < lines.size() && !lines[end].starts_with(closing)) ++end;
             if (end - i + 1 > kMaxFunctionLines)
-                out.push_back(fmt::format("{}:{}: a function of {} lines; over {}, it lacks a second name", file.string(), i + 1, end - i + 1, kMaxFunctionLines));
+                out.push_back(fmt::format("{}:{}: a function of {} lines; over {}, it lacks a second name",
+                                          file.string(), i + 1, end - i + 1, kMaxFunctionLines));
             i = indent == 0 ? end : i;
         }
     }
@@ -173,7 +183,8 @@ TEST(LayersPlanted, EveryKindOfBreachIsFoundWithFileAndLine) {
     for (const char* header : {"core/low.h", "scene/scene.h", "grass/grass.h", "sky/sky.h", "techniques.h"})
         plant((std::string("engine/") + header).c_str(), "// Is here.\n#pragma once\n");
     plant("editor/panel.h", "// A panel.\n#pragma once\n#include <imgui.h>\n#include \"techniques.h\"\n");  // may
-    plant("engine/grass/fine.cpp", "#include \"grass/grass.h\"\n#include \"grass.h\"\n#include \"scene/scene.h\"\n#include <vector>\n");
+    plant("engine/grass/fine.cpp",
+          "#include \"grass/grass.h\"\n#include \"grass.h\"\n#include \"scene/scene.h\"\n#include <vector>\n");
     EXPECT_EQ(layerBreaches(dir.path), Lines{});
 
     plant("engine/core/up.cpp", "\n#include \"scene/scene.h\"\n");

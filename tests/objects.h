@@ -34,13 +34,15 @@ inline Project cubeScene(const std::filesystem::path& dir) {
 inline glm::vec3 lightAt(const Renderer& r, const ViewCamera& c, const ViewSettings& s, const glm::dvec3& point) {
     const glm::vec4 clip = viewProjection(c, s.width, s.height) * glm::vec4(glm::vec3(point - c.eye), 1);
     const std::vector<float> pixels = r.readLinear();
-    const int x = static_cast<int>((clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(s.width)), y = static_cast<int>((0.5f - clip.y / clip.w * 0.5f) * static_cast<float>(s.height));
+    const int x = static_cast<int>((clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(s.width)),
+              y = static_cast<int>((0.5f - clip.y / clip.w * 0.5f) * static_cast<float>(s.height));
     glm::vec3 sum(0);
     int n = 0;
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
             if (x + dx < 0 || y + dy < 0 || x + dx >= s.width || y + dy >= s.height) continue;
-            const float* at = &pixels[(static_cast<size_t>(y + dy) * static_cast<size_t>(s.width) + static_cast<size_t>(x + dx)) * 3];
+            const float* at =
+                &pixels[(static_cast<size_t>(y + dy) * static_cast<size_t>(s.width) + static_cast<size_t>(x + dx)) * 3];
             sum += glm::vec3(at[0], at[1], at[2]);
             ++n;
         }

@@ -7,17 +7,20 @@
 
 namespace sward {
 namespace {
-constexpr unsigned kLaid = bitOf(MapKind::Amounts) | bitOf(MapKind::Colours), kDirections = bitOf(MapKind::Directions), kForces = bitOf(MapKind::Forces),
-                   kAll = kLaid | kDirections | kForces;
+constexpr unsigned kLaid = bitOf(MapKind::Amounts) | bitOf(MapKind::Colours), kDirections = bitOf(MapKind::Directions),
+                   kForces = bitOf(MapKind::Forces), kAll = kLaid | kDirections | kForces;
 constexpr BrushRow kBrushes[] = {
     {"add", "Add", "Raises the map: more blades, higher ground. Lays colour over what is there", applyAdd, kLaid},
-    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean, less pressed, less colour", applySubtract, kAll},
+    {"subtract", "Subtract", "Lowers the map: fewer blades, lower ground, less lean, less pressed, less colour",
+     applySubtract, kAll},
     {"set", "Set", "Paints towards a value, or towards a colour of an opacity", applySet, kLaid},
     {"smooth", "Smooth", "Evens out what is painted", applySmooth, kAll},
     {"noise", "Noise", "Roughens towards random values, the same for the same seed", applyNoise, kLaid},
     {"comb", "Comb", "Lays the grass the way the stroke goes", applyComb, kDirections, true},
     {"direction", "Direction", "Lays the grass towards an angle", applyDirection, kDirections},
-    {"press", "Press", "Presses the grass down and pushes it the way the stroke goes, as a roller does; a click pushes it apart", applyPress, kForces, true},
+    {"press", "Press",
+     "Presses the grass down and pushes it the way the stroke goes, as a roller does; a click pushes it apart",
+     applyPress, kForces, true},
 };
 }  // namespace
 

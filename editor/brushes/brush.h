@@ -50,8 +50,8 @@ struct Stamp {
     // up over stamps to what they would be without rounding. 0 rounds to nearest.
     uint32_t turn = 0;
     double headingX = 0, headingZ = 0;  // where the stroke goes, for comb and press; any length; none: nowhere yet
-    // Texels beyond its edge as far as which texels of no opacity take a colour that is laid. Nothing is seen of that, but
-    // filtering would mix what they held into the edge: a dark rim.
+    // Texels beyond its edge as far as which texels of no opacity take a colour that is laid. Nothing is seen of that,
+    // but filtering would mix what they held into the edge: a dark rim.
     double spread = 0;
 };
 inline constexpr double kColourSpread = 8;  // as far as mip level 3 reaches
@@ -68,8 +68,9 @@ struct BrushRow {
     const char* label;  // "Add"
     const char* help;
     // Reads `map` as it was before the stamp (smooth needs neighbours) and returns the new tile, or the old pointer if
-    // nothing changed. Of maps with a number of channels that it does not paint every tile is returned as it is. Settings
-    // that are not finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are painted.
+    // nothing changed. Of maps with a number of channels that it does not paint every tile is returned as it is.
+    // Settings that are not finite paint nothing. Integer maps stay in [0,1]; float maps in [low, high] where they are
+    // painted.
     std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
                                          const BrushSettings& brush);
     unsigned kinds = 0;    // the maps that it paints: a sum of bitOf

@@ -1,7 +1,6 @@
-// Painting colours: texels of a colour and its opacity, mixed as they show, colour times opacity, so that the colour of what is
-// transparent never comes to light (T. Porter and T. Duff, Compositing Digital Images, 1984). Colours are mixed as the map holds
-// them, in sRGB, as image programs do.
-// Does not: know what lies under the map.
+// Painting colours: texels of a colour and its opacity, mixed as they show, colour times opacity, so that the colour of
+// what is transparent never comes to light (T. Porter and T. Duff, Compositing Digital Images, 1984). Colours are mixed
+// as the map holds them, in sRGB, as image programs do. Does not: know what lies under the map.
 #pragma once
 #include "brushes/paint.h"
 
@@ -28,10 +27,11 @@ void colourTowards(const PaintRow<Real>& row, const Target& target) {
     });
 }
 
-// Lays the brush's colour with opacityAt(x, y, opacity before) of each texel. What has no opacity, out to the stamp's spread, takes the
-// colour at once; not with a value of 0, which lays nothing.
+// Lays the brush's colour with opacityAt(x, y, opacity before) of each texel. What has no opacity, out to the stamp's
+// spread, takes the colour at once; not with a value of 0, which lays nothing.
 template <class OpacityAt>
-std::shared_ptr<const Tile> layColour(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush, const OpacityAt& opacityAt) {
+std::shared_ptr<const Tile> layColour(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
+                                      const OpacityAt& opacityAt) {
     glm::dvec3 color;
     for (int c = 0; c < 3; ++c) color[c] = colourSteps(map.info(), brush.color[c]);
     const double rx = std::max(stamp.radiusX, 1.0) + stamp.spread, ry = std::max(stamp.radiusY, 1.0) + stamp.spread;
@@ -40,7 +40,8 @@ std::shared_ptr<const Tile> layColour(const Map& map, int tx, int ty, const Stam
         changeTexels(row, [&](int i, double w, double* texel) {
             const int x = row.x0 + i;
             const double across = (x + 0.5 - stamp.x) / rx, opacity = texel[3];
-            const bool reached = brush.value > 0 && across * across + down * down < 1 && x < map.info().width && row.y < map.info().height;
+            const bool reached = brush.value > 0 && across * across + down * down < 1 && x < map.info().width &&
+                                 row.y < map.info().height;
             if (!(opacity > 0) && reached)
                 for (int c = 0; c < 3; ++c) texel[c] = color[c];
             if (!(w > 0)) return;

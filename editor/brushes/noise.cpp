@@ -1,6 +1,6 @@
 // Moves each texel towards a random number between 0 and the brush's value, the same for every stamp with the same
-// seed, so that painting longer brings the pattern out and never drifts. On maps of colours the number is the opacity of the
-// brush's colour.
+// seed, so that painting longer brings the pattern out and never drifts. On maps of colours the number is the opacity
+// of the brush's colour.
 #include "brushes/colours.h"
 
 namespace sward {

@@ -53,7 +53,8 @@ void texelOfForce(const PaintedForce& force, double* texel) {
 bool usableBrush(const Stamp& stamp, const BrushSettings& b) {
     const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
                         std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&
-                        std::isfinite(b.falloff) && std::isfinite(b.color.x + b.color.y + b.color.z) && std::isfinite(b.low) && std::isfinite(b.high);
+                        std::isfinite(b.falloff) && std::isfinite(b.color.x + b.color.y + b.color.z) &&
+                        std::isfinite(b.low) && std::isfinite(b.high);
     return finite && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
 }
 

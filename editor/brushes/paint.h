@@ -1,7 +1,7 @@
 // What all brushes share: the weights of a stamp over a tile, and the loop that adds a change to its texels.
 // Values and changes are counted in steps of the map's type: 0 to 255, 0 to 65535, or the float itself.
-// Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, of four that make a force;
-// of colours: colours.h.
+// Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, of four
+// that make a force; of colours: colours.h.
 #pragma once
 #include <limits>
 #include <type_traits>
@@ -153,7 +153,8 @@ void changeTexels(const PaintRow<Real>& row, const Mix& mix) {
 struct PaintedForce {
     double x = 0, z = 0, press = 0, share = 0;
 };
-// Of four numbers in [0, 1], those of a texel; half a step of eight bits about 0.5 is no push, as for who reads the map.
+// Of four numbers in [0, 1], those of a texel; half a step of eight bits about 0.5 is no push, as for who reads the
+// map.
 PaintedForce forceOfTexel(const double* texel);
 // The same for forces: target(i). What acts is mixed, so that what a texel of no share holds does not show.
 void texelOfForce(const PaintedForce& force, double* texel);  // a push of no share: none

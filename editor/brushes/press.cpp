@@ -1,6 +1,6 @@
-// Presses grass down: turns the map's forces towards a press and a push along the stroke's heading, both as strong as the brush is, whatever
-// was there before; its falloff mixes both at the edge. Without a heading (a click) the push goes out from the stamp's middle, where it is
-// none, and is whole from half the radius on.
+// Presses grass down: turns the map's forces towards a press and a push along the stroke's heading, both as strong as
+// the brush is, whatever was there before; its falloff mixes both at the edge. Without a heading (a click) the push
+// goes out from the stamp's middle, where it is none, and is whole from half the radius on.
 #include "brushes/paint.h"
 
 namespace sward {
@@ -17,7 +17,8 @@ std::pair<double, double> apart(double x, double y) {
 }  // namespace
 
 std::shared_ptr<const Tile> applyPress(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
-    const double length = std::hypot(stamp.headingX, stamp.headingZ), strength = std::clamp<double>(brush.strength, 0, 1);
+    const double length = std::hypot(stamp.headingX, stamp.headingZ),
+                 strength = std::clamp<double>(brush.strength, 0, 1);
     if (!usableBrush(stamp, brush) || !std::isfinite(length)) return map.tile(tx, ty);
     const bool goes = length > 1e-9;
     const double x = goes ? stamp.headingX / length : 0, z = goes ? stamp.headingZ / length : 0;

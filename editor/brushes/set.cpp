@@ -1,5 +1,5 @@
-// Moves the map towards the brush's value by the weight as a share of the way; on maps of colours towards its colour with the
-// value for opacity.
+// Moves the map towards the brush's value by the weight as a share of the way; on maps of colours towards its colour
+// with the value for opacity.
 #include "brushes/colours.h"
 
 namespace sward {
@@ -13,7 +13,9 @@ float targetSteps(const MapInfo& info, const BrushSettings& brush) {
 }  // namespace
 
 std::shared_ptr<const Tile> applySet(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
-    if (brush.colours) return layColour(map, tx, ty, stamp, brush, [to = colourSteps(map.info(), brush.value)](int, int, double) { return to; });
+    if (brush.colours)
+        return layColour(map, tx, ty, stamp, brush,
+                         [to = colourSteps(map.info(), brush.value)](int, int, double) { return to; });
     const float target = targetSteps(map.info(), brush);
     return paintTile(map, tx, ty, stamp, brush,
                      [target](const auto& row) { changeTowards(row, [target](int) { return target; }); });

@@ -1,8 +1,8 @@
 // Moves the map towards its own mean around each texel: a square that reaches an eighth of the brush's radius, at least
 // one texel and at most kMostReach. Reads the map as it was before the stamp; beyond the edge the map goes on as there.
-// Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel. So are forces, as they act, and
-// colours as they show, times their opacity.
-// Cost: two running sums over the tile and its margin, whatever the radius.
+// Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel. So are forces, as
+// they act, and colours as they show, times their opacity. Cost: two running sums over the tile and its margin,
+// whatever the radius.
 #include "brushes/colours.h"
 
 namespace sward {
@@ -15,14 +15,16 @@ int reachOf(double radius) {
     return std::clamp(static_cast<int>(std::lround(std::min(radius, 1e4) / 8)), 1, kMostReach);
 }
 
-// Integers are summed exactly; floats in double. So a flat map stays exactly as it is, but for forces, to a ten-millionth.
+// Integers are summed exactly; floats in double. So a flat map stays exactly as it is, but for forces, to a
+// ten-millionth.
 template <class T>
 using Sum = std::conditional_t<std::is_floating_point_v<T>, double, int>;
 // Colours take doubles throughout: their means are divided by each other, and a flat map must stay as it is.
 template <class T>
 using Mean = std::conditional_t<std::is_same_v<T, double>, double, float>;
 
-// n texels of a row of the map from x0 on, of each what `valueOf` makes of its channels; columns and rows beyond the edge repeat it.
+// n texels of a row of the map from x0 on, of each what `valueOf` makes of its channels; columns and rows beyond the
+// edge repeat it.
 template <class T, int Channels, class V, class ValueOf>
 void readRow(const Map& map, const ValueOf& valueOf, int x0, int y, int n, V* out) {
     const int width = map.info().width;
@@ -79,9 +81,12 @@ std::vector<Mean<V>> blurredTile(const Map& map, const ValueOf& valueOf, int tx,
 template <class Blurred>
 auto byType(const Map& map, const Blurred& blurred) {
     switch (map.info().type) {
-        case PixelType::U8: return blurred(uint8_t{});
-        case PixelType::U16: return blurred(uint16_t{});
-        case PixelType::F32: break;
+        case PixelType::U8:
+            return blurred(uint8_t{});
+        case PixelType::U16:
+            return blurred(uint16_t{});
+        case PixelType::F32:
+            break;
     }
     return blurred(float{});
 }
@@ -102,28 +107,39 @@ std::vector<Mean<V>> blurredPart(const Map& map, const PartOf& partOf, int tx, i
     return byType(map, [&](auto zero) {
         using T = decltype(zero);
         const auto valueOf = [&](const T* t) {
-            const double scale = static_cast<double>(PixelTraits<T>::scale), texel[4] = {t[0] / scale, t[1] / scale, t[2] / scale, t[3] / scale};
+            const double scale = static_cast<double>(PixelTraits<T>::scale),
+                         texel[4] = {t[0] / scale, t[1] / scale, t[2] / scale, t[3] / scale};
             return static_cast<V>(partOf(texel));
         };
         return blurredTile<T, 4, V>(map, valueOf, tx, ty, reachOf(stamp.radiusX), reachOf(stamp.radiusY));
     });
 }
 
-std::shared_ptr<const Tile> smoothForces(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
-    const auto part = [&](double PaintedForce::* p) {
-        return blurredPart<float>(map, [p](const double* texel) { return forceOfTexel(texel).*p; }, tx, ty, stamp);
+std::shared_ptr<const Tile> smoothForces(const Map& map, int tx, int ty, const Stamp& stamp,
+                                         const BrushSettings& brush) {
+    const auto part = [&](double PaintedForce::*p) {
+        return blurredPart<float>(
+            map, [p](const double* texel) { return forceOfTexel(texel).*p; }, tx, ty, stamp);
     };
-    const std::vector<float> x = part(&PaintedForce::x), z = part(&PaintedForce::z), press = part(&PaintedForce::press), share = part(&PaintedForce::share);
+    const std::vector<float> x = part(&PaintedForce::x), z = part(&PaintedForce::z), press = part(&PaintedForce::press),
+                             share = part(&PaintedForce::share);
     return paintTile<4>(map, tx, ty, stamp, brush, [&](const auto& row) {
         const size_t from = size_t(row.y - ty * kTileSize) * kTileSize;
-        pressTowards(row, [&](int i) { return PaintedForce{x[from + size_t(i)], z[from + size_t(i)], press[from + size_t(i)], share[from + size_t(i)]}; });
+        pressTowards(row, [&](int i) {
+            return PaintedForce{x[from + size_t(i)], z[from + size_t(i)], press[from + size_t(i)],
+                                share[from + size_t(i)]};
+        });
     });
 }
 
-std::shared_ptr<const Tile> smoothColours(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
+std::shared_ptr<const Tile> smoothColours(const Map& map, int tx, int ty, const Stamp& stamp,
+                                          const BrushSettings& brush) {
     std::vector<double> mean[4];
-    for (int c = 0; c < 3; ++c) mean[c] = blurredPart<double>(map, [c](const double* texel) { return colourOfTexel(texel).color[c]; }, tx, ty, stamp);
-    mean[3] = blurredPart<double>(map, [](const double* texel) { return colourOfTexel(texel).opacity; }, tx, ty, stamp);
+    for (int c = 0; c < 3; ++c)
+        mean[c] = blurredPart<double>(
+            map, [c](const double* texel) { return colourOfTexel(texel).color[c]; }, tx, ty, stamp);
+    mean[3] = blurredPart<double>(
+        map, [](const double* texel) { return colourOfTexel(texel).opacity; }, tx, ty, stamp);
     return paintTile<4>(map, tx, ty, stamp, brush, [&](const auto& row) {
         const size_t from = size_t(row.y - ty * kTileSize) * kTileSize;
         colourTowards(row, [&](int i) {
@@ -135,7 +151,8 @@ std::shared_ptr<const Tile> smoothColours(const Map& map, int tx, int ty, const 
 
 std::shared_ptr<const Tile> smoothDirections(const Map& map, int tx, int ty, const Stamp& stamp,
                                              const BrushSettings& brush) {
-    const std::vector<float> mean[2] = {blurredChannel<2>(map, 0, tx, ty, stamp), blurredChannel<2>(map, 1, tx, ty, stamp)};
+    const std::vector<float> mean[2] = {blurredChannel<2>(map, 0, tx, ty, stamp),
+                                        blurredChannel<2>(map, 1, tx, ty, stamp)};
     return paintTile<2>(map, tx, ty, stamp, brush, [&](const auto& row) {
         const size_t from = size_t(row.y - ty * kTileSize) * kTileSize;
         turnTowards(row, [&](int i, int c) { return mean[c][from + size_t(i)]; });

@@ -6,7 +6,9 @@
 namespace sward {
 namespace {
 
-bool wanted(const BakeCommand& o, const BakeRow& row) { return o.only.empty() || std::find(o.only.begin(), o.only.end(), row.flag) != o.only.end(); }
+bool wanted(const BakeCommand& o, const BakeRow& row) {
+    return o.only.empty() || std::find(o.only.begin(), o.only.end(), row.flag) != o.only.end();
+}
 
 Status bakeRowsOf(Document& document, const BakeCommand& o) {
     for (const BakeRow& row : bakeRows()) {
@@ -14,7 +16,8 @@ Status bakeRowsOf(Document& document, const BakeCommand& o) {
         const auto start = std::chrono::steady_clock::now();
         const Result<std::string> made = row.run(document, {o.samples, o.size}, progressLine(row.name));
         if (!made) return made.error();
-        std::fprintf(stderr, "%s: %s (%.1f s)\n", row.name, made->c_str(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        std::fprintf(stderr, "%s: %s (%.1f s)\n", row.name, made->c_str(),
+                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     return {};
 }

@@ -11,16 +11,28 @@ namespace {
 int exitCode(ExitCode c) { return static_cast<int>(c); }
 
 // Of an option: CLI11 reads "nan" and "inf" as numbers.
-const CLI::Validator kFinite([](const std::string& text) {
-    return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string() : "\"" + text + "\" is no number of seconds; write one such as 1.5";
-}, "");
-const CLI::Validator kRate([](const std::string& text) {
-    const double value = std::strtod(text.c_str(), nullptr);
-    return std::isfinite(value) && value > 0 ? std::string() : "\"" + text + "\" is no rate; write pictures a second, above 0, such as 25";
-}, "");
-const CLI::Validator kSamples([](const std::string& text) {
-    return text == "1" || text == "2" || text == "4" || text == "8" ? std::string() : "\"" + text + "\" is no number of samples; write 1, 2, 4 or 8";
-}, "");
+const CLI::Validator kFinite(
+    [](const std::string& text) {
+        return std::isfinite(std::strtod(text.c_str(), nullptr))
+                   ? std::string()
+                   : "\"" + text + "\" is no number of seconds; write one such as 1.5";
+    },
+    "");
+const CLI::Validator kRate(
+    [](const std::string& text) {
+        const double value = std::strtod(text.c_str(), nullptr);
+        return std::isfinite(value) && value > 0
+                   ? std::string()
+                   : "\"" + text + "\" is no rate; write pictures a second, above 0, such as 25";
+    },
+    "");
+const CLI::Validator kSamples(
+    [](const std::string& text) {
+        return text == "1" || text == "2" || text == "4" || text == "8"
+                   ? std::string()
+                   : "\"" + text + "\" is no number of samples; write 1, 2, 4 or 8";
+    },
+    "");
 
 struct Verbs {
     CLI::App app{"Sward: an editor and renderer for grass and forest", "sward"};
@@ -52,22 +64,30 @@ struct Verbs {
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
         v->add_option("--path", o.path, "name of a CameraPath to film along, instead of cameras");
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
-        v->add_option("--technique", o.technique, "hybrid, tessellated, geometry, slices or flat (default: the project's)");
+        v->add_option("--technique", o.technique,
+                      "hybrid, tessellated, geometry, slices or flat (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
-        v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")->check(kSamples);
+        v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")
+            ->check(kSamples);
         v->add_option("--time", o.time, "scene time in seconds (default: 0)")->check(kFinite);
         v->add_option("--frames", o.frames, "measure N frames after 3 warm-ups; with --fps write them");
-        v->add_option("--fps", o.fps, "with --frames or --path: write frame_0000.png and so on at this rate (along a path 25)")->check(kRate);
+        v->add_option("--fps", o.fps,
+                      "with --frames or --path: write frame_0000.png and so on at this rate (along a path 25)")
+            ->check(kRate);
         v->add_option("--out", o.out, "file (one camera) or folder (several); .png or .exr");
         v->add_option("--stats", o.stats, "write statistics as JSON to this file");
     }
-    void addRender() { addViews(verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); }), render); }
+    void addRender() {
+        addViews(verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); }), render);
+    }
     void addReference() {
-        CLI::App* v = verb("reference", "Ray-trace the truth of the same cameras", [this] { return referenceVerb(reference); });
+        CLI::App* v =
+            verb("reference", "Ray-trace the truth of the same cameras", [this] { return referenceVerb(reference); });
         addViews(v, reference);
         v->add_option("--samples", reference.samples, "rays a pixel (default: 16)");
-        v->add_option("--lighting", reference.lighting, "full, or direct: lit as techniques light, only shadows traced");
+        v->add_option("--lighting", reference.lighting,
+                      "full, or direct: lit as techniques light, only shadows traced");
         v->add_option("--shard", reference.shard, "I/N: this machine's share of the image, as a part for merge");
         v->add_option("--seed", reference.seed, "of the rays, never of the scene (default: 1)");
         CLI::App* m = verb("merge", "Join the parts of a sharded run", [this] { return mergeVerb(merge); });
@@ -79,37 +99,55 @@ struct Verbs {
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
         CLI::Option* path = v->add_option("--path", o.path, "name of a CameraPath: moments of it, instead of cameras");
         v->add_option("--frames", o.frames, "with --path: how many moments (default: 5)")->needs(path);
-        v->add_option("--fps", o.fps, "with --path: so many moments a second from its beginning (default: evenly over all of it)")->needs(path)->check(kRate);
+        v->add_option("--fps", o.fps,
+                      "with --path: so many moments a second from its beginning (default: evenly over all of it)")
+            ->needs(path)
+            ->check(kRate);
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--time", o.time, "scene time in seconds (default: 0)")->check(kFinite);
         v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 32)");
-        v->add_option("--lighting", o.lighting, "of the truth: full, or direct (lit as techniques light, only shadows traced)");
+        v->add_option("--lighting", o.lighting,
+                      "of the truth: full, or direct (lit as techniques light, only shadows traced)");
         v->add_option("--seed", o.seed, "of the truth's rays, never of the scene (default: 1)");
     }
     void addCost() {
-        CLI::App* c = verb("cost", "What accuracy costs in time: techniques and settings against the ray-traced truth", [this] { return costVerb(cost); });
+        CLI::App* c = verb("cost", "What accuracy costs in time: techniques and settings against the ray-traced truth",
+                           [this] { return costVerb(cost); });
         addTruth(c, cost);
         c->get_option("project")->required(false);
-        CLI::Option* numerics = c->add_flag("--numerics", cost.numerics, "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
+        CLI::Option* numerics = c->add_flag(
+            "--numerics", cost.numerics,
+            "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
         c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
-        c->add_option("--technique", cost.technique, "sweep one alone: hybrid, tessellated, geometry, slices or flat (default: all)");
-        c->add_option("--out", cost.out, "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for numerics.csv and numerics.json");
+        c->add_option("--technique", cost.technique,
+                      "sweep one alone: hybrid, tessellated, geometry, slices or flat (default: all)");
+        c->add_option("--out", cost.out,
+                      "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for "
+                      "numerics.csv and numerics.json");
         c->add_option("--rounds", cost.rounds, "of timing, over all rows in turn (default: 5)");
-        c->add_option("--max-ms", cost.maxMs, "rows that take longer are left out and listed (default: twice what the project as it is takes, at least 250)");
+        c->add_option("--max-ms", cost.maxMs,
+                      "rows that take longer are left out and listed (default: twice what the project as it is takes, "
+                      "at least 250)");
         c->add_option("--shard", cost.shard, "I/N: this machine's share of the rows, for merge");
-        CLI::App* f = verb("fit", "The settings with the least appearance error within a budget of time", [this] { return fitVerb(fit); });
+        CLI::App* f = verb("fit", "The settings with the least appearance error within a budget of time",
+                           [this] { return fitVerb(fit); });
         addTruth(f, fit);
         f->add_option("--budget-ms", fit.budgetMs, "milliseconds a frame may take, at the slowest camera")->required();
-        f->add_option("--candidates", fit.candidates, "settings that the search may try beside the grid's 27 (default: 40)");
+        f->add_option("--candidates", fit.candidates,
+                      "settings that the search may try beside the grid's 27 (default: 40)");
         f->add_flag("--write", fit.write, "save the settings in the project");
         f->add_flag("--json", fit.json, "print JSON");
     }
     void addCompare() {
-        CLI::App* v = verb("compare", "Metrics of two images of the same size, or of two folders with the pictures of a film: what pops", [this] { return compareVerb(compare); });
+        CLI::App* v =
+            verb("compare",
+                 "Metrics of two images of the same size, or of two folders with the pictures of a film: what pops",
+                 [this] { return compareVerb(compare); });
         v->add_option("a", compare.a, "first image, or folder")->required();
         v->add_option("b", compare.b, "second image, or folder: the truth")->required();
-        v->add_option("--mask", compare.mask, "image whose first channel says how much of each pixel is grass and counts");
+        v->add_option("--mask", compare.mask,
+                      "image whose first channel says how much of each pixel is grass and counts");
         v->add_option("--heatmap", compare.heatmap, "write a map of the errors to this .png");
         v->add_option("--metric", compare.metric, "of the heat map: appearance (default), flip, rmse or ssim");
         v->add_option("--ppd", compare.ppd, "pixels per degree of the viewer's field of view, for FLIP (default: 67)");
@@ -117,7 +155,8 @@ struct Verbs {
         v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
     }
     void addMaps() {
-        CLI::App* in = verb("import", "Read a map of a project from a file, and save the project", [this] { return importVerb(import); });
+        CLI::App* in = verb("import", "Read a map of a project from a file, and save the project",
+                            [this] { return importVerb(import); });
         in->add_option("project", import.project, "folder of the project")->required();
         in->add_option("map", import.map, "the map's PATH, or an unambiguous tail of it")->required();
         in->add_option("file", import.file, "EXR, PNG 8/16, TIFF, or R16 with its JSON sidecar")->required();
@@ -129,26 +168,37 @@ struct Verbs {
         out->add_option("--map", exported.map, "the map's PATH, or an unambiguous tail of it")->required();
         out->add_option("--out", exported.out, "EXR, PNG, TIFF or R16 file")->required();
         out->add_flag("--flip", exported.flip, "write the far edge first");
-        out->add_flag("--packed", exported.packed, "density, its coarse version and blade heights as red, green and blue");
+        out->add_flag("--packed", exported.packed,
+                      "density, its coarse version and blade heights as red, green and blue");
     }
     void addBakes() {
-        CLI::App* v = verb("bake", "Make what is made ahead, and save the project (default: all of it)", [this] { return bakeVerb(bake); });
+        CLI::App* v = verb("bake", "Make what is made ahead, and save the project (default: all of it)",
+                           [this] { return bakeVerb(bake); });
         v->add_option("project", bake.project, "folder of the project")->required();
-        for (const BakeRow& row : bakeRows()) v->add_flag_callback(std::string("--") + row.flag, [this, &row] { bake.only.push_back(row.flag); }, row.help);
+        for (const BakeRow& row : bakeRows())
+            v->add_flag_callback(
+                std::string("--") + row.flag, [this, &row] { bake.only.push_back(row.flag); }, row.help);
         v->add_option("--samples", bake.samples, "rays a texel (default: 64)");
         v->add_option("--size", bake.size, "texels along the longer side (default: as it is, else 512)");
     }
     void addProjects() {
-        verb("edit", "Open the editor (default)", [this] { return editVerb(project); })->add_option("project", project, "folder of the project");
+        verb("edit", "Open the editor (default)", [this] {
+            return editVerb(project);
+        })->add_option("project", project, "folder of the project");
         verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
-            ->add_option("dir", dir, "folder to make")->required();
-        CLI::App* check = verb("check", "Load everything and report every fault", [this] { return checkVerb(dir, strict); });
+            ->add_option("dir", dir, "folder to make")
+            ->required();
+        CLI::App* check =
+            verb("check", "Load everything and report every fault", [this] { return checkVerb(dir, strict); });
         check->add_option("project", dir, "folder of the project")->required();
         check->add_flag("--strict", strict, "what was repaired is a fault too");
-        CLI::App* explain = verb("explain", "Which features a scene has, what each makes run, and why", [this] { return explainVerb(dir, json); });
+        CLI::App* explain = verb("explain", "Which features a scene has, what each makes run, and why",
+                                 [this] { return explainVerb(dir, json); });
         explain->add_option("project", dir, "folder of the project")->required();
         explain->add_flag("--json", json, "print JSON");
-        verb("hardcases", "Run every numerical hard case on this machine", [this] { return hardcasesVerb(json); })->add_flag("--json", json, "print JSON");
+        verb("hardcases", "Run every numerical hard case on this machine", [this] {
+            return hardcasesVerb(json);
+        })->add_flag("--json", json, "print JSON");
         CLI::App* s = verb("script", "Run an editor script", [this] { return scriptVerb(script); });
         s->add_option("file", script.file, "Lua file")->required();
         s->add_option("--project", script.project, "project to open first");

@@ -1,5 +1,6 @@
 // The command line: one function a verb, options as plain structs. What each option means stands in the README.
-// Every verb prints its failure as "sward: error: file:line: message (remedy)" and returns the exit code of core/error.h.
+// Every verb prints its failure as "sward: error: file:line: message (remedy)" and returns the exit code of
+// core/error.h.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -16,16 +17,16 @@ int runCommandLine(int argc, char** argv);
 // Options that render, and what later sweeps and measures pictures, share.
 struct RenderOptions {
     std::string project;
-    std::string camera;                  // empty: all
-    std::string path;                    // a CameraPath to film along instead; empty: none
+    std::string camera;  // empty: all
+    std::string path;    // a CameraPath to film along instead; empty: none
     std::string size = "1024x768";
-    std::string technique;               // empty: the project's
-    std::vector<std::string> set;        // PATH=VALUE
+    std::string technique;         // empty: the project's
+    std::vector<std::string> set;  // PATH=VALUE
     std::string view = "final";
     int msaa = 4;
     double time = 0;
-    int frames = 0;                      // measured after 3 warm-ups; 0: the picture alone
-    double fps = 0;                      // with frames: write that many pictures
+    int frames = 0;  // measured after 3 warm-ups; 0: the picture alone
+    double fps = 0;  // with frames: write that many pictures
     std::string out;
     std::string stats;
 };
@@ -33,7 +34,7 @@ int renderVerb(const RenderOptions& options);
 struct ReferenceOptions : RenderOptions {
     int samples = 16;
     std::string lighting = "full";
-    std::string shard;                   // "I/N"; empty: the whole image
+    std::string shard;  // "I/N"; empty: the whole image
     uint32_t seed = 1;
 };
 int referenceVerb(const ReferenceOptions& options);
@@ -48,7 +49,7 @@ struct CostOptions : RenderOptions {
     double maxMs = 0;
     std::string lighting = "full", shard;
     uint32_t seed = 1;
-    bool numerics = false, json = false; // the formulas' price instead of a project's
+    bool numerics = false, json = false;  // the formulas' price instead of a project's
 };
 int costVerb(const CostOptions& options);
 // The parts of a sharded sweep, joined into a cost.json or cost.csv.
@@ -64,7 +65,7 @@ int fitVerb(const FitOptions& options);
 
 struct CompareOptions {
     std::string a, b, mask, heatmap, metric = "appearance";
-    double ppd = 67;                     // pixels per degree, of FLIP
+    double ppd = 67;  // pixels per degree, of FLIP
     bool json = false, linear = false;
 };
 int compareVerb(const CompareOptions& options);
@@ -74,7 +75,7 @@ int checkVerb(const std::string& project, bool strict);
 struct ImportCommand {
     std::string project, map, file;
     bool flip = false, packed = false;
-    std::string range;                   // "LOW,HIGH"
+    std::string range;  // "LOW,HIGH"
 };
 int importVerb(const ImportCommand& options);
 struct ExportCommand {
@@ -84,7 +85,7 @@ struct ExportCommand {
 int exportVerb(const ExportCommand& options);
 struct BakeCommand {
     std::string project;
-    std::vector<std::string> only;       // flags of the bakes wanted; none: all
+    std::vector<std::string> only;  // flags of the bakes wanted; none: all
     int samples = 64, size = 0;
 };
 int bakeVerb(const BakeCommand& options);
@@ -104,13 +105,15 @@ int report(const Error& error);
 Result<Project> openForRendering(const RenderOptions& options);
 // Which cameras, in the order of their names. Errors: none, or none of that name.
 Result<std::vector<std::string>> cameraNames(const Project& project, const std::string& wanted);
-// Of what pictures are taken: the cameras, or the path alone, whose rate and length then stand in `options` (25 a second, all of
-// it, where they are not given). Errors: as cameraNames; no path of that name, or one without keys; a path and a camera.
+// Of what pictures are taken: the cameras, or the path alone, whose rate and length then stand in `options` (25 a
+// second, all of it, where they are not given). Errors: as cameraNames; no path of that name, or one without keys; a
+// path and a camera.
 Result<std::vector<std::string>> shotNames(RenderOptions& options, const Project& project);
 // The camera of that name, or where it is on the path that many seconds from its beginning.
 ViewCamera shotAt(const RenderOptions& options, const Project& project, const std::string& name, double seconds);
 // Where each camera's picture goes.
-std::filesystem::path outputOf(const RenderOptions& options, const Project& project, const std::string& camera, bool several);
+std::filesystem::path outputOf(const RenderOptions& options, const Project& project, const std::string& camera,
+                               bool several);
 // "I/N"; empty: 0 of 1. Usage error otherwise.
 Result<std::pair<int, int>> parseShard(const std::string& text);
 // "1024x768"; Usage error otherwise. Each side from 1 to 16384.

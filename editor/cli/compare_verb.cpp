@@ -16,7 +16,8 @@ Result<ErrorMetric> parseMetric(const std::string& text) {
 }
 
 Status checkOptions(const CompareOptions& o) {
-    if (!(o.ppd > 0 && o.ppd <= 10000)) return Error{ExitCode::Usage, "--ppd takes a number above 0, at most 10000", "", 0, 0, ""};
+    if (!(o.ppd > 0 && o.ppd <= 10000))
+        return Error{ExitCode::Usage, "--ppd takes a number above 0, at most 10000", "", 0, 0, ""};
     if (!o.heatmap.empty() && std::filesystem::path(o.heatmap).extension() != ".png")
         return Error{ExitCode::Usage, "a heat map is written as .png", o.heatmap, 0, 0, "name --heatmap so"};
     return {};
@@ -30,7 +31,13 @@ Result<std::vector<float>> readMask(const std::string& file, const Image& like) 
     auto image = readImage(file, true);
     if (!image) return image.error();
     if (image->width != like.width || image->height != like.height)
-        return Error{ExitCode::Failed, fmt::format("the mask is {}x{}, the images are {}x{}", image->width, image->height, like.width, like.height), file, 0, 0, ""};
+        return Error{ExitCode::Failed,
+                     fmt::format("the mask is {}x{}, the images are {}x{}", image->width, image->height, like.width,
+                                 like.height),
+                     file,
+                     0,
+                     0,
+                     ""};
     std::vector<float> mask(static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
     for (size_t i = 0; i < mask.size(); ++i) mask[i] = image->pixels[i * static_cast<size_t>(image->channels)];
     return mask;
@@ -41,7 +48,12 @@ Result<PicturePair> readPair(const CompareOptions& o) {
     if (!a) return a.error();
     if (!b) return b.error();
     if (gray(*a) != gray(*b))
-        return Error{ExitCode::Unsound, fmt::format("the images differ in kind: {} and {} channels", a->channels, b->channels), o.a + ", " + o.b, 0, 0, "compare colour with colour"};
+        return Error{ExitCode::Unsound,
+                     fmt::format("the images differ in kind: {} and {} channels", a->channels, b->channels),
+                     o.a + ", " + o.b,
+                     0,
+                     0,
+                     "compare colour with colour"};
     auto mask = readMask(o.mask, *b);
     if (!mask) return mask.error();
     auto pair = pairPictures(pictureOf(*a, o.linear), pictureOf(*b, o.linear), *mask);
@@ -67,7 +79,12 @@ Result<std::vector<std::string>> filmNames(const CompareOptions& o) {
     std::vector<std::string> alone;
     std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(alone));
     if (!alone.empty())
-        return Error{ExitCode::Failed, alone.front() + " is in one of both folders alone", o.a + ", " + o.b, 0, 0, "film both with the same --frames"};
+        return Error{ExitCode::Failed,
+                     alone.front() + " is in one of both folders alone",
+                     o.a + ", " + o.b,
+                     0,
+                     0,
+                     "film both with the same --frames"};
     return a;
 }
 
@@ -90,7 +107,13 @@ Result<Film> compareFilms(const CompareOptions& o) {
         film.nonFinite += pair->nonFinite;
         return pair;
     });
-    if (!popped) return Error{popped.error().code, popped.error().message, popped.error().file.empty() ? o.a + ", " + o.b : popped.error().file, 0, 0, popped.error().remedy};
+    if (!popped)
+        return Error{popped.error().code,
+                     popped.error().message,
+                     popped.error().file.empty() ? o.a + ", " + o.b : popped.error().file,
+                     0,
+                     0,
+                     popped.error().remedy};
     film.popping = std::move(*popped);
     return film;
 }
@@ -98,7 +121,8 @@ Result<Film> compareFilms(const CompareOptions& o) {
 Json filmJson(const Film& f) {
     const auto worst = static_cast<size_t>(f.popping.worstStep);
     Json j;
-    j["pictures"] = static_cast<int>(f.names.size()), j["appearance"] = f.appearance, j["popping"] = f.popping.mean, j["popping_worst"] = f.popping.worst;
+    j["pictures"] = static_cast<int>(f.names.size()), j["appearance"] = f.appearance, j["popping"] = f.popping.mean,
+    j["popping_worst"] = f.popping.worst;
     j["worst_step"].push(f.names[worst]), j["worst_step"].push(f.names[worst + 1]);
     j["steps"] = Json::makeArray();
     for (const double step : f.popping.steps) j["steps"].push(step);
@@ -108,12 +132,17 @@ Json filmJson(const Film& f) {
 
 std::string filmText(const Film& f) {
     const auto worst = static_cast<size_t>(f.popping.worstStep);
-    return fmt::format("popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nappearance   {:.5f}  mean of {} pictures\n", f.popping.mean, f.popping.steps.size(), f.popping.worst,
-                       f.names[worst], f.names[worst + 1], f.appearance, f.names.size());
+    return fmt::format(
+        "popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nappearance   {:.5f}  mean of {} "
+        "pictures\n",
+        f.popping.mean, f.popping.steps.size(), f.popping.worst, f.names[worst], f.names[worst + 1], f.appearance,
+        f.names.size());
 }
 
 int compareFilmsVerb(const CompareOptions& o) {
-    if (!o.heatmap.empty()) return report({ExitCode::Usage, "a heat map is of two images, not of films", o.heatmap, 0, 0, "leave --heatmap out"});
+    if (!o.heatmap.empty())
+        return report(
+            {ExitCode::Usage, "a heat map is of two images, not of films", o.heatmap, 0, 0, "leave --heatmap out"});
     const auto film = compareFilms(o);
     if (!film) return report(film.error());
     if (film->nonFinite > 0) logWarning(fmt::format("{} pixels are not finite and were left out", film->nonFinite));
@@ -132,11 +161,13 @@ int compareVerb(const CompareOptions& o) {
     auto pair = readPair(o);
     if (!pair) return report(pair.error());
     if (pair->nonFinite > 0)
-        logWarning(fmt::format("{} pixels are not finite and were left out; the first at {},{}", pair->nonFinite, pair->nonFiniteX, pair->nonFiniteY));
+        logWarning(fmt::format("{} pixels are not finite and were left out; the first at {},{}", pair->nonFinite,
+                               pair->nonFiniteX, pair->nonFiniteY));
     const Metrics m = metricsOf(*pair, o.ppd);
     if (!o.heatmap.empty()) {
         const std::vector<uint8_t> pixels = heatmap(errorMap(*pair, *metric, o.ppd), heatScale(*metric));
-        if (Status s = writeImagePng(o.heatmap, pair->truth.width, pair->truth.height, 3, pixels); !s) return report(s.error());
+        if (Status s = writeImagePng(o.heatmap, pair->truth.width, pair->truth.height, 3, pixels); !s)
+            return report(s.error());
     }
     std::printf("%s", (o.json ? writeJson(metricsJson(m, *pair, o.ppd)) : metricsText(m, *pair, o.ppd)).c_str());
     return 0;

@@ -5,7 +5,8 @@
 
 namespace sward {
 
-// Without settings and folder. Usage error: sizes, samples, rounds, limits or shards out of range, no such camera or path; Unsound: no camera.
+// Without settings and folder. Usage error: sizes, samples, rounds, limits or shards out of range, no such camera or
+// path; Unsound: no camera.
 Result<CostRequest> costRequest(const CostOptions& options, const Project& project);
 // A line on standard error that is written over, where a person looks. Stops once Ctrl+C was pressed.
 CostProgress costProgress();

@@ -38,22 +38,28 @@ Result<std::vector<CostView>> viewsOf(RenderOptions o, const Project& p) {
 }  // namespace
 
 Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
-    const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
+    const auto usage = [](const std::string& message, const std::string& remedy) {
+        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
+    };
     CostRequest r;
     const auto size = parseSize(o.size);
     if (!size) return size.error();
     const auto shard = parseShard(o.shard);
     if (!shard) return shard.error();
-    if (o.frames > kMostMoments) return usage(fmt::format("--frames takes at most {} moments of a path", kMostMoments), "");
+    if (o.frames > kMostMoments)
+        return usage(fmt::format("--frames takes at most {} moments of a path", kMostMoments), "");
     auto views = viewsOf(o, project);
     if (!views) return views.error();
     std::tie(r.width, r.height) = *size;
     std::tie(r.shard, r.shards) = *shard;
     r.views = std::move(*views), r.time = o.time, r.rounds = o.rounds, r.maxMs = o.maxMs;
-    if (o.samples < 2 || o.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no truth", o.samples), fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
+    if (o.samples < 2 || o.samples > kMaxReferenceSamples)
+        return usage(fmt::format("{} samples a pixel make no truth", o.samples),
+                     fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
     if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000", "");
     if (!(o.maxMs >= 0)) return usage("--max-ms takes a number from 0", "");
-    if (o.lighting != "full" && o.lighting != "direct") return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
+    if (o.lighting != "full" && o.lighting != "direct")
+        return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     r.truth.samples = o.samples, r.truth.seed = o.seed;
     r.truth.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
     return r;
@@ -73,16 +79,21 @@ namespace {
 void printRun(const CostRun& run, const fs::path& folder) {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
     for (const CostFloors& f : run.floors) {
-        std::printf("%s: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), f.seed.distance, f.sampling.distance, f.flat.distance);
+        std::printf("%s: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), f.seed.distance,
+                    f.sampling.distance, f.flat.distance);
         std::vector<const CostRow*> frontier;
         for (const CostRow& r : run.rows)
             if (r.camera == f.camera && r.onFrontier) frontier.push_back(&r);
-        std::sort(frontier.begin(), frontier.end(), [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
+        std::sort(frontier.begin(), frontier.end(),
+                  [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
         for (const CostRow* r : frontier)
-            std::printf("  %8.1f ms  %.5f +- %.5f  %s %s\n", r->msMedian, r->metrics.appearance.distance, r->metrics.appearance.sigma, r->technique.c_str(), r->settings.c_str());
+            std::printf("  %8.1f ms  %.5f +- %.5f  %s %s\n", r->msMedian, r->metrics.appearance.distance,
+                        r->metrics.appearance.sigma, r->technique.c_str(), r->settings.c_str());
     }
     for (const CostRow& r : run.rows)
-        if (!r.skipped.empty()) std::printf("left out: %s %s %s: %s\n", r.camera.c_str(), r.technique.c_str(), r.settings.c_str(), r.skipped.c_str());
+        if (!r.skipped.empty())
+            std::printf("left out: %s %s %s: %s\n", r.camera.c_str(), r.technique.c_str(), r.settings.c_str(),
+                        r.skipped.c_str());
     std::printf("%s\n", (folder / "report.html").string().c_str());
 }
 
@@ -110,8 +121,10 @@ int numericsVerb(const CostOptions& o) {
 
 int costVerb(const CostOptions& o) {
     if (o.numerics) return numericsVerb(o);
-    if (o.project.empty()) return report({ExitCode::Usage, "project is required", "", 0, 0, "name its folder, or ask for --numerics"});
-    if (o.out.empty()) return report({ExitCode::Usage, "--out is required", "", 0, 0, "name a folder for table, plots and report"});
+    if (o.project.empty())
+        return report({ExitCode::Usage, "project is required", "", 0, 0, "name its folder, or ask for --numerics"});
+    if (o.out.empty())
+        return report({ExitCode::Usage, "--out is required", "", 0, 0, "name a folder for table, plots and report"});
     RenderOptions asItIs = o;  // --technique says what to sweep, not how the project is drawn
     asItIs.technique.clear();
     auto project = openForRendering(asItIs);
@@ -147,9 +160,11 @@ int mergeCostVerb(const MergeCommand& o) {
     const auto whole = mergeCosts(parts);
     if (!whole) return report(whole.error());
     const fs::path out = o.out;
-    if (out.extension() != ".json" && out.extension() != ".csv") return report({ExitCode::Usage, "a joined sweep is written as .json or .csv", o.out, 0, 0, "name --out so"});
+    if (out.extension() != ".json" && out.extension() != ".csv")
+        return report({ExitCode::Usage, "a joined sweep is written as .json or .csv", o.out, 0, 0, "name --out so"});
     if (Status s = makeFolderOf(out); !s) return report(s.error());
-    if (Status s = writeFileAtomic(out, out.extension() == ".csv" ? costCsv(*whole) : writeJson(costJson(*whole))); !s) return report(s.error());
+    if (Status s = writeFileAtomic(out, out.extension() == ".csv" ? costCsv(*whole) : writeJson(costJson(*whole))); !s)
+        return report(s.error());
     std::printf("%s\n", o.out.c_str());
     return 0;
 }

@@ -11,7 +11,8 @@ namespace {
 
 std::string textOf(const FitCandidate& c) { return CostSetting{"hybrid", c.values}.text(); }
 std::string described(const FitCandidate& c) {
-    return fmt::format("{:.1f} ms, appearance {}: {}", c.ms, std::isfinite(c.appearance) ? fmt::format("{:.5f}", c.appearance) : "not taken", textOf(c));
+    return fmt::format("{:.1f} ms, appearance {}: {}", c.ms,
+                       std::isfinite(c.appearance) ? fmt::format("{:.5f}", c.appearance) : "not taken", textOf(c));
 }
 bool known(const FitCandidate& c) { return !c.values.empty(); }
 
@@ -25,9 +26,11 @@ Json candidateJson(const FitCandidate& c) {
 Json fitJson(const FitResult& r, double budgetMs) {
     Json j;
     j["budget_ms"] = budgetMs, j["fits"] = r.fits, j["tried"] = r.tried;
-    j["best"] = candidateJson(r.best), j["shipped"] = candidateJson(r.shipped), j["grid"] = candidateJson(r.gridBest), j["next_better"] = candidateJson(r.given);
+    j["best"] = candidateJson(r.best), j["shipped"] = candidateJson(r.shipped), j["grid"] = candidateJson(r.gridBest),
+    j["next_better"] = candidateJson(r.given);
     Json& held = j["held_out"];
-    held["shipped"] = numberJson(r.heldOut.shipped), held["fitted"] = numberJson(r.heldOut.fitted), held["grid"] = numberJson(r.heldOut.grid), held["note"] = r.heldOut.note;
+    held["shipped"] = numberJson(r.heldOut.shipped), held["fitted"] = numberJson(r.heldOut.fitted),
+    held["grid"] = numberJson(r.heldOut.grid), held["note"] = r.heldOut.note;
     return j;
 }
 
@@ -36,8 +39,9 @@ void printFit(const FitResult& r) {
     std::printf("fits      %s\nshipped   %s\n", described(r.best).c_str(), described(r.shipped).c_str());
     std::printf("grid      %s\n", known(r.gridBest) ? described(r.gridBest).c_str() : "no point of the grid fits");
     std::printf("given up  %s\n", known(r.given) ? described(r.given).c_str() : "nothing: no better one was seen");
-    std::printf("held out  appearance %s, shipped %s, grid %s%s%s\n", number(r.heldOut.fitted).c_str(), number(r.heldOut.shipped).c_str(), number(r.heldOut.grid).c_str(),
-                r.heldOut.note.empty() ? "" : "; ", r.heldOut.note.c_str());
+    std::printf("held out  appearance %s, shipped %s, grid %s%s%s\n", number(r.heldOut.fitted).c_str(),
+                number(r.heldOut.shipped).c_str(), number(r.heldOut.grid).c_str(), r.heldOut.note.empty() ? "" : "; ",
+                r.heldOut.note.c_str());
 }
 
 // Truths are kept beside other caches, under their hash.
@@ -57,7 +61,8 @@ Status save(const FitOptions& o, const FitCandidate& best) {
 
 int fitVerb(const FitOptions& o) {
     if (!(o.budgetMs > 0)) return report({ExitCode::Usage, "--budget-ms takes a number above 0", "", 0, 0, ""});
-    if (o.candidates < 1 || o.candidates > 10000) return report({ExitCode::Usage, "--candidates takes 1 to 10000", "", 0, 0, ""});
+    if (o.candidates < 1 || o.candidates > 10000)
+        return report({ExitCode::Usage, "--candidates takes 1 to 10000", "", 0, 0, ""});
     auto project = openForRendering(o);
     if (!project) return report(project.error());
     auto cost = costRequest(o, *project);
@@ -70,7 +75,10 @@ int fitVerb(const FitOptions& o) {
     if (!r) return report(r.error());
     if (o.json) std::printf("%s", writeJson(fitJson(*r, o.budgetMs)).c_str());
     if (!r->fits)
-        return report({ExitCode::Failed, fmt::format("nothing fits {} ms; the nearest of {} tried takes {}", o.budgetMs, r->tried, described(r->best)), "", 0, 0, "raise --budget-ms, or lower --size"});
+        return report({ExitCode::Failed,
+                       fmt::format("nothing fits {} ms; the nearest of {} tried takes {}", o.budgetMs, r->tried,
+                                   described(r->best)),
+                       "", 0, 0, "raise --budget-ms, or lower --size"});
     if (!o.json) printFit(*r);
     if (!o.write) return 0;
     if (Status s = save(o, r->best); !s) return report(s.error());

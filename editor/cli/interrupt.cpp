@@ -22,7 +22,8 @@ bool interrupted() { return pressed != 0; }
 std::function<bool(double)> progressLine(const std::string& name) {
     return [name, last = -1](double share) mutable {
         const int percent = static_cast<int>(share * 100);
-        if (percent != last && isatty(STDERR_FILENO)) std::fprintf(stderr, "\r%s %3d %%%s", name.c_str(), percent, percent == 100 ? "\n" : "");
+        if (percent != last && isatty(STDERR_FILENO))
+            std::fprintf(stderr, "\r%s %3d %%%s", name.c_str(), percent, percent == 100 ? "\n" : "");
         last = percent;
         return !interrupted();
     };

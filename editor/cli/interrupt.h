@@ -32,7 +32,8 @@ Result<T> waitFor(Job<T>& job, uint64_t inputHash) {
     while (!job.finished()) {
         if (!tell(job.progress())) {
             job.cancel();
-            while (!job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));  // it may read what the caller holds
+            while (!job.finished())
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));  // it may read what the caller holds
             return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -10,8 +10,14 @@ namespace {
 Result<std::pair<double, double>> parseRange(const std::string& text) {
     double low = 0, high = 0;
     char rest = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf%c", &low, &high, &rest) != 2 || !std::isfinite(low) || !std::isfinite(high) || !(low < high))
-        return Error{ExitCode::Usage, "\"" + text + "\" is no range", "", 0, 0, "write LOW,HIGH with LOW below HIGH, such as 0,250"};
+    if (std::sscanf(text.c_str(), "%lf,%lf%c", &low, &high, &rest) != 2 || !std::isfinite(low) ||
+        !std::isfinite(high) || !(low < high))
+        return Error{ExitCode::Usage,
+                     "\"" + text + "\" is no range",
+                     "",
+                     0,
+                     0,
+                     "write LOW,HIGH with LOW below HIGH, such as 0,250"};
     return std::pair{low, high};
 }
 
@@ -28,7 +34,8 @@ int importVerb(const ImportCommand& o) {
     auto project = loadProject(o.project, tables().components);
     if (!project) return report(project.error());
     std::vector<std::string> repaired;
-    if (o.packed && options.range) return report({ExitCode::Usage, "a packed map has no range", "", 0, 0, "leave out --range"});
+    if (o.packed && options.range)
+        return report({ExitCode::Usage, "a packed map has no range", "", 0, 0, "leave out --range"});
     const auto read = o.packed ? importPacked : importMap;
     if (Status s = read(*project, tables().components, o.map, o.file, options, &repaired); !s) return report(s.error());
     for (const std::string& r : repaired) logWarning(o.file + ": " + r);
@@ -43,7 +50,8 @@ int exportVerb(const ExportCommand& o) {
     if (!project) return report(project.error());
     ImportOptions options;
     if (o.flip) options.flip = true;
-    if (Status s = (o.packed ? exportPacked : exportMap)(*project, tables().components, o.map, o.out, options); !s) return report(s.error());
+    if (Status s = (o.packed ? exportPacked : exportMap)(*project, tables().components, o.map, o.out, options); !s)
+        return report(s.error());
     std::printf("%s\n", o.out.c_str());
     return 0;
 }

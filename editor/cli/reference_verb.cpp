@@ -18,7 +18,8 @@ Result<std::pair<int, int>> parseShard(const std::string& text) {
     int i = 0, n = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%d/%d%c", &i, &n, &rest) != 2 || n < 1 || i < 0 || i >= n)
-        return Error{ExitCode::Usage, "\"" + text + "\" is no shard", "", 0, 0, "write I/N, I from 0 to N-1, such as 0/4"};
+        return Error{
+            ExitCode::Usage, "\"" + text + "\" is no shard", "", 0, 0, "write I/N, I from 0 to N-1, such as 0/4"};
     return std::pair{i, n};
 }
 
@@ -27,7 +28,8 @@ namespace {
 std::vector<uint8_t> toneMapped(const std::vector<float>& linear) {
     std::vector<uint8_t> out(linear.size());
     for (size_t i = 0; i + 2 < linear.size(); i += 3) {
-        const glm::vec3 shown = f32::srgbEncode3(f32::toneMapNeutral(glm::max(glm::vec3(linear[i], linear[i + 1], linear[i + 2]), glm::vec3(0))));
+        const glm::vec3 shown = f32::srgbEncode3(
+            f32::toneMapNeutral(glm::max(glm::vec3(linear[i], linear[i + 1], linear[i + 2]), glm::vec3(0))));
         for (int c = 0; c < 3; ++c) out[i + static_cast<size_t>(c)] = static_cast<uint8_t>(std::lround(255 * shown[c]));
     }
     return out;
@@ -37,8 +39,10 @@ std::vector<uint8_t> toneMapped(const std::vector<float>& linear) {
 Status writeTruth(const Truth& t, const fs::path& file) {
     if (Status s = makeFolderOf(file); !s) return s;
     const fs::path error = fs::path(file).replace_extension(".error.exr");
-    if (file.extension() != ".exr" && file.extension() != ".png") return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};
-    const Status drawn = file.extension() == ".exr" ? writeImageExr(file, t.width, t.height, 3, t.color) : writeImagePng(file, t.width, t.height, 3, toneMapped(t.color));
+    if (file.extension() != ".exr" && file.extension() != ".png")
+        return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};
+    const Status drawn = file.extension() == ".exr" ? writeImageExr(file, t.width, t.height, 3, t.color)
+                                                    : writeImagePng(file, t.width, t.height, 3, toneMapped(t.color));
     if (!drawn) return drawn;
     if (Status s = writeImageExr(error, t.width, t.height, 3, t.error); !s) return s;
     std::printf("%s\n%s\n", file.string().c_str(), error.string().c_str());
@@ -63,13 +67,16 @@ struct Shot {
 
 uint64_t partHash(const Shot& s) {
     const ReferenceSettings& r = s.settings;
-    const std::string text = fmt::format("{} {} {} {}x{} {} {} {} {}", hashHex(projectHash(s.project, tables().components)), s.camera, s.time, r.width, r.height, r.samples, r.seed, static_cast<int>(r.lighting), r.shards);
+    const std::string text =
+        fmt::format("{} {} {} {}x{} {} {} {} {}", hashHex(projectHash(s.project, tables().components)), s.camera,
+                    s.time, r.width, r.height, r.samples, r.seed, static_cast<int>(r.lighting), r.shards);
     return hashText(text);
 }
 
 Result<Json> trace(const Shot& s, const fs::path& file) {
     const auto start = std::chrono::steady_clock::now();
-    Job<Truth> job("reference " + s.camera, 0, [&s](JobControl& control) { return s.scene.trace(s.view, s.settings, control); });
+    Job<Truth> job("reference " + s.camera, 0,
+                   [&s](JobControl& control) { return s.scene.trace(s.view, s.settings, control); });
     auto truth = waitFor(job, 0);
     if (!truth) return truth.error();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -77,13 +84,15 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
         if (Status st = writeTruth(*truth, file); !st) return st.error();
     } else {
         if (Status st = makeFolderOf(file); !st) return st.error();
-        if (Status st = writeFileAtomic(file, encodePart({s.camera, partHash(s), s.settings, std::move(*truth)})); !st) return st.error();
+        if (Status st = writeFileAtomic(file, encodePart({s.camera, partHash(s), s.settings, std::move(*truth)})); !st)
+            return st.error();
         std::printf("%s\n", file.string().c_str());
     }
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
     Json j;
-    j["sward"] = SWARD_VERSION, j["project"] = s.project.name, j["camera"] = s.camera, j["samples"] = s.settings.samples;
+    j["sward"] = SWARD_VERSION, j["project"] = s.project.name, j["camera"] = s.camera,
+    j["samples"] = s.settings.samples;
     j["lighting"] = kReferenceLightings[static_cast<size_t>(s.settings.lighting)], j["seconds"] = seconds;
     j["size"].push(s.settings.width), j["size"].push(s.settings.height);
     if (s.settings.shards == 1) j["mean_error"] = meanOf(truth->error), j["grass"] = meanOf(truth->grass);
@@ -92,7 +101,8 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
 }
 
 // A shard's file is a part: FILE.part, unless --out names it.
-fs::path fileOf(const ReferenceOptions& o, const Project& p, const std::string& camera, bool several, const ReferenceSettings& s) {
+fs::path fileOf(const ReferenceOptions& o, const Project& p, const std::string& camera, bool several,
+                const ReferenceSettings& s) {
     const fs::path file = outputOf(o, p, camera, several);
     if (s.shards == 1 || (!several && !o.out.empty())) return file;
     return fs::path(file).replace_extension(fmt::format(".{}-of-{}.part", s.shard, s.shards));
@@ -105,11 +115,14 @@ Result<Json> traceAll(ReferenceOptions o, const Project& project, ReferenceSetti
     Json all = Json::makeArray();
     for (int frame = 0; frame < (film ? o.frames : 1); ++frame) {
         const double since = film ? frame / o.fps : 0, time = o.time + since;
-        Job<ReferenceScene> job("scene", 0, [&](JobControl& control) { return ReferenceScene::make(project, tables(), time, control); });
+        Job<ReferenceScene> job(
+            "scene", 0, [&](JobControl& control) { return ReferenceScene::make(project, tables(), time, control); });
         auto scene = waitFor(job, 0);
         if (!scene) return scene.error();
         for (const std::string& camera : *cameras) {
-            const fs::path file = film ? (several ? fs::path(o.out) / camera : fs::path(o.out)) / fmt::format("frame_{:04d}.png", frame) : fileOf(o, project, camera, several, settings);
+            const fs::path file =
+                film ? (several ? fs::path(o.out) / camera : fs::path(o.out)) / fmt::format("frame_{:04d}.png", frame)
+                     : fileOf(o, project, camera, several, settings);
             auto told = trace({o, project, *scene, settings, camera, time, shotAt(o, project, camera, since)}, file);
             if (!told) return told.error();
             all.push(std::move(*told));
@@ -119,7 +132,9 @@ Result<Json> traceAll(ReferenceOptions o, const Project& project, ReferenceSetti
 }
 
 Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
-    const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
+    const auto usage = [](const std::string& message, const std::string& remedy) {
+        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
+    };
     ReferenceSettings s;
     const auto size = parseSize(o.size);
     if (!size) return size.error();
@@ -128,8 +143,11 @@ Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
     std::tie(s.width, s.height) = *size;
     std::tie(s.shard, s.shards) = *shard;
     s.samples = o.samples, s.seed = o.seed;
-    if (o.samples < 1 || o.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no picture", o.samples), fmt::format("--samples takes 1 to {}", kMaxReferenceSamples));
-    if (o.lighting != "full" && o.lighting != "direct") return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
+    if (o.samples < 1 || o.samples > kMaxReferenceSamples)
+        return usage(fmt::format("{} samples a pixel make no picture", o.samples),
+                     fmt::format("--samples takes 1 to {}", kMaxReferenceSamples));
+    if (o.lighting != "full" && o.lighting != "direct")
+        return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     s.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
     if (o.view != "final") return usage("the reference shows light alone", "leave --view out");
     if (o.frames < 0) return usage("--frames takes a number from 0", "");

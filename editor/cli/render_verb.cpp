@@ -12,7 +12,12 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     int w = 0, h = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) != 2 || w < 1 || h < 1 || w > 16384 || h > 16384)
-        return Error{ExitCode::Usage, "\"" + text + "\" is no size", "", 0, 0, "write WIDTHxHEIGHT, each from 1 to 16384, such as 1024x768"};
+        return Error{ExitCode::Usage,
+                     "\"" + text + "\" is no size",
+                     "",
+                     0,
+                     0,
+                     "write WIDTHxHEIGHT, each from 1 to 16384, such as 1024x768"};
     return std::pair{w, h};
 }
 
@@ -26,7 +31,12 @@ namespace {
 Result<ViewMode> parseView(const std::string& text) {
     for (size_t i = 0; i < std::size(kViewModes); ++i)
         if (text == kViewModes[i]) return static_cast<ViewMode>(i);
-    return Error{ExitCode::Usage, "there is no view \"" + text + "\"", "", 0, 0, "final, tiers, overdraw, density, depth or normals"};
+    return Error{ExitCode::Usage,
+                 "there is no view \"" + text + "\"",
+                 "",
+                 0,
+                 0,
+                 "final, tiers, overdraw, density, depth or normals"};
 }
 
 Status setTechnique(Project& p, const std::string& name) {
@@ -42,7 +52,8 @@ Status setTechnique(Project& p, const std::string& name) {
 
 Status applyOverride(Project& p, const std::string& text) {
     const size_t equals = text.find('=');
-    if (equals == std::string::npos) return Error{ExitCode::Usage, "--set " + text + " has no '='", "", 0, 0, "write PATH=VALUE"};
+    if (equals == std::string::npos)
+        return Error{ExitCode::Usage, "--set " + text + " has no '='", "", 0, 0, "write PATH=VALUE"};
     auto f = findField(p, tables().components, text.substr(0, equals));
     if (!f) return f.error();
     return setFieldText(*f, text.substr(equals + 1));
@@ -71,7 +82,9 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
         const auto start = std::chrono::steady_clock::now();
         if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
         shot.renderer.finish();
-        if (i >= 3) record.frameMs.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        if (i >= 3)
+            record.frameMs.push_back(
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     s.measure = true;
     if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
@@ -102,7 +115,8 @@ Status renderAll(RenderOptions o, Project& project, Gpu& gpu, int w, int h, View
         shot.settings.msaa = o.msaa, shot.settings.mode = mode, shot.settings.time = o.time;
         const fs::path file = outputOf(o, project, name, several);
         if (o.fps > 0 && o.frames > 0) {
-            if (Status s = writeFilm(shot, o, name, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s) return s;
+            if (Status s = writeFilm(shot, o, name, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s)
+                return s;
             continue;
         }
         if (!o.stats.empty() || o.frames > 0) {

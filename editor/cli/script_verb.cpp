@@ -13,14 +13,20 @@ namespace {
 class LazyUi final : public UiDriver {
   public:
     explicit LazyUi(Document& document) : document_(document) {}
-    Status click(const std::string& label) override { return with([&](UiDriver& d) { return d.click(label); }); }
-    Status set(const std::string& label, const std::string& text) override { return with([&](UiDriver& d) { return d.set(label, text); }); }
+    Status click(const std::string& label) override {
+        return with([&](UiDriver& d) { return d.click(label); });
+    }
+    Status set(const std::string& label, const std::string& text) override {
+        return with([&](UiDriver& d) { return d.set(label, text); });
+    }
     Result<std::string> get(const std::string& label) override {
         if (Status s = make(); !s) return s.error();
         return driver_->get(label);
     }
     bool exists(const std::string& label) override { return make() && driver_->exists(label); }
-    Status key(const std::string& chord) override { return with([&](UiDriver& d) { return d.key(chord); }); }
+    Status key(const std::string& chord) override {
+        return with([&](UiDriver& d) { return d.key(chord); });
+    }
     Result<std::array<double, 4>> rect(const std::string& label) override {
         if (Status s = make(); !s) return s.error();
         return driver_->rect(label);
@@ -28,8 +34,12 @@ class LazyUi final : public UiDriver {
     Status drag(double x1, double y1, double x2, double y2, const std::string& held) override {
         return with([&](UiDriver& d) { return d.drag(x1, y1, x2, y2, held); });
     }
-    Status wait(int frames) override { return with([&](UiDriver& d) { return d.wait(frames); }); }
-    Status screenshot(const std::filesystem::path& file) override { return with([&](UiDriver& d) { return d.screenshot(file); }); }
+    Status wait(int frames) override {
+        return with([&](UiDriver& d) { return d.wait(frames); });
+    }
+    Status screenshot(const std::filesystem::path& file) override {
+        return with([&](UiDriver& d) { return d.screenshot(file); });
+    }
 
     // The view of a camera: now if the editor is there, else once it is made.
     void useCamera(const std::string& name) {

@@ -23,7 +23,8 @@ int checkVerb(const std::string& dir, bool strict) {
         std::printf("%s: %zu refused, %zu repaired\n", dir.c_str(), r.refused.size(), r.repaired.size());
         return static_cast<int>(ExitCode::Unsound);
     }
-    std::printf("%s: sound%s\n", dir.c_str(), r.repaired.empty() ? "" : fmt::format(", {} repaired", r.repaired.size()).c_str());
+    std::printf("%s: sound%s\n", dir.c_str(),
+                r.repaired.empty() ? "" : fmt::format(", {} repaired", r.repaired.size()).c_str());
     return 0;
 }
 
@@ -37,7 +38,8 @@ int explainVerb(const std::string& dir, bool json) {
     ViewSettings settings;
     settings.width = 64, settings.height = 48;
     const Camera* camera = findCamera(*project, "");
-    if (Status s = renderer.draw(*project, camera ? viewOf(*camera) : ViewCamera{}, settings); !s) return report(s.error());
+    if (Status s = renderer.draw(*project, camera ? viewOf(*camera) : ViewCamera{}, settings); !s)
+        return report(s.error());
     std::printf("%s", renderer.explain(*project, json).c_str());
     return 0;
 }

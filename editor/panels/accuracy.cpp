@@ -18,7 +18,9 @@ void choices(EditorApp& app) {
     ImGui::TableSetupColumn("value");
     std::vector<std::string> against(std::begin(kAgainst), std::end(kAgainst) - (c.preview ? 0 : 1));
     int chosen = static_cast<int>(c.against);
-    caption("Against", "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same grass.");
+    caption("Against",
+            "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same "
+            "grass.");
     if (ui::combo("Against", against, chosen)) compareWith(app, static_cast<Against>(chosen));
     const ui::Disabled off(c.against == Against::Off);
     const std::vector<std::string> shows(std::begin(kCompareShows), std::end(kCompareShows));
@@ -31,7 +33,9 @@ void choices(EditorApp& app) {
     ui::slider("Split", c.split, spec);
     const std::vector<std::string> metrics(std::begin(kErrorMetrics), std::end(kErrorMetrics));
     int metric = static_cast<int>(c.metric);
-    caption("Error", "appearance: does it look the same, whichever blade stands where.  flip: what an eye sees when pictures alternate.\nrmse: pixel by pixel.  ssim: structure, pixel by pixel.");
+    caption("Error",
+            "appearance: does it look the same, whichever blade stands where.  flip: what an eye sees when pictures "
+            "alternate.\nrmse: pixel by pixel.  ssim: structure, pixel by pixel.");
     if (ui::combo("Metric", metrics, metric)) chooseMetric(app, static_cast<ErrorMetric>(metric));
     ImGui::EndTable();
 }
@@ -47,15 +51,23 @@ void score(const char* label, const std::string& text, const char* help) {
 void scores(EditorApp& app) {
     const Comparison& c = app.accuracy.comparison;
     if (c.against == Against::Off) return ImGui::TextDisabled("Choose what to compare with.");
-    if (!c.metrics) return ui::coloredText(ui::kDimText, c.picture.id() == 0 ? comparisonLabel(app).c_str() : "no grass is in view");
+    if (!c.metrics)
+        return ui::coloredText(ui::kDimText,
+                               c.picture.id() == 0 ? comparisonLabel(app).c_str() : "no grass is in view");
     const Metrics& m = *c.metrics;
-    score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.3f}", m.appearance.distance, m.appearance.sigma), "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance moves it.");
-    score("brightness", fmt::format("{:.4f}", m.appearance.bias), "The part of it that is a wrong mean colour or brightness (bias).");
+    score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.3f}", m.appearance.distance, m.appearance.sigma),
+          "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance "
+          "moves it.");
+    score("brightness", fmt::format("{:.4f}", m.appearance.bias),
+          "The part of it that is a wrong mean colour or brightness (bias).");
     score("contrast", fmt::format("{:.4f}", m.appearance.contrast), "The part of it that is too flat or too busy.");
-    score("flip", fmt::format("{:.3f}", m.flip), "What an eye notices when the two pictures alternate: 0 nothing, 1 most.");
+    score("flip", fmt::format("{:.3f}", m.flip),
+          "What an eye notices when the two pictures alternate: 0 nothing, 1 most.");
     if (c.against != Against::Reference) return;
-    score("samples", fmt::format("{} of {}", c.sum.passes, kMostPasses), "Rays a pixel so far. More come while nothing moves.");
-    score("truth's noise", c.sum.passes > 1 ? fmt::format("{:.4f}", c.truthError) : "unknown yet", "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
+    score("samples", fmt::format("{} of {}", c.sum.passes, kMostPasses),
+          "Rays a pixel so far. More come while nothing moves.");
+    score("truth's noise", c.sum.passes > 1 ? fmt::format("{:.4f}", c.truthError) : "unknown yet",
+          "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
 }
 
 std::string elapsed(const EditorApp& app, double started) { return fmt::format("{:.0f} s", app.now - started); }
@@ -67,17 +79,23 @@ void sweepRow(EditorApp& app) {
         ImGui::SameLine(0, 8);
         const int rows = rowsMeasured(s);
         const std::string done = rows == 0 ? "the truth first" : fmt::format("{} settings", rows);
-        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {}, {}", accuracyCamera(app), done, elapsed(app, s.started)).c_str());
+        ui::coloredText(
+            ui::kDimText,
+            fmt::format("measuring {}: {}, {}", accuracyCamera(app), done, elapsed(app, s.started)).c_str());
         return;
     }
     const ui::Disabled none(!app.doc.isOpen());
     if (ui::button("Measure")) startSweep(app);
-    ui::tooltip("Draws this project with every technique at many settings, and holds each against the truth. Takes some minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
+    ui::tooltip(
+        "Draws this project with every technique at many settings, and holds each against the truth. Takes some "
+        "minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
     ImGui::SameLine(0, 8);
     if (!s.error.empty())
         ui::coloredText(ui::kErrorText, s.error.c_str());
     else
-        ui::coloredText(ui::kDimText, s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str() : "Each way to draw, measured.");
+        ui::coloredText(ui::kDimText,
+                        s.run ? fmt::format("{} settings. Click one to adopt it.", s.run->rows.size()).c_str()
+                              : "Each way to draw, measured.");
     if (!s.error.empty()) ui::tooltip(s.error);
 }
 
@@ -85,7 +103,8 @@ void adopt(EditorApp& app, const CostSetting& setting) {
     app.deferred.push_back([&app, setting] {
         const auto left = adoptSettings(app.doc, setting);
         if (!left) return showError(app, left.error());
-        say(app, "adopted " + setting.technique + " " + setting.text() + (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
+        say(app, "adopted " + setting.technique + " " + setting.text() +
+                     (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
     });
 }
 
@@ -107,10 +126,15 @@ void fitResult(EditorApp& app) {
     ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
     ImGui::PushTextWrapPos(0);
     const std::string error = std::isfinite(r.appearance) ? fmt::format(", error {:.4f}", r.appearance) : "";
-    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms{}  (now {:.3g} ms, {:.4f})", r.fits ? "" : "Nothing fits. The quickest: ", r.ms, error, r.shippedMs, r.shippedAppearance).c_str());
+    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms{}  (now {:.3g} ms, {:.4f})",
+                                       r.fits ? "" : "Nothing fits. The quickest: ", r.ms, error, r.shippedMs,
+                                       r.shippedAppearance)
+                               .c_str());
     ui::record("Fitted", ui::Kind::Label, r.settings);
     ui::tooltip(r.settings);
-    if (r.fits) ui::coloredText(ui::kDimText, ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    if (r.fits)
+        ui::coloredText(ui::kDimText,
+                        ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
     ImGui::PopTextWrapPos();
 }
 

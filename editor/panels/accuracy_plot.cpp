@@ -12,7 +12,11 @@ struct TechniqueColor {
     const char* name;
     ImU32 color;
 };
-constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)}, {"geometry", IM_COL32(255, 120, 90, 255)}, {"slices", IM_COL32(90, 170, 255, 255)}, {"flat", IM_COL32(205, 190, 110, 255)}, {"tessellated", IM_COL32(215, 120, 225, 255)}};
+constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)},
+                                      {"geometry", IM_COL32(255, 120, 90, 255)},
+                                      {"slices", IM_COL32(90, 170, 255, 255)},
+                                      {"flat", IM_COL32(205, 190, 110, 255)},
+                                      {"tessellated", IM_COL32(215, 120, 225, 255)}};
 
 ImU32 colorOf(const std::string& technique) {
     for (const TechniqueColor& c : kColors)
@@ -28,7 +32,9 @@ struct Axis {
         if (!(v > 0) || !std::isfinite(v)) return;
         low = std::min(low, std::log10(v)), high = std::max(high, std::log10(v));
     }
-    float at(double v) const { return from + (to - from) * static_cast<float>((std::log10(std::max(v, 1e-9)) - low) / (high - low)); }
+    float at(double v) const {
+        return from + (to - from) * static_cast<float>((std::log10(std::max(v, 1e-9)) - low) / (high - low));
+    }
 };
 Axis emptyAxis() { return {1e9, -1e9}; }
 void pad(Axis& a) {
@@ -87,7 +93,8 @@ void axes(const Plot& p) {
         list.AddText({p.low.x - 5 - ImGui::CalcTextSize(text.c_str()).x, y - em / 2}, ui::kDimText, text.c_str());
         above = y - em / 2;
     });
-    if (p.high.x - p.low.x > em * 18) list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, "appearance error");
+    if (p.high.x - p.low.x > em * 18)
+        list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, "appearance error");
     list.AddRect(p.low, p.high, IM_COL32(255, 255, 255, 60));
 }
 
@@ -95,10 +102,12 @@ void level(const Plot& p, double v, const char* label, float& taken) {
     if (!(v > 0)) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = p.y.at(v);
-    for (float x = p.low.x; x < p.high.x; x += 8) list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, IM_COL32(255, 255, 255, 110));
+    for (float x = p.low.x; x < p.high.x; x += 8)
+        list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, IM_COL32(255, 255, 255, 110));
     const ImVec2 size = ImGui::CalcTextSize(label);
     const float at = p.high.x - size.x - 6 - taken;
-    if (at > p.low.x) list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
+    if (at > p.low.x)
+        list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
     taken += size.x + 14;  // side by side: lines may lie close
 }
 
@@ -108,8 +117,10 @@ void frontier(const Plot& p, const CostRun& run) {
         if (isDrawn(r) && r.onFrontier) rows.push_back(&r);
     std::sort(rows.begin(), rows.end(), [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
     for (size_t i = 1; i < rows.size(); ++i)
-        ImGui::GetWindowDrawList()->AddLine({p.x.at(rows[i - 1]->msMedian), p.y.at(rows[i - 1]->metrics.appearance.distance)},
-                                            {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, IM_COL32(255, 255, 255, 150), 1.5f);
+        ImGui::GetWindowDrawList()->AddLine(
+            {p.x.at(rows[i - 1]->msMedian), p.y.at(rows[i - 1]->metrics.appearance.distance)},
+            {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, IM_COL32(255, 255, 255, 150),
+            1.5f);
 }
 
 void legend(const Plot& p) {
@@ -164,7 +175,8 @@ void points(EditorApp& app, const Plot& p, const CostRun& run, const CostRow* ho
     }
     const Comparison& c = app.accuracy.comparison;
     if (marked || c.against != Against::Reference || !c.metrics || app.viewport.lastMs <= 0) return;
-    const ImVec2 at{std::clamp(p.x.at(app.viewport.lastMs), p.low.x, p.high.x), std::clamp(p.y.at(c.metrics->appearance.distance), p.low.y, p.high.y)};
+    const ImVec2 at{std::clamp(p.x.at(app.viewport.lastMs), p.low.x, p.high.x),
+                    std::clamp(p.y.at(c.metrics->appearance.distance), p.low.y, p.high.y)};
     list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
     list.AddText({std::min(at.x + 10, p.high.x - 60), at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "viewport");
 }
@@ -181,7 +193,8 @@ void emptyPlot(const ImVec2& at, const ImVec2& size) {
 
 std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    const float left = ImGui::GetWindowHeight() - ImGui::GetCursorPosY() - 4;  // whatever part of the panel is scrolled to
+    const float left =
+        ImGui::GetWindowHeight() - ImGui::GetCursorPosY() - 4;  // whatever part of the panel is scrolled to
     const ImVec2 size{std::max(room.x, 80.0f), std::max(left, ImGui::GetFontSize() * 10)};
     const bool pressed = ImGui::InvisibleButton("plot", size);
     ui::record("Plot", ui::Kind::Area);
@@ -200,12 +213,20 @@ std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
     points(app, p, run, hovered);
     if (!hovered) {
-        if (over) ui::tooltip(fmt::format("Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The line: nothing is both quicker and truer.\n"
-                                          "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other blades: as good as true.", floors.camera, run.width, run.height));
+        if (over)
+            ui::tooltip(
+                fmt::format("Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The "
+                            "line: nothing is both quicker and truer.\n"
+                            "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other "
+                            "blades: as good as true.",
+                            floors.camera, run.width, run.height));
         return {};
     }
-    ImGui::SetTooltip("%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}\nClick to adopt.", hovered->technique, hovered->settings, hovered->msMedian,
-                                         hovered->metrics.appearance.distance, hovered->metrics.appearance.sigma, hovered->onFrontier ? "\nNothing is both quicker and truer." : "").c_str());
+    ImGui::SetTooltip("%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}\nClick to adopt.",
+                                        hovered->technique, hovered->settings, hovered->msMedian,
+                                        hovered->metrics.appearance.distance, hovered->metrics.appearance.sigma,
+                                        hovered->onFrontier ? "\nNothing is both quicker and truer." : "")
+                                .c_str());
     return pressed ? std::optional(settingOf(hovered->technique, hovered->settings)) : std::nullopt;
 }
 

@@ -135,7 +135,8 @@ void color(EditorApp& app) {
     ImGui::SetNextItemWidth(em(5.5f));
     if (const auto typed = ui::textField("Colour", colorText(chosen))) {
         const std::optional<glm::vec3> parsed = parseColor(*typed);
-        ui::setError("Colour", parsed ? "" : "a colour is written as #e5c81a: two digits 0 to f each of red, green and blue");
+        ui::setError("Colour",
+                     parsed ? "" : "a colour is written as #e5c81a: two digits 0 to f each of red, green and blue");
         if (parsed) chosen = *parsed;
     }
     const std::string* error = ui::errorAt("Colour");
@@ -164,7 +165,8 @@ void drawBrushBar(EditorApp& app) {
     const bool colours = map && kindOf(*map->row) == MapKind::Colours;
     if (colours) color(app);
     if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
-        number(app, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1), "How far the colour covers what lies under the map; 1: wholly.");
+        number(app, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),
+               "How far the colour covers what lies under the map; 1: wholly.");
     if (b.mode == "set" && !colours)
         number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
                "What the brush paints towards: 0 is bare, 1 is full.");

@@ -31,7 +31,8 @@ void cameraTools(EditorApp& app, const std::string& path, const Camera& camera) 
     ui::tooltip("Moves the view to this camera.");
     ImGui::SameLine();
     if (ui::button(path + "/Take the view"))
-        app.deferred.push_back([&app, path] { accept(app, inOneStep(app, "camera from view", [&] { return takeView(app, path); })); });
+        app.deferred.push_back(
+            [&app, path] { accept(app, inOneStep(app, "camera from view", [&] { return takeView(app, path); })); });
     ui::tooltip("Puts this camera where the view is.");
 }
 
@@ -49,7 +50,9 @@ constexpr double kSecondsBetweenKeys = 2;
 void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
     if (ui::button(path + "/Key from view")) {
         const double seconds = p.keys.empty() ? 0 : secondsOf(p) + kSecondsBetweenKeys;
-        app.deferred.push_back([&app, path, seconds] { accept(app, inOneStep(app, "add a key", [&] { return addKey(app, path, seconds); })); });
+        app.deferred.push_back([&app, path, seconds] {
+            accept(app, inOneStep(app, "add a key", [&] { return addKey(app, path, seconds); }));
+        });
     }
     ui::tooltip("Adds a key where the view is, two seconds after the last.");
     if (p.keys.empty()) return;
@@ -61,7 +64,8 @@ void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
     float at = app.viewport.pathSecond;
     const double end = std::max(1.0, secondsOf(p));
     const ui::NumberSpec spec{.softMax = end, .hardMin = 0, .hardMax = end, .unit = "s"};
-    if (ui::slider(path + "/Second", at, spec)) app.viewport.pathSecond = at, app.viewport.camera = flyFrom(viewOf(cameraOn(p, static_cast<double>(at))));
+    if (ui::slider(path + "/Second", at, spec))
+        app.viewport.pathSecond = at, app.viewport.camera = flyFrom(viewOf(cameraOn(p, static_cast<double>(at))));
     ui::tooltip("Moves the view along the path.");
 }
 

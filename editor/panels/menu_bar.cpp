@@ -36,7 +36,8 @@ void drawMenu(EditorApp& app, const std::string& menu) {
     for (const Command& c : commands()) {
         if (menu != c.menu) continue;
         const std::string label = c.label;
-        if (ui::menuItem(label, chordText(c.chord), c.checked && c.checked(app), c.enabled(app) && (c.inPlay || !playing(app))))
+        if (ui::menuItem(label, chordText(c.chord), c.checked && c.checked(app),
+                         c.enabled(app) && (c.inPlay || !playing(app))))
             app.deferred.push_back([&app, &c] { c.run(app); });
         if (label == "Undo" && app.doc.canUndo()) ui::tooltip("takes back: " + app.doc.undoLabel());
         if (label == "Redo" && app.doc.canRedo()) ui::tooltip("does again: " + app.doc.redoLabel());

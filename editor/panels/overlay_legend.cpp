@@ -92,7 +92,8 @@ void forces(const Rect& r, const std::string& title, double yaw) {
 // Each place has its own colour: the bar says with the brush's how opacity shows.
 void colours(const Rect& r, const std::string& title, const char* none, const glm::vec3& color) {
     constexpr const char* kHelp = "the map's colours, by opacity";
-    const float line = ImGui::GetTextLineHeight(), wide = std::max(ImGui::CalcTextSize(title.c_str()).x, ImGui::CalcTextSize(kHelp).x);
+    const float line = ImGui::GetTextLineHeight(),
+                wide = std::max(ImGui::CalcTextSize(title.c_str()).x, ImGui::CalcTextSize(kHelp).x);
     ImVec2 at = box(r, wide + 2 * kPad, 2 * kPad + 3 * line + 20);
     text(at, title);
     text({at.x, at.y + line + 2}, kHelp, ui::kDimText);

@@ -127,7 +127,8 @@ void drawSplitters(EditorApp& app) {
     if (column > 0)
         splitter("Right", {a.inspector.x - kGrip / 2, a.tools.y, kGrip, a.tools.h}, true, -1, app.layout.right);
     if (a.bottom.h > 0)
-        splitter("Bottom", {a.bottom.x, a.bottom.y - kGrip / 2, a.bottom.w, kGrip}, false, -1, bottomHeight(app.layout));
+        splitter("Bottom", {a.bottom.x, a.bottom.y - kGrip / 2, a.bottom.w, kGrip}, false, -1,
+                 bottomHeight(app.layout));
     if (a.outliner.h > 0 && a.inspector.h > 0) {
         float height = app.layout.outliner * a.tools.h;
         splitter("Outliner", {a.inspector.x, a.inspector.y - kGrip / 2, a.inspector.w, kGrip}, false, 1, height);

@@ -16,15 +16,21 @@ enum class Icon { Play, Stop, Pause, Step };
 
 void drawIcon(Icon icon, ImVec2 c, float r, ImU32 color) {
     ImDrawList& d = *ImGui::GetWindowDrawList();
-    const auto bar = [&](float x) { d.AddRectFilled({c.x + x - r * 0.22f, c.y - r}, {c.x + x + r * 0.22f, c.y + r}, color); };
+    const auto bar = [&](float x) {
+        d.AddRectFilled({c.x + x - r * 0.22f, c.y - r}, {c.x + x + r * 0.22f, c.y + r}, color);
+    };
     const auto arrow = [&](float x) {
         d.AddTriangleFilled({c.x + x - r * 0.8f, c.y - r}, {c.x + x + r, c.y}, {c.x + x - r * 0.8f, c.y + r}, color);
     };
     switch (icon) {
-        case Icon::Play: return arrow(0);
-        case Icon::Stop: return d.AddRectFilled({c.x - r * 0.9f, c.y - r * 0.9f}, {c.x + r * 0.9f, c.y + r * 0.9f}, color);
-        case Icon::Pause: return bar(-r * 0.5f), bar(r * 0.5f);
-        case Icon::Step: return bar(-r * 0.9f), arrow(r * 0.3f);
+        case Icon::Play:
+            return arrow(0);
+        case Icon::Stop:
+            return d.AddRectFilled({c.x - r * 0.9f, c.y - r * 0.9f}, {c.x + r * 0.9f, c.y + r * 0.9f}, color);
+        case Icon::Pause:
+            return bar(-r * 0.5f), bar(r * 0.5f);
+        case Icon::Step:
+            return bar(-r * 0.9f), arrow(r * 0.3f);
     }
 }
 
@@ -36,7 +42,8 @@ bool iconButton(const char* label, Icon icon, ImU32 color, const char* help, boo
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::record(label, ui::Kind::Button);
     ui::tooltip(help);
-    drawIcon(icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, height * 0.28f, enabled ? color : ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    drawIcon(icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, height * 0.28f,
+             enabled ? color : ImGui::GetColorU32(ImGuiCol_TextDisabled));
     return pressed;
 }
 
@@ -56,12 +63,14 @@ void drawPlayBar(EditorApp& app) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX() + 12, (ImGui::GetWindowWidth() - width) / 2));
     const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
     if (iconButton("Start", play ? Icon::Stop : Icon::Play, play ? ui::kErrorText : IM_COL32(120, 200, 90, 255),
-                   play ? "Stops: everything is as it was before (F5)." : "Walks through the project from here (F5).", app.doc.isOpen()))
+                   play ? "Stops: everything is as it was before (F5)." : "Walks through the project from here (F5).",
+                   app.doc.isOpen()))
         app.deferred.push_back([&app] { togglePlay(app); });
     if (iconButton("Pause", play && play->paused() ? Icon::Play : Icon::Pause, play && play->paused() ? kPaused : plain,
                    play && play->paused() ? "Goes on (F6)." : "Pauses (F6).", play))
         app.deferred.push_back([&app] { togglePause(app); });
-    if (iconButton("Step", Icon::Step, plain, "One step of 1/60 s (F11).", play)) app.deferred.push_back([&app] { stepOnce(app); });
+    if (iconButton("Step", Icon::Step, plain, "One step of 1/60 s (F11).", play))
+        app.deferred.push_back([&app] { stepOnce(app); });
     ui::record("State", ui::Kind::Label, !play ? "stopped" : play->paused() ? "paused" : "playing");
     ImGui::EndMenuBar();
     ImGui::End();
@@ -73,11 +82,14 @@ void drawPlayFrame(EditorApp& app) {
     const Rect& r = app.viewport.rect;
     const ImU32 color = play->paused() ? kPaused : kPlaying;
     ImGui::GetWindowDrawList()->AddRect({r.x + 1.5f, r.y + 1.5f}, {r.x + r.w - 1.5f, r.y + r.h - 1.5f}, color, 0, 0, 3);
-    outlined({r.x + 18, r.y + 14}, color, fmt::format("{}   {:.2f} s", play->paused() ? "PAUSED" : "PLAYING", play->time()));
-    const std::string keys = app.play.captured ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
-                             : play->paused()  ? "F6 goes on    F11 one step    F5 stop"
-                             : !play->runs()   ? "A script takes the steps    F11 one step    F5 stop"
-                                               : "Click to walk and look    F6 pause    F11 step    F5 stop";
+    outlined({r.x + 18, r.y + 14}, color,
+             fmt::format("{}   {:.2f} s", play->paused() ? "PAUSED" : "PLAYING", play->time()));
+    const std::string keys =
+        app.play.captured
+            ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
+        : play->paused() ? "F6 goes on    F11 one step    F5 stop"
+        : !play->runs()  ? "A script takes the steps    F11 one step    F5 stop"
+                         : "Click to walk and look    F6 pause    F11 step    F5 stop";
     const ImVec2 size = ImGui::CalcTextSize(keys.c_str());
     outlined({r.x + (r.w - size.x) / 2, r.y + r.h - size.y - 16}, IM_COL32(235, 236, 235, 255), keys);
 }

@@ -33,7 +33,8 @@ void savedDot(EditorApp& app) {
 void bakeProgress(EditorApp& app) {
     if (!app.occlusion) return;
     const float share = static_cast<float>(app.occlusion->job.progress());
-    item("Baking", fmt::format("{:.0f} %", 100 * share), "Rays are cast from the ground to see how much of the sky is open; the map comes as one undo step.");
+    item("Baking", fmt::format("{:.0f} %", 100 * share),
+         "Rays are cast from the ground to see how much of the sky is open; the map comes as one undo step.");
     ImGui::ProgressBar(share, {120, ImGui::GetTextLineHeight()}, "");
     ImGui::SameLine(0, 5);
     if (ui::button("Cancel")) app.occlusion->job.cancel();
@@ -42,21 +43,26 @@ void bakeProgress(EditorApp& app) {
 
 // Slices of changed blades: drafts are on the screen until they are there.
 void making(EditorApp& app) {
-    for (const JobNews& j : app.making) item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
+    for (const JobNews& j : app.making)
+        item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
 }
 
 // "+8.1 k" or "-120"
-std::string signedCount(double n) { return (n < 0 ? "-" : "+") + counted(static_cast<uint64_t>(std::llround(std::abs(n)))); }
+std::string signedCount(double n) {
+    return (n < 0 ? "-" : "+") + counted(static_cast<uint64_t>(std::llround(std::abs(n))));
+}
 
 // What painting adds, while it is done.
 void painting(EditorApp& app) {
     const BrushCost& c = app.brushCost;
     if (c.under)
-        item("Under brush", counted(static_cast<uint64_t>(std::llround(*c.under))) + " blades", "Blades of this species that grow within the brush's ring.");
+        item("Under brush", counted(static_cast<uint64_t>(std::llround(*c.under))) + " blades",
+             "Blades of this species that grow within the brush's ring.");
     if (!c.stroke) return;
     const std::optional<double> ms = strokeMs(app);
     item("Stroke", signedCount(*c.stroke) + " blades" + (ms ? fmt::format(", about {:+.2g} ms", *ms) : ""),
-         ms ? "What the stroke added or took, and about what that costs a frame: the measured grass, times the share by which its blades grow."
+         ms ? "What the stroke added or took, and about what that costs a frame: the measured grass, times the share "
+              "by which its blades grow."
             : "What the stroke added or took. With Measure on (Profiler) also what it costs a frame.");
 }
 

@@ -95,8 +95,8 @@ void ringAt(EditorApp& app, const Ground& ground, double radius, ImU32 color, fl
 // the decal: drawn over the image, it follows the pointer at the speed of the interface.
 void brushRing(EditorApp& app) {
     const Viewport& v = app.viewport;
-    if (!v.ground || app.tierView.hover || app.accuracy.comparison.gripHovered || drawsDecal(app) || app.brushes.tool == kLookTool ||
-        (v.gesture != Gesture::None && v.gesture != Gesture::Paint))
+    if (!v.ground || app.tierView.hover || app.accuracy.comparison.gripHovered || drawsDecal(app) ||
+        app.brushes.tool == kLookTool || (v.gesture != Gesture::None && v.gesture != Gesture::Paint))
         return;
     const Ground ground = findGround(app.doc.project());
     if (!ground.terrain) return;

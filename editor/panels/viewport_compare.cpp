@@ -40,10 +40,12 @@ void scaleBar(const EditorApp& app) {
     for (int i = 0; i < kParts; ++i) {
         const glm::vec3 c = heatColor((i + 0.5) / kParts) * 255.0f;
         const ImU32 color = IM_COL32(static_cast<int>(c.x), static_cast<int>(c.y), static_cast<int>(c.z), 255);
-        list.AddRectFilled({x + w * static_cast<float>(i) / kParts, y}, {x + w * static_cast<float>(i + 1) / kParts, y + h}, color);
+        list.AddRectFilled({x + w * static_cast<float>(i) / kParts, y},
+                           {x + w * static_cast<float>(i + 1) / kParts, y + h}, color);
     }
     const ErrorMetric metric = app.accuracy.comparison.metric;
-    list.AddText({x, y - 17}, IM_COL32_WHITE, fmt::format("{} error", kErrorMetrics[static_cast<size_t>(metric)]).c_str());
+    list.AddText({x, y - 17}, IM_COL32_WHITE,
+                 fmt::format("{} error", kErrorMetrics[static_cast<size_t>(metric)]).c_str());
     list.AddText({x - 10, y - 3}, IM_COL32_WHITE, "0");
     list.AddText({x + w + 5, y - 3}, IM_COL32_WHITE, fmt::format("{:g}", heatScale(metric)).c_str());
 }
@@ -73,7 +75,8 @@ void lineAndGrip(const EditorApp& app) {
     list.AddCircleFilled(g, kGrip, hot ? ui::kAccent : IM_COL32(30, 33, 30, 235));
     list.AddCircle(g, kGrip, IM_COL32_WHITE, 0, 1.5f);
     for (const float side : {-1.0f, 1.0f})
-        list.AddTriangleFilled({g.x + side * 7, g.y}, {g.x + side * 3, g.y - 4}, {g.x + side * 3, g.y + 4}, IM_COL32_WHITE);
+        list.AddTriangleFilled({g.x + side * 7, g.y}, {g.x + side * 3, g.y - 4}, {g.x + side * 3, g.y + 4},
+                               IM_COL32_WHITE);
 }
 
 }  // namespace
@@ -104,7 +107,9 @@ void hoverSplit(EditorApp& app, bool over) {
     if (c.gripHovered || app.viewport.gesture == Gesture::Split) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }
 
-bool grabSplit(const EditorApp& app) { return app.accuracy.comparison.gripHovered && !app.in.ctrl() && !app.in.shift() && !app.in.alt(); }
+bool grabSplit(const EditorApp& app) {
+    return app.accuracy.comparison.gripHovered && !app.in.ctrl() && !app.in.shift() && !app.in.alt();
+}
 
 void dragSplit(EditorApp& app, double x) {
     const Rect& r = app.viewport.rect;

@@ -1,5 +1,5 @@
-// What a comparison lays over the viewport's picture: the other picture or the map of errors right of a line, and the line's grip.
-// Does not: make what it shows (accuracy.h).
+// What a comparison lays over the viewport's picture: the other picture or the map of errors right of a line, and the
+// line's grip. Does not: make what it shows (accuracy.h).
 #pragma once
 #include "app.h"
 

@@ -126,12 +126,14 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
     if (app.measure) app.viewport.countedRevision = ~uint64_t(0);
 }
 
-// What only counting over maps and cells tells: once at rest. A playtest changes no population: that is counted once for all of it.
+// What only counting over maps and cells tells: once at rest. A playtest changes no population: that is counted once
+// for all of it.
 void countAtRest(EditorApp& app, const ViewCamera& camera) {
     Viewport& v = app.viewport;
     const bool coarse = v.resolution.drawnScale < 1 && app.surface->fixedStep() == 0;
     if (coarse && !playing(app)) return;
-    if (std::exchange(v.populationRevision, app.doc.revision()) != app.doc.revision()) v.bladesVirtual = virtualBlades(app.doc.project());
+    if (std::exchange(v.populationRevision, app.doc.revision()) != app.doc.revision())
+        v.bladesVirtual = virtualBlades(app.doc.project());
     if (playing(app) || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
     v.bladesVisible =
@@ -160,7 +162,8 @@ void drawScene(EditorApp& app) {
     settings.mode = v.mode;
     settings.time = timeShown(app);
     settings.measure = app.measure;
-    settings.background = app.surface->fixedStep() == 0 && !app.refineNow;  // scripts and screenshots wait: the same picture each time
+    settings.background =
+        app.surface->fixedStep() == 0 && !app.refineNow;  // scripts and screenshots wait: the same picture each time
     settings.decal = decalOf(app);
     settings.overlay = overlayOf(app);
     if (settings.width < 1 || settings.height < 1) return;

@@ -1,8 +1,8 @@
-// What runs in a playtest: a walker and what rolls, in fixed steps of 1/60 s. Pure: no project, no window, no clock, no chance;
-// the same state and inputs give the same bits, step for step. Time is counted in whole ticks, so that nothing drifts however
-// late it is (T-3). Places are world metres in double, angles radians; y is up, yaw clockwise from -z seen from above.
-// Does not: draw; collide with objects that do not roll.
-// Cost: about 1 us a step and 1 us a rolling thing, and 5 ns each pair of them.
+// What runs in a playtest: a walker and what rolls, in fixed steps of 1/60 s. Pure: no project, no window, no clock, no
+// chance; the same state and inputs give the same bits, step for step. Time is counted in whole ticks, so that nothing
+// drifts however late it is (T-3). Places are world metres in double, angles radians; y is up, yaw clockwise from -z
+// seen from above. Does not: draw; collide with objects that do not roll. Cost: about 1 us a step and 1 us a rolling
+// thing, and 5 ns each pair of them.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -17,7 +17,7 @@ namespace sward {
 
 inline constexpr int kTicksPerSecond = 60;
 inline constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
-inline constexpr double kGravity = 9.81;      // m/s2
+inline constexpr double kGravity = 9.81;  // m/s2
 inline constexpr double kEyeHeight = 1.7;
 inline constexpr double kBodyRadius = 0.3, kBodyHeight = 1.8;
 inline constexpr double kWalkSpeed = 1.8, kRunSpeed = 4.8;     // m/s over the ground
@@ -25,7 +25,7 @@ inline constexpr double kJumpSpeed = 3.2;                      // m/s upwards: a
 inline constexpr double kSteepest = 1;                         // rise over run that can be walked up: 45 degrees
 inline constexpr double kWalkStride = 0.75, kRunStride = 1.2;  // from foot to foot
 inline constexpr double kFootRadius = 0.13;
-inline constexpr double kFootApart = 0.1;                      // of each foot from the middle
+inline constexpr double kFootApart = 0.1;  // of each foot from the middle
 inline constexpr double kMostPitch = 89 * 3.14159265358979 / 180;
 
 // What does not change while it is played. Heights: frame/ground.h.
@@ -36,8 +36,8 @@ struct PlayWorld {
 
 // What the person holds; it holds until something else is given.
 struct PlayInput {
-    glm::dvec2 move{0};           // right and forward, -1 to 1 each; longer than 1 counts as 1
-    double yaw = 0, pitch = 0;    // where the walker looks; pitch within kMostPitch
+    glm::dvec2 move{0};         // right and forward, -1 to 1 each; longer than 1 counts as 1
+    double yaw = 0, pitch = 0;  // where the walker looks; pitch within kMostPitch
     bool run = false, jump = false;
 };
 
@@ -46,19 +46,19 @@ struct Walker {
     glm::dvec3 velocity{0};  // m/s
     double yaw = 0, pitch = 0;
     bool onGround = true;
-    bool jumpHeld = false;   // a jump needs a new press
-    double stride = 0;       // metres since the last foot came down
-    int stance = 0;          // index of the foot that came down last
-    glm::dvec2 feet[2]{};    // x and z of the left and the right foot, as each last stood
+    bool jumpHeld = false;  // a jump needs a new press
+    double stride = 0;      // metres since the last foot came down
+    int stance = 0;         // index of the foot that came down last
+    glm::dvec2 feet[2]{};   // x and z of the left and the right foot, as each last stood
 };
 
 struct Roller {
-    std::string name;  // of its entity
+    std::string name;                                   // of its entity
     double radius = 0.25, friction = 0.06, push = 0.6;  // as Rolling
-    glm::dvec3 position{0};  // its centre
-    glm::dvec3 from{0};      // where it was a step ago
-    glm::dvec3 velocity{0};  // m/s
-    glm::dvec3 spin{0};      // radians a second about each axis
+    glm::dvec3 position{0};                             // its centre
+    glm::dvec3 from{0};                                 // where it was a step ago
+    glm::dvec3 velocity{0};                             // m/s
+    glm::dvec3 spin{0};                                 // radians a second about each axis
     glm::dquat turn{1, 0, 0, 0};
     bool onGround = false;
     glm::dvec3 normal{0, 1, 0};  // of the ground, while on it

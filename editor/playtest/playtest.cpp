@@ -30,7 +30,8 @@ std::vector<Roller> rollersOf(const Project& p, const PlayWorld& world) {
     for (const auto& [name, e] : p.entities) {
         const Rolling* rolling = p.registry.get<Rolling>(e);
         if (!rolling) continue;
-        Roller r{name, static_cast<double>(rolling->radius), static_cast<double>(rolling->friction), static_cast<double>(rolling->push)};
+        Roller r{name, static_cast<double>(rolling->radius), static_cast<double>(rolling->friction),
+                 static_cast<double>(rolling->push)};
         const Transform* at = p.registry.get<Transform>(e);
         if (at) r.position = at->position;
         if (const auto it = placed.find(p.registry.get<StaticMesh>(e)); it != placed.end()) {
@@ -51,10 +52,12 @@ bool sound(const PlayStart& s) {
 
 }  // namespace
 
-Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<const ComponentRow> rows, const PlayStart& start) {
+Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<const ComponentRow> rows,
+                                                  const PlayStart& start) {
     const Ground ground = findGround(p);
     if (!ground.terrain) return refused("there is no ground to walk on", "add a Terrain to an entity");
-    if (!sound(start)) return refused("play cannot start there or then", "give finite numbers, and a time within 1e9 seconds");
+    if (!sound(start))
+        return refused("play cannot start there or then", "give finite numbers, and a time within 1e9 seconds");
     std::unique_ptr<Playtest> play(new Playtest);
     play->project_ = snapshot(p, rows);
     play->world_ = {*ground.terrain, ground.origin};

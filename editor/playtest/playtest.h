@@ -21,13 +21,15 @@ struct PlayStart {
 class Playtest {
   public:
     // Fails without a Terrain to walk on, and for a view or time that is not finite or beyond 1e9 seconds.
-    static Result<std::unique_ptr<Playtest>> start(const Project& p, std::span<const ComponentRow> rows, const PlayStart& start);
+    static Result<std::unique_ptr<Playtest>> start(const Project& p, std::span<const ComponentRow> rows,
+                                                   const PlayStart& start);
 
     // Held from the next step on.
     void hold(const PlayInput& input) { input_ = input; }
     const PlayInput& held() const { return input_; }
     void step(int64_t steps = 1);
-    // Takes the steps due after so many seconds of the clock, at most a quarter of a second's. True if the picture changes.
+    // Takes the steps due after so many seconds of the clock, at most a quarter of a second's. True if the picture
+    // changes.
     bool advance(double seconds);
     void pause(bool paused) { paused_ = paused; }
     bool paused() const { return paused_; }
@@ -53,8 +55,8 @@ class Playtest {
     PlayState before_, now_;
     PlayInput input_;
     Tracks tracks_;
-    ViewCamera view_;       // field of view and exposure
-    double due_ = 0;        // ticks of the clock, not yet taken; in [0, 1)
+    ViewCamera view_;  // field of view and exposure
+    double due_ = 0;   // ticks of the clock, not yet taken; in [0, 1)
     bool byClock_ = true, paused_ = false;
 };
 

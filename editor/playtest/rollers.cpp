@@ -4,10 +4,11 @@
 namespace sward {
 namespace {
 
-constexpr double kRollingShare = 5.0 / 7;  // of what pulls a solid ball along, the part that moves it; the rest turns it
-constexpr double kBounce = 0.3;            // share of the speed that comes back
-constexpr double kSoftLanding = 0.5;       // m/s below which nothing bounces
-constexpr double kFastest = 60;            // m/s
+constexpr double kRollingShare =
+    5.0 / 7;                          // of what pulls a solid ball along, the part that moves it; the rest turns it
+constexpr double kBounce = 0.3;       // share of the speed that comes back
+constexpr double kSoftLanding = 0.5;  // m/s below which nothing bounces
+constexpr double kFastest = 60;       // m/s
 
 struct Touch {
     glm::dvec3 normal;
@@ -97,7 +98,8 @@ void meetWalker(Walker& w, Roller& r, const PlayWorld& world) {
     settleRoller(r, world);
     const double left = std::max(kBodyRadius + r.radius - glm::length(across(r.position - w.position)), 0.0);
     const glm::dvec2 back = insideEdges(world, across(w.position) - n * left, kBodyRadius);
-    w.position = {back.x, w.onGround ? groundHeight(world, back) : std::max(w.position.y, groundHeight(world, back)), back.y};
+    w.position = {back.x, w.onGround ? groundHeight(world, back) : std::max(w.position.y, groundHeight(world, back)),
+                  back.y};
     w.velocity -= glm::dvec3(n.x, 0, n.y) * (walks * (1 - r.push));
 }
 
@@ -106,7 +108,8 @@ void meet(Roller& a, Roller& b, const PlayWorld& world) {
     const glm::dvec3 gap = b.position - a.position;
     const double reach = a.radius + b.radius, square = glm::dot(gap, gap);
     if (square >= reach * reach) return;
-    const double distance = std::sqrt(square), heavyA = a.radius * a.radius * a.radius, heavyB = b.radius * b.radius * b.radius;
+    const double distance = std::sqrt(square), heavyA = a.radius * a.radius * a.radius,
+                 heavyB = b.radius * b.radius * b.radius;
     const glm::dvec3 n = distance > 1e-9 ? gap / distance : glm::dvec3(1, 0, 0);
     const double shareA = heavyB / (heavyA + heavyB), closing = std::max(-glm::dot(b.velocity - a.velocity, n), 0.0);
     a.position -= n * ((reach - distance) * shareA);
@@ -137,7 +140,8 @@ void addRollers(std::vector<Contact>& contacts, const std::vector<Roller>& rolle
     for (const Roller& r : rollers) {
         if (!r.onGround) continue;
         const double speed = glm::length(r.velocity);
-        contacts.push_back({r.position - r.normal * r.radius, r.radius, speed > 0.01 ? r.velocity / speed : glm::dvec3(0), 1});
+        contacts.push_back(
+            {r.position - r.normal * r.radius, r.radius, speed > 0.01 ? r.velocity / speed : glm::dvec3(0), 1});
     }
 }
 

@@ -12,7 +12,9 @@ double secondsOf(const PlayState& s) { return static_cast<double>(s.tick) / kTic
 
 Entity feetOf(Project& p) {
     for (const auto& [name, e] : p.entities)
-        if (const ForceSource* s = p.registry.get<ForceSource>(e); s && s->shape == static_cast<int>(ForceShape::Foot) && !p.registry.get<Transform>(e)) return e;
+        if (const ForceSource* s = p.registry.get<ForceSource>(e);
+            s && s->shape == static_cast<int>(ForceShape::Foot) && !p.registry.get<Transform>(e))
+            return e;
     std::string name = "feet";
     while (findEntity(p, name) != kNoEntity) name += "'";
     const Entity e = *addEntity(p, name);

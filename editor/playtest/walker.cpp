@@ -22,7 +22,8 @@ glm::dvec2 steered(const Walker& w, const PlayInput& in, glm::dvec2 slope) {
     const glm::dvec2 wanted = (right * in.move.x + forward * in.move.y) * (in.run ? kRunSpeed : kWalkSpeed);
     const double steep = glm::length(slope);
     const bool slides = w.onGround && steep > kSteepest;
-    const glm::dvec2 v = approach(across(w.velocity), wanted, (w.onGround && !slides ? kGroundGrip : kAirGrip) * kTickSeconds);
+    const glm::dvec2 v =
+        approach(across(w.velocity), wanted, (w.onGround && !slides ? kGroundGrip : kAirGrip) * kTickSeconds);
     return slides ? v - slope * (kGravity * kTickSeconds / (1 + steep * steep)) : v;
 }
 

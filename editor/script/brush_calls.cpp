@@ -5,7 +5,8 @@
 namespace sward::script {
 namespace {
 
-// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0, color = {1, 1, 1}}
+// brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0,
+// color = {1, 1, 1}}
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;

@@ -10,7 +10,7 @@ namespace sward::script {
 struct NamedMap {
     FieldRef field;
     Map map;
-    double width = 0, depth = 0;  // metres that it covers once
+    double width = 0, depth = 0;             // metres that it covers once
     bool repeats = false, mirrored = false;  // MapScale
 };
 NamedMap mapArg(lua_State* L, int arg);

@@ -138,7 +138,8 @@ int blur(lua_State* L, State&) {
     const MapInfo& info = m.map.info();
     const auto texels = [&](double perMetre, int most) { return std::min(radius * perMetre, double(most)); };
     charge(L, texelCount(m.map) * static_cast<uint64_t>(2 * info.channels));
-    blurMap(m.map, texels(info.width / m.width, info.width), texels(info.height / m.depth, info.height), channels, m.repeats && !m.mirrored);
+    blurMap(m.map, texels(info.width / m.width, info.width), texels(info.height / m.depth, info.height), channels,
+            m.repeats && !m.mirrored);
     giveBack(L, m, m.map, "blur " + m.field.path);
     return 0;
 }
@@ -161,12 +162,14 @@ int curve(lua_State* L, State&) {
     return 0;
 }
 
-// map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is replaced.
+// map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is
+// replaced.
 int copy(lua_State* L, State& state) {
     const FieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
     const NamedMap from = mapArg(L, 2);
     if (from.map.info().channels != to.row->mapChannels)
-        raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels, to.row->mapChannels, to.path));
+        raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels,
+                             to.row->mapChannels, to.path));
     MapInfo info = from.map.info();
     info.type = to.row->mapType;
     checkMapBytes(L, info);
@@ -201,7 +204,8 @@ TransferOptions transferOptions(lua_State* L) {
 }
 
 // Density and blade heights from one image, and how often both repeat: one step.
-int importBoth(lua_State* L, State& state, const FieldRef& density, const std::filesystem::path& file, const ImportOptions& options) {
+int importBoth(lua_State* L, State& state, const FieldRef& density, const std::filesystem::path& file,
+               const ImportOptions& options) {
     Project& p = openProject(L);
     const FieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
     const auto remembered = p.imports.find(density.path);
@@ -267,7 +271,8 @@ int at(lua_State* L, State&) {
     const NamedMap& m = readMapArg(L, 1);
     const Tiling tiling{{m.width, m.depth}, m.repeats};
     const double x = numberArg(L, 2), z = numberArg(L, 3);
-    for (int c = 0; c < m.map.info().channels; ++c) lua_pushnumber(L, m.mirrored ? mirroredSample(m.map, tiling, x, z) : tiledSample(m.map, tiling, x, z, c));
+    for (int c = 0; c < m.map.info().channels; ++c)
+        lua_pushnumber(L, m.mirrored ? mirroredSample(m.map, tiling, x, z) : tiledSample(m.map, tiling, x, z, c));
     return m.map.info().channels;
 }
 
@@ -300,10 +305,11 @@ int exists(lua_State* L, State& state) {
 
 void openMapCalls(lua_State* L) {
     constexpr NamedCall calls[] = {
-        {"create", luaCall<create>},   {"fill", luaCall<fill>},   {"noise", luaCall<noise>},
-        {"blur", luaCall<blur>},       {"curve", luaCall<curve>}, {"copy", luaCall<copy>}, {"import", luaCall<import>},
-        {"export", luaCall<exportTo>}, {"mean", luaCall<mean>},   {"at", luaCall<at>},
-        {"hash", luaCall<hash>},       {"size", luaCall<size>},   {"exists", luaCall<exists>}};
+        {"create", luaCall<create>}, {"fill", luaCall<fill>},       {"noise", luaCall<noise>},
+        {"blur", luaCall<blur>},     {"curve", luaCall<curve>},     {"copy", luaCall<copy>},
+        {"import", luaCall<import>}, {"export", luaCall<exportTo>}, {"mean", luaCall<mean>},
+        {"at", luaCall<at>},         {"hash", luaCall<hash>},       {"size", luaCall<size>},
+        {"exists", luaCall<exists>}};
     registerCalls(L, "map", calls);
 }
 

@@ -40,7 +40,8 @@ float gradientNoise(const Directions& to, double x, double y, uint32_t seed, con
     const auto ix = static_cast<int32_t>(x0), iy = static_cast<int32_t>(y0);
     const auto dx = static_cast<float>(x - x0), dy = static_cast<float>(y - y0);
     const auto corner = [&](int i, int j) {
-        return ramp(to, latticeHash(wrapped(ix + i, period.x), wrapped(iy + j, period.y), seed), dx - float(i), dy - float(j));
+        return ramp(to, latticeHash(wrapped(ix + i, period.x), wrapped(iy + j, period.y), seed), dx - float(i),
+                    dy - float(j));
     };
     const float u = fade(dx), v = fade(dy);
     const float near = corner(0, 0) * (1 - u) + corner(1, 0) * u;
@@ -71,10 +72,13 @@ float fractalNoise(const Directions& to, double x, double z, const NoiseSettings
 float seamlessNoise(const Directions& to, double u, double v, double width, double depth, const NoiseSettings& s) {
     float sum = 0, total = 0, strength = 1;
     for (int octave = 0; octave < s.octaves; ++octave) {
-        const auto steps = [&](double metres) { return static_cast<int>(std::clamp(std::round(std::ldexp(metres / s.scale, octave)), 1.0, 1e9)); };
+        const auto steps = [&](double metres) {
+            return static_cast<int>(std::clamp(std::round(std::ldexp(metres / s.scale, octave)), 1.0, 1e9));
+        };
         const Period period{steps(width), steps(depth)};
         const double shift = 0.381966 * octave;
-        sum += strength * gradientNoise(to, (u + shift) * period.x, (v + 0.5 * shift) * period.y, static_cast<uint32_t>(s.seed * 16 + octave), period);
+        sum += strength * gradientNoise(to, (u + shift) * period.x, (v + 0.5 * shift) * period.y,
+                                        static_cast<uint32_t>(s.seed * 16 + octave), period);
         total += strength;
         strength *= 0.5f;
     }
@@ -169,7 +173,9 @@ void noiseMap(Map& map, double width, double depth, const NoiseSettings& setting
     const Directions directions;
     editTexels(map, [&](int x, int y, float* texel) {
         const double px = (x + 0.5) * dx, pz = (y + 0.5) * dz;
-        const float noise = settings.seamless ? seamlessNoise(directions, px / width, pz / depth, width, depth, settings) : fractalNoise(directions, px, pz, settings);
+        const float noise = settings.seamless
+                                ? seamlessNoise(directions, px / width, pz / depth, width, depth, settings)
+                                : fractalNoise(directions, px, pz, settings);
         for (int c = 0; c < n; ++c)
             if (channels[size_t(c)]) texel[c] = combine(settings.mode, texel[c], noise, amount);
     });

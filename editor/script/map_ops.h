@@ -30,8 +30,8 @@ struct NoiseSettings {
 // Add: value + amount (2n - 1). Multiply: value (1 + amount (2n - 1)). Set: amount n.
 void noiseMap(Map& map, double width, double depth, const NoiseSettings& settings, const Channels& channels);
 
-// A bell of standard deviation radius / 2 texels, as three boxes; beyond the edge the map goes on as there, or, where it repeats,
-// with its other side. Radius 0 changes nothing.
+// A bell of standard deviation radius / 2 texels, as three boxes; beyond the edge the map goes on as there, or, where
+// it repeats, with its other side. Radius 0 changes nothing.
 void blurMap(Map& map, double radiusX, double radiusY, const Channels& channels, bool repeats = false);
 
 // Replaces each value by that of the polyline through the points (value, result), sorted by value, at least one;

@@ -28,8 +28,10 @@ SolidKind kindOption(lua_State* L, Options& options) {
 // Cylinders name what their size means.
 glm::vec3 sizeOf(lua_State* L, Options& options, SolidKind kind) {
     if (kind != SolidKind::Cylinder) return vectorOption(L, options, "size", glm::vec3(1), kFarthest);
-    const double radius = options.number("radius"), height = options.number("height"), top = options.number("top", radius);
-    if (!(radius >= 0 && top >= 0 && radius + top > 0 && height > 0 && radius + top + height < static_cast<double>(kFarthest)))
+    const double radius = options.number("radius"), height = options.number("height"),
+                 top = options.number("top", radius);
+    if (!(radius >= 0 && top >= 0 && radius + top > 0 && height > 0 &&
+          radius + top + height < static_cast<double>(kFarthest)))
         raise(L, "radius and top must be 0 or more, one of them and height above 0");
     return {static_cast<float>(radius), static_cast<float>(height), static_cast<float>(top)};
 }
@@ -48,9 +50,12 @@ Solid solidAt(lua_State* L, int index) {
     s.rough = static_cast<float>(options.number("rough", s.rough));
     s.seed = static_cast<uint32_t>(wholeOption(L, options, "seed", 0, 0, 1'000'000'000));
     options.finish();
-    if (!(s.size.x > 0 || s.kind == SolidKind::Cylinder) || !(s.size.y > 0) || s.size.z < 0) raise(L, "size must be above 0");
-    if (!(s.leaf > 0 && s.leaf < 100 && s.rough >= 0 && s.rough <= 1)) raise(L, "leaf must be above 0, and rough between 0 and 1");
-    if (glm::any(glm::lessThan(s.color, glm::vec3(0))) || glm::any(glm::greaterThan(s.color, glm::vec3(1)))) raise(L, "color must lie between 0 and 1");
+    if (!(s.size.x > 0 || s.kind == SolidKind::Cylinder) || !(s.size.y > 0) || s.size.z < 0)
+        raise(L, "size must be above 0");
+    if (!(s.leaf > 0 && s.leaf < 100 && s.rough >= 0 && s.rough <= 1))
+        raise(L, "leaf must be above 0, and rough between 0 and 1");
+    if (glm::any(glm::lessThan(s.color, glm::vec3(0))) || glm::any(glm::greaterThan(s.color, glm::vec3(1))))
+        raise(L, "color must lie between 0 and 1");
     return s;
 }
 
@@ -58,7 +63,8 @@ Solid solidAt(lua_State* L, int index) {
 int write(lua_State* L, State&) {
     const std::filesystem::path file = writablePath(L, textArg(L, 1));
     luaL_checktype(L, 2, LUA_TTABLE);
-    if (file.extension() != ".glb") raise(L, Error{ExitCode::Usage, "objects are written as .glb", file.string(), 0, 0, "name the file so"});
+    if (file.extension() != ".glb")
+        raise(L, Error{ExitCode::Usage, "objects are written as .glb", file.string(), 0, 0, "name the file so"});
     std::vector<Solid> solids;
     for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) {
         lua_geti(L, 2, i);

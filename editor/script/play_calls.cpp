@@ -1,4 +1,5 @@
-// play.*: start, stop, pause, step, input, hash, state of the playtest. Steps are exact: the same script gives the same hashes.
+// play.*: start, stop, pause, step, input, hash, state of the playtest. Steps are exact: the same script gives the same
+// hashes.
 #include "core/hash.h"
 #include "core/json.h"
 #include "frame/ground.h"
@@ -19,7 +20,8 @@ Playtest& playing(lua_State* L, State& state) {
 }
 
 // {a, b} or {x = a, y = b}, under the name of an option.
-std::optional<glm::dvec2> pairOption(lua_State* L, Options& options, const char* name, const char* first, const char* second) {
+std::optional<glm::dvec2> pairOption(lua_State* L, Options& options, const char* name, const char* first,
+                                     const char* second) {
     if (!options.push(name)) return std::nullopt;
     glm::dvec2 out{0};
     const bool table = lua_istable(L, -1);
@@ -52,8 +54,9 @@ void refuseOffTheGround(lua_State* L, const Project& p, const glm::dvec2& at) {
     if (!ground.terrain) return;
     const glm::dvec2 low(ground.origin.x, ground.origin.z), high = low + ground.terrain->size;
     if (glm::all(glm::greaterThanEqual(at, low)) && glm::all(glm::lessThanEqual(at, high))) return;
-    raise(L, fmt::format("play.start: at {{{}, {}}} is no ground; x goes from {} to {}, z from {} to {}", shortestText(at.x), shortestText(at.y),
-                         shortestText(low.x), shortestText(high.x), shortestText(low.y), shortestText(high.y)));
+    raise(L, fmt::format("play.start: at {{{}, {}}} is no ground; x goes from {} to {}, z from {} to {}",
+                         shortestText(at.x), shortestText(at.y), shortestText(low.x), shortestText(high.x),
+                         shortestText(low.y), shortestText(high.y)));
 }
 
 int start(lua_State* L, State& state) {
@@ -170,8 +173,8 @@ int stateTable(lua_State* L, State& state) {
 }  // namespace
 
 void openPlayCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"start", luaCall<start>}, {"stop", luaCall<stop>},   {"pause", luaCall<pause>},
-                                   {"step", luaCall<step>},   {"input", luaCall<input>}, {"hash", luaCall<hash>},
+    constexpr NamedCall calls[] = {{"start", luaCall<start>},     {"stop", luaCall<stop>},   {"pause", luaCall<pause>},
+                                   {"step", luaCall<step>},       {"input", luaCall<input>}, {"hash", luaCall<hash>},
                                    {"state", luaCall<stateTable>}};
     registerCalls(L, "play", calls);
 }

@@ -163,9 +163,9 @@ void openLibraries(lua_State* L) {
 
 int openAll(lua_State* L) {
     openLibraries(L);
-    for (const auto open : {openProjectCalls, openEntityCalls, openCameraCalls, openMapCalls, openMapShapeCalls,
-                            openMeshCalls, openBakeCalls, openBrushCalls, openEditCalls, openPlayCalls, openUiCalls,
-                            openExpectCalls})
+    for (const auto open :
+         {openProjectCalls, openEntityCalls, openCameraCalls, openMapCalls, openMapShapeCalls, openMeshCalls,
+          openBakeCalls, openBrushCalls, openEditCalls, openPlayCalls, openUiCalls, openExpectCalls})
         open(L);
     return 0;
 }

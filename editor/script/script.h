@@ -30,9 +30,9 @@ struct ScriptHost {
     std::function<void(const std::string&)> useCamera{};  // camera.use: shows the view of this entity
     // bake.NAME: bakes with so many samples, at this size (0: its own choice); see bakes.h.
     std::map<std::string, std::function<Status(int samples, int size)>> bakes{};
-    std::function<PlayStart()> playStart{};               // where play.start begins; none: at `camera`, moved by play.step alone
-    std::string camera{};                                 // the last that camera.use named
-    BrushSettings brush{};                                // the last that brush.select chose
+    std::function<PlayStart()> playStart{};  // where play.start begins; none: at `camera`, moved by play.step alone
+    std::string camera{};                    // the last that camera.use named
+    BrushSettings brush{};                   // the last that brush.select chose
     ScriptLimits limits{};
 };
 

@@ -129,7 +129,8 @@ glm::vec3 vectorOption(lua_State* L, Options& options, const char* name, const g
     }
     lua_pop(L, 1);
     const auto sound = [most](float v) { return std::isfinite(v) && std::abs(v) <= most; };
-    if (!table || !sound(out.x) || !sound(out.y) || !sound(out.z)) raise(L, fmt::format("{} must be three numbers within {}", name, most));
+    if (!table || !sound(out.x) || !sound(out.y) || !sound(out.z))
+        raise(L, fmt::format("{} must be three numbers within {}", name, most));
     return out;
 }
 

@@ -30,32 +30,34 @@ struct BladeShade {
 struct CellDraw;  // grass/cells.h
 // A species' blades as they are drawn this frame, for passes that draw them once more. Nothing selected: count 0.
 struct BladeDraws {
-    GLuint mesh = 0, indices = 0, buffer = 0, globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
+    GLuint mesh = 0, indices = 0, buffer = 0,
+           globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
     const CellDraw* cells = nullptr;
     size_t count = 0;
-    GLuint shadowCommands = 0;  // `count` commands that the GPU made of cells that it chose, at shadowOffset bytes; 0: the cells are here
+    GLuint shadowCommands =
+        0;  // `count` commands that the GPU made of cells that it chose, at shadowOffset bytes; 0: the cells are here
     size_t shadowOffset = 0;
-    uint32_t strips = 0;   // blades that the indices hold
+    uint32_t strips = 0;  // blades that the indices hold
     int segments = 0;
     uint32_t verticesABlade = 0;  // of drawCommand (grass/cells.h)
-    float shading = 1;     // share of them that is enough to shade the soil as all of them would
+    float shading = 1;            // share of them that is enough to shade the soil as all of them would
 };
 
-// Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3 to 5
-// the rows of a matrix to eye-relative positions, one an instance.
+// Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3
+// to 5 the rows of a matrix to eye-relative positions, one an instance.
 struct ShadowCaster {
     GLuint vertexArray = 0, instance = 0;
     uint32_t firstIndex = 0, indices = 0;  // of 32 bits
     GLuint image = 0;                      // what is cut out by its alpha below `cutoff`; 0: nothing
     float cutoff = 0;
-    glm::vec3 centre{0};                   // of a ball around it, relative to the eye
+    glm::vec3 centre{0};  // of a ball around it, relative to the eye
     float radius = 0;
 };
 
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
 struct GroundMesh {
-    GLuint mesh = 0;                            // vertex array: 17 x 17 corners, triangles as unsigned shorts
-    int firstIndex = 0, indices = 0;            // of a node's triangles
+    GLuint mesh = 0;                  // vertex array: 17 x 17 corners, triangles as unsigned shorts
+    int firstIndex = 0, indices = 0;  // of a node's triangles
     std::span<const TerrainNode> nodes;
 };
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
@@ -66,18 +68,19 @@ struct Force;       // frame/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
     GLuint framebuffer = 0;
-    int side = 0;                      // texels
-    std::span<const Force> forces;     // those that reach into it
+    int side = 0;                   // texels
+    std::span<const Force> forces;  // those that reach into it
 };
 
-// What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque here.
+// What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque
+// here.
 struct SharedResources {
     GroundMesh groundMesh;
     FieldState* grass = nullptr;
-    Ground ground;             // the terrain; null without one
+    Ground ground;  // the terrain; null without one
     HeightBounds bounds;
-    GLuint heights = 0;        // the height map's texture; 0: flat
-    GLuint cover = 0;          // uniform buffer of CoverGlobals
+    GLuint heights = 0;  // the height map's texture; 0: flat
+    GLuint cover = 0;    // uniform buffer of CoverGlobals
     std::array<GLuint, MAX_SPECIES> densities{};
     GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0, bladeHeights = 0;
     std::vector<ShadowCaster> casters;  // of this frame
@@ -85,18 +88,19 @@ struct SharedResources {
     std::array<BladeDraws, MAX_SPECIES> blades{};
     std::array<BladeShade, MAX_SPECIES> shades{};
     ForceTarget forceTarget;
-    GLuint reflection = 0;              // what the water mirrors; 0: nothing
-    glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
-    LightsGlobals lights{};    // beside the sun, as bound to UBO_LIGHTS
+    GLuint reflection = 0;         // what the water mirrors; 0: nothing
+    glm::vec2 reflectionScale{0};  // of its texture coordinates, a clip unit
+    LightsGlobals lights{};        // beside the sun, as bound to UBO_LIGHTS
 };
 
-// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows it.
+// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows
+// it.
 struct ViewTargets;
 struct ViewRequest {
-    unsigned view = 0;            // ViewBits
+    unsigned view = 0;  // ViewBits
     ViewCamera camera;
-    glm::mat4 viewProj{1};        // from positions relative to the camera's eye to clip
-    float cutAt = 0;              // height relative to that eye, below which nothing is drawn
+    glm::mat4 viewProj{1};  // from positions relative to the camera's eye to clip
+    float cutAt = 0;        // height relative to that eye, below which nothing is drawn
     ViewSettings settings;
     ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
@@ -105,13 +109,15 @@ inline constexpr GLuint kStencilGround = 0x80;  // the stencil's bit that says w
 
 // The targets of one view.
 struct ViewTargets {
-    Texture color, depth, resolved, image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
+    Texture color, depth, resolved,
+        image;  // RGBA16F and D32F of all samples; RGBA16F; RGBA8. One sample: no color, drawn into resolved
     Framebuffer scene, resolve, final;
     int width = 0, height = 0, samples = 0;
-    bool stencil = false;      // whether depth has one: D32F_S8
+    bool stencil = false;  // whether depth has one: D32F_S8
 };
 // `owner`: who is charged. levels: of what is resolved; 0: all. image: with what is shown on a screen.
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil, int levels, bool image);
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
+                        int levels, bool image);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
@@ -127,22 +133,24 @@ struct DrawContext {
     MapTextures& maps;
     SharedResources& shared;
     ViewTargets& targets;
-    FrameGlobals& globals;   // systems may write; uploaded before the first pass
+    FrameGlobals& globals;  // systems may write; uploaded before the first pass
     FrameStats& stats;
     Frustum frustum;
-    glm::dvec3 around{0};      // in the world: what is made around the eye once for all views is made around this
+    glm::dvec3 around{0};  // in the world: what is made around the eye once for all views is made around this
     std::function<void(const ViewRequest&)> view = {};  // draws one; in stage Reflect only
-    glm::dvec3 eye{0};         // relative to the terrain's corner, or to the world without a terrain
+    glm::dvec3 eye{0};             // relative to the terrain's corner, or to the world without a terrain
     EffectState* state = nullptr;  // of the effect whose pass or system runs
     PassStats* pass = nullptr;     // of the pass that runs
     const Pass* row = nullptr;
 
     template <class S>
-    S& own() { return *static_cast<S*>(state); }
+    S& own() {
+        return *static_cast<S*>(state);
+    }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
     // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n".
     bool use(size_t program = 0, const std::string& constants = {});
-    std::string error = {};        // the first program that failed
+    std::string error = {};  // the first program that failed
 };
 
 }  // namespace sward

@@ -10,46 +10,87 @@ namespace {
 // What would bring a feature that the scene lacks.
 const char* whyAbsent(Feature f) {
     switch (f) {
-        case Feature::Terrain: return "no entity has a Terrain";
-        case Feature::TerrainHeights: return "no Terrain has a height map: the ground is flat";
-        case Feature::TerrainMap: return "no Terrain has a terrainMap";
-        case Feature::Grass: return "no GrassField has a species with blades";
-        case Feature::GrassGeometry: return "no grass is drawn blade by blade (technique, or maxGeom 0)";
-        case Feature::GrassSlices: return "no grass is drawn as vertical slices (technique, or maxBTF not beyond minGeom)";
-        case Feature::GrassFar: return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
-        case Feature::GrassTessellated: return "no grass is drawn by the technique \"tessellated\"";
-        case Feature::GrassDensity: return "no species has a density map: density is 1 everywhere";
-        case Feature::GrassHeights: return "no GrassField has a bladeHeight map: blades have all of their height";
-        case Feature::GrassUnique: return "no grass of blades has the population \"unique\": cells repeat one patch";
-        case Feature::GrassOrientation: return "no GrassField has an orientation map";
-        case Feature::GrassVegetation: return "no GrassField has a vegetation map";
-        case Feature::GrassOcclusion: return "no GrassField has an ambientOcclusion map";
-        case Feature::GrassBlended: return "all grass covers samples (transparency \"coverage\"), so that it is drawn before the ground and the sky that it hides";
-        case Feature::GrassClumps: return "no species has both clumpSize and clumpStrength above 0";
-        case Feature::Objects: return "no StaticMesh has a file";
-        case Feature::ObjectShadows: return "no StaticMesh casts shadows, or no Light shines";
-        case Feature::TerrainShadows: return "no Terrain with a height map has castShadows, or no Light shines";
-        case Feature::Translucency: return "no species has a translucency above 0";
-        case Feature::Gloss: return "no species has a gloss above 0";
-        case Feature::BladeShadows: return "no grass of blades or slices has a shadowMask above 0";
-        case Feature::GroundShadows: return "no grass of blades or slices has groundShadows on";
-        case Feature::Sun: return "no directional Light shines";
-        case Feature::Lamps: return "no Light shines beside the first directional one";
-        case Feature::CastingLights: return "no Light that shines casts shadows";
-        case Feature::Sky: return "no Sky has an intensity above 0";
-        case Feature::Fog: return "no Fog has a finite visibility";
-        case Feature::Wind: return "no Wind has a strength above 0";
-        case Feature::Gusts: return "no Wind of the model \"noise\" blows";
-        case Feature::Forces: return "no ForceSource with a Transform has a strength and a radius above 0, and none left tracks";
-        case Feature::ForceOutlines: return "no ForceSource of the shape \"outline\" with a Transform has a strength and a radius above 0";
-        case Feature::ForceMap: return "no GrassField has a forces map";
-        case Feature::FarDarkening: return "no GrassField has a farDarkening above 0";
-        case Feature::FarBlur: return "no GrassField has a farBlur";
-        case Feature::Water: return "no entity has Water";
-        case Feature::WaterReflection: return "no Water has a reflection above 0";
-        case Feature::Flowers: return "no entity has Flowers of any number and size";
-        case Feature::FlowerDensity: return "no Flowers have a density map";
-        case Feature::Count: break;
+        case Feature::Terrain:
+            return "no entity has a Terrain";
+        case Feature::TerrainHeights:
+            return "no Terrain has a height map: the ground is flat";
+        case Feature::TerrainMap:
+            return "no Terrain has a terrainMap";
+        case Feature::Grass:
+            return "no GrassField has a species with blades";
+        case Feature::GrassGeometry:
+            return "no grass is drawn blade by blade (technique, or maxGeom 0)";
+        case Feature::GrassSlices:
+            return "no grass is drawn as vertical slices (technique, or maxBTF not beyond minGeom)";
+        case Feature::GrassFar:
+            return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
+        case Feature::GrassTessellated:
+            return "no grass is drawn by the technique \"tessellated\"";
+        case Feature::GrassDensity:
+            return "no species has a density map: density is 1 everywhere";
+        case Feature::GrassHeights:
+            return "no GrassField has a bladeHeight map: blades have all of their height";
+        case Feature::GrassUnique:
+            return "no grass of blades has the population \"unique\": cells repeat one patch";
+        case Feature::GrassOrientation:
+            return "no GrassField has an orientation map";
+        case Feature::GrassVegetation:
+            return "no GrassField has a vegetation map";
+        case Feature::GrassOcclusion:
+            return "no GrassField has an ambientOcclusion map";
+        case Feature::GrassBlended:
+            return "all grass covers samples (transparency \"coverage\"), so that it is drawn before the ground and "
+                   "the sky that it hides";
+        case Feature::GrassClumps:
+            return "no species has both clumpSize and clumpStrength above 0";
+        case Feature::Objects:
+            return "no StaticMesh has a file";
+        case Feature::ObjectShadows:
+            return "no StaticMesh casts shadows, or no Light shines";
+        case Feature::TerrainShadows:
+            return "no Terrain with a height map has castShadows, or no Light shines";
+        case Feature::Translucency:
+            return "no species has a translucency above 0";
+        case Feature::Gloss:
+            return "no species has a gloss above 0";
+        case Feature::BladeShadows:
+            return "no grass of blades or slices has a shadowMask above 0";
+        case Feature::GroundShadows:
+            return "no grass of blades or slices has groundShadows on";
+        case Feature::Sun:
+            return "no directional Light shines";
+        case Feature::Lamps:
+            return "no Light shines beside the first directional one";
+        case Feature::CastingLights:
+            return "no Light that shines casts shadows";
+        case Feature::Sky:
+            return "no Sky has an intensity above 0";
+        case Feature::Fog:
+            return "no Fog has a finite visibility";
+        case Feature::Wind:
+            return "no Wind has a strength above 0";
+        case Feature::Gusts:
+            return "no Wind of the model \"noise\" blows";
+        case Feature::Forces:
+            return "no ForceSource with a Transform has a strength and a radius above 0, and none left tracks";
+        case Feature::ForceOutlines:
+            return "no ForceSource of the shape \"outline\" with a Transform has a strength and a radius above 0";
+        case Feature::ForceMap:
+            return "no GrassField has a forces map";
+        case Feature::FarDarkening:
+            return "no GrassField has a farDarkening above 0";
+        case Feature::FarBlur:
+            return "no GrassField has a farBlur";
+        case Feature::Water:
+            return "no entity has Water";
+        case Feature::WaterReflection:
+            return "no Water has a reflection above 0";
+        case Feature::Flowers:
+            return "no entity has Flowers of any number and size";
+        case Feature::FlowerDensity:
+            return "no Flowers have a density map";
+        case Feature::Count:
+            break;
     }
     return "";
 }
@@ -60,7 +101,8 @@ struct Made {
     int64_t bytes = 0;
 };
 
-// Owners in the ledger: effects by name, and maps by the feature that asks for them ("grass-density" holds "grass/density").
+// Owners in the ledger: effects by name, and maps by the feature that asks for them ("grass-density" holds
+// "grass/density").
 int64_t bytesOf(const Gpu& gpu, const std::string& owner) {
     const auto it = gpu.ledger.find(owner);
     return it == gpu.ledger.end() ? 0 : it->second;
@@ -114,10 +156,12 @@ constexpr Follows kFollows[] = {
 // How far what runs follows a feature; empty: nothing to say.
 std::string noteOn(Feature f, const FramePlan& plan) {
     const bool slices = has(plan.features, Feature::GrassSlices) || has(plan.features, Feature::GrassFar);
-    if (f == Feature::GrassUnique && slices) return "slices are images of one patch: grass that is drawn by them repeats it";
+    if (f == Feature::GrassUnique && slices)
+        return "slices are images of one patch: grass that is drawn by them repeats it";
     std::string note;
     for (const Follows& row : kFollows)
-        if (row.what == (f == Feature::ForceMap ? Feature::Forces : f) && has(plan.features, row.tier)) note += (note.empty() ? "" : ", ") + std::string(row.how);
+        if (row.what == (f == Feature::ForceMap ? Feature::Forces : f) && has(plan.features, row.tier))
+            note += (note.empty() ? "" : ", ") + std::string(row.how);
     return note;
 }
 
@@ -161,23 +205,28 @@ std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
     std::string out = "What this scene makes run, and why\n";
     for (const auto& [f, m] : made) {
         out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
-        out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes), joined(m.programs));
+        out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes),
+                           joined(m.programs));
         out += fmt::format("  memory    {:.2f} MB on the GPU\n", static_cast<double>(m.bytes) / 1e6);
         if (const std::string note = noteOn(f, plan); !note.empty()) out += fmt::format("  note      {}\n", note);
     }
-    for (const EffectRow* e : plan.effects) out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
+    for (const EffectRow* e : plan.effects)
+        out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
     out += "\nWhat it lacks: not run, not compiled, not in memory\n";
     for (size_t i = 0; i < plan.features.size(); ++i)
-        if (!plan.features.test(i)) out += fmt::format("  {}: {}\n", featureName(static_cast<Feature>(i)), whyAbsent(static_cast<Feature>(i)));
+        if (!plan.features.test(i))
+            out += fmt::format("  {}: {}\n", featureName(static_cast<Feature>(i)), whyAbsent(static_cast<Feature>(i)));
     return out;
 }
 
 }  // namespace
 
-std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu, bool json) {
+std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu,
+                        bool json) {
     std::map<Feature, Made> made;
     for (size_t i = 0; i < plan.features.size(); ++i)
-        if (plan.features.test(i)) made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu);
+        if (plan.features.test(i))
+            made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu);
     return json ? asJson(made, plan) : asText(made, plan);
 }
 

@@ -19,13 +19,15 @@ Texel headAt(float x, float y, float pixel) {
     const float r = std::sqrt(x * x + y * y), turn = std::atan2(y, x) / (2 * f32::kPi) + 1;
     const float n = turn * kPetals, a = std::abs(n - std::floor(n) - 0.5f) * 2;  // 0: along a petal; 1: between two
     const float own = f32::hashUnit(f32::hash2(static_cast<uint32_t>(std::floor(n)) % kPetals, 3u));
-    const float length = (0.86f + 0.12f * own) * (1 - 0.16f * a * a), gap = (a - 1.02f + 0.42f * r * r * r) * r / kPetals * 3;
+    const float length = (0.86f + 0.12f * own) * (1 - 0.16f * a * a),
+                gap = (a - 1.02f + 0.42f * r * r * r) * r / kPetals * 3;
     Texel t;
     t.centre = inside(r - kCentre, pixel);
     const float petal = inside(std::max(r - length, gap), pixel);
     t.alpha = std::max(t.centre, petal);
     t.petal = 1 - t.centre;
-    const float grain = f32::hashUnit(f32::hash2(static_cast<uint32_t>(x * 24 + 24), static_cast<uint32_t>(y * 24 + 24)));
+    const float grain =
+        f32::hashUnit(f32::hash2(static_cast<uint32_t>(x * 24 + 24), static_cast<uint32_t>(y * 24 + 24)));
     t.light = glm::mix(0.36f + 0.12f * (1 - a) + 0.05f * r, 0.52f - 0.7f * r * r + 0.1f * grain, t.centre);
     return t;
 }
@@ -41,7 +43,8 @@ float leafDistance(float x, float y, float from, float side) {
 Texel stemAt(float x, float y, float pixel) {
     Texel t;
     const float stem = std::abs(x - 0.02f * std::sin(5 * y)) - 0.055f;
-    t.alpha = std::max(inside(stem, pixel), std::max(inside(leafDistance(x, y, 0.95f, 1), pixel), inside(leafDistance(x, y, 0.7f, -1), pixel)));
+    t.alpha = std::max(inside(stem, pixel), std::max(inside(leafDistance(x, y, 0.95f, 1), pixel),
+                                                     inside(leafDistance(x, y, 0.7f, -1), pixel)));
     t.light = 0.42f + 0.12f * (0.5f - std::abs(x));
     return t;
 }
@@ -56,8 +59,11 @@ Rgba8 makeFlowerImage(int width, int height) {
     const float pixel = 2.0f / static_cast<float>(width);
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
-            const float x = (static_cast<float>(column) + 0.5f) * pixel - 1, y = (static_cast<float>(row) + 0.5f) * pixel - 1;
-            const Texel t = row < width ? headAt(x, y, pixel) : stemAt(x, static_cast<float>(row - width) / static_cast<float>(height - width), pixel);
+            const float x = (static_cast<float>(column) + 0.5f) * pixel - 1,
+                        y = (static_cast<float>(row) + 0.5f) * pixel - 1;
+            const Texel t =
+                row < width ? headAt(x, y, pixel)
+                            : stemAt(x, static_cast<float>(row - width) / static_cast<float>(height - width), pixel);
             for (const float v : {t.petal, t.centre, t.light}) out.pixels.push_back(byteOf(f32::srgbEncode(v)));
             out.pixels.push_back(byteOf(t.alpha));
         }
@@ -86,7 +92,8 @@ FlowerGrid flowerGrid(const Flowers& f) {
 std::vector<std::pair<std::string, const Flowers*>> flowersOf(const Project& p) {
     std::vector<std::pair<std::string, const Flowers*>> out;
     for (const auto& [name, e] : p.entities)
-        if (const Flowers* f = p.registry.get<Flowers>(e); f && f->flowersPerM2 > 0 && f->headSize > 0) out.emplace_back(name, f);
+        if (const Flowers* f = p.registry.get<Flowers>(e); f && f->flowersPerM2 > 0 && f->headSize > 0)
+            out.emplace_back(name, f);
     return out;
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 // From the middle to the middle of one end of what presses; in the world.
 glm::dvec2 halfLength(const ForceSource& s) {
-    if (s.shape == static_cast<int>(ForceShape::Object) || s.shape == static_cast<int>(ForceShape::Outline)) return glm::dvec2(0);
+    if (s.shape == static_cast<int>(ForceShape::Object) || s.shape == static_cast<int>(ForceShape::Outline))
+        return glm::dvec2(0);
     const double angle = glm::radians(static_cast<double>(s.headingDeg));
     const double half = std::max(0.5 * static_cast<double>(s.length) - static_cast<double>(s.radius), 0.0);
     return half * glm::dvec2(std::sin(angle), -std::cos(angle));
@@ -28,18 +29,21 @@ double tallestBlade(const Project& p) {
 
 double groundUnder(const Project& p, const glm::dvec3& at) {
     const Ground ground = findGround(p);
-    return ground.origin.y + (ground.terrain ? terrainHeight(*ground.terrain, at.x - ground.origin.x, at.z - ground.origin.z) : 0);
+    return ground.origin.y +
+           (ground.terrain ? terrainHeight(*ground.terrain, at.x - ground.origin.x, at.z - ground.origin.z) : 0);
 }
 
 // From the y of the turned mesh on it is higher than all blades; infinity: all of it is lower.
 float cutOf(const Project& p, const PlacedMesh& placed, const Mesh& mesh, const glm::mat3& tilt) {
-    const double top = (groundUnder(p, placed.at) + tallestBlade(p) - placed.at.y) / static_cast<double>(placed.mesh->scale);
+    const double top =
+        (groundUnder(p, placed.at) + tallestBlade(p) - placed.at.y) / static_cast<double>(placed.mesh->scale);
     float highest = -std::numeric_limits<float>::infinity();
     for (const MeshVertex& v : mesh.vertices) highest = std::max(highest, (tilt * v.position).y);
     return top >= static_cast<double>(highest) ? std::numeric_limits<float>::infinity() : static_cast<float>(top);
 }
 
-Force outlineForce(const Project& p, const ForceSource& s, const std::string& entity, const glm::dvec2& at, Outlines& outlines) {
+Force outlineForce(const Project& p, const ForceSource& s, const std::string& entity, const glm::dvec2& at,
+                   Outlines& outlines) {
     Force f{at, at, s.radius, s.reach, s.strength, outlines.of(p, entity)};
     if (!f.outline) return f;
     const StaticMesh& mesh = *p.registry.get<StaticMesh>(findEntity(p, entity));
@@ -52,8 +56,12 @@ Force outlineForce(const Project& p, const ForceSource& s, const std::string& en
 bool isOutline(const ForceSource& s) { return s.shape == static_cast<int>(ForceShape::Outline); }
 
 // Turned about the vertical from the world to the outline, and back: x, z.
-glm::vec2 intoOutline(const Force& f, const glm::vec2& v) { return {f.heading.x * v.x - f.heading.y * v.y, f.heading.y * v.x + f.heading.x * v.y}; }
-glm::vec2 outOfOutline(const Force& f, const glm::vec2& v) { return {f.heading.x * v.x + f.heading.y * v.y, f.heading.x * v.y - f.heading.y * v.x}; }
+glm::vec2 intoOutline(const Force& f, const glm::vec2& v) {
+    return {f.heading.x * v.x - f.heading.y * v.y, f.heading.y * v.x + f.heading.x * v.y};
+}
+glm::vec2 outOfOutline(const Force& f, const glm::vec2& v) {
+    return {f.heading.x * v.x + f.heading.y * v.y, f.heading.x * v.y - f.heading.y * v.x};
+}
 
 glm::vec3 oneForce(const Force& f, const glm::dvec2& place) {
     const glm::vec2 from(place - f.from);
@@ -78,8 +86,9 @@ std::shared_ptr<const Footprint> Outlines::of(const Project& p, const std::strin
     const StaticMesh* mesh = p.registry.get<StaticMesh>(findEntity(p, entity));
     if (!mesh || mesh->file.empty()) return tell(kOutlineOfNothing);
     const PlacedMesh placed = placeMesh(p, findEntity(p, entity));
-    const std::string key = fmt::format("{} {} {} {} {} {}", fileVersion(p.dir, mesh->file), mesh->rotationDeg.x, mesh->rotationDeg.z, mesh->scale,
-                                        groundUnder(p, placed.at) - placed.at.y, tallestBlade(p));
+    const std::string key =
+        fmt::format("{} {} {} {} {} {}", fileVersion(p.dir, mesh->file), mesh->rotationDeg.x, mesh->rotationDeg.z,
+                    mesh->scale, groundUnder(p, placed.at) - placed.at.y, tallestBlade(p));
     const auto known = made_.find(key);
     if (known != made_.end()) {
         known->second.asked = true;
@@ -119,11 +128,14 @@ std::vector<Force> forcesOf(const Project& p, double seconds, Outlines* outlines
         if (!s || !(s->strength > 0) || !(s->radius > 0)) continue;
         for (const Track& t : s->tracks)
             if (const double left = trackLeft(seconds - t.seconds, s->recovery); left > 0)
-                out.push_back({t.from - origin, t.to - origin, s->radius, s->reach, s->strength * static_cast<float>(left)});
+                out.push_back(
+                    {t.from - origin, t.to - origin, s->radius, s->reach, s->strength * static_cast<float>(left)});
         if (const Transform* at = p.registry.get<Transform>(e)) {
             const glm::dvec2 middle = glm::dvec2(at->position.x, at->position.z) - origin, half = halfLength(*s);
-            if (!isOutline(*s)) out.push_back({middle - half, middle + half, s->radius, s->reach, s->strength});
-            else if (Force f = outlineForce(p, *s, name, middle, *outlines); f.outline) out.push_back(std::move(f));
+            if (!isOutline(*s))
+                out.push_back({middle - half, middle + half, s->radius, s->reach, s->strength});
+            else if (Force f = outlineForce(p, *s, name, middle, *outlines); f.outline)
+                out.push_back(std::move(f));
         }
     }
     outlines->sweep();
@@ -140,7 +152,8 @@ glm::vec3 forceAt(std::span<const Force> forces, const glm::dvec2& place) {
 }
 
 void leaveTrack(ForceSource& source, const glm::dvec2& from, const glm::dvec2& to, double seconds) {
-    std::erase_if(source.tracks, [&](const Track& t) { return !(trackLeft(seconds - t.seconds, source.recovery) > 0); });
+    std::erase_if(source.tracks,
+                  [&](const Track& t) { return !(trackLeft(seconds - t.seconds, source.recovery) > 0); });
     if (std::isfinite(from.x + from.y + to.x + to.y)) source.tracks.push_back({from, to, seconds});
 }
 

@@ -28,16 +28,19 @@ double terrainHeight(const Terrain& t, double x, double z) {
 
 namespace {
 
-// Where [a, b], in repeats, lies in [0, 1] of a map that is mirrored from repeat to repeat: one interval, whose ends are those of
-// [a, b] or of the map.
+// Where [a, b], in repeats, lies in [0, 1] of a map that is mirrored from repeat to repeat: one interval, whose ends
+// are those of [a, b] or of the map.
 std::pair<double, double> folded(double a, double b) {
     const double lo = f64::mirrorUnit(a), hi = f64::mirrorUnit(b);
-    const bool passesBegin = std::floor(b / 2) > std::floor(a / 2), passesEnd = std::floor((b + 1) / 2) > std::floor((a + 1) / 2);
+    const bool passesBegin = std::floor(b / 2) > std::floor(a / 2),
+               passesEnd = std::floor((b + 1) / 2) > std::floor((a + 1) / 2);
     return {passesBegin ? 0 : std::min(lo, hi), passesEnd ? 1 : std::max(lo, hi)};
 }
 
 std::pair<int, int> partsOf(const std::pair<double, double>& shares) {
-    const auto part = [](double share) { return std::clamp(static_cast<int>(std::floor(share * kBoundsGrid)), 0, kBoundsGrid - 1); };
+    const auto part = [](double share) {
+        return std::clamp(static_cast<int>(std::floor(share * kBoundsGrid)), 0, kBoundsGrid - 1);
+    };
     return {part(shares.first), part(shares.second)};
 }
 
@@ -47,8 +50,10 @@ std::pair<float, float> HeightBounds::over(const glm::dvec2& size, double x0, do
     if (parts.size() <= 1) return {low, high};
     const bool repeats = repeat.x > 0;
     if (repeats && x1 - x0 >= repeat.x && z1 - z0 >= repeat.y) return {low, high};
-    const auto [firstX, lastX] = partsOf(repeats ? folded(x0 / repeat.x, x1 / repeat.x) : std::pair{x0 / size.x, x1 / size.x});
-    const auto [firstZ, lastZ] = partsOf(repeats ? folded(z0 / repeat.y, z1 / repeat.y) : std::pair{z0 / size.y, z1 / size.y});
+    const auto [firstX, lastX] =
+        partsOf(repeats ? folded(x0 / repeat.x, x1 / repeat.x) : std::pair{x0 / size.x, x1 / size.x});
+    const auto [firstZ, lastZ] =
+        partsOf(repeats ? folded(z0 / repeat.y, z1 / repeat.y) : std::pair{z0 / size.y, z1 / size.y});
     float lo = high, hi = low;
     for (int z = firstZ; z <= lastZ; ++z)
         for (int x = firstX; x <= lastX; ++x) {
@@ -64,7 +69,8 @@ namespace {
 // Texels whose bilinear reach touches part i of n parts over `side` texels.
 std::pair<int, int> reach(int i, int side) {
     const double scale = static_cast<double>(side) / kBoundsGrid;
-    return {std::max(static_cast<int>(std::floor(i * scale - 0.5)), 0), std::min(static_cast<int>(std::ceil((i + 1) * scale + 0.5)), side - 1)};
+    return {std::max(static_cast<int>(std::floor(i * scale - 0.5)), 0),
+            std::min(static_cast<int>(std::ceil((i + 1) * scale + 0.5)), side - 1)};
 }
 
 std::pair<float, float> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
@@ -113,17 +119,22 @@ const Camera* findCamera(const Project& p, const std::string& name) {
 
 ViewCamera viewOf(const Camera& c) { return {c.eye, c.target, c.fovDeg, c.exposure}; }
 
-std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px, double py) {
+std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px,
+                                     double py) {
     const Ground ground = findGround(p);
     if (!ground.terrain || width <= 0 || height <= 0) return {};
     const glm::dvec3 forward = glm::normalize(c.target - c.eye);
     const glm::dvec3 up = std::abs(forward.y) > 0.9999 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const double t = std::tan(glm::radians(static_cast<double>(c.fovDeg)) / 2);
-    const glm::dvec3 dir = glm::normalize(forward + right * ((2 * px / width - 1) * t * width / height) + glm::cross(right, forward) * ((1 - 2 * py / height) * t));
+    const glm::dvec3 dir = glm::normalize(forward + right * ((2 * px / width - 1) * t * width / height) +
+                                          glm::cross(right, forward) * ((1 - 2 * py / height) * t));
     const glm::dvec3 eye = c.eye - ground.origin;
     // March with steps that grow with distance, then bisect the step that went below.
-    const auto above = [&](double s) { const glm::dvec3 q = eye + dir * s; return q.y - terrainHeight(*ground.terrain, q.x, q.z); };
+    const auto above = [&](double s) {
+        const glm::dvec3 q = eye + dir * s;
+        return q.y - terrainHeight(*ground.terrain, q.x, q.z);
+    };
     const double far = 4 * (ground.terrain->size.x + ground.terrain->size.y + std::abs(eye.y));
     double a = 0, b = 0;
     for (double s = 0.05; s < far; s += std::max(0.05, s * 0.02)) {

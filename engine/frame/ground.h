@@ -17,20 +17,21 @@ struct Ground {
 };
 Ground findGround(const Project& p);
 
-// Metres at terrain-relative (x, z); beyond the terrain as at its edge, or as the map repeats (scene/tiling.h). 0 without a height map.
+// Metres at terrain-relative (x, z); beyond the terrain as at its edge, or as the map repeats (scene/tiling.h). 0
+// without a height map.
 double terrainHeight(const Terrain& t, double x, double z);
 // What a texel of the height map means: metres = offset + scale * texel.
 std::pair<double, double> heightScale(const Terrain& t);
 
-// Lowest and highest height over a fixed grid of kBoundsGrid x kBoundsGrid parts of the map: bounds depend neither on the map's
-// resolution nor on how often it repeats. Rebuilt when the map's tiles differ.
+// Lowest and highest height over a fixed grid of kBoundsGrid x kBoundsGrid parts of the map: bounds depend neither on
+// the map's resolution nor on how often it repeats. Rebuilt when the map's tiles differ.
 inline constexpr int kBoundsGrid = 64;
 struct HeightBounds {
     std::vector<std::pair<float, float>> parts;  // row-major, z rows; one part if flat
     float low = 0, high = 0;
-    Map of;                                      // the map they were taken from ...
-    std::pair<double, double> scale{0, 0};       // ... and its heightScale
-    glm::dvec2 repeat{0};                        // metres that the map covers before it is mirrored; 0: it does not repeat
+    Map of;                                 // the map they were taken from ...
+    std::pair<double, double> scale{0, 0};  // ... and its heightScale
+    glm::dvec2 repeat{0};                   // metres that the map covers before it is mirrored; 0: it does not repeat
     // Bounds over terrain-relative [x0, x1] x [z0, z1] of a terrain of this size.
     std::pair<float, float> over(const glm::dvec2& size, double x0, double z0, double x1, double z1) const;
 };

@@ -14,9 +14,12 @@ Format formatOf(const MapInfo& info, bool srgb) {
                             k32[] = {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
     const size_t c = static_cast<size_t>(info.channels - 1);
     switch (info.type) {
-        case PixelType::U8: return {srgb && info.channels == 4 ? GLenum(GL_SRGB8_ALPHA8) : k8[c], kLayout[c], GL_UNSIGNED_BYTE};
-        case PixelType::U16: return {k16[c], kLayout[c], GL_UNSIGNED_SHORT};
-        default: return {k32[c], kLayout[c], GL_FLOAT};
+        case PixelType::U8:
+            return {srgb && info.channels == 4 ? GLenum(GL_SRGB8_ALPHA8) : k8[c], kLayout[c], GL_UNSIGNED_BYTE};
+        case PixelType::U16:
+            return {k16[c], kLayout[c], GL_UNSIGNED_SHORT};
+        default:
+            return {k32[c], kLayout[c], GL_FLOAT};
     }
 }
 
@@ -31,10 +34,11 @@ std::vector<T> halve(const T* in, int width, int height, int stride, int channel
             for (int c = 0; c < channels; ++c) {
                 const auto at = [&](int i, int j) { return in[(static_cast<size_t>(j) * stride + i) * channels + c]; };
                 if constexpr (std::is_floating_point_v<T>)
-                    out[(static_cast<size_t>(y) * w + x) * channels + c] = (at(2 * x, 2 * y) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1)) * 0.25f;
-                else
                     out[(static_cast<size_t>(y) * w + x) * channels + c] =
-                        static_cast<T>((uint32_t(at(2 * x, 2 * y)) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1) + 2) / 4);
+                        (at(2 * x, 2 * y) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1)) * 0.25f;
+                else
+                    out[(static_cast<size_t>(y) * w + x) * channels + c] = static_cast<T>(
+                        (uint32_t(at(2 * x, 2 * y)) + at(x1, 2 * y) + at(2 * x, y1) + at(x1, y1) + 2) / 4);
             }
         }
     return out;
@@ -43,8 +47,8 @@ std::vector<T> halve(const T* in, int width, int height, int stride, int channel
 // Uploads level 0 of a region from `pixels` and the levels filtered from it, as far as `levels` and the region go.
 // Returns the last level's texel (1 x 1) or nothing if the region is smaller than a tile.
 template <class T>
-std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, int x, int y, int width, int height, int stride, int channels,
-                           int lastLevel, uint64_t& bytes) {
+std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, int x, int y, int width, int height,
+                           int stride, int channels, int lastLevel, uint64_t& bytes) {
     std::vector<T> held;
     const T* level = pixels;
     for (int l = 0;; ++l) {
@@ -66,7 +70,8 @@ std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, i
 uint16_t decoded(uint16_t v) {
     static const std::vector<uint16_t> table = [] {
         std::vector<uint16_t> t(65536);
-        for (size_t i = 0; i < t.size(); ++i) t[i] = static_cast<uint16_t>(std::lround(65535 * f32::srgbDecode(static_cast<float>(i) / 65535)));
+        for (size_t i = 0; i < t.size(); ++i)
+            t[i] = static_cast<uint16_t>(std::lround(65535 * f32::srgbDecode(static_cast<float>(i) / 65535)));
         return t;
     }();
     return table[v];
@@ -87,9 +92,12 @@ constexpr int kTileLevels = 7;  // 128 = 2^7
 template <class F>
 void withPixelType(PixelType type, F&& f) {
     switch (type) {
-        case PixelType::U8: return f(uint8_t{});
-        case PixelType::U16: return f(uint16_t{});
-        case PixelType::F32: return f(float{});
+        case PixelType::U8:
+            return f(uint8_t{});
+        case PixelType::U16:
+            return f(uint16_t{});
+        case PixelType::F32:
+            return f(float{});
     }
 }
 
@@ -128,8 +136,10 @@ void MapTextures::uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty
         std::vector<T> linear;
         if constexpr (!std::is_same_v<T, uint8_t>)
             if (srgb && info.channels == 4) linear = decodedTile(pixels), pixels = linear.data();
-        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb), pixels, x, y, w, h, kTileSize, info.channels, kTileLevels, uploaded_);
-        std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(), map.texelBytes());
+        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb), pixels, x, y, w, h, kTileSize, info.channels,
+                                         kTileLevels, uploaded_);
+        std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(),
+                    map.texelBytes());
     });
 }
 
@@ -144,7 +154,8 @@ void MapTextures::uploadCoarse(Entry& e, bool srgb, const Map& map) {
         for (int l = kTileLevels; l < e.texture.levels; ++l) {
             const int lw = std::max(info.width >> l, 1), lh = std::max(info.height >> l, 1);
             glPixelStorei(GL_UNPACK_ROW_LENGTH, w);
-            glTextureSubImage2D(e.texture.id(), l, 0, 0, std::min(lw, w), std::min(lh, h), f.layout, f.type, level.data());
+            glTextureSubImage2D(e.texture.id(), l, 0, 0, std::min(lw, w), std::min(lh, h), f.layout, f.type,
+                                level.data());
             level = halve(level.data(), w, h, w, info.channels);
             w = std::max(w / 2, 1), h = std::max(h / 2, 1);
         }

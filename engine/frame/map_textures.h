@@ -14,11 +14,13 @@ namespace sward {
 class MapTextures {
   public:
     explicit MapTextures(Gpu& gpu) : gpu_(gpu) {}
-    // owner: who is charged ("terrain/ground"); key: the map's identity, its PATH. srgb: four channels are a colour, read as linear light; the GPU decodes 8 bits.
-    // Formats: U8 R8/RG8/RGBA8, U16 R16/RG16/RGBA16, F32 R32F/RG32F/RGBA32F.
-    GLuint get(const std::string& owner, const std::string& key, const Map& map, bool srgb = false, bool repeat = false);
+    // owner: who is charged ("terrain/ground"); key: the map's identity, its PATH. srgb: four channels are a colour,
+    // read as linear light; the GPU decodes 8 bits. Formats: U8 R8/RG8/RGBA8, U16 R16/RG16/RGBA16, F32
+    // R32F/RG32F/RGBA32F.
+    GLuint get(const std::string& owner, const std::string& key, const Map& map, bool srgb = false,
+               bool repeat = false);
     void beginFrame();
-    void endFrame();  // frees what was not asked for since beginFrame
+    void endFrame();                                      // frees what was not asked for since beginFrame
     uint64_t uploadedBytes() const { return uploaded_; }  // since beginFrame
 
   private:

@@ -20,14 +20,16 @@ PlacedMesh placeMesh(const Project& p, Entity e) {
     const Transform* transform = p.registry.get<Transform>(e);
     PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
     if (mesh->onGround && ground.terrain)
-        placed.at.y += ground.origin.y + terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);
+        placed.at.y += ground.origin.y +
+                       terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);
     return placed;
 }
 
 std::vector<PlacedMesh> placedMeshes(const Project& p) {
     std::vector<PlacedMesh> out;
     for (const auto& [name, e] : p.entities)
-        if (const StaticMesh* mesh = p.registry.get<StaticMesh>(e); mesh && !mesh->file.empty()) out.push_back(placeMesh(p, e));
+        if (const StaticMesh* mesh = p.registry.get<StaticMesh>(e); mesh && !mesh->file.empty())
+            out.push_back(placeMesh(p, e));
     return out;
 }
 

@@ -12,8 +12,8 @@ namespace sward {
 
 struct PlacedMesh {
     const StaticMesh* mesh = nullptr;
-    glm::dvec3 at{0};     // its origin in the world
-    glm::dmat3 turn{1};   // rotation, without the scale
+    glm::dvec3 at{0};    // its origin in the world
+    glm::dmat3 turn{1};  // rotation, without the scale
 };
 // Degrees about x, then z, then y.
 glm::dmat3 rotationOf(const glm::dvec3& degrees);
@@ -23,7 +23,8 @@ std::vector<PlacedMesh> placedMeshes(const Project& p);
 // One of them; `e` must have a StaticMesh.
 PlacedMesh placeMesh(const Project& p, Entity e);
 
-// A text that changes with the file's place and time; also for files that are not there. file: relative to dir, the project's folder.
+// A text that changes with the file's place and time; also for files that are not there. file: relative to dir, the
+// project's folder.
 std::string fileVersion(const std::filesystem::path& dir, const std::string& file);
 
 }  // namespace sward

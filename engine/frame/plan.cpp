@@ -13,7 +13,8 @@ std::vector<PlannedPass> sortByUse(std::vector<PlannedPass> left) {
     std::vector<PlannedPass> out;
     while (!left.empty()) {
         auto free = std::find_if(left.begin(), left.end(), [&](const PlannedPass& p) {
-            return std::none_of(left.begin(), left.end(), [&](const PlannedPass& q) { return q.pass != p.pass && before(*q.pass, *p.pass); });
+            return std::none_of(left.begin(), left.end(),
+                                [&](const PlannedPass& q) { return q.pass != p.pass && before(*q.pass, *p.pass); });
         });
         if (free == left.end()) free = left.begin();
         out.push_back(*free);
@@ -22,10 +23,12 @@ std::vector<PlannedPass> sortByUse(std::vector<PlannedPass> left) {
     return out;
 }
 
-constexpr Stage kSolid[] = {Stage::Simulate, Stage::Bake, Stage::Shadow, Stage::Reflect, Stage::Depth, Stage::Opaque, Stage::Blades, Stage::Slices,
-                            Stage::Rays, Stage::Ground, Stage::GroundShadow, Stage::Sky, Stage::Water, Stage::Post, Stage::Overlay};
-constexpr Stage kBlended[] = {Stage::Simulate, Stage::Bake, Stage::Shadow, Stage::Reflect, Stage::Depth, Stage::Ground, Stage::GroundShadow, Stage::Opaque,
-                              Stage::Sky, Stage::Blades, Stage::Slices, Stage::Rays, Stage::Water, Stage::Post, Stage::Overlay};
+constexpr Stage kSolid[] = {Stage::Simulate,     Stage::Bake,   Stage::Shadow, Stage::Reflect, Stage::Depth,
+                            Stage::Opaque,       Stage::Blades, Stage::Slices, Stage::Rays,    Stage::Ground,
+                            Stage::GroundShadow, Stage::Sky,    Stage::Water,  Stage::Post,    Stage::Overlay};
+constexpr Stage kBlended[] = {Stage::Simulate, Stage::Bake,         Stage::Shadow, Stage::Reflect, Stage::Depth,
+                              Stage::Ground,   Stage::GroundShadow, Stage::Opaque, Stage::Sky,     Stage::Blades,
+                              Stage::Slices,   Stage::Rays,         Stage::Water,  Stage::Post,    Stage::Overlay};
 static_assert(std::size(kSolid) == static_cast<size_t>(Stage::Count) && std::size(kBlended) == std::size(kSolid));
 
 }  // namespace
@@ -38,7 +41,8 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
     for (const EffectRow& effect : effects) {
         if ((features & effect.needs) != effect.needs) continue;
         plan.effects.push_back(&effect);
-        const bool served = effect.passes.empty() || std::any_of(effect.passes.begin(), effect.passes.end(), [&](const Pass& p) { return p.views & views; });
+        const bool served = effect.passes.empty() || std::any_of(effect.passes.begin(), effect.passes.end(),
+                                                                 [&](const Pass& p) { return p.views & views; });
         if (served)
             for (const System& system : effect.systems) plan.systems.emplace_back(&effect, &system);
         for (const Pass& pass : effect.passes)
@@ -70,7 +74,8 @@ std::vector<std::string> FramePlan::systemNames() const {
 std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene) {
     std::string out;
     for (size_t f = 0; f < declared.size(); ++f)
-        if (declared.test(f)) out += fmt::format("const bool {} = {};\n", featureConstant(static_cast<Feature>(f)), scene.test(f));
+        if (declared.test(f))
+            out += fmt::format("const bool {} = {};\n", featureConstant(static_cast<Feature>(f)), scene.test(f));
     return out;
 }
 

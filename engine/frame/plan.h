@@ -25,12 +25,13 @@ struct FramePlan {
 
 // Effects whose needs the features meet; their passes that serve one of the views, sorted by stage and, within a
 // stage, writers of a resource before its readers; ties keep the table's order.
-// Nothing is lit that is not seen: the ground's depth comes first, then grass from near to far, and last the ground and the sky, lit where they
-// show. Grass that is blended needs what it is blended with: it comes after both.
-// Systems of an effect whose passes all serve other views do not tick.
+// Nothing is lit that is not seen: the ground's depth comes first, then grass from near to far, and last the ground and
+// the sky, lit where they show. Grass that is blended needs what it is blended with: it comes after both. Systems of an
+// effect whose passes all serve other views do not tick.
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
 
-// What a coarse view draws of a scene: blades not one by one where vertical slices stand for them, and no shadow of each blade.
+// What a coarse view draws of a scene: blades not one by one where vertical slices stand for them, and no shadow of
+// each blade.
 FeatureSet coarseFeatures(FeatureSet scene);
 
 // "const bool NAME = true;" for each declared feature, by what the scene has.

@@ -37,8 +37,10 @@ int wholeWidth(const ViewSettings& s) { return s.part.wholeWidth > 0 ? s.part.wh
 glm::mat4 partProjection(const ViewSettings& s) {
     glm::mat4 m(1);
     if (s.part.wholeWidth <= 0) return m;
-    const double scaleX = static_cast<double>(s.part.wholeWidth) / s.width, scaleY = static_cast<double>(s.part.wholeHeight) / s.height;
-    const double middleX = (2.0 * s.part.x + s.width) / s.part.wholeWidth - 1, middleY = (2.0 * s.part.y + s.height) / s.part.wholeHeight - 1;
+    const double scaleX = static_cast<double>(s.part.wholeWidth) / s.width,
+                 scaleY = static_cast<double>(s.part.wholeHeight) / s.height;
+    const double middleX = (2.0 * s.part.x + s.width) / s.part.wholeWidth - 1,
+                 middleY = (2.0 * s.part.y + s.height) / s.part.wholeHeight - 1;
     m[0][0] = static_cast<float>(scaleX);
     m[1][1] = static_cast<float>(scaleY);
     m[3][0] = static_cast<float>(-middleX * scaleX);
@@ -54,7 +56,8 @@ glm::mat4 jitterProjection(const ViewSettings& s) {
     return m;
 }
 
-// With a stencil only where a pass asks for it: ground shadows do. One sample is no multisample texture: drivers may give that four.
+// With a stencil only where a pass asks for it: ground shadows do. One sample is no multisample texture: drivers may
+// give that four.
 void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
@@ -62,8 +65,8 @@ void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bo
     t = makeTargets(gpu, "frame/targets", width, height, samples, stencil, 1, true);
 }
 
-// The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins, and a user
-// interface that draws between frames leaves it so.
+// The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins,
+// and a user interface that draws between frames leaves it so.
 void fixState() {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GEQUAL);  // the ground is lit where its own depth was drawn, the sky at depth 0, where nothing was
@@ -100,12 +103,14 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil, int levels, bool image) {
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
+                        int levels, bool image) {
     ViewTargets t;
     const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height, levels);
     if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
-    t.depth = samples > 1 ? makeTexture2DMultisample(gpu, owner, depth, width, height, samples) : makeTexture2D(gpu, owner, depth, width, height);
+    t.depth = samples > 1 ? makeTexture2DMultisample(gpu, owner, depth, width, height, samples)
+                          : makeTexture2D(gpu, owner, depth, width, height);
     if (image) t.image = makeTexture2D(gpu, owner, GL_RGBA8, width, height);
     t.scene = makeFramebuffer(samples > 1 ? t.color.id() : t.resolved.id(), t.depth.id(), "frame/scene");
     t.resolve = makeFramebuffer(t.resolved.id(), 0, "frame/resolve");
@@ -116,7 +121,9 @@ ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int heigh
 }
 
 std::string depthConstants(const ViewTargets& t) { return depthVariants()[t.samples > 1]; }
-std::vector<std::string> depthVariants() { return {"const bool MULTISAMPLED = false;\n", "const bool MULTISAMPLED = true;\n"}; }
+std::vector<std::string> depthVariants() {
+    return {"const bool MULTISAMPLED = false;\n", "const bool MULTISAMPLED = true;\n"};
+}
 
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room) {
     size_t calls = 0;
@@ -125,14 +132,17 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     for (size_t first = 0; first < nodes.size(); first += NODES_PER_DRAW, ++calls) {
         const size_t n = std::min<size_t>(NODES_PER_DRAW, nodes.size() - first);
         glNamedBufferSubData(room.id(), 0, static_cast<GLsizeiptr>(n * sizeof(TerrainNode)), &nodes[first]);
-        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(2 * static_cast<uintptr_t>(mesh.firstIndex)), static_cast<GLsizei>(n));
+        glDrawElementsInstanced(GL_TRIANGLES, mesh.indices, GL_UNSIGNED_SHORT,
+                                reinterpret_cast<const void*>(2 * static_cast<uintptr_t>(mesh.firstIndex)),
+                                static_cast<GLsizei>(n));
     }
     return calls;
 }
 
 bool DrawContext::use(size_t index, const std::string& constants) {
     const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation}, featureConstants(p.features, plan.features) + constants);
+    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
+                                featureConstants(p.features, plan.features) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;
@@ -160,13 +170,13 @@ struct Renderer::Impl {
     Buffer globalsBuffer;
     VertexArray empty;
     FramePlan plan;
-    FramePlan within;           // of the views within a view
+    FramePlan within;  // of the views within a view
     bool planned = false;
     std::map<const EffectRow*, std::unique_ptr<EffectState>> states;
     SharedResources shared;
     FrameStats stats;
     GpuTimer timer{gpu};
-    std::vector<Map> counted;   // the density maps of virtualCount
+    std::vector<Map> counted;  // the density maps of virtualCount
     std::vector<double> countedFactors;
     double virtualCount = 0;
 
@@ -181,16 +191,32 @@ struct Renderer::Impl {
         plan = std::move(next);
         planned = true;
         within = {};
-        if (has(plan.features, Feature::WaterReflection)) within = planFrame(coarseFeatures(plan.features), kViewReflection, tables.effects);
-        std::erase_if(states, [&](const auto& s) { return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end(); });
+        if (has(plan.features, Feature::WaterReflection))
+            within = planFrame(coarseFeatures(plan.features), kViewReflection, tables.effects);
+        std::erase_if(states, [&](const auto& s) {
+            return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end();
+        });
         std::vector<std::string> kept = plan.programs(), others = within.programs();
         kept.insert(kept.end(), others.begin(), others.end());
         programs.keepOnly(kept);
         shared = {};
     }
 
-    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
-        DrawContext ctx{gpu, project, tables, of, camera, settings, programs, maps, shared, into, globals, counts, frustumOf(globals.viewProj)};
+    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings,
+                        ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+        DrawContext ctx{gpu,
+                        project,
+                        tables,
+                        of,
+                        camera,
+                        settings,
+                        programs,
+                        maps,
+                        shared,
+                        into,
+                        globals,
+                        counts,
+                        frustumOf(globals.viewProj)};
         shared.ground = findGround(project);
         ctx.eye = camera.eye - shared.ground.origin;
         ctx.around = camera.eye;
@@ -198,13 +224,15 @@ struct Renderer::Impl {
         return ctx;
     }
 
-    static void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, const glm::mat4& viewProj, int samples) {
+    static void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, const glm::mat4& viewProj,
+                            int samples) {
         g = {};
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
         g.viewProj = viewProj;
         g.invViewProj = glm::inverse(g.viewProj);
         g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(samples), std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
+        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(samples),
+                  std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
     }
 
     EffectState* stateOf(DrawContext& ctx, const EffectRow* effect) {
@@ -222,8 +250,8 @@ struct Renderer::Impl {
         }
     }
 
-    // Passes of stage Reflect draw views of their own, whose effects leave what they know of those in their states; the systems then
-    // tick for this view.
+    // Passes of stage Reflect draw views of their own, whose effects leave what they know of those in their states; the
+    // systems then tick for this view.
     void drawReflections(DrawContext& ctx) {
         ctx.view = [&](const ViewRequest& request) { drawWithin(ctx, request); };
         PassStats none;
@@ -242,7 +270,8 @@ struct Renderer::Impl {
         FrameGlobals globals;
         fillGlobals(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
         globals.mirror = {1, request.cutAt, 0, 0};
-        DrawContext ctx = context(outer.project, within, request.camera, request.settings, *request.targets, globals, counts);
+        DrawContext ctx =
+            context(outer.project, within, request.camera, request.settings, *request.targets, globals, counts);
         ctx.around = outer.around;
         runSystems(ctx);
         glFrontFace(GL_CW);
@@ -287,8 +316,9 @@ struct Renderer::Impl {
                     factors.push_back(s.bladesPerM2);
                 }
         }
-        const bool same = factors == countedFactors && std::equal(densities.begin(), densities.end(), counted.begin(), counted.end(),
-                                                                  [](const Map& a, const Map& b) { return a.sameTiles(b); });
+        const bool same =
+            factors == countedFactors && std::equal(densities.begin(), densities.end(), counted.begin(), counted.end(),
+                                                    [](const Map& a, const Map& b) { return a.sameTiles(b); });
         if (!same) virtualCount = virtualBlades(project);
         counted = std::move(densities);
         countedFactors = std::move(factors);
@@ -330,9 +360,13 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     r.replan(project);
     if (has(r.plan.features, Feature::GrassUnique))
         if (Status s = checkUnique(project, r.population(project)); !s) return s;
-    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, has(r.plan.features, Feature::GroundShadows));
+    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa,
+                  has(r.plan.features, Feature::GroundShadows));
     FrameGlobals globals;
-    Impl::fillGlobals(globals, camera, settings, jitterProjection(settings) * partProjection(settings) * viewProjection(camera, wholeWidth(settings), wholeHeight(settings)), r.targets.samples);
+    Impl::fillGlobals(globals, camera, settings,
+                      jitterProjection(settings) * partProjection(settings) *
+                          viewProjection(camera, wholeWidth(settings), wholeHeight(settings)),
+                      r.targets.samples);
     DrawContext ctx = r.context(project, r.plan, camera, settings, r.targets, globals, r.stats);
     const BrushDecal& d = settings.decal;
     globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
@@ -345,7 +379,9 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (!ctx.error.empty()) return Error{ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    if (!ctx.error.empty())
+        return Error{
+            ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
     return {};
 }
 
@@ -376,7 +412,8 @@ template <class T>
 std::vector<T> flipRows(std::vector<T> pixels, int width, int height, int channels) {
     const size_t row = static_cast<size_t>(width) * channels;
     for (int y = 0; y < height / 2; ++y)
-        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(y * row), pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
+        std::swap_ranges(pixels.begin() + static_cast<std::ptrdiff_t>(y * row),
+                         pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * row),
                          pixels.begin() + static_cast<std::ptrdiff_t>((height - 1 - y) * row));
     return pixels;
 }
@@ -394,7 +431,8 @@ std::vector<uint8_t> Renderer::readImage() const {
 std::vector<float> Renderer::readLinear() const {
     const ViewTargets& t = impl_->targets;
     std::vector<float> pixels(static_cast<size_t>(t.width) * t.height * 3);
-    glGetTextureImage(t.resolved.id(), 0, GL_RGB, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)), pixels.data());
+    glGetTextureImage(t.resolved.id(), 0, GL_RGB, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)),
+                      pixels.data());
     return flipRows(std::move(pixels), t.width, t.height, 3);
 }
 

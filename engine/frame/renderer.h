@@ -35,50 +35,53 @@ struct BrushDecal {
 
 // A painted map to show as a translucent colour (post/map_overlay.h); no PATH: none.
 struct MapOverlay {
-    std::string map;            // its PATH
-    double tiling = 1;          // its tiling factor (scene/tiling.h)
+    std::string map;    // its PATH
+    double tiling = 1;  // its tiling factor (scene/tiling.h)
     bool operator==(const MapOverlay&) const = default;
 };
 
 // The part of a larger picture that one draw makes, so that a slow renderer's full picture may be drawn in pieces with
 // input taken between; pieces side by side equal the whole. wholeWidth 0: no part, all of it.
 struct ViewPart {
-    int x = 0, y = 0;                       // of the part's lower left corner, in pixels of the whole
+    int x = 0, y = 0;  // of the part's lower left corner, in pixels of the whole
     int wholeWidth = 0, wholeHeight = 0;
 };
 
 struct ViewSettings {
     int width = 1024, height = 768;
-    int msaa = 4;               // clamped to what the driver has
+    int msaa = 4;  // clamped to what the driver has
     ViewMode mode = ViewMode::Final;
-    double time = 0;            // scene seconds
+    double time = 0;  // scene seconds
     BrushDecal decal;
     MapOverlay overlay;
-    float detail = 1;           // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
-    ViewPart part;              // width and height are then the part's
-    bool coarse = false;        // grass by its cheapest tiers, as in water: vertical slices from the eye on, else blades
-    glm::vec2 jitter{0};        // pixels by which the picture is moved right and up; fractions move samples, so that frames add up
-    bool background = false;    // what must be made first is made beside, with a draft shown until it is there; else it is waited for
-    bool measure = false;       // per-pass ms and counts (slower: a finish after each pass on a software renderer)
+    float detail =
+        1;  // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
+    ViewPart part;        // width and height are then the part's
+    bool coarse = false;  // grass by its cheapest tiers, as in water: vertical slices from the eye on, else blades
+    glm::vec2 jitter{
+        0};  // pixels by which the picture is moved right and up; fractions move samples, so that frames add up
+    bool background =
+        false;  // what must be made first is made beside, with a draft shown until it is there; else it is waited for
+    bool measure = false;  // per-pass ms and counts (slower: a finish after each pass on a software renderer)
 };
 
 struct PassStats {
     std::string name;
-    double ms = 0;              // valid if measured
+    double ms = 0;  // valid if measured
     uint64_t draws = 0, instances = 0, vertices = 0, fragments = 0;
 };
 struct FrameStats {
     std::vector<PassStats> passes;
-    double bladesVirtual = 0;       // the population: density summed over the terrain
-    uint64_t bladesGeometry = 0;    // submitted: of the density range, or of the list of those that can be seen
-    uint64_t bladesVisible = 0;     // filled by who counts them (measure/frame_stats.h)
+    double bladesVirtual = 0;     // the population: density summed over the terrain
+    uint64_t bladesGeometry = 0;  // submitted: of the density range, or of the list of those that can be seen
+    uint64_t bladesVisible = 0;   // filled by who counts them (measure/frame_stats.h)
     std::vector<std::string> features, programs, systems;  // what ran, if measured
-    uint64_t sliceQuads = 0;    // vertical slices submitted
-    uint64_t macroCells = 0;    // quadtree nodes drawn with the horizontal slice
-    uint64_t cells = 0;         // drawn this frame
+    uint64_t sliceQuads = 0;                               // vertical slices submitted
+    uint64_t macroCells = 0;                               // quadtree nodes drawn with the horizontal slice
+    uint64_t cells = 0;                                    // drawn this frame
     uint64_t gpuBytes = 0;
     double cpuCullMs = 0;
-    double frameMs = 0;         // wall, with one finish at the end if measured
+    double frameMs = 0;  // wall, with one finish at the end if measured
 };
 
 class Renderer {
@@ -88,9 +91,9 @@ class Renderer {
     // Draws into a texture of settings' size; resolved, tone-mapped, sRGB-encoded RGBA8, first row at the bottom.
     // Fails only if a program does not compile and no earlier version of it did; the message is the compiler's.
     Status draw(Project& project, const ViewCamera& camera, const ViewSettings& settings);
-    unsigned image() const;                      // GL texture of the last draw
-    std::vector<uint8_t> readImage() const;      // RGB8, first row on top
-    std::vector<float> readLinear() const;       // RGB floats before tone mapping, first row on top
+    unsigned image() const;                  // GL texture of the last draw
+    std::vector<uint8_t> readImage() const;  // RGB8, first row on top
+    std::vector<float> readLinear() const;   // RGB floats before tone mapping, first row on top
     const FrameStats& stats() const;
     // What is made beside the pictures since a draw with `background`; the next draw shows what is finished.
     std::vector<JobNews> jobs() const;
@@ -117,6 +120,7 @@ float pixelsPerMetre(const ViewCamera& camera, int height);
 const Camera* findCamera(const Project& p, const std::string& name);
 ViewCamera viewOf(const Camera& c);
 // The ground under a window position (pixels from the top left), or nothing (sky).
-std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px, double py);
+std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px,
+                                     double py);
 
 }  // namespace sward

@@ -7,14 +7,17 @@
 namespace sward {
 namespace {
 
-uint8_t encode(float linear) { return static_cast<uint8_t>(std::lround(255 * f32::srgbEncode(std::clamp(linear, 0.0f, 1.0f)))); }
+uint8_t encode(float linear) {
+    return static_cast<uint8_t>(std::lround(255 * f32::srgbEncode(std::clamp(linear, 0.0f, 1.0f))));
+}
 
 // Value noise on a lattice of `period` points that wraps around, in [0,1].
 float wrappedNoise(float x, float y, int period, uint32_t seed) {
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = f32::clumpFade(x - static_cast<float>(x0)), fy = f32::clumpFade(y - static_cast<float>(y0));
     const auto at = [&](int i, int j) {
-        return f32::hashUnit(f32::hash3(static_cast<uint32_t>((i % period + period) % period), static_cast<uint32_t>((j % period + period) % period), seed));
+        return f32::hashUnit(f32::hash3(static_cast<uint32_t>((i % period + period) % period),
+                                        static_cast<uint32_t>((j % period + period) % period), seed));
     };
     return f32::bilinearMix(at(x0, y0), at(x0 + 1, y0), at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx, fy);
 }
@@ -33,7 +36,9 @@ Rgba8 makeSoil(int side) {
         for (int x = 0; x < side; ++x) {
             float sum = 0, weight = 0.5f;
             for (int period = 8, octave = 0; octave < 5; ++octave, period *= 2, weight *= 0.7f)
-                sum += weight * (wrappedNoise(static_cast<float>(x) * period / side, static_cast<float>(y) * period / side, period, 17u + octave) - 0.5f);
+                sum += weight * (wrappedNoise(static_cast<float>(x) * period / side,
+                                              static_cast<float>(y) * period / side, period, 17u + octave) -
+                                 0.5f);
             const float light = std::clamp(0.5f * (1 + 1.1f * sum), 0.05f, 1.0f);  // 0.5: the shader doubles it
             const size_t at = (static_cast<size_t>(y) * side + x) * 4;
             const float warm = 0.04f * (wrappedNoise(16.0f * x / side, 16.0f * y / side, 16, 91u) - 0.5f);
@@ -67,13 +72,15 @@ Rgba8 loadTile(const std::filesystem::path& file) {
         logWarning(image.error().text() + "; a texture made by the program stands in");
         return {};
     }
-    Rgba8 out{image->width, image->height, std::vector<uint8_t>(static_cast<size_t>(image->width) * image->height * 4, 255)};
+    Rgba8 out{image->width, image->height,
+              std::vector<uint8_t>(static_cast<size_t>(image->width) * image->height * 4, 255)};
     for (size_t i = 0; i < static_cast<size_t>(image->width) * image->height; ++i)
         for (int c = 0; c < 4; ++c) {
             const int from = image->channels >= 3 ? c : (c < 3 ? 0 : 1);
             if (from >= image->channels) continue;
             const float v = image->pixels[i * static_cast<size_t>(image->channels) + static_cast<size_t>(from)];
-            out.pixels[i * 4 + static_cast<size_t>(c)] = image->linear && c < 3 ? encode(v) : static_cast<uint8_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f)));
+            out.pixels[i * 4 + static_cast<size_t>(c)] =
+                image->linear && c < 3 ? encode(v) : static_cast<uint8_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f)));
         }
     dilateColor(out);
     return out;

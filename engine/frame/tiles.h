@@ -17,7 +17,8 @@ struct Rgba8 {
 };
 // A seamless square of soil whose mean linear reflectance is 1 before the shader multiplies by groundColor.
 Rgba8 makeSoil(int side);
-// A blade from root (row 0) to tip: midrib, veins, ragged edges, alpha. Its mean colour is white: species colours tint it.
+// A blade from root (row 0) to tip: midrib, veins, ragged edges, alpha. Its mean colour is white: species colours tint
+// it.
 Rgba8 makeBladeImage(int width, int height);
 // Empty (and a warning logged) if the file cannot be read: callers fall back to the made one.
 Rgba8 loadTile(const std::filesystem::path& file);

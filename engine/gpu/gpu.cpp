@@ -24,8 +24,9 @@ bool contextOn(EGLDisplay display, EglContext& out, std::string& tried, const st
         tried += what + ": no display; ";
         return false;
     }
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     eglBindAPI(EGL_OPENGL_API);
     EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
@@ -61,8 +62,11 @@ std::vector<EGLDeviceEXT> devicesHardwareFirst() {
 }
 
 // Compilers' messages come through Programs, with file names.
-void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message, const void* user) {
-    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type != GL_DEBUG_TYPE_ERROR || severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
+void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                        const void* user) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type != GL_DEBUG_TYPE_ERROR ||
+        severity == GL_DEBUG_SEVERITY_NOTIFICATION)
+        return;
     auto* gpu = static_cast<Gpu*>(const_cast<void*>(user));
     ++gpu->errors;
     gpu->lastError = message;
@@ -71,8 +75,13 @@ void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLs
 
 Status describe(Gpu& gpu) {
     if (epoxy_gl_version() < 45)
-        return Error{ExitCode::NoContext, fmt::format("OpenGL 4.5 is needed, the driver has {}.{}", epoxy_gl_version() / 10, epoxy_gl_version() % 10),
-                     "", 0, 0, "update the graphics driver, or install libgl1-mesa-dri for the software one"};
+        return Error{
+            ExitCode::NoContext,
+            fmt::format("OpenGL 4.5 is needed, the driver has {}.{}", epoxy_gl_version() / 10, epoxy_gl_version() % 10),
+            "",
+            0,
+            0,
+            "update the graphics driver, or install libgl1-mesa-dri for the software one"};
     gpu.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gpu.version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     gpu.software = isSoftware(gpu.renderer);
@@ -104,9 +113,14 @@ Result<std::unique_ptr<Gpu>> makeHeadlessGpu() {
         if (made) break;
     }
     if (!made && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
-        made = contextOn(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), *egl, tried, "EGL surfaceless");
+        made = contextOn(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), *egl,
+                         tried, "EGL surfaceless");
     if (!made)
-        return Error{ExitCode::NoContext, "no OpenGL 4.5 context without a window (" + tried + "EGL)", "", 0, 0,
+        return Error{ExitCode::NoContext,
+                     "no OpenGL 4.5 context without a window (" + tried + "EGL)",
+                     "",
+                     0,
+                     0,
                      "install a driver: libegl1 with libgl1-mesa-dri renders in software"};
     auto gpu = std::make_unique<Gpu>();
     gpu->context = egl;

@@ -12,13 +12,13 @@
 namespace sward {
 
 struct Gpu {
-    std::string renderer;         // GL_RENDERER
+    std::string renderer;  // GL_RENDERER
     std::string version;
-    bool software = false;        // llvmpipe and its like: timer queries are wrong there
-    bool watched = false;         // a graphics debugger looks on (GL_EXT_debug_tool): passes are labelled for it
+    bool software = false;  // llvmpipe and its like: timer queries are wrong there
+    bool watched = false;   // a graphics debugger looks on (GL_EXT_debug_tool): passes are labelled for it
     int maxSamples = 1;
     std::map<std::string, int64_t> ledger;  // owner ("grass/geometry") -> bytes
-    int errors = 0;               // GL errors reported by the debug callback
+    int errors = 0;                         // GL errors reported by the debug callback
     std::string lastError;
     std::shared_ptr<void> context;  // keeps a headless context alive
 

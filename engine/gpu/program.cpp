@@ -39,7 +39,10 @@ void warnOfOthers(const fs::path& folder) {
     const std::vector<std::string> others = otherHeaders(folder);
     const std::lock_guard lock(mutex);
     if (!others.empty() && told.insert(folder).second)
-        logWarning(fmt::format("{}: not as it was when this program was built; pictures may be garbage (build again, or bring back the shaders of this version)", (folder / others[0]).string()));
+        logWarning(
+            fmt::format("{}: not as it was when this program was built; pictures may be garbage (build again, or bring "
+                        "back the shaders of this version)",
+                        (folder / others[0]).string()));
 }
 
 std::optional<std::string> includeOf(const std::string& line) {
@@ -52,7 +55,9 @@ std::optional<std::string> includeOf(const std::string& line) {
 
 // A line's number carries its file's: Mesa forgets #line's second number in half of its messages.
 constexpr size_t kLinesPerFile = 100000;
-std::string lineDirective(size_t file, int line) { return fmt::format("#line {}\n", file * kLinesPerFile + static_cast<size_t>(line)); }
+std::string lineDirective(size_t file, int line) {
+    return fmt::format("#line {}\n", file * kLinesPerFile + static_cast<size_t>(line));
+}
 
 struct Loader {
     fs::path folder;
@@ -64,7 +69,11 @@ struct Loader {
         std::ifstream in(folder / path);
         if (!in) {
             const std::string where = from.empty() ? "" : fmt::format(", included by {}:{}", from, fromLine);
-            return Error{ExitCode::Failed, "shader source not found" + where, (folder / path).string(), 0, 0,
+            return Error{ExitCode::Failed,
+                         "shader source not found" + where,
+                         (folder / path).string(),
+                         0,
+                         0,
                          "the program needs the shaders/ folder of its own version"};
         }
         const size_t number = out.files.size();
@@ -111,7 +120,8 @@ std::string namedLog(const std::string& log, const std::vector<std::string>& fil
     for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
         out.append(at, log.cbegin() + it->position());
         const size_t number = std::stoull((*it)[2]), file = number / kLinesPerFile;
-        out += (*it)[1].str() + (file < files.size() ? files[file] : "?") + ":" + std::to_string(number % kLinesPerFile);
+        out +=
+            (*it)[1].str() + (file < files.size() ? files[file] : "?") + ":" + std::to_string(number % kLinesPerFile);
         at = log.cbegin() + it->position() + it->length();
     }
     out.append(at, log.cend());
@@ -181,8 +191,10 @@ Result<GLuint> Programs::build(Entry& entry) {
     for (const auto& [stage, path] : stages) {
         if (!path || error) continue;
         auto shader = compileStage(folder_, stage, path, entry.constants, files);
-        if (shader) shaders.push_back(*shader);
-        else error = shader.error();
+        if (shader)
+            shaders.push_back(*shader);
+        else
+            error = shader.error();
     }
     Result<GLuint> program = error ? Result<GLuint>(*error) : link(entry.sources.name, shaders);
     for (GLuint s : shaders) glDeleteShader(s);
@@ -217,7 +229,8 @@ Reload Programs::reload() {
 }
 
 void Programs::keepOnly(const std::vector<std::string>& names) {
-    std::erase_if(programs_, [&](const auto& p) { return std::find(names.begin(), names.end(), p.first.first) == names.end(); });
+    std::erase_if(programs_,
+                  [&](const auto& p) { return std::find(names.begin(), names.end(), p.first.first) == names.end(); });
 }
 
 std::vector<std::string> Programs::names() const {

@@ -15,8 +15,8 @@ namespace sward {
 // Where shaders/ lies: beside the build tree of the running executable, else the source tree it was built from.
 std::filesystem::path shaderFolder();
 
-// Of the headers that C++ and GLSL share (shared/*.h): those in the folder that are not as they were when this program was built, by
-// their paths. What is drawn with such is garbage. One that is not there is left to who includes it.
+// Of the headers that C++ and GLSL share (shared/*.h): those in the folder that are not as they were when this program
+// was built, by their paths. What is drawn with such is garbage. One that is not there is left to who includes it.
 std::vector<std::string> otherHeaders(const std::filesystem::path& folder);
 
 struct ShaderText {
@@ -25,7 +25,8 @@ struct ShaderText {
 };
 // path: under the folder. `constants`: lines put after #version, such as "const bool WIND = true;".
 // Error: Failed, naming the file that cannot be read and the file and line that includes it.
-Result<ShaderText> loadShaderText(const std::filesystem::path& folder, const std::string& path, const std::string& constants);
+Result<ShaderText> loadShaderText(const std::filesystem::path& folder, const std::string& path,
+                                  const std::string& constants);
 // Rewrites "0:300012(3)", "0(300012)" and "ERROR: 0:300012" of a compiler's log to the third file's name and line 12.
 std::string namedLog(const std::string& log, const std::vector<std::string>& files);
 
@@ -35,7 +36,7 @@ struct ProgramSources {
     const char* vertex = nullptr;
     const char* fragment = nullptr;
     const char* compute = nullptr;
-    const char* control = nullptr;     // of tessellation
+    const char* control = nullptr;  // of tessellation
     const char* evaluation = nullptr;
 };
 

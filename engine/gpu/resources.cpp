@@ -6,20 +6,40 @@ namespace sward {
 
 size_t formatBytes(GLenum format) {
     switch (format) {
-        case GL_R8: return 1;
-        case GL_RG8: case GL_R16: case GL_R16F: return 2;
-        case GL_RGBA8: case GL_SRGB8_ALPHA8: case GL_RG16: case GL_R32F: case GL_DEPTH_COMPONENT32F: case GL_R11F_G11F_B10F: return 4;
-        case GL_RGBA16: case GL_RGBA16F: case GL_RG32F: case GL_DEPTH32F_STENCIL8: return 8;
-        case GL_RGB8: return 3;
-        case GL_RGB16: return 6;
-        case GL_RGB32F: return 12;
-        case GL_RGBA32F: return 16;
-        default: checkFailed(__FILE__, __LINE__, fmt::format("unknown texture format 0x{:x}", format));
+        case GL_R8:
+            return 1;
+        case GL_RG8:
+        case GL_R16:
+        case GL_R16F:
+            return 2;
+        case GL_RGBA8:
+        case GL_SRGB8_ALPHA8:
+        case GL_RG16:
+        case GL_R32F:
+        case GL_DEPTH_COMPONENT32F:
+        case GL_R11F_G11F_B10F:
+            return 4;
+        case GL_RGBA16:
+        case GL_RGBA16F:
+        case GL_RG32F:
+        case GL_DEPTH32F_STENCIL8:
+            return 8;
+        case GL_RGB8:
+            return 3;
+        case GL_RGB16:
+            return 6;
+        case GL_RGB32F:
+            return 12;
+        case GL_RGBA32F:
+            return 16;
+        default:
+            checkFailed(__FILE__, __LINE__, fmt::format("unknown texture format 0x{:x}", format));
     }
 }
 
 size_t imageBytes(GLenum format, int width, int height) {
-    if (format != GL_COMPRESSED_RGBA_BPTC_UNORM) return formatBytes(format) * static_cast<size_t>(width) * static_cast<size_t>(height);
+    if (format != GL_COMPRESSED_RGBA_BPTC_UNORM)
+        return formatBytes(format) * static_cast<size_t>(width) * static_cast<size_t>(height);
     return 16 * static_cast<size_t>((width + 3) / 4) * static_cast<size_t>((height + 3) / 4);
 }
 
@@ -47,13 +67,13 @@ int fullChain(int width, int height) {
 }
 size_t chainBytes(GLenum format, int width, int height, int levels) {
     size_t sum = 0;
-    for (int l = 0; l < levels; ++l)
-        sum += imageBytes(format, std::max(width >> l, 1), std::max(height >> l, 1));
+    for (int l = 0; l < levels; ++l) sum += imageBytes(format, std::max(width >> l, 1), std::max(height >> l, 1));
     return sum;
 }
 }  // namespace
 
-Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels, bool repeat) {
+Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels,
+                      bool repeat) {
     if (levels == 0) levels = fullChain(width, height);
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &id);
@@ -64,7 +84,12 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
-    return {GlName<TextureKind>(id), Tally(gpu, owner, chainBytes(format, width, height, levels)), width, height, levels, format};
+    return {GlName<TextureKind>(id),
+            Tally(gpu, owner, chainBytes(format, width, height, levels)),
+            width,
+            height,
+            levels,
+            format};
 }
 
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers) {
@@ -77,10 +102,16 @@ Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int 
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
-    return {GlName<TextureKind>(id), Tally(gpu, owner, chainBytes(format, width, height, levels) * static_cast<size_t>(layers)), width, height, levels, format};
+    return {GlName<TextureKind>(id),
+            Tally(gpu, owner, chainBytes(format, width, height, levels) * static_cast<size_t>(layers)),
+            width,
+            height,
+            levels,
+            format};
 }
 
-Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples) {
+Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height,
+                                 int samples) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
     glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE);
@@ -95,9 +126,12 @@ Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label) {
     if (color) glNamedFramebufferTexture(id, GL_COLOR_ATTACHMENT0, color, 0);
     GLint format = 0;
     if (depth) glGetTextureLevelParameteriv(depth, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-    if (depth) glNamedFramebufferTexture(id, format == GL_DEPTH32F_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, 0);
+    if (depth)
+        glNamedFramebufferTexture(
+            id, format == GL_DEPTH32F_STENCIL8 ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, 0);
     glObjectLabel(GL_FRAMEBUFFER, id, -1, label);
-    CHECK_EQ(static_cast<unsigned>(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER)), static_cast<unsigned>(GL_FRAMEBUFFER_COMPLETE));
+    CHECK_EQ(static_cast<unsigned>(glCheckNamedFramebufferStatus(id, GL_FRAMEBUFFER)),
+             static_cast<unsigned>(GL_FRAMEBUFFER_COMPLETE));
     return Framebuffer(id);
 }
 

@@ -58,11 +58,21 @@ class GlName {
   private:
     GLuint id_ = 0;
 };
-struct BufferKind { static void destroy(GLuint id) { glDeleteBuffers(1, &id); } };
-struct TextureKind { static void destroy(GLuint id) { glDeleteTextures(1, &id); } };
-struct FramebufferKind { static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); } };
-struct VertexArrayKind { static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); } };
-struct ProgramKind { static void destroy(GLuint id) { glDeleteProgram(id); } };
+struct BufferKind {
+    static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+struct TextureKind {
+    static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+struct FramebufferKind {
+    static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+};
+struct VertexArrayKind {
+    static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+};
+struct ProgramKind {
+    static void destroy(GLuint id) { glDeleteProgram(id); }
+};
 using VertexArray = GlName<VertexArrayKind>;
 using Framebuffer = GlName<FramebufferKind>;
 
@@ -73,9 +83,10 @@ struct Buffer {
     size_t bytes() const { return tally.bytes(); }
 };
 // owner: "domain/stem"; its domain/stem is what `explain` charges. data may be null. Sizes of 0 become 16.
-Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags = GL_DYNAMIC_STORAGE_BIT);
-// Writes at the start of a buffer whose size is the next power of two: what it holds follows from what is written now, not
-// from what was once. Contents are lost when the size changes.
+Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data,
+                  GLbitfield flags = GL_DYNAMIC_STORAGE_BIT);
+// Writes at the start of a buffer whose size is the next power of two: what it holds follows from what is written now,
+// not from what was once. Contents are lost when the size changes.
 void writeBuffer(Gpu& gpu, Buffer& buffer, const std::string& owner, size_t bytes, const void* data);
 
 struct Texture {
@@ -86,7 +97,8 @@ struct Texture {
     GLuint id() const { return name.id(); }
 };
 // levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
-Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1, bool repeat = false);
+Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1,
+                      bool repeat = false);
 // Layers of one size, with their full chain of levels; trilinear, clamped.
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);

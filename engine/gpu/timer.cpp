@@ -2,14 +2,17 @@
 
 namespace sward {
 
-GpuTimer::GpuTimer(const Gpu& gpu) : software_(gpu.software), counts_(epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query")) {
+GpuTimer::GpuTimer(const Gpu& gpu)
+    : software_(gpu.software), counts_(epoxy_has_gl_extension("GL_ARB_pipeline_statistics_query")) {
     glGenQueries(3, queries_);  // glCreateQueries refuses pipeline statistics on Mesa 22
 }
 GpuTimer::~GpuTimer() { glDeleteQueries(3, queries_); }
 
 void GpuTimer::begin() {
-    if (software_) glFinish();
-    else glBeginQuery(GL_TIME_ELAPSED, queries_[0]);
+    if (software_)
+        glFinish();
+    else
+        glBeginQuery(GL_TIME_ELAPSED, queries_[0]);
     if (counts_) {
         glBeginQuery(GL_VERTEX_SHADER_INVOCATIONS_ARB, queries_[1]);
         glBeginQuery(GL_FRAGMENT_SHADER_INVOCATIONS_ARB, queries_[2]);

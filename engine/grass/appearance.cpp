@@ -45,7 +45,8 @@ std::vector<Posed> posed(const Look& look, const glm::vec2& lean, float clumps, 
             const LookPoint& p = look.points[i];
             const float turn = 2.399963f * static_cast<float>(4 * (i / kPoints) + m), most = 1.414214f * clumps;
             const glm::vec2 mirror(m & 1 ? -1.0f : 1.0f, m & 2 ? -1.0f : 1.0f);
-            const glm::vec2 along = f32::forcedLean(lean + most * glm::vec2(std::cos(turn), std::sin(turn)), glm::vec2(0), press, p.facing * mirror);
+            const glm::vec2 along = f32::forcedLean(lean + most * glm::vec2(std::cos(turn), std::sin(turn)),
+                                                    glm::vec2(0), press, p.facing * mirror);
             const f32::BladePose pose = f32::poseBlade(p.control, p.tip, p.facing, mirror, along, 1);
             const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, p.along);
             out.push_back({p.color, f.normal, f.position.y, p.area / 4, p.open});
@@ -89,15 +90,16 @@ glm::vec3 bladeLight(const Posed& p, const glm::vec3& e, const FieldLight& l) {
     glm::vec3 sum = p.color * glm::mix(l.ground, l.sky, 0.5f + 0.5f * n.y) * p.open;
     for (const auto& [direction, color] : l.suns) {
         const float toward = glm::dot(n, direction);
-        glm::vec3 sent = p.color * std::max(toward, 0.0f) + f32::leafThrough(p.color) * (l.translucency * std::max(-toward, 0.0f));
+        glm::vec3 sent =
+            p.color * std::max(toward, 0.0f) + f32::leafThrough(p.color) * (l.translucency * std::max(-toward, 0.0f));
         if (l.gloss > 0) sent += glm::vec3(l.gloss * f32::waxyLobe(n, direction, e, l.roughness));
         sum += color * sent * passes(p, l, direction);
     }
     return sum;
 }
 
-// What a slice that faces `way` stores of a point: its normal's parts along the axes and against them, each with what of that
-// light passes.
+// What a slice that faces `way` stores of a point: its normal's parts along the axes and against them, each with what
+// of that light passes.
 struct Stored {
     glm::vec3 plus, minus;
 };
@@ -106,7 +108,8 @@ Stored stored(const Posed& p, const glm::vec3& n, const FieldLight& l) {
     const glm::vec3 share(side, above, side);
     return {glm::max(n, glm::vec3(0)) * share, glm::max(-n, glm::vec3(0)) * share};
 }
-glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, const glm::vec3& ambient,
+                     const std::vector<glm::vec4>& weights) {
     glm::vec3 sum = p.color * ambient * p.open;
     const Stored s = stored(p, n, l);
     for (size_t i = 0; i < weights.size(); ++i) {
@@ -115,8 +118,10 @@ glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, co
             const glm::vec4& w = weights[i];
             plus = {w.x, w.y, w.z}, minus = {w.w, 0, 1 - (w.x + w.y + w.z + w.w)};
         }
-        float toward = glm::dot(s.plus, plus) + glm::dot(s.minus, minus), away = glm::dot(s.plus, minus) + glm::dot(s.minus, plus);
-        if (l.weighting == static_cast<int>(LightWeighting::Cosine)) std::tie(toward, away) = std::pair{std::max(toward - away, 0.0f), std::max(away - toward, 0.0f)};
+        float toward = glm::dot(s.plus, plus) + glm::dot(s.minus, minus),
+              away = glm::dot(s.plus, minus) + glm::dot(s.minus, plus);
+        if (l.weighting == static_cast<int>(LightWeighting::Cosine))
+            std::tie(toward, away) = std::pair{std::max(toward - away, 0.0f), std::max(away - toward, 0.0f)};
         sum += l.suns[i].second * (p.color * toward + f32::leafThrough(p.color) * (l.translucency * away));
     }
     return sum;
@@ -144,7 +149,8 @@ Mean asBlades(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
     return m;
 }
 // Both families of vertical slices, each by how much it is turned towards e.
-Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldLight& l, const glm::vec3& ambient,
+              const std::vector<glm::vec4>& weights) {
     Mean m;
     eachSeen(points, e, [&](const Posed& p, float seen) {
         for (int axis = 0; axis <= 2; axis += 2) {
@@ -157,7 +163,8 @@ Mean asSlices(const std::vector<Posed>& points, const glm::vec3& e, const FieldL
     });
     return m;
 }
-Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec3& ambient, const std::vector<glm::vec4>& weights) {
+Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec3& ambient,
+           const std::vector<glm::vec4>& weights) {
     Mean m;
     const glm::vec3 up(0, 1, 0);
     eachSeen(points, up, [&](const Posed& p, float seen) {
@@ -169,29 +176,38 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
 }
 
 glm::vec3 viewOf(int i) {
-    const float a = 6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS, t = static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1);
+    const float a = 6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
+                t = static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1);
     const float y = std::clamp(t * t, kLeast, 0.999f), h = std::sqrt(1 - y * y);
     return {h * std::cos(a), y, h * std::sin(a)};
 }
 
-glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) { return glm::clamp(a / glm::max(b, glm::vec3(1e-9f)), glm::vec3(0.2f), glm::vec3(5)); }
+glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
+    return glm::clamp(a / glm::max(b, glm::vec3(1e-9f)), glm::vec3(0.2f), glm::vec3(5));
+}
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
-// By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light (lib/blade.glsl).
+// By view, how many times as bright blades are that lie: their faces turn up, and none stands in another's light
+// (lib/blade.glsl).
 std::array<glm::vec4, LOOK_VIEWS> laidGains(const Look& look, const FieldLight& light) {
     const auto standing = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     const BladeShade none{.rows = {1.0f}};
     FieldLight open = light;
     if (light.shade) open.shade = &none;
     std::array<glm::vec4, LOOK_VIEWS> out;
-    for (int i = 0; i < LOOK_VIEWS; ++i) out[static_cast<size_t>(i)] = glm::vec4(quotient(asBlades(laid, viewOf(i), open).value(), asBlades(standing, viewOf(i), light).value()), 0);
+    for (int i = 0; i < LOOK_VIEWS; ++i)
+        out[static_cast<size_t>(i)] = glm::vec4(
+            quotient(asBlades(laid, viewOf(i), open).value(), asBlades(standing, viewOf(i), light).value()), 0);
     return out;
 }
 
 }  // namespace
 
-void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key, const Rgba8& blade) {
-    const float colors[] = {s.rootColor.x, s.rootColor.y, s.rootColor.z, s.midColor.x, s.midColor.y, s.midColor.z, s.tipColor.x, s.tipColor.y, s.tipColor.z, s.rootOcclusion, s.clumpSize, s.clumpStrength, s.leanDeg};
+void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& patch, uint64_t key,
+                const Rgba8& blade) {
+    const float colors[] = {s.rootColor.x, s.rootColor.y,   s.rootColor.z, s.midColor.x, s.midColor.y,
+                            s.midColor.z,  s.tipColor.x,    s.tipColor.y,  s.tipColor.z, s.rootOcclusion,
+                            s.clumpSize,   s.clumpStrength, s.leanDeg};
     const uint64_t parts[] = {key, hashBytes(colors, sizeof(colors))};
     const uint64_t now = hashBytes(parts, sizeof(parts));
     if (madeFrom == now) return;
@@ -204,12 +220,17 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
         look.height += b.tip.y / static_cast<float>(n);
         for (int p = 0; p < kPoints; ++p) {
             const float v = (static_cast<float>(p) + 0.5f) / kPoints, open = glm::mix(s.rootOcclusion, 1.0f, v);
-            const glm::vec3 color = f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
-            look.points.push_back({color, b.control, b.tip, b.facing, v, b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
+            const glm::vec3 color =
+                f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
+            look.points.push_back(
+                {color, b.control, b.tip, b.facing, v,
+                 b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
         }
     }
     // Values of clumps are noise in [-1, 1] of deviation 0.4.
-    if (s.clumpSize > 0) look.clumpLean = 0.4f * 0.8f * s.clumpStrength * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f)));
+    if (s.clumpSize > 0)
+        look.clumpLean =
+            0.4f * 0.8f * s.clumpStrength * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f)));
     const auto points = posed(look, glm::vec2(0), look.clumpLean), laid = posed(look, glm::vec2(0), 0, 1);
     look.across = areaAcross(points), look.above = areaTowards(points, {0, 1, 0});
     look.laidAcross = areaAcross(laid), look.laidAbove = areaTowards(laid, {0, 1, 0});
@@ -224,17 +245,32 @@ glm::vec4 imageWeights(const glm::vec3& l, int weighting) {
     const f32::LightOctant o = f32::lightOctant(l);
     glm::vec3 w;
     switch (static_cast<LightWeighting>(weighting)) {
-        case LightWeighting::Poly9: w = f32::weightsPoly9(o); break;
-        case LightWeighting::Poly7: w = f32::weightsPoly7(o); break;
-        case LightWeighting::Poly5: w = f32::weightsPoly5(o); break;
-        case LightWeighting::Poly3: w = f32::weightsPoly3(o); break;
-        case LightWeighting::Linear: w = f32::weightsLinear(o); break;
-        case LightWeighting::Squares: w = f32::weightsSquares(o); break;
+        case LightWeighting::Poly9:
+            w = f32::weightsPoly9(o);
+            break;
+        case LightWeighting::Poly7:
+            w = f32::weightsPoly7(o);
+            break;
+        case LightWeighting::Poly5:
+            w = f32::weightsPoly5(o);
+            break;
+        case LightWeighting::Poly3:
+            w = f32::weightsPoly3(o);
+            break;
+        case LightWeighting::Linear:
+            w = f32::weightsLinear(o);
+            break;
+        case LightWeighting::Squares:
+            w = f32::weightsSquares(o);
+            break;
         case LightWeighting::Published:
             w = f32::weightsPublished(l);
-            if (!(std::abs(w.x + w.y + w.z - 1) < 0.01f)) w = f32::weightsThreeAtan(o);  // no number on axes, too much below the horizon
+            if (!(std::abs(w.x + w.y + w.z - 1) < 0.01f))
+                w = f32::weightsThreeAtan(o);  // no number on axes, too much below the horizon
             break;
-        default: w = f32::weightsThreeAtan(o); break;
+        default:
+            w = f32::weightsThreeAtan(o);
+            break;
     }
     const f32::LightWeights five = f32::spreadWeights(l, w);
     return {five.xPos, five.yPos, five.zPos, five.xNeg};
@@ -251,14 +287,24 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
     const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
     const auto far = asFar(plain, light, out.farAmbient, weights).value();
     std::vector<Posed> leant[4];
-    for (int i = 0; i < 4 && light.lean > 0; ++i) leant[i] = posed(look, light.lean * glm::vec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0), look.clumpLean);
+    for (int i = 0; i < 4 && light.lean > 0; ++i)
+        leant[i] = posed(look,
+                         light.lean * glm::vec2(i == 0   ? 1
+                                                : i == 1 ? -1
+                                                         : 0,
+                                                i == 2   ? 1
+                                                : i == 3 ? -1
+                                                         : 0),
+                         look.clumpLean);
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         const glm::vec3 e = viewOf(i), blades = asBlades(clumped, e, light).value();
-        out.slices[static_cast<size_t>(i)] = glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
+        out.slices[static_cast<size_t>(i)] =
+            glm::vec4(quotient(blades, asSlices(plain, e, light, out.sliceAmbient, weights).value()), 0);
         out.far[static_cast<size_t>(i)] = glm::vec4(quotient(blades, far), 0);
         if (light.lean <= 0) continue;
         const auto change = [&](int plus) {
-            const float a = luminance(asBlades(leant[plus], e, light).value()), b = luminance(asBlades(leant[plus + 1], e, light).value());
+            const float a = luminance(asBlades(leant[plus], e, light).value()),
+                        b = luminance(asBlades(leant[plus + 1], e, light).value());
             return std::clamp(0.5f * (a - b) / std::max(luminance(blades), 1e-9f), -0.9f, 0.9f) / light.lean;
         };
         out.slices[static_cast<size_t>(i)].w = change(0);

@@ -1,11 +1,11 @@
-// How grass looks in the mean: radiance of what is seen of its blades by view, as blades and as slices, so that every tier
-// can be given the mean of the blades it stands for.
-// Why: slices hold two views of a volume and light from five directions (Boulanger et al. 2006, section 3.3), blades are seen
-// and lit from all. At a sun of 42 degrees the interpolated light alone is a third too dark, and a view from above shows
-// other faces than one from the side: without a gain, tiers meet in a visible ring.
-// Means are taken over 64 blades x 4 points x 4 mirrorings, by how much of each is seen: its area towards the eye, and Beer's
-// law over what stands above it. The same weights on both sides of the quotient, so that their error mostly cancels.
-// Pure. Cost: 1-3 ms a species when its blades or the light change; nothing otherwise.
+// How grass looks in the mean: radiance of what is seen of its blades by view, as blades and as slices, so that every
+// tier can be given the mean of the blades it stands for. Why: slices hold two views of a volume and light from five
+// directions (Boulanger et al. 2006, section 3.3), blades are seen and lit from all. At a sun of 42 degrees the
+// interpolated light alone is a third too dark, and a view from above shows other faces than one from the side: without
+// a gain, tiers meet in a visible ring. Means are taken over 64 blades x 4 points x 4 mirrorings, by how much of each
+// is seen: its area towards the eye, and Beer's law over what stands above it. The same weights on both sides of the
+// quotient, so that their error mostly cancels. Pure. Cost: 1-3 ms a species when its blades or the light change;
+// nothing otherwise.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -20,44 +20,47 @@ namespace sward {
 
 // A point of a blade that stands for others.
 struct LookPoint {
-    glm::vec3 color;    // reflectance
+    glm::vec3 color;  // reflectance
     glm::vec3 control, tip;
     glm::vec2 facing;
     float along;
-    float area;         // m2 of blade a m2 of ground at density 1 that it stands for
-    float open;         // ambient light that reaches it
+    float area;  // m2 of blade a m2 of ground at density 1 that it stands for
+    float open;  // ambient light that reaches it
 };
 struct Look {
     std::vector<LookPoint> points;
-    float across = 0;   // area towards a level view, m2 a m2 of ground, mean over azimuths
-    float above = 0;    // area towards a view from the zenith
+    float across = 0;                     // area towards a level view, m2 a m2 of ground, mean over azimuths
+    float above = 0;                      // area towards a view from the zenith
     float laidAcross = 0, laidAbove = 0;  // the same of blades that are pressed down
-    float height = 0;   // mean, metres
+    float height = 0;                     // mean, metres
     float clumpLean = 0;  // metres a metre by which clumps lean blades, one standard deviation; slices do not know it
 };
 // Made anew if the species or `key`, of its patch and its blade's image, differ from what it was made from.
-void updateLook(Look& look, uint64_t& madeFrom, const Species& species, const Patch& patch, uint64_t key, const Rgba8& blade);
+void updateLook(Look& look, uint64_t& madeFrom, const Species& species, const Patch& patch, uint64_t key,
+                const Rgba8& blade);
 
 // Share of light from this elevation that full grass leaves to the soil: Beer's law.
 float lightLeft(const Look& look, float sinElevation);
 
 // The light that a field stands in.
 struct FieldLight {
-    glm::vec3 sky, ground;                            // as FrameGlobals
-    std::vector<std::pair<glm::vec3, glm::vec3>> suns;  // towards the light (unit), colour
+    glm::vec3 sky, ground;                                // as FrameGlobals
+    std::vector<std::pair<glm::vec3, glm::vec3>> suns;    // towards the light (unit), colour
     float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
-    const BladeShade* shade = nullptr;                // how blades shade blades in direct light; null: depth below the tips does
-    int weighting = 0;                                // LightWeighting: how slices weigh their images
-    float lean = 0;                                   // that paint or wind gives, m per m: where their change is taken; 0: neither is there
-    bool pressed = false;                             // whether something may press blades down
+    const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
+    int weighting = 0;                  // LightWeighting: how slices weigh their images
+    float lean = 0;        // that paint or wind gives, m per m: where their change is taken; 0: neither is there
+    bool pressed = false;  // whether something may press blades down
 };
 
 // By view: kLookAzimuths (x = cos a, z = sin a towards the eye) times kLookElevations (sine = (i / (n-1))^2).
 struct Gains {
-    std::array<glm::vec4, LOOK_VIEWS> slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
-    std::array<glm::vec4, LOOK_VIEWS> far;     // rgb: factor of the horizontal slice; w: the same for +z
-    std::array<glm::vec4, LOOK_VIEWS> laid;    // rgb: how many times as bright blades are that are pressed down; 1 where none may be
-    glm::vec3 sliceAmbient, farAmbient;        // ambient light that their texels are taken to receive
+    std::array<glm::vec4, LOOK_VIEWS>
+        slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
+    std::array<glm::vec4, LOOK_VIEWS> far;  // rgb: factor of the horizontal slice; w: the same for +z
+    std::array<glm::vec4, LOOK_VIEWS>
+        laid;  // rgb: how many times as bright blades are that are pressed down; 1 where none may be
+    glm::vec3 sliceAmbient, farAmbient;  // ambient light that their texels are taken to receive
 };
 Gains gainsOf(const Look& look, const FieldLight& light);
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and

@@ -18,16 +18,21 @@ uint32_t sampleChance(uint32_t seed, uint32_t i) { return f32::hash3(seed, 1 + i
 float leastCovered(const Blade& b, int samples) {
     const uint32_t seed = std::bit_cast<uint32_t>(b.dither);
     uint32_t least = 255;
-    for (uint32_t i = 0; i < static_cast<uint32_t>(std::clamp(samples, 1, 8)); ++i) least = std::min(least, sampleChance(seed, i));
+    for (uint32_t i = 0; i < static_cast<uint32_t>(std::clamp(samples, 1, 8)); ++i)
+        least = std::min(least, sampleChance(seed, i));
     return (static_cast<float>(least) + 0.5f) / 256;
 }
 
 float leastOf(const Blade& b, Transparency way, int samples) {
     switch (way) {
-        case Transparency::Coverage: return leastCovered(b, samples);
-        case Transparency::Both: return 0.1f;
-        case Transparency::Test: return 0.5f;
-        default: return 0.004f;
+        case Transparency::Coverage:
+            return leastCovered(b, samples);
+        case Transparency::Both:
+            return 0.1f;
+        case Transparency::Test:
+            return 0.5f;
+        default:
+            return 0.004f;
     }
 }
 
@@ -53,7 +58,8 @@ struct Lister {
         const float density = q.cells.density ? tiledSample(*q.cells.density, tiling, place.x, place.y) : 1.0f;
         const float slack = q.cells.density ? kSlack + (tiling.repeats ? tiledSlack(place) : 0) : 0;
         const float weight = f32::lodRamp(distance * (1 - kSlack) - kSlack, q.cells.range.min, q.cells.range.inv);
-        const float slices = f32::sliceOpacity(std::max(density - slack, 0.0f), std::max(weight - kSlack, 0.0f), b.threshold, q.cells.fade);
+        const float slices = f32::sliceOpacity(std::max(density - slack, 0.0f), std::max(weight - kSlack, 0.0f),
+                                               b.threshold, q.cells.fade);
         return f32::opacityConserving(std::min(density + slack, 1.0f), b.threshold, q.cells.fade) - slices;
     }
 
@@ -72,13 +78,15 @@ struct Lister {
     void add(CellList& out, uint32_t i) const {
         const Blade& b = q.cells.patch.blades[i];
         const float size = static_cast<float>(q.cells.cellSize);
-        const glm::vec2 root = f32::rootInCell(b.root, cell.mirror, cell.shift, size), at = glm::vec2(cell.x, cell.z) + root;
+        const glm::vec2 root = f32::rootInCell(b.root, cell.mirror, cell.shift, size),
+                        at = glm::vec2(cell.x, cell.z) + root;
         const glm::vec2 place = glm::vec2(cell.cellX, cell.cellZ) * size + root;
         const glm::vec2 share = place / glm::vec2(q.cells.terrain.size);
         if (std::max(share.x, share.y) > 1 + kSlack || !inView(at)) return;
         const float distance = glm::length(glm::vec3(at.x, std::clamp(0.0f, low, high), at.y));
         if (mostOpacity(b, place, distance) < std::max(q.least[i] - 10 * kSlack, 1e-6f)) return;
-        addStrip(out.indices, i, q.shadows ? std::min(q.cells.segments, kShadowQuads) : cell.segments, q.cells.segments, q.shadows);
+        addStrip(out.indices, i, q.shadows ? std::min(q.cells.segments, kShadowQuads) : cell.segments, q.cells.segments,
+                 q.shadows);
         ++out.blades;
     }
 };
@@ -111,7 +119,8 @@ std::vector<float> leastShading(const Patch& patch) {
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed) {
     const uint32_t base = blade * 2 * static_cast<uint32_t>(segments + 1);
     for (int s = 0; s < quads; ++s) {
-        const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / quads), c = base + 2 * static_cast<uint32_t>((s + 1) * segments / quads);
+        const uint32_t a = base + 2 * static_cast<uint32_t>(s * segments / quads),
+                       c = base + 2 * static_cast<uint32_t>((s + 1) * segments / quads);
         indices.insert(indices.end(), {a, a + 1, c});
         if (!pointed || s + 1 < quads) indices.insert(indices.end(), {c, a + 1, c + 1});
     }
@@ -131,7 +140,8 @@ BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells) {
     for (size_t i = 0; i < lists.size(); ++i) {
         const CellList& l = lists[i];
         if (l.blades == 0) continue;
-        out.commands.push_back({static_cast<uint32_t>(l.indices.size()), 1, static_cast<uint32_t>(out.indices.size()), 0, static_cast<uint32_t>(i)});
+        out.commands.push_back({static_cast<uint32_t>(l.indices.size()), 1, static_cast<uint32_t>(out.indices.size()),
+                                0, static_cast<uint32_t>(i)});
         out.indices.insert(out.indices.end(), l.indices.begin(), l.indices.end());
         out.blades += l.blades;
     }

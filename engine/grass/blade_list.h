@@ -1,9 +1,9 @@
-// The blades of the selected cells that can be seen, one by one, and the indices that draw them: for renderers that shade
-// vertices on the CPU, where a vertex costs many times what a look at its blade does. Pure.
-// Left out are blades outside the view, those that density and distance leave to other tiers (numerics/opacity.h), and those so
-// faded that by their own chance they cover no sample (lib/transparency.glsl). The picture is the same, bit for bit.
-// Does not: decide exactly. It may keep a blade that the shader drops; it never leaves out one that would be seen.
-// Cost: about 20 ns a blade of the cells on each of all threads; 24 bytes a quad that is drawn.
+// The blades of the selected cells that can be seen, one by one, and the indices that draw them: for renderers that
+// shade vertices on the CPU, where a vertex costs many times what a look at its blade does. Pure. Left out are blades
+// outside the view, those that density and distance leave to other tiers (numerics/opacity.h), and those so faded that
+// by their own chance they cover no sample (lib/transparency.glsl). The picture is the same, bit for bit. Does not:
+// decide exactly. It may keep a blade that the shader drops; it never leaves out one that would be seen. Cost: about 20
+// ns a blade of the cells on each of all threads; 24 bytes a quad that is drawn.
 #pragma once
 #include <span>
 
@@ -11,10 +11,11 @@
 
 namespace sward {
 
-// By blade of a patch: the opacity from which on it may show anything, where pixels that are covered in part are drawn in this
-// way, with so many samples.
+// By blade of a patch: the opacity from which on it may show anything, where pixels that are covered in part are drawn
+// in this way, with so many samples.
 std::vector<float> leastShown(const Patch& patch, Transparency way, int samples);
-// The same of their shadows on the ground: a blade throws one if it is more opaque than its own chance (grass/ground_shadow.h).
+// The same of their shadows on the ground: a blade throws one if it is more opaque than its own chance
+// (grass/ground_shadow.h).
 std::vector<float> leastShading(const Patch& patch);
 
 struct BladeListQuery {
@@ -28,9 +29,10 @@ struct BladeList {
     std::vector<uint32_t> indices;      // triangles over the 2 (segments + 1) vertices of each blade of the patch
     std::vector<DrawCommand> commands;  // one a cell that has any; the instance is its place among the cells
     uint64_t blades = 0;
-    bool tooMany = false;               // more than kMostListed: nothing is listed
+    bool tooMany = false;  // more than kMostListed: nothing is listed
 };
-inline constexpr size_t kMostListed = size_t{1} << 28;  // indices; 1 GB: what drivers give in one piece. More are drawn by ranges of the patch
+inline constexpr size_t kMostListed =
+    size_t{1} << 28;  // indices; 1 GB: what drivers give in one piece. More are drawn by ranges of the patch
 // Adds the indices of a strip of n quads over some of the blade's rows of vertices; pointed: the last is a triangle.
 void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int segments, bool pointed = false);
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells);

@@ -15,23 +15,28 @@ struct CellSelection {
     f32::CellGrid grid;
     f32::CellRule rule;
     glm::ivec2 cells;
-    double far;             // metres
+    double far;  // metres
     uint64_t looked = 0;
     std::vector<std::pair<float, CellNode>> nodes;
 
-    CellSelection(const CellQuery& query, double upTo) : q(query), grid(cellGrid(query)), rule(cellRule(query)), cells(fieldCells(query)), far(upTo) {}
+    CellSelection(const CellQuery& query, double upTo)
+        : q(query), grid(cellGrid(query)), rule(cellRule(query)), cells(fieldCells(query)), far(upTo) {}
 
     bool visible(const Box& b, float reach) const {
-        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(), [&](const glm::vec4& p) { return f32::boxTouches(p, b, reach); });
+        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(),
+                           [&](const glm::vec4& p) { return f32::boxTouches(p, b, reach); });
     }
     bool within(const Box& b, float reach) const {
-        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(), [&](const glm::vec4& p) { return f32::boxWithin(p, b, reach); });
+        return std::all_of(q.frustum.planes.begin(), q.frustum.planes.end(),
+                           [&](const glm::vec4& p) { return f32::boxWithin(p, b, reach); });
     }
     bool counts(const Box& b) const { return !(f32::boxNearest2(b) >= far * far) && visible(b, q.reach + q.shadow); }
 
     CellNode nodeAt(int x, int z, int size) const {
         const double x0 = x * q.cellSize, z0 = z * q.cellSize;
-        const auto [low, high] = q.bounds.over(q.terrain.size, x0, z0, std::min((x + size) * q.cellSize, q.terrain.size.x), std::min((z + size) * q.cellSize, q.terrain.size.y));
+        const auto [low, high] =
+            q.bounds.over(q.terrain.size, x0, z0, std::min((x + size) * q.cellSize, q.terrain.size.x),
+                          std::min((z + size) * q.cellSize, q.terrain.size.y));
         return {x, z, static_cast<float>(low - q.eye.y), static_cast<float>(high - q.eye.y)};
     }
     void node(int x, int z, int size) {
@@ -65,14 +70,19 @@ struct CellSelection {
 
     std::pair<float, float> density(int x, int z) const {
         if (!q.density) return {1.0f, 1.0f};
-        if (q.densityTiling.repeats) return densityRange(*q.density, q.densityTiling, x * q.cellSize, z * q.cellSize, (x + 1) * q.cellSize, (z + 1) * q.cellSize);
+        if (q.densityTiling.repeats)
+            return densityRange(*q.density, q.densityTiling, x * q.cellSize, z * q.cellSize, (x + 1) * q.cellSize,
+                                (z + 1) * q.cellSize);
         const MapInfo& info = q.density->info();
         const glm::vec2 texels = texelsPerCell(q);
-        const f32::CellTexels across = f32::cellTexels(x, texels.x, info.width), down = f32::cellTexels(z, texels.y, info.height);
+        const f32::CellTexels across = f32::cellTexels(x, texels.x, info.width),
+                              down = f32::cellTexels(z, texels.y, info.height);
         return texelRange(*q.density, across.first, across.last, down.first, down.last);
     }
     int quadsAt(float distance) const {
-        if (q.levels.smoothness > 0) return f32::tessMost(static_cast<float>(q.levels.smoothness), distance, q.levels.maxDistance, q.levels.quadsAtOneMetre, q.levels.reach);
+        if (q.levels.smoothness > 0)
+            return f32::tessMost(static_cast<float>(q.levels.smoothness), distance, q.levels.maxDistance,
+                                 q.levels.quadsAtOneMetre, q.levels.reach);
         return f32::chordQuads(q.sagitta * q.pixelsPerMetre, distance, q.segments);
     }
     std::pair<uint32_t, uint32_t> share(int x, int z, float nearest, float least, float most) const {
@@ -81,15 +91,19 @@ struct CellSelection {
             return {q.patch.upTo[static_cast<size_t>(s.low)], q.patch.upTo[static_cast<size_t>(s.high)]};
         }
         const float slices = f32::sliceDensity(least, f32::lodRamp(nearest, rule.rangeMin, rule.rangeInv));
-        return q.unique->range(x, z, f32::lowestThresholdDrawn(slices, rule.fade) - 1e-5f, f32::highestThresholdDrawn(f32::densityKept(most, nearest, rule.thinning), rule.fade) + 1e-5f);
+        return q.unique->range(
+            x, z, f32::lowestThresholdDrawn(slices, rule.fade) - 1e-5f,
+            f32::highestThresholdDrawn(f32::densityKept(most, nearest, rule.thinning), rule.fade) + 1e-5f);
     }
     void leaf(int x, int z, const Box& b, std::vector<CellDraw>& out) const {
         const float nearest = std::sqrt(f32::boxNearest2(b));
         const auto [least, most] = density(x, z);
         const auto [first, last] = share(x, z, nearest, least, most);
         if (most <= 0 || first >= last) return;
-        const f32::CellVersion v = q.unique ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, q.seed);
-        out.push_back({x, z, b.low.x, b.low.z, v.mirror, v.shift, first, last, quadsAt(nearest), q.shadow > 0 ? visible(b, q.reach) : 1, nearest, within(b, q.reach)});
+        const f32::CellVersion v =
+            q.unique ? f32::CellVersion{glm::vec2(1), glm::vec2(0)} : f32::cellVersion(x, z, q.seed);
+        out.push_back({x, z, b.low.x, b.low.z, v.mirror, v.shift, first, last, quadsAt(nearest),
+                       q.shadow > 0 ? visible(b, q.reach) : 1, nearest, within(b, q.reach)});
     }
     static std::pair<float, float> texelRange(const Map& density, int left, int right, int top, int bottom);
 };
@@ -110,21 +124,29 @@ std::pair<float, float> CellSelection::texelRange(const Map& density, int left, 
 f32::CellGrid cellGrid(const CellQuery& q) {
     const auto cellOf = [&](double v) { return std::clamp(std::floor(v / q.cellSize), -8388608.0, 8388608.0); };
     const glm::dvec2 cell(cellOf(q.eye.x), cellOf(q.eye.z)), eye(q.eye.x, q.eye.z);
-    return {glm::vec2(cell), glm::vec2(eye - cell * q.cellSize), glm::vec2(q.terrain.size - eye), static_cast<float>(q.cellSize)};
+    return {glm::vec2(cell), glm::vec2(eye - cell * q.cellSize), glm::vec2(q.terrain.size - eye),
+            static_cast<float>(q.cellSize)};
 }
 f32::CellRule cellRule(const CellQuery& q) { return {q.fade, q.thinning, q.range.min, q.range.inv}; }
-glm::vec2 texelsPerCell(const CellQuery& q) { return glm::vec2(q.cellSize / q.densityTiling.metres * glm::dvec2(q.density->info().width, q.density->info().height)); }
+glm::vec2 texelsPerCell(const CellQuery& q) {
+    return glm::vec2(q.cellSize / q.densityTiling.metres *
+                     glm::dvec2(q.density->info().width, q.density->info().height));
+}
 bool gpuMayChoose(const CellQuery& q) { return !q.unique && !(q.density && q.densityTiling.repeats); }
 glm::ivec2 fieldCells(const CellQuery& q) { return glm::ivec2(glm::ceil(q.terrain.size / q.cellSize)); }
 
 GeometryRange geometryRange(const GrassField& f) {
     const float inf = std::numeric_limits<float>::infinity();
     switch (static_cast<Technique>(f.technique)) {
-        case Technique::Geometry: return {0, 0, inf};
+        case Technique::Geometry:
+            return {0, 0, inf};
         case Technique::Slices:
-        case Technique::Flat: return {0, -1, 0};
-        case Technique::Tessellated: return {f.maxDistance, -1, f.maxDistance};
-        default: return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
+        case Technique::Flat:
+            return {0, -1, 0};
+        case Technique::Tessellated:
+            return {f.maxDistance, -1, f.maxDistance};
+        default:
+            return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
     }
 }
 
@@ -141,27 +163,43 @@ float bladeReach(const Species& species, const Patch& patch) {
     return reach * (1 + clumps);
 }
 
-CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
-                    const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
-    return {terrain, bounds, species.density.present() ? &species.density.map : nullptr, tilingOf(terrain, species.densityTiling), patch, field.cellSize, bladeReach(species, patch),
-            bladeSagitta(patch), geometryRange(field), isUnique(field) ? 0 : field.fade, static_cast<uint32_t>(field.seed), species.segments, pixelsPerMetre, eye, frustum};
+CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species,
+                    const Patch& patch, const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
+    return {terrain,
+            bounds,
+            species.density.present() ? &species.density.map : nullptr,
+            tilingOf(terrain, species.densityTiling),
+            patch,
+            field.cellSize,
+            bladeReach(species, patch),
+            bladeSagitta(patch),
+            geometryRange(field),
+            isUnique(field) ? 0 : field.fade,
+            static_cast<uint32_t>(field.seed),
+            species.segments,
+            pixelsPerMetre,
+            eye,
+            frustum};
 }
 
 namespace {
 
 constexpr double kRounding = 0.01;  // texels that shaders may be off by where a map repeats often
 
-// First and last texel, counted on from the map's first over all repeats, that sampling between a and b may read: at most all of them.
+// First and last texel, counted on from the map's first over all repeats, that sampling between a and b may read: at
+// most all of them.
 std::pair<int64_t, int64_t> texelsBetween(double a, double b, double metres, int n, bool repeats) {
     const double slack = repeats ? kRounding : 0;
-    const auto first = static_cast<int64_t>(std::floor(a / metres * n - 0.5 - slack)), last = static_cast<int64_t>(std::floor(b / metres * n - 0.5 + slack)) + 1;
+    const auto first = static_cast<int64_t>(std::floor(a / metres * n - 0.5 - slack)),
+               last = static_cast<int64_t>(std::floor(b / metres * n - 0.5 + slack)) + 1;
     if (repeats) return {first, std::min(last, first + n - 1)};
     return {std::clamp<int64_t>(first, 0, n - 1), std::clamp<int64_t>(last, 0, n - 1)};
 }
 
 }  // namespace
 
-std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1, double z1) {
+std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1,
+                                     double z1) {
     const MapInfo& info = density.info();
     const auto [left, right] = texelsBetween(x0, x1, tiling.metres.x, info.width, tiling.repeats);
     const auto [top, bottom] = texelsBetween(z0, z1, tiling.metres.y, info.height, tiling.repeats);
@@ -189,7 +227,8 @@ NodeBounds nodeBounds(const CellQuery& q, const CellNode& n) {
     const CellSelection s(q, 0);
     const float nearest = std::sqrt(f32::boxNearest2(f32::cellBox(s.grid, n.x, n.z, f32::kNodeSide, n.low, n.high)));
     const f32::CellShare share = f32::cellShare(s.rule, nearest, 0, 1);
-    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)], s.quadsAt(nearest), nearest};
+    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)],
+            s.quadsAt(nearest), nearest};
 }
 
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked) {
@@ -224,10 +263,15 @@ uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
     for (uint32_t i = c.first; i < c.last; ++i) {
         const Blade& b = q.patch.blades[i];
         const glm::vec2 root = f32::rootInCell(b.root, c.mirror, c.shift, cell);
-        const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX, v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
+        const float u = (static_cast<float>(c.cellX) * cell + root.x) / sizeX,
+                    v = (static_cast<float>(c.cellZ) * cell + root.y) / sizeZ;
         if (u > 1 || v > 1) continue;
-        const glm::vec3 at(c.x + root.x, static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y), c.z + root.y);
-        const float density = q.density ? tiledSample(*q.density, q.densityTiling, u * q.terrain.size.x, v * q.terrain.size.y) : 1.0f;
+        const glm::vec3 at(
+            c.x + root.x,
+            static_cast<float>(terrainHeight(q.terrain, u * q.terrain.size.x, v * q.terrain.size.y) - q.eye.y),
+            c.z + root.y);
+        const float density =
+            q.density ? tiledSample(*q.density, q.densityTiling, u * q.terrain.size.x, v * q.terrain.size.y) : 1.0f;
         const float weight = f32::lodRamp(glm::length(at), q.range.min, q.range.inv);
         n += f32::geometryOpacity(density, weight, b.threshold, q.fade) > 0 && q.frustum.touches(at, at);
     }
@@ -245,10 +289,14 @@ uint64_t countVisible(const CellQuery& q) {
 
 uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
 
-uint32_t bladesDrawn(const CellDraw& c, float detail) { return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f))); }
+uint32_t bladesDrawn(const CellDraw& c, float detail) {
+    return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f)));
+}
 
-DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance, uint32_t verticesABlade) {
-    const uint32_t each = static_cast<uint32_t>(quads) * 6, begin = firstStrip(quads) * strips, count = bladesDrawn(c, detail) * each;
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance,
+                        uint32_t verticesABlade) {
+    const uint32_t each = static_cast<uint32_t>(quads) * 6, begin = firstStrip(quads) * strips,
+                   count = bladesDrawn(c, detail) * each;
     if (verticesABlade > 0) return {count, 1, begin, static_cast<int32_t>(c.first * verticesABlade), instance};
     return {count, 1, begin + c.first * each, 0, instance};
 }

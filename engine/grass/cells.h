@@ -1,6 +1,7 @@
-// Which cells draw blades, and which of each cell's blades: the implicit quadtree, culled by frustum, distance and density.
-// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; Jahrmann and Wimmer 2013, section 6.1; B-12, B-23. Pure;
-// nothing is stored per cell. All decisions are formulas of numerics/cells.h, by which the GPU may choose the same cells (gpu_cells.h).
+// Which cells draw blades, and which of each cell's blades: the implicit quadtree, culled by frustum, distance and
+// density. Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.4 and 4.1; Jahrmann and Wimmer 2013,
+// section 6.1; B-12, B-23. Pure; nothing is stored per cell. All decisions are formulas of numerics/cells.h, by which
+// the GPU may choose the same cells (gpu_cells.h).
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
@@ -15,13 +16,13 @@ namespace sward {
 // One species' share of a cell: blades [first, last) of its patch, sorted by threshold.
 struct CellDraw {
     int32_t cellX, cellZ;
-    float x, z;             // the cell's corner relative to the eye
-    glm::vec2 mirror, shift; // numerics/population.h, CellVersion
+    float x, z;               // the cell's corner relative to the eye
+    glm::vec2 mirror, shift;  // numerics/population.h, CellVersion
     uint32_t first, last;
-    int32_t segments;       // enough for this distance: no blade's strip leaves its curve by more than half a pixel
-    int32_t seen;           // 1: its blades may be in view; 0: only their shadows
-    float nearest;          // distance from the eye, metres
-    int32_t whole;          // 1: all that its blades reach is in view
+    int32_t segments;  // enough for this distance: no blade's strip leaves its curve by more than half a pixel
+    int32_t seen;      // 1: its blades may be in view; 0: only their shadows
+    float nearest;     // distance from the eye, metres
+    int32_t whole;     // 1: all that its blades reach is in view
 };
 
 // As OpenGL's DrawElementsIndirectCommand.
@@ -34,9 +35,11 @@ struct DrawCommand {
 uint32_t firstStrip(int n);
 // How many of a cell's blades are drawn at a detail in ]0, 1]: in the order of thresholds, a prefix is an even choice.
 uint32_t bladesDrawn(const CellDraw& c, float detail);
-// Draws a cell's blades with strips of n quads; `instance` is its place among the cells. strips: blades that the indices hold of each number
-// of quads. verticesABlade: 0 if they hold all blades; else they are those of a cell's own blades, which begin at its first one's vertices.
-DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance, uint32_t verticesABlade = 0);
+// Draws a cell's blades with strips of n quads; `instance` is its place among the cells. strips: blades that the
+// indices hold of each number of quads. verticesABlade: 0 if they hold all blades; else they are those of a cell's own
+// blades, which begin at its first one's vertices.
+DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance,
+                        uint32_t verticesABlade = 0);
 
 // Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
 struct GeometryRange {
@@ -52,38 +55,41 @@ float bladeReach(const Species& species, const Patch& patch);
 
 // How finely blades are tessellated (numerics/tess.h, tessMost).
 struct BladeLevels {
-    int smoothness = 0;      // the greatest level; 0: blades are not tessellated
-    float maxDistance = 0;   // m
-    float quadsAtOneMetre = 0;  // quads of the tallest blade in the middle of the picture at 1 m; 0: the distance decides
-    float reach = 0;         // of a blade from its root, m
+    int smoothness = 0;     // the greatest level; 0: blades are not tessellated
+    float maxDistance = 0;  // m
+    float quadsAtOneMetre =
+        0;            // quads of the tallest blade in the middle of the picture at 1 m; 0: the distance decides
+    float reach = 0;  // of a blade from its root, m
 };
 
 struct CellQuery {
     const Terrain& terrain;
     const HeightBounds& bounds;
-    const Map* density;     // null: 1 everywhere
+    const Map* density;  // null: 1 everywhere
     Tiling densityTiling;
     const Patch& patch;
     double cellSize;
-    float reach;            // bladeReach
-    float sagitta;          // bladeSagitta
+    float reach;    // bladeReach
+    float sagitta;  // bladeSagitta
     GeometryRange range;
-    float fade;             // omega
-    uint32_t seed;          // the field's
-    int segments;           // the species': the most that are drawn
-    float pixelsPerMetre;   // at a distance of 1 m
-    glm::dvec3 eye;         // relative to the terrain's corner
+    float fade;            // omega
+    uint32_t seed;         // the field's
+    int segments;          // the species': the most that are drawn
+    float pixelsPerMetre;  // at a distance of 1 m
+    glm::dvec3 eye;        // relative to the terrain's corner
     const Frustum& frustum;
-    float thinning = 0;     // share of the blades that is missing at each metre from the eye
-    BladeLevels levels{};   // where blades are tessellated: CellDraw.segments is then the greatest level in the cell
-    const UniqueBlades* unique = nullptr;  // each cell's own blades, of which `patch` is then all: CellDraw's first and last are theirs
-    float shadow = 0;       // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
+    float thinning = 0;    // share of the blades that is missing at each metre from the eye
+    BladeLevels levels{};  // where blades are tessellated: CellDraw.segments is then the greatest level in the cell
+    const UniqueBlades* unique =
+        nullptr;  // each cell's own blades, of which `patch` is then all: CellDraw's first and last are theirs
+    float shadow =
+        0;  // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
 };
-CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species, const Patch& patch,
-                    const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);
+CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species,
+                    const Patch& patch, const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);
 
-// A node of f32::kNodeSide x kNodeSide cells of which some may be chosen: where its first cell is, and between which heights relative
-// to the eye its ground lies.
+// A node of f32::kNodeSide x kNodeSide cells of which some may be chosen: where its first cell is, and between which
+// heights relative to the eye its ground lies.
 struct CellNode {
     int32_t x, z;
     float low, high;
@@ -94,7 +100,8 @@ f32::CellRule cellRule(const CellQuery& q);
 bool gpuMayChoose(const CellQuery& q);
 // Cells along x and z of the whole field.
 glm::ivec2 fieldCells(const CellQuery& q);
-// Nodes that are in view and begin before the range's end, nearest first. `looked`, if given, counts the nodes that were looked at.
+// Nodes that are in view and begin before the range's end, nearest first. `looked`, if given, counts the nodes that
+// were looked at.
 std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked = nullptr);
 // What no cell of a node has more of: blades (at full detail) and quads a strip.
 struct NodeBounds {
@@ -111,16 +118,19 @@ std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked = nullptr
 // A cell whose vertical slices are drawn.
 struct SliceCell {
     int32_t cellX, cellZ;
-    float x, z;             // the cell's corner relative to the eye
-    glm::vec2 mirror, shift; // numerics/population.h, CellVersion
+    float x, z;               // the cell's corner relative to the eye
+    glm::vec2 mirror, shift;  // numerics/population.h, CellVersion
 };
-// The cells that vertical slices are drawn for, nearest first: those that reach beyond `near` and begin before `far` (m).
+// The cells that vertical slices are drawn for, nearest first: those that reach beyond `near` and begin before `far`
+// (m).
 std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float far);
 
 // Lowest and highest density that bilinear sampling can give over terrain-relative [x0, x1] x [z0, z1].
-std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1, double z1);
+std::pair<float, float> densityRange(const Map& density, const Tiling& tiling, double x0, double z0, double x1,
+                                     double z1);
 
-// Blades of one species that a view draws: opacity above 0 and root within the frustum. The shader's own rule, on the CPU.
+// Blades of one species that a view draws: opacity above 0 and root within the frustum. The shader's own rule, on the
+// CPU.
 uint64_t countVisible(const CellQuery& q);
 
 }  // namespace sward

@@ -45,7 +45,8 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
     g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
     g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
     g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), isUnique(f) ? 0 : f.fade, static_cast<float>(index)};
+    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), isUnique(f) ? 0 : f.fade,
+                static_cast<float>(index)};
     g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
     const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
     g.mask = {shade.radius, shade.top, 0, 0};
@@ -56,7 +57,8 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const Gr
 void publishDensities(DrawContext& ctx, FieldState& state, const GrassField& f) {
     const Terrain& t = *ctx.shared.ground.terrain;
     const auto bare = [](const Species& s) { return !s.density.present(); };
-    const bool some = has(ctx.plan.features, Feature::GrassDensity) && std::any_of(f.species.begin(), f.species.end(), bare);
+    const bool some =
+        has(ctx.plan.features, Feature::GrassDensity) && std::any_of(f.species.begin(), f.species.end(), bare);
     if (!some) state.everywhere = {};
     if (some && !state.everywhere.id()) {
         const uint8_t one = 255;
@@ -65,7 +67,10 @@ void publishDensities(DrawContext& ctx, FieldState& state, const GrassField& f) 
     }
     ctx.shared.densities.fill(0);
     for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
-        ctx.shared.densities[i] = bare(f.species[i]) ? state.everywhere.id() : ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map, false, tilingOf(t, f.species[i].densityTiling).repeats);
+        ctx.shared.densities[i] =
+            bare(f.species[i]) ? state.everywhere.id()
+                               : ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map,
+                                              false, tilingOf(t, f.species[i].densityTiling).repeats);
 }
 
 void publishMaps(DrawContext& ctx, FieldState& state, const GrassField& f) {
@@ -77,7 +82,10 @@ void publishMaps(DrawContext& ctx, FieldState& state, const GrassField& f) {
     publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
     publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
     publish(ctx.shared.forces, f.forces, "grass/force-map", false);
-    ctx.shared.bladeHeights = f.bladeHeight.present() ? ctx.maps.get("grass/heights", "grass/heights", f.bladeHeight.map, false, tilingOf(t, f.bladeHeightTiling).repeats) : 0;
+    ctx.shared.bladeHeights = f.bladeHeight.present()
+                                  ? ctx.maps.get("grass/heights", "grass/heights", f.bladeHeight.map, false,
+                                                 tilingOf(t, f.bladeHeightTiling).repeats)
+                                  : 0;
     publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
 }
 
@@ -85,11 +93,15 @@ void publishMaps(DrawContext& ctx, FieldState& state, const GrassField& f) {
 std::pair<float, float> shadowRange(const GrassField& f) {
     const float inf = std::numeric_limits<float>::infinity();
     switch (static_cast<Technique>(f.technique)) {
-        case Technique::Geometry: return {inf, inf};
-        case Technique::Tessellated: return {0, 0};  // soil is shaded in the mean alone
+        case Technique::Geometry:
+            return {inf, inf};
+        case Technique::Tessellated:
+            return {0, 0};  // soil is shaded in the mean alone
         case Technique::Slices:
-        case Technique::Flat: return {f.minBTF, f.maxBTF};
-        default: return {std::max(f.minBTF, f.maxGeom), std::max(f.maxBTF, f.maxGeom)};
+        case Technique::Flat:
+            return {f.minBTF, f.maxBTF};
+        default:
+            return {std::max(f.minBTF, f.maxGeom), std::max(f.maxBTF, f.maxGeom)};
     }
 }
 
@@ -115,7 +127,8 @@ void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
 
 // For the whole frame: nothing else uses the bindings.
 void bindField(const SharedResources& r) {
-    static_assert(TEX_ORIENTATION == TEX_BLADE_HEIGHT + 1 && TEX_VEGETATION == TEX_BLADE_HEIGHT + 2 && TEX_OCCLUSION == TEX_BLADE_HEIGHT + 3);
+    static_assert(TEX_ORIENTATION == TEX_BLADE_HEIGHT + 1 && TEX_VEGETATION == TEX_BLADE_HEIGHT + 2 &&
+                  TEX_OCCLUSION == TEX_BLADE_HEIGHT + 3);
     const GLuint maps[] = {r.bladeHeights, r.orientation, r.vegetation, r.occlusion};
     glBindTextures(TEX_BLADE_HEIGHT, 4, maps);
     if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
@@ -136,7 +149,8 @@ void update(DrawContext& ctx) {
         updateTexture(ctx, s, f.species[i]);
         updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
         writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        if (!has(ctx.plan.features, Feature::GrassFar)) s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
+        if (!has(ctx.plan.features, Feature::GrassFar))
+            s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
     }
     writeCover(ctx, state, f);
     bindField(ctx.shared);
@@ -149,13 +163,17 @@ const System kSystems[] = {{"grass/field", update}};
 
 CellQuery drawnQuery(const DrawContext& ctx, const GrassField& f, size_t i) {
     const FieldSpecies& s = *ctx.shared.grass->species[i];
-    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.drawn(), ctx.eye, ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.drawn(), ctx.eye,
+                            ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     if (!s.unique.empty()) q.unique = &s.unique;
     return q;
 }
 
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
-    static_assert(sizeof(CellInstance) == sizeof(SliceCell) && offsetof(CellInstance, corner) == offsetof(SliceCell, x) && offsetof(CellInstance, mirror) == offsetof(SliceCell, mirror) && offsetof(CellInstance, shift) == offsetof(SliceCell, shift));
+    static_assert(sizeof(CellInstance) == sizeof(SliceCell) &&
+                  offsetof(CellInstance, corner) == offsetof(SliceCell, x) &&
+                  offsetof(CellInstance, mirror) == offsetof(SliceCell, mirror) &&
+                  offsetof(CellInstance, shift) == offsetof(SliceCell, shift));
     glVertexArrayVertexBuffer(mesh, 0, cells, 0, static_cast<GLsizei>(stride));
     glVertexArrayBindingDivisor(mesh, 0, 1);
     for (GLuint attribute = 0; attribute < 4; ++attribute) {
@@ -189,8 +207,11 @@ Rgba8 bladeImage(const Project& project, const Species& species) {
 }
 
 std::string fieldConstants(const GrassField& f) {
-    return fmt::format("const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
-                       f.transparency, f.storage, f.lightWeights == static_cast<int>(LightWeighting::Cosine), f.weightsAt == static_cast<int>(WeightsAt::Pixel), f.sliceCover == static_cast<int>(SliceCover::Conserving));
+    return fmt::format(
+        "const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool "
+        "WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
+        f.transparency, f.storage, f.lightWeights == static_cast<int>(LightWeighting::Cosine),
+        f.weightsAt == static_cast<int>(WeightsAt::Pixel), f.sliceCover == static_cast<int>(SliceCover::Conserving));
 }
 
 std::vector<std::string> fieldVariants() {
@@ -206,7 +227,8 @@ std::vector<std::string> fieldVariants() {
                 f.storage = static_cast<int>(storage), f.lightWeights = static_cast<int>(weights);
                 add(f.weightsAt, static_cast<int>(at));
             }
-    for (const Transparency way : {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend}) add(f.transparency, static_cast<int>(way));
+    for (const Transparency way : {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend})
+        add(f.transparency, static_cast<int>(way));
     add(f.sliceCover, static_cast<int>(SliceCover::Published));
     return out;
 }
@@ -217,13 +239,22 @@ void FieldState::jobs(std::vector<JobNews>& out) const {
 }
 
 const EffectRow& fieldEffect() {
-    static const EffectRow row{"grass/field", featureSet(Feature::Grass, Feature::Terrain), kSystems, {},
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FieldState>(); },
-                               "there is grass: its patches, maps and textures"};
+    static const EffectRow row{
+        "grass/field",
+        featureSet(Feature::Grass, Feature::Terrain),
+        kSystems,
+        {},
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FieldState>(); },
+        "there is grass: its patches, maps and textures"};
     return row;
 }
 const EffectRow& farDarkeningEffect() {
-    static const EffectRow row{"grass/far-darkening", featureSet(Feature::FarDarkening, Feature::Grass, Feature::Terrain), {}, {}, nullptr, "far grass is darker, which shows depth"};
+    static const EffectRow row{"grass/far-darkening",
+                               featureSet(Feature::FarDarkening, Feature::Grass, Feature::Terrain),
+                               {},
+                               {},
+                               nullptr,
+                               "far grass is darker, which shows depth"};
     return row;
 }
 

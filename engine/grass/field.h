@@ -1,5 +1,5 @@
-// What all of grass's tiers share of a field: patches, blade textures, maps, and how much light grass leaves to the soil.
-// Does not: draw.
+// What all of grass's tiers share of a field: patches, blade textures, maps, and how much light grass leaves to the
+// soil. Does not: draw.
 #pragma once
 #include "frame/draw_context.h"
 #include "frame/tiles.h"
@@ -11,31 +11,31 @@
 namespace sward {
 
 struct FieldSpecies {
-    uint64_t key = 0;            // patchKey
+    uint64_t key = 0;  // patchKey
     Patch patch;
-    UniqueBlades unique;         // where each cell has blades of its own; else empty
-    uint64_t uniqueOf = 0;       // what they were made of: uniqueKey, and the density
+    UniqueBlades unique;    // where each cell has blades of its own; else empty
+    uint64_t uniqueOf = 0;  // what they were made of: uniqueKey, and the density
     Map uniqueDensity;
-    uint64_t uniqueKey = 0;      // another each time that they are made
+    uint64_t uniqueKey = 0;  // another each time that they are made
     // What is drawn blade by blade; slices, masks and means are the patch's.
     const Patch& drawn() const { return unique.empty() ? patch : unique.patch; }
     uint64_t drawnKey() const { return unique.empty() ? key : uniqueKey; }
-    Buffer globals;              // SpeciesGlobals
+    Buffer globals;  // SpeciesGlobals
     Rgba8 bladeImage;
-    uint64_t bladeHash = 0;      // of the image: hashed when it is loaded, not each frame
+    uint64_t bladeHash = 0;  // of the image: hashed when it is loaded, not each frame
     Texture bladeTexture;
     std::string textureOf = "?";
-    Look look;                   // of the patch, for appearances
+    Look look;  // of the patch, for appearances
     uint64_t lookKey = 0;
     // Slices, kept by grass/slices.cpp while a tier wants them.
-    uint64_t sliceKey = 0;       // of what the textures were made from; 0: none
-    uint64_t sliceAsked = 0;     // the same without a look at the blade's image, once they are there
+    uint64_t sliceKey = 0;    // of what the textures were made from; 0: none
+    uint64_t sliceAsked = 0;  // the same without a look at the blade's image, once they are there
     SliceTextures slices;
     Job<SliceImages> bake;
-    uint64_t bakeOf = 0;         // what it makes
+    uint64_t bakeOf = 0;  // what it makes
     uint64_t gainKey = 0;
     Gains gains;
-    Buffer sliceGlobals;         // SliceGlobals
+    Buffer sliceGlobals;  // SliceGlobals
 };
 struct FieldState : EffectState {
     std::vector<std::unique_ptr<FieldSpecies>> species;  // the field's first MAX_SPECIES
@@ -51,7 +51,8 @@ const EffectRow& farDarkeningEffect();
 // The query for a species' drawn blades in this view.
 CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t species);
 
-// Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell are.
+// Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell
+// are.
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
 void beginTransparency(const DrawContext& ctx, const GrassField& field);

@@ -18,9 +18,9 @@ struct Kind {
     Texture texture;
     Buffer globals, cells, commands, indices;
     VertexArray mesh;
-    uint32_t most = 0;       // flowers that the indices are for
+    uint32_t most = 0;  // flowers that the indices are for
     GLuint density = 0;
-    GLsizei drawn = 0;       // commands
+    GLsizei drawn = 0;  // commands
 };
 struct FlowersState : EffectState {
     std::map<std::string, Kind> kinds;  // by entity
@@ -58,7 +58,8 @@ FlowerGlobals globalsOf(const Terrain& t, const Flowers& f, const FlowerGrid& gr
     FlowerGlobals g{};
     const float from = kThinFrom * f.maxDistance;
     g.shape = {f.height, f.heightVariation, f.headSize, static_cast<float>(grid.side)};
-    g.counts = {grid.expected, static_cast<float>(f.seed & 0xFFFFFF), f.density.present() ? shaderTiling(t, f.densityTiling) : -1, k.image.made ? 1 : 0};
+    g.counts = {grid.expected, static_cast<float>(f.seed & 0xFFFFFF),
+                f.density.present() ? shaderTiling(t, f.densityTiling) : -1, k.image.made ? 1 : 0};
     g.range = {from, f32::lodInverse(from, f.maxDistance), kWidest, k.image.headShare};
     g.petal = glm::vec4(f.color, 0), g.second = glm::vec4(f.secondColor, 0);
     g.center = glm::vec4(f.centerColor, 0), g.stem = glm::vec4(f.stemColor, 0);
@@ -75,17 +76,23 @@ struct CellSearch {
 
     // Flowers of a cell that may be seen at a distance; their numbers are the least ones.
     uint32_t count(double x0, double z0, float distance) const {
-        const float kept = 1 - f32::lodRamp(distance, kThinFrom * f.maxDistance, f32::lodInverse(kThinFrom * f.maxDistance, f.maxDistance));
+        const float kept = 1 - f32::lodRamp(distance, kThinFrom * f.maxDistance,
+                                            f32::lodInverse(kThinFrom * f.maxDistance, f.maxDistance));
         float density = 1;
-        if (f.density.present()) density = densityRange(f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), x0, z0, x0 + grid.side, z0 + grid.side).second;
+        if (f.density.present())
+            density = densityRange(f.density.map, tilingOf(*ctx.shared.ground.terrain, f.densityTiling), x0, z0,
+                                   x0 + grid.side, z0 + grid.side)
+                          .second;
         const float share = std::min(1.25f * kept, 1.0f) * density;
         return std::min(static_cast<uint32_t>(std::ceil(share * grid.expected)), grid.most);
     }
     void visit(int x, int z) {
         const Terrain& t = *ctx.shared.ground.terrain;
-        const double x0 = x * grid.side, z0 = z * grid.side, reach = static_cast<double>(f.height * (1 + f.heightVariation) + 2 * f.headSize);
+        const double x0 = x * grid.side, z0 = z * grid.side,
+                     reach = static_cast<double>(f.height * (1 + f.heightVariation) + 2 * f.headSize);
         const auto [low, high] = ctx.shared.bounds.over(t.size, x0, z0, x0 + grid.side, z0 + grid.side);
-        const glm::vec3 from(glm::dvec3(x0 - reach, low, z0 - reach) - ctx.eye), to(glm::dvec3(x0 + grid.side + reach, high + reach, z0 + grid.side + reach) - ctx.eye);
+        const glm::vec3 from(glm::dvec3(x0 - reach, low, z0 - reach) - ctx.eye),
+            to(glm::dvec3(x0 + grid.side + reach, high + reach, z0 + grid.side + reach) - ctx.eye);
         const float distance = glm::length(glm::max(glm::max(from, -to), glm::vec3(0)));
         if (distance >= f.maxDistance || !ctx.frustum.touches(from, to)) return;
         const uint32_t n = count(x0, z0, distance);
@@ -96,8 +103,12 @@ struct CellSearch {
     }
     void run() {
         const Terrain& t = *ctx.shared.ground.terrain;
-        const auto first = [&](double eye) { return static_cast<int>(std::floor(std::max(eye - static_cast<double>(f.maxDistance), 0.0) / grid.side)); };
-        const auto last = [&](double eye, double size) { return static_cast<int>(std::ceil(std::min(eye + static_cast<double>(f.maxDistance), size) / grid.side)); };
+        const auto first = [&](double eye) {
+            return static_cast<int>(std::floor(std::max(eye - static_cast<double>(f.maxDistance), 0.0) / grid.side));
+        };
+        const auto last = [&](double eye, double size) {
+            return static_cast<int>(std::ceil(std::min(eye + static_cast<double>(f.maxDistance), size) / grid.side));
+        };
         for (int z = first(ctx.eye.z); z < last(ctx.eye.z, t.size.y); ++z)
             for (int x = first(ctx.eye.x); x < last(ctx.eye.x, t.size.x); ++x) visit(x, z);
     }
@@ -107,7 +118,9 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
     const FlowerGrid grid = flowerGrid(f);
     updateTexture(ctx, k, f);
     makeMesh(ctx, k, grid.most);
-    k.density = f.density.present() ? ctx.maps.get("flower/density", "flowers." + entity, f.density.map, false, tilingOf(*ctx.shared.ground.terrain, f.densityTiling).repeats) : 0;
+    k.density = f.density.present() ? ctx.maps.get("flower/density", "flowers." + entity, f.density.map, false,
+                                                   tilingOf(*ctx.shared.ground.terrain, f.densityTiling).repeats)
+                                    : 0;
     CellSearch search{ctx, f, grid, {}, {}};
     search.run();
     k.drawn = static_cast<GLsizei>(search.commands.size());
@@ -121,7 +134,9 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
 void update(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     const auto all = flowersOf(ctx.project);
-    std::erase_if(s.kinds, [&](const auto& k) { return std::none_of(all.begin(), all.end(), [&](const auto& f) { return f.first == k.first; }); });
+    std::erase_if(s.kinds, [&](const auto& k) {
+        return std::none_of(all.begin(), all.end(), [&](const auto& f) { return f.first == k.first; });
+    });
     if (!ctx.shared.ground.terrain) return;
     for (const auto& [entity, flowers] : all) updateKind(ctx, entity, *flowers, s.kinds[entity]);
 }
@@ -143,17 +158,25 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/flowers/cells", update}};
-const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::Grass, Feature::GrassHeights, Feature::GrassOcclusion, Feature::FlowerDensity, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap,
-                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
-const Pass kPasses[] = {{"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr,
+     featureSet(Feature::TerrainHeights, Feature::Grass, Feature::GrassHeights, Feature::GrassOcclusion,
+                Feature::FlowerDensity, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap,
+                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
+                Feature::Fog)}};
+const Pass kPasses[] = {
+    {"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& flowersEffect() {
-    static const EffectRow row{"grass/flowers", featureSet(Feature::Flowers, Feature::Terrain), kSystems, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FlowersState>(); },
-                               "flowers stand among the grass"};
+    static const EffectRow row{
+        "grass/flowers",
+        featureSet(Feature::Flowers, Feature::Terrain),
+        kSystems,
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FlowersState>(); },
+        "flowers stand among the grass"};
     return row;
 }
 

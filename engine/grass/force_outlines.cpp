@@ -36,7 +36,8 @@ void update(DrawContext& ctx) {
     for (const Force& f : ctx.shared.forceTarget.forces) {
         if (!f.outline || kept.contains(f.outline.get())) continue;
         const auto known = s.outlines.find(f.outline.get());
-        kept[f.outline.get()] = known != s.outlines.end() ? std::move(known->second) : Drawn{f.outline, upload(ctx, *f.outline)};
+        kept[f.outline.get()] =
+            known != s.outlines.end() ? std::move(known->second) : Drawn{f.outline, upload(ctx, *f.outline)};
     }
     s.outlines = std::move(kept);
 }
@@ -70,13 +71,19 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/force-outlines/upload", update}};
-const ProgramRow kPrograms[] = {{"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {{"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
+const Pass kPasses[] = {
+    {"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& forceOutlinesEffect() {
-    static const EffectRow row{"grass/force-outlines", featureSet(Feature::ForceOutlines, Feature::Forces, Feature::Grass, Feature::Terrain), kSystems, kPasses, makeState,
+    static const EffectRow row{"grass/force-outlines",
+                               featureSet(Feature::ForceOutlines, Feature::Forces, Feature::Grass, Feature::Terrain),
+                               kSystems,
+                               kPasses,
+                               makeState,
                                "an object presses on the grass in the shape of its outline"};
     return row;
 }

@@ -7,9 +7,9 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/forces";
-constexpr int kSide = 512;        // texels
-constexpr double kLeast = 32;     // metres
-constexpr float kWidths = 8;      // of the largest force
+constexpr int kSide = 512;     // texels
+constexpr double kLeast = 32;  // metres
+constexpr float kWidths = 8;   // of the largest force
 
 // A force as its square is drawn.
 struct Drawn {
@@ -22,9 +22,9 @@ struct ForcesState : EffectState {
     VertexArray squares;
     Buffer drawn, globals;
     std::vector<Force> forces;
-    size_t squaresDrawn = 0;      // those that are no outlines
+    size_t squaresDrawn = 0;  // those that are no outlines
     Outlines outlines;
-    glm::dvec2 corner{0};         // of the map, relative to the terrain's corner
+    glm::dvec2 corner{0};  // of the map, relative to the terrain's corner
     double side = kLeast;
 };
 
@@ -63,11 +63,13 @@ void update(DrawContext& ctx) {
     place(s, eye);
     std::erase_if(s.forces, [&](const Force& f) {
         const glm::dvec2 far(static_cast<double>(farOf(f)));
-        return glm::any(glm::lessThan(glm::max(f.from, f.to) + far, s.corner)) || glm::any(glm::greaterThan(glm::min(f.from, f.to) - far, s.corner + s.side));
+        return glm::any(glm::lessThan(glm::max(f.from, f.to) + far, s.corner)) ||
+               glm::any(glm::greaterThan(glm::min(f.from, f.to) - far, s.corner + s.side));
     });
     std::vector<Drawn> drawn;
     for (const Force& f : s.forces)
-        if (!f.outline) drawn.push_back({glm::vec4(glm::vec2(f.from - eye), glm::vec2(f.to - eye)), {f.radius, f.reach, f.share}});
+        if (!f.outline)
+            drawn.push_back({glm::vec4(glm::vec2(f.from - eye), glm::vec2(f.to - eye)), {f.radius, f.reach, f.share}});
     s.squaresDrawn = drawn.size();
     ctx.shared.forceTarget = {s.target.id(), kSide, s.forces};
     writeBuffer(ctx.gpu, s.drawn, kOwner, drawn.size() * sizeof(Drawn), drawn.data());
@@ -98,13 +100,15 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/forces/list", update}};
 const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {{"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, kForces, kPrograms, draw}};
+const Pass kPasses[] = {
+    {"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, kForces, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& forcesEffect() {
-    static const EffectRow row{"grass/forces", featureSet(Feature::Forces, Feature::Grass, Feature::Terrain), kSystems, kPasses, makeState,
-                               "something presses on the grass"};
+    static const EffectRow row{"grass/forces", featureSet(Feature::Forces, Feature::Grass, Feature::Terrain),
+                               kSystems,       kPasses,
+                               makeState,      "something presses on the grass"};
     return row;
 }
 

@@ -22,9 +22,9 @@ struct SpeciesState {
     GLsizei seen = 0;  // commands
     VertexArray mesh;
     std::vector<CellDraw> selected;
-    ChosenCells chosen;            // where the GPU chooses; else nothing
-    float shadowShare = 0;         // of the blades, that shade the soil
-    std::vector<float> least;      // of leastShown, for `way` and `samples`
+    ChosenCells chosen;        // where the GPU chooses; else nothing
+    float shadowShare = 0;     // of the blades, that shade the soil
+    std::vector<float> least;  // of leastShown, for `way` and `samples`
     Transparency way{};
     int samples = 0;
 };
@@ -32,8 +32,8 @@ struct GeometryState : EffectState {
     std::vector<std::unique_ptr<SpeciesState>> species;
 };
 
-// For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1) vertices a
-// blade: coarse strips skip rows, and rows that no strip uses cost nothing.
+// For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1)
+// vertices a blade: coarse strips skip rows, and rows that no strip uses cost nothing.
 std::vector<uint32_t> stripIndices(size_t blades, int segments) {
     std::vector<uint32_t> out;
     out.reserve(blades * firstStrip(segments + 1));
@@ -70,7 +70,8 @@ void commandRanges(DrawContext& ctx, SpeciesState& s) {
     for (size_t i = 0; i < s.selected.size(); ++i) {
         const CellDraw& c = s.selected[i];
         if (!c.seen) continue;
-        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(s.strips), ctx.settings.detail, static_cast<uint32_t>(i), s.verticesABlade));
+        commands.push_back(drawCommand(c, c.segments, static_cast<uint32_t>(s.strips), ctx.settings.detail,
+                                       static_cast<uint32_t>(i), s.verticesABlade));
         blades += bladesDrawn(c, ctx.settings.detail);
     }
     s.listed = {};
@@ -79,7 +80,8 @@ void commandRanges(DrawContext& ctx, SpeciesState& s) {
 
 // One command a cell, over those of its blades that can be seen.
 void commandLists(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Transparency way) {
-    if (s.least.empty() || s.way != way || s.samples != ctx.targets.samples) s.least = leastShown(query.patch, way, ctx.targets.samples);
+    if (s.least.empty() || s.way != way || s.samples != ctx.targets.samples)
+        s.least = leastShown(query.patch, way, ctx.targets.samples);
     s.way = way, s.samples = ctx.targets.samples;
     const BladeList list = listBlades({query, s.least, query.reach, ctx.settings.detail}, s.selected);
     if (list.tooMany) return commandRanges(ctx, s);
@@ -88,10 +90,15 @@ void commandLists(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Tra
 }
 
 // Where grass is dense, a part of its blades leaves the soil a twentieth of the light: the others would not be seen to.
-float shadingShare(const Look& look, float sinElevation) { return std::min(1.0f, 3.0f / std::max(-std::log(lightLeft(look, sinElevation)), 1e-3f)); }
+float shadingShare(const Look& look, float sinElevation) {
+    return std::min(1.0f, 3.0f / std::max(-std::log(lightLeft(look, sinElevation)), 1e-3f));
+}
 
 // A renderer that shades vertices on the CPU has its blades listed there, unless the field wants it otherwise.
-bool gpuChooses(const GrassField& f, const Gpu& gpu) { return f.culling == static_cast<int>(Culling::Gpu) || (f.culling == static_cast<int>(Culling::Auto) && !gpu.software); }
+bool gpuChooses(const GrassField& f, const Gpu& gpu) {
+    return f.culling == static_cast<int>(Culling::Gpu) ||
+           (f.culling == static_cast<int>(Culling::Auto) && !gpu.software);
+}
 
 // Cells that the CPU chooses, as instances and commands.
 void selectHere(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Transparency way) {
@@ -101,15 +108,19 @@ void selectHere(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Trans
     instances.reserve(s.selected.size());
     for (const CellDraw& c : s.selected) instances.push_back({{c.cellX, c.cellZ}, {c.x, c.z}, c.mirror, c.shift});
     writeBuffer(ctx.gpu, s.cells, kOwner, instances.size() * sizeof(CellInstance), instances.data());
-    if (ctx.gpu.software) commandLists(ctx, s, query, way);
-    else commandRanges(ctx, s);
+    if (ctx.gpu.software)
+        commandLists(ctx, s, query, way);
+    else
+        commandRanges(ctx, s);
 }
 
-// Room for what the GPU chooses: as many instances and commands as there are cells in the nodes, and as many commands of shadows.
+// Room for what the GPU chooses: as many instances and commands as there are cells in the nodes, and as many commands
+// of shadows.
 void selectThere(DrawContext& ctx, SpeciesState& s, const CellQuery& query) {
     s.selected.clear();
     s.listed = {};
-    chooseCells(ctx, s.chosen, {query, s.key, 1, std::clamp(ctx.settings.detail, 0.01f, 1.0f), 0, kMaxPatchBlades, true}, kOwner);
+    chooseCells(ctx, s.chosen,
+                {query, s.key, 1, std::clamp(ctx.settings.detail, 0.01f, 1.0f), 0, kMaxPatchBlades, true}, kOwner);
     writeBuffer(ctx.gpu, s.cells, kOwner, s.chosen.count * sizeof(CellInstance), nullptr);
     writeBuffer(ctx.gpu, s.commands, kOwner, 2 * s.chosen.count * sizeof(DrawCommand), nullptr);
     s.seen = static_cast<GLsizei>(s.chosen.count);
@@ -143,12 +154,16 @@ void cull(DrawContext& ctx) {
         const FieldSpecies& own = *field.species[i];
         updateMesh(ctx, s, own, f.species[i].segments);
         CellQuery query = drawnQuery(ctx, f, i);
-        if (has(ctx.plan.features, Feature::GroundShadows)) query.shadow = groundShadowReach(own.look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
-        if (gpuChooses(f, ctx.gpu) && gpuMayChoose(query)) selectThere(ctx, s, query);
-        else selectHere(ctx, s, query, static_cast<Transparency>(f.transparency));
+        if (has(ctx.plan.features, Feature::GroundShadows))
+            query.shadow = groundShadowReach(own.look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
+        if (gpuChooses(f, ctx.gpu) && gpuMayChoose(query))
+            selectThere(ctx, s, query);
+        else
+            selectHere(ctx, s, query, static_cast<Transparency>(f.transparency));
         describeCells(s.mesh.id(), s.cells.id(), sizeof(CellInstance), s.indices.id());
         publish(ctx, s, own, i);
-        s.shadowShare = has(ctx.plan.features, Feature::GroundShadows) ? ctx.settings.detail * ctx.shared.blades[i].shading : 0;
+        s.shadowShare =
+            has(ctx.plan.features, Feature::GroundShadows) ? ctx.settings.detail * ctx.shared.blades[i].shading : 0;
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -204,21 +219,32 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/cull", cull}};
-const ProgramRow kPrograms[] = {{"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                                            Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
-                                            Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection), fieldVariants}};
-const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-                                    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, chooseThere},
-                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
+     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
+                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
+                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss,
+                Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows,
+                Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection),
+     fieldVariants}};
+const ProgramRow kCellPrograms[] = {
+    {"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
+    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
+const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
+                         kCellPrograms, chooseThere},
+                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
+                         kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& geometryEffect() {
-    static const EffectRow row{"grass/geometry", featureSet(Feature::GrassGeometry, Feature::Grass, Feature::Terrain), kSystems, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
-                               "blades near the eye are drawn one by one"};
+    static const EffectRow row{
+        "grass/geometry",
+        featureSet(Feature::GrassGeometry, Feature::Grass, Feature::Terrain),
+        kSystems,
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
+        "blades near the eye are drawn one by one"};
     return row;
 }
 

@@ -18,8 +18,9 @@ void addBounds(ChosenCells& c, const CellWish& w, uint32_t cells, uint32_t blade
 }
 
 uint32_t lookOf(const CellDraw& c, const CellWish& w) {
-    return bladesDrawn(c, w.detail) | static_cast<uint32_t>(c.segments) << CHOSEN_LEVEL | static_cast<uint32_t>(c.whole) << CHOSEN_WHOLE |
-           static_cast<uint32_t>(c.seen) << CHOSEN_SEEN | (isPlain(c.segments, c.nearest, w) ? 1u : 0u) << CHOSEN_PLAIN;
+    return bladesDrawn(c, w.detail) | static_cast<uint32_t>(c.segments) << CHOSEN_LEVEL |
+           static_cast<uint32_t>(c.whole) << CHOSEN_WHOLE | static_cast<uint32_t>(c.seen) << CHOSEN_SEEN |
+           (isPlain(c.segments, c.nearest, w) ? 1u : 0u) << CHOSEN_PLAIN;
 }
 
 void chooseHere(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char* owner) {
@@ -53,12 +54,15 @@ void readCounts(ChosenCells& c) {
 
 void nodesForGpu(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char* owner) {
     static_assert(sizeof(CellNode) == sizeof(NodeOfCells));
-    if (c.counted && (ctx.settings.measure || glClientWaitSync(c.counted.get(), 0, 0) != GL_TIMEOUT_EXPIRED)) readCounts(c);
+    if (c.counted && (ctx.settings.measure || glClientWaitSync(c.counted.get(), 0, 0) != GL_TIMEOUT_EXPIRED))
+        readCounts(c);
     if (!c.counts.id()) c.counts = makeBuffer(ctx.gpu, owner, sizeof(ChosenCounts), nullptr);
     const std::vector<CellNode> nodes = selectNodes(w.query);
     for (const CellNode& n : nodes) {
         const NodeBounds most = nodeBounds(w.query, n);
-        addBounds(c, w, inField(n, fieldCells(w.query)), static_cast<uint32_t>(std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, 0.01f, 1.0f))), most.quads, isPlain(most.quads, most.nearest, w));
+        addBounds(c, w, inField(n, fieldCells(w.query)),
+                  static_cast<uint32_t>(std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, 0.01f, 1.0f))),
+                  most.quads, isPlain(most.quads, most.nearest, w));
     }
     c.count = static_cast<uint32_t>(nodes.size()) * kCellsInNode;
     writeBuffer(ctx.gpu, c.nodes, owner, nodes.size() * sizeof(CellNode), nodes.data());
@@ -79,10 +83,13 @@ CullGlobals cullGlobals(const CellWish& w) {
     for (size_t i = 0; i < 6; ++i) g.planes[i] = q.frustum.planes[i];
     g.eye = glm::vec4(grid.eyeCell, grid.inCell);
     g.grid = {grid.edge, grid.size, q.reach};
-    g.field = {static_cast<float>(cells.x), static_cast<float>(cells.y), std::min(q.range.max * q.range.max, 3e38f), q.shadow};
+    g.field = {static_cast<float>(cells.x), static_cast<float>(cells.y), std::min(q.range.max * q.range.max, 3e38f),
+               q.shadow};
     g.rule = {rule.fade, rule.thinning, rule.rangeMin, rule.rangeInv};
-    g.levels = {static_cast<float>(q.levels.smoothness), q.levels.maxDistance, q.levels.quadsAtOneMetre, q.levels.reach};
-    g.strips = {q.sagitta * q.pixelsPerMetre, static_cast<float>(q.segments), std::clamp(w.detail, 0.01f, 1.0f), w.plainFrom};
+    g.levels = {static_cast<float>(q.levels.smoothness), q.levels.maxDistance, q.levels.quadsAtOneMetre,
+                q.levels.reach};
+    g.strips = {q.sagitta * q.pixelsPerMetre, static_cast<float>(q.segments), std::clamp(w.detail, 0.01f, 1.0f),
+                w.plainFrom};
     g.texels = {0, 0, static_cast<float>(q.seed), static_cast<float>(w.pieceBlades)};
     g.counted = {w.drawn, 0, q.unique ? 1 : 0, 0};
     if (q.density) g.texels.x = texelsPerCell(q).x, g.texels.y = texelsPerCell(q).y;
@@ -93,8 +100,10 @@ void chooseCells(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char
     c.byGpu = w.byGpu;
     c.patchBlades = static_cast<uint32_t>(w.query.patch.blades.size());
     c.blades = 0, c.vertices = 0, c.pieces = 0, c.allBlades = 0;
-    if (c.byGpu) nodesForGpu(ctx, c, w, owner);
-    else chooseHere(ctx, c, w, owner);
+    if (c.byGpu)
+        nodesForGpu(ctx, c, w, owner);
+    else
+        chooseHere(ctx, c, w, owner);
     CullGlobals globals = cullGlobals(w);
     c.counting = countsNow(c, ctx.settings.measure);
     ++c.frame;

@@ -1,6 +1,6 @@
-// A species' cells of which blades are drawn, as buffers of the GPU: chosen by the CPU (cells.h), or by the GPU itself from the
-// nodes of the quadtree that the CPU finds in view. Both choose the same cells, in the same order, by the same formulas; nothing is
-// read back. The CPU's part is then the nodes: 16 bytes for 64 cells, instead of 16 bytes a cell.
+// A species' cells of which blades are drawn, as buffers of the GPU: chosen by the CPU (cells.h), or by the GPU itself
+// from the nodes of the quadtree that the CPU finds in view. Both choose the same cells, in the same order, by the same
+// formulas; nothing is read back. The CPU's part is then the nodes: 16 bytes for 64 cells, instead of 16 bytes a cell.
 // Source: Jahrmann and Wimmer 2013, section 6.1. Does not: draw.
 #pragma once
 #include "grass/cells.h"
@@ -22,25 +22,26 @@ struct ChosenCells {
     ChosenCounts last{};
     Buffer counts;
     uint32_t frame = 0;
-    bool counting = false;     // this frame's
-    std::unique_ptr<std::remove_pointer_t<GLsync>, void (*)(GLsync)> counted{nullptr, [](GLsync s) { glDeleteSync(s); }};
+    bool counting = false;  // this frame's
+    std::unique_ptr<std::remove_pointer_t<GLsync>, void (*)(GLsync)> counted{nullptr,
+                                                                             [](GLsync s) { glDeleteSync(s); }};
 };
 struct CellWish {
     const CellQuery& query;
     uint64_t patchKey;
-    float detail;              // share of the blades that is chosen
-    float drawn;               // share of those that is drawn, for the statistics
-    float plainFrom;           // metres from which blades of one quad are plain triangles
-    uint32_t pieceBlades;      // blades at most in a piece
-    bool byGpu;                // it chooses
+    float detail;          // share of the blades that is chosen
+    float drawn;           // share of those that is drawn, for the statistics
+    float plainFrom;       // metres from which blades of one quad are plain triangles
+    uint32_t pieceBlades;  // blades at most in a piece
+    bool byGpu;            // it chooses
 };
 
 // What the shaders know of a query.
 CullGlobals cullGlobals(const CellWish& wish);
 // What the CPU does: uploads nodes, or cells. Sets the bounds, and adds the counts to the frame's statistics.
 void chooseCells(DrawContext& ctx, ChosenCells& c, const CellWish& wish, const char* owner);
-// What the GPU does, if it chooses, by the current program of grass/cells.comp.glsl. `density`: the map's texture, or 0.
-// Leaves SSBO_CHOSEN and UBO_CULL bound.
+// What the GPU does, if it chooses, by the current program of grass/cells.comp.glsl. `density`: the map's texture, or
+// 0. Leaves SSBO_CHOSEN and UBO_CULL bound.
 void runChoice(ChosenCells& c, GLuint density);
 // Where the frame is measured, and so waited for, its own counts instead of those of a frame before.
 void recount(DrawContext& ctx, ChosenCells& c);

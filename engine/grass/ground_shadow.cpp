@@ -8,9 +8,9 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/ground-shadow";
-constexpr float kLongest = 4;   // as in the shader
+constexpr float kLongest = 4;     // as in the shader
 constexpr float kTallest = 1.5f;  // blades, as a share of the mean
-constexpr int kLights = 7;  // that have a bit of the stencil; the eighth says where the ground is seen
+constexpr int kLights = 7;        // that have a bit of the stencil; the eighth says where the ground is seen
 
 struct ShadowState : EffectState {
     struct One {
@@ -26,7 +26,9 @@ struct ShadowState : EffectState {
 std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
     std::vector<DrawCommand> commands;
     commands.reserve(blades.count);
-    for (size_t i = 0; i < blades.count; ++i) commands.push_back(drawCommand(blades.cells[i], std::min(blades.segments, kShadowQuads), blades.strips, share, static_cast<uint32_t>(i), blades.verticesABlade));
+    for (size_t i = 0; i < blades.count; ++i)
+        commands.push_back(drawCommand(blades.cells[i], std::min(blades.segments, kShadowQuads), blades.strips, share,
+                                       static_cast<uint32_t>(i), blades.verticesABlade));
     return commands;
 }
 
@@ -37,7 +39,8 @@ BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, co
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, f, i);
     const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
-    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true}, {blades.cells, blades.count});
+    return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true},
+                      {blades.cells, blades.count});
 }
 
 void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
@@ -49,13 +52,18 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
         return;
     }
     BladeList list;
-    const bool listed = blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, i, blades, share)).tooMany;
-    if (listed) writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
-    else one.listed = {};
+    const bool listed =
+        blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, i, blades, share)).tooMany;
+    if (listed)
+        writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
+    else
+        one.listed = {};
     const std::vector<DrawCommand> commands = listed ? std::move(list.commands) : commandRanges(blades, share);
     one.count = static_cast<GLsizei>(commands.size());
-    if (one.count > 0) writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
-    else one.commands = {};
+    if (one.count > 0)
+        writeBuffer(ctx.gpu, one.commands, kOwner, commands.size() * sizeof(DrawCommand), commands.data());
+    else
+        one.commands = {};
 }
 
 void prepare(DrawContext& ctx) {
@@ -71,7 +79,8 @@ void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
     glVertexArrayElementBuffer(blades.mesh, one.listed.id() ? one.listed.id() : blades.indices);
     glBindVertexArray(blades.mesh);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, blades.shadowCommands ? blades.shadowCommands : one.commands.id());
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(blades.shadowOffset), one.count, 0);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(blades.shadowOffset),
+                                one.count, 0);
     ctx.pass->draws += 1;
     ctx.pass->instances += static_cast<uint64_t>(one.count);
 }
@@ -92,7 +101,8 @@ void draw(DrawContext& ctx) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
+    const bool sun =
+        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
     const int lamps = std::min(static_cast<int>(ctx.shared.lights.count.y), kLights - 1);
     for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, state, light);
     glDepthMask(GL_TRUE);
@@ -102,10 +112,15 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
-const ProgramRow kPrograms[] = {{"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion,
-                                            Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::GroundShadows, Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog)}};
-const Pass kPasses[] = {{"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
+     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
+                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
+                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::GroundShadows,
+                Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps,
+                Feature::Sky, Feature::Fog)}};
+const Pass kPasses[] = {
+    {"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
 
 }  // namespace
 
@@ -115,9 +130,14 @@ float groundShadowReach(float meanHeight, float sinElevation) {
 }
 
 const EffectRow& groundShadowEffect() {
-    static const EffectRow row{"grass/ground-shadow", featureSet(Feature::Grass, Feature::GrassGeometry, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights),
-                               kSystems, kPasses, [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowState>(); },
-                               "near blades shade the ground"};
+    static const EffectRow row{
+        "grass/ground-shadow",
+        featureSet(Feature::Grass, Feature::GrassGeometry, Feature::Terrain, Feature::GroundShadows,
+                   Feature::CastingLights),
+        kSystems,
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowState>(); },
+        "near blades shade the ground"};
     return row;
 }
 

@@ -1,18 +1,20 @@
 // Shadows of blades on the ground: the near blades once more, followed down the light's rays onto the ground.
-// Source: Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20. The paper projects onto a plane by a matrix, marks the
-// stencil buffer and darkens it by one rectangle. Here vertices go to the plane of the ground at their blade's root and are
-// then laid on the ground, so that shadows lie on slopes and hills; and instead of a rectangle the first shadow to reach a
-// sample of seen ground darkens it and sets the stencil's bit of that light, so that shadows of one light do not add up and yet may fade
-// with their length and with the blade that throws them. A shadow takes away the light of its own light alone: where two
-// lights' shadows cross, the shares that are left are multiplied.
-// The sun and the first six lamps that cast shadows throw them. Blades have two quads at most, no texture, and end in a point.
-// Does not: shade the ground beyond maxGeom (the horizontal slice does, grass/slices.h), nor objects. Cost: a blade's five vertices a light.
+// Source: Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20. The paper projects onto a plane by a matrix,
+// marks the stencil buffer and darkens it by one rectangle. Here vertices go to the plane of the ground at their
+// blade's root and are then laid on the ground, so that shadows lie on slopes and hills; and instead of a rectangle the
+// first shadow to reach a sample of seen ground darkens it and sets the stencil's bit of that light, so that shadows of
+// one light do not add up and yet may fade with their length and with the blade that throws them. A shadow takes away
+// the light of its own light alone: where two lights' shadows cross, the shares that are left are multiplied. The sun
+// and the first six lamps that cast shadows throw them. Blades have two quads at most, no texture, and end in a point.
+// Does not: shade the ground beyond maxGeom (the horizontal slice does, grass/slices.h), nor objects. Cost: a blade's
+// five vertices a light.
 #pragma once
 #include "scene/rows.h"
 
 namespace sward {
 
-// Metres by which a species' shadows may reach beyond its blades, under a light of this elevation; 0: wherever it stands.
+// Metres by which a species' shadows may reach beyond its blades, under a light of this elevation; 0: wherever it
+// stands.
 float groundShadowReach(float meanHeight, float sinElevation);
 
 const EffectRow& groundShadowEffect();

@@ -8,9 +8,9 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/mask";
-constexpr int kFine = 4;              // rasterised finer by this, each way
-constexpr int kSteps = 8;             // pieces of a blade's curve
-constexpr double kMostBlades = 2e4;   // more than that hide everything
+constexpr int kFine = 4;             // rasterised finer by this, each way
+constexpr int kSteps = 8;            // pieces of a blade's curve
+constexpr double kMostBlades = 2e4;  // more than that hide everything
 
 float meanTip(const Patch& patch) {
     float sum = 0;
@@ -28,14 +28,17 @@ struct Section {
     int width, height;
     float metre;  // places a metre
     std::vector<float> lowest;
-    Section(int w, int h, float perMetre) : width(w), height(h), metre(perMetre), lowest(static_cast<size_t>(w) * static_cast<size_t>(h), 2.0f) {}
+    Section(int w, int h, float perMetre)
+        : width(w), height(h), metre(perMetre), lowest(static_cast<size_t>(w) * static_cast<size_t>(h), 2.0f) {}
 
     // Marks places from `from` to `to` in a row (both in places); columns wrap.
     void mark(int row, float from, float to, float threshold) {
         if (row < 0 || row >= height) return;
-        const int first = static_cast<int>(std::ceil(from - 0.5f)), last = std::min(static_cast<int>(std::ceil(to - 0.5f)), first + width);
+        const int first = static_cast<int>(std::ceil(from - 0.5f)),
+                  last = std::min(static_cast<int>(std::ceil(to - 0.5f)), first + width);
         for (int x = first; x < last; ++x) {
-            float& place = lowest[static_cast<size_t>(row) * static_cast<size_t>(width) + static_cast<size_t>((x % width + width) % width)];
+            float& place = lowest[static_cast<size_t>(row) * static_cast<size_t>(width) +
+                                  static_cast<size_t>((x % width + width) % width)];
             place = std::min(place, threshold);
         }
     }
@@ -75,7 +78,8 @@ void drawSection(Section& s, const Patch& patch, float cellSize, float length, f
 uint8_t freeShare(const Section& s, int x, int y, float density) {
     int open = 0;
     for (int j = 0; j < kFine; ++j)
-        for (int i = 0; i < kFine; ++i) open += s.lowest[static_cast<size_t>((y * kFine + j) * s.width + x * kFine + i)] > density;
+        for (int i = 0; i < kFine; ++i)
+            open += s.lowest[static_cast<size_t>((y * kFine + j) * s.width + x * kFine + i)] > density;
     return static_cast<uint8_t>((open * 255 + kFine * kFine / 2) / (kFine * kFine));
 }
 
@@ -88,8 +92,8 @@ struct MaskState : EffectState {
     std::array<One, MAX_SPECIES> species;
 };
 
-// Two levels and no more: a thin blade's coordinates leap from pixel to pixel, and the mean over all heights that they would ask
-// for is the dark of the roots, where what is seen of dense grass are its tips.
+// Two levels and no more: a thin blade's coordinates leap from pixel to pixel, and the mean over all heights that they
+// would ask for is the dark of the roots, where what is seen of dense grass are its tips.
 Texture uploadMask(Gpu& gpu, const BladeMask& m) {
     Texture t = makeTexture2D(gpu, kOwner, GL_RGBA8, m.width, m.height, 2, true);
     glTextureParameteri(t.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -102,13 +106,17 @@ Texture uploadMask(Gpu& gpu, const BladeMask& m) {
 std::vector<float> rowMeans(const BladeMask& m) {
     std::vector<float> rows(static_cast<size_t>(m.height), 0.0f);
     for (int y = 0; y < m.height; ++y)
-        for (int x = 0; x < m.width; ++x) rows[static_cast<size_t>(y)] += static_cast<float>(m.pixels[static_cast<size_t>((y * m.width + x) * 4 + 3)]) / (255.0f * static_cast<float>(m.width));
+        for (int x = 0; x < m.width; ++x)
+            rows[static_cast<size_t>(y)] +=
+                static_cast<float>(m.pixels[static_cast<size_t>((y * m.width + x) * 4 + 3)]) /
+                (255.0f * static_cast<float>(m.width));
     return rows;
 }
 
 void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, const GrassField& f) {
     const uint32_t seed = static_cast<uint32_t>(f.seed);
-    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(f.shadowMask)}, key = hashBytes(parts, sizeof(parts));
+    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(f.shadowMask)},
+                   key = hashBytes(parts, sizeof(parts));
     if (one.key == key && one.texture.id()) return;
     one.key = key;
     const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, f.shadowMask);
@@ -120,8 +128,10 @@ void update(DrawContext& ctx) {
     MaskState& state = ctx.own<MaskState>();
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     for (size_t i = 0; i < MAX_SPECIES; ++i) {
-        if (i < f.species.size()) updateMask(ctx, state.species[i], f.species[i], f);
-        else state.species[i] = {};
+        if (i < f.species.size())
+            updateMask(ctx, state.species[i], f.species[i], f);
+        else
+            state.species[i] = {};
         ctx.shared.shades[i] = state.species[i].shade;
     }
 }
@@ -144,14 +154,20 @@ BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSi
     m.pixels.assign(static_cast<size_t>(m.width) * static_cast<size_t>(m.height) * 4, 255);
     for (int y = 0; y + 1 < m.height; ++y)
         for (int x = 0; x < m.width; ++x)
-            for (int c = 0; c < 4; ++c) m.pixels[static_cast<size_t>((y * m.width + x) * 4 + c)] = freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
+            for (int c = 0; c < 4; ++c)
+                m.pixels[static_cast<size_t>((y * m.width + x) * 4 + c)] =
+                    freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
     return m;
 }
 
 const EffectRow& maskEffect() {
-    static const EffectRow row{"grass/mask", featureSet(Feature::Grass, Feature::Terrain, Feature::BladeShadows, Feature::CastingLights), kSystems, {},
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<MaskState>(); },
-                               "blades stand in each other's light"};
+    static const EffectRow row{
+        "grass/mask",
+        featureSet(Feature::Grass, Feature::Terrain, Feature::BladeShadows, Feature::CastingLights),
+        kSystems,
+        {},
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<MaskState>(); },
+        "blades stand in each other's light"};
     return row;
 }
 

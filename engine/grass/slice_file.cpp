@@ -23,7 +23,8 @@ struct Head {
 };
 
 using Channel = std::vector<uint8_t> SliceLevel::*;
-constexpr Channel kChannels[] = {&SliceLevel::reflectance, &SliceLevel::threshold, &SliceLevel::front, &SliceLevel::back};
+constexpr Channel kChannels[] = {&SliceLevel::reflectance, &SliceLevel::threshold, &SliceLevel::front,
+                                 &SliceLevel::back};
 
 std::vector<SliceLevel> levelsOf(int width, int height, size_t layers) {
     std::vector<SliceLevel> out;
@@ -38,17 +39,20 @@ std::vector<SliceLevel> levelsOf(int width, int height, size_t layers) {
 
 bool soundHead(const Head& h, uint64_t key) {
     const auto size = [](int v) { return v >= 1 && v <= 2048 && (v & (v - 1)) == 0; };
-    return std::memcmp(h.magic, kMagic, 8) == 0 && h.key == key && h.slices >= 1 && h.slices <= 64 && size(h.width) && size(h.height) && size(h.farSize);
+    return std::memcmp(h.magic, kMagic, 8) == 0 && h.key == key && h.slices >= 1 && h.slices <= 64 && size(h.width) &&
+           size(h.height) && size(h.farSize);
 }
 
 std::optional<SliceImages> parse(const std::string& bytes, uint64_t key, std::string& wrong) {
     Head h;
     if (bytes.size() < sizeof(h) + 8) return wrong = "it is truncated", std::nullopt;
     std::memcpy(&h, bytes.data(), sizeof(h));
-    if (std::memcmp(h.magic, kMagic, 8) == 0 && h.version != kVersion) return wrong = fmt::format("it is of version {}, not {}", h.version, kVersion), std::nullopt;
+    if (std::memcmp(h.magic, kMagic, 8) == 0 && h.version != kVersion)
+        return wrong = fmt::format("it is of version {}, not {}", h.version, kVersion), std::nullopt;
     uint64_t sum;
     std::memcpy(&sum, bytes.data() + bytes.size() - 8, 8);
-    if (!soundHead(h, key) || sum != hashBytes(bytes.data(), bytes.size() - 8)) return wrong = "it is damaged or truncated", std::nullopt;
+    if (!soundHead(h, key) || sum != hashBytes(bytes.data(), bytes.size() - 8))
+        return wrong = "it is damaged or truncated", std::nullopt;
     SliceImages out;
     out.slices = h.slices, out.top = h.top, out.reflectScale = h.reflectScale;
     out.vertical = levelsOf(h.width, h.height, 2 * static_cast<size_t>(h.slices));
@@ -66,7 +70,9 @@ std::optional<SliceImages> parse(const std::string& bytes, uint64_t key, std::st
 
 }  // namespace
 
-std::filesystem::path sliceFile(const std::filesystem::path& folder, uint64_t key) { return folder / "slices" / (hashHex(key) + ".slices"); }
+std::filesystem::path sliceFile(const std::filesystem::path& folder, uint64_t key) {
+    return folder / "slices" / (hashHex(key) + ".slices");
+}
 
 std::optional<SliceImages> loadCachedSlices(const std::filesystem::path& folder, uint64_t key) {
     const std::filesystem::path file = sliceFile(folder, key);
@@ -88,7 +94,8 @@ void cacheSlices(const std::filesystem::path& folder, uint64_t key, const SliceI
     Head h{};
     std::memcpy(h.magic, kMagic, 8);
     h.version = kVersion, h.key = key;
-    h.slices = images.slices, h.width = images.vertical[0].width, h.height = images.vertical[0].height, h.farSize = images.far[0].width;
+    h.slices = images.slices, h.width = images.vertical[0].width, h.height = images.vertical[0].height,
+    h.farSize = images.far[0].width;
     h.top = images.top, h.reflectScale = images.reflectScale;
     std::string bytes(reinterpret_cast<const char*>(&h), sizeof(h));
     for (const auto* levels : {&images.vertical, &images.far})
@@ -99,7 +106,8 @@ void cacheSlices(const std::filesystem::path& folder, uint64_t key, const SliceI
     const std::filesystem::path file = sliceFile(folder, key);
     std::error_code failed;
     std::filesystem::create_directories(file.parent_path(), failed);
-    if (const Status s = writeFileAtomic(file, bytes); !s) logWarning(fmt::format("slices are not cached: {}", s.error().text()));
+    if (const Status s = writeFileAtomic(file, bytes); !s)
+        logWarning(fmt::format("slices are not cached: {}", s.error().text()));
 }
 
 }  // namespace sward

@@ -9,7 +9,8 @@ using Channel = std::vector<uint8_t> SliceLevel::*;
 void fill(const Texture& t, const std::vector<SliceLevel>& levels, Channel channel, int first, int layers) {
     for (int l = 0; l < t.levels; ++l) {
         const SliceLevel& level = levels[static_cast<size_t>(l)];
-        glTextureSubImage3D(t.id(), l, 0, 0, first, level.width, level.height, layers, GL_RGBA, GL_UNSIGNED_BYTE, (level.*channel).data());
+        glTextureSubImage3D(t.id(), l, 0, 0, first, level.width, level.height, layers, GL_RGBA, GL_UNSIGNED_BYTE,
+                            (level.*channel).data());
     }
 }
 
@@ -29,17 +30,21 @@ void fillFull(const Texture& t, const std::vector<SliceLevel>& levels, int layer
         for (size_t image = 0; image < kSliceImages; ++image) {
             const size_t view = image / 5, light = image % 5;
             for (size_t i = 0; i < n; ++i) {
-                const uint8_t k = light == 4 ? level.threshold[4 * i + 2 + view] : (view ? level.back : level.front)[4 * i + light];
-                for (size_t c = 0; c < 3; ++c) out[4 * i + c] = static_cast<uint8_t>((level.reflectance[4 * i + c] * k + 127) / 255);
+                const uint8_t k =
+                    light == 4 ? level.threshold[4 * i + 2 + view] : (view ? level.back : level.front)[4 * i + light];
+                for (size_t c = 0; c < 3; ++c)
+                    out[4 * i + c] = static_cast<uint8_t>((level.reflectance[4 * i + c] * k + 127) / 255);
                 out[4 * i + 3] = level.threshold[4 * i + 1];
             }
-            glTextureSubImage3D(t.id(), l, 0, 0, static_cast<GLint>(image) * layers, level.width, level.height, layers, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
+            glTextureSubImage3D(t.id(), l, 0, 0, static_cast<GLint>(image) * layers, level.width, level.height, layers,
+                                GL_RGBA, GL_UNSIGNED_BYTE, out.data());
         }
     }
 }
 
 // wrapUp: beyond the upper and lower edge. To the sides the images go on with their other edge, as the patch does.
-Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>& levels, int layers, Storage storage, GLint wrapUp) {
+Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>& levels, int layers, Storage storage,
+              GLint wrapUp) {
     Set s;
     const int w = levels[0].width, h = levels[0].height;
     const GLenum colors = storage == Storage::Compressed ? GL_COMPRESSED_RGBA_BPTC_UNORM : GL_RGBA8;
@@ -47,7 +52,8 @@ Set uploadSet(Gpu& gpu, const std::string& owner, const std::vector<SliceLevel>&
     fill(s.reflectance, levels, &SliceLevel::reflectance, 0, layers);
     s.threshold = makeTextureArray(gpu, owner, GL_RGBA8, w, h, layers);  // never compressed: thresholds are compared
     fill(s.threshold, levels, &SliceLevel::threshold, 0, layers);
-    s.light = makeTextureArray(gpu, owner, colors, w, h, static_cast<int>(storage == Storage::Full ? kSliceImages : 2) * layers);
+    s.light = makeTextureArray(gpu, owner, colors, w, h,
+                               static_cast<int>(storage == Storage::Full ? kSliceImages : 2) * layers);
     if (storage == Storage::Full) {
         fillFull(s.light, levels, layers);
     } else {
@@ -71,22 +77,26 @@ float meanOpacity(const SliceLevel& l) {
 
 size_t SliceTextures::bytes() const {
     size_t n = 0;
-    for (const Texture* t : {&reflectance, &threshold, &light, &farReflectance, &farThreshold, &farLight}) n += t->tally.bytes();
+    for (const Texture* t : {&reflectance, &threshold, &light, &farReflectance, &farThreshold, &farLight})
+        n += t->tally.bytes();
     return n;
 }
 
-SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images, Storage storage) {
+SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images,
+                           Storage storage) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);  // the last levels are narrower than 4 bytes
     SliceTextures out;
     out.slices = images.slices, out.top = images.top, out.reflectScale = images.reflectScale;
     out.farDepth = -std::log(1 - std::min(meanOpacity(images.far[0]), 0.999f));
     if (!owner.empty()) {
         Set s = uploadSet(gpu, owner, images.vertical, 2 * images.slices, storage, GL_CLAMP_TO_EDGE);
-        out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold), out.light = std::move(s.light);
+        out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold),
+        out.light = std::move(s.light);
     }
     if (!farOwner.empty()) {
         Set s = uploadSet(gpu, farOwner, images.far, 1, storage, GL_REPEAT);
-        out.farReflectance = std::move(s.reflectance), out.farThreshold = std::move(s.threshold), out.farLight = std::move(s.light);
+        out.farReflectance = std::move(s.reflectance), out.farThreshold = std::move(s.threshold),
+        out.farLight = std::move(s.light);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     return out;

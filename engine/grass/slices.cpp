@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kOwner = "grass/slices";
 constexpr const char* kFarOwner = "grass/far";
 
-// --- making slices -----------------------------------------------------------------------------------------------------
+// --- making slices
+// -----------------------------------------------------------------------------------------------------
 struct FarState : EffectState {
     Buffer nodes;
     std::vector<TerrainNode> selected;
@@ -27,7 +28,9 @@ struct FarShadowState : EffectState {
     Buffer nodes;
 };
 
-bool slicesAreShaded(const FeatureSet& features) { return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights); }
+bool slicesAreShaded(const FeatureSet& features) {
+    return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights);
+}
 
 void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
     const bool vertical = has(ctx.plan.features, Feature::GrassSlices);
@@ -37,7 +40,8 @@ void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key
 
 // Which textures the species should have: what they are made from, and how they are stored.
 uint64_t textureKey(const DrawContext& ctx, const GrassField& f, uint64_t slices) {
-    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.storage), has(ctx.plan.features, Feature::GrassSlices) ? 1u : 0u};
+    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.storage),
+                              has(ctx.plan.features, Feature::GrassSlices) ? 1u : 0u};
     return hashBytes(parts, sizeof(parts));
 }
 
@@ -55,7 +59,8 @@ std::optional<SliceImages> slicesThere(const DrawContext& ctx, FieldSpecies& s, 
 
 void startBake(FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
     s.bakeOf = key;
-    s.bake = Job<SliceImages>("slices of " + spec.species.name, key, [spec](JobControl& c) { return slicesOf(cacheDir(), spec, c); });
+    s.bake = Job<SliceImages>("slices of " + spec.species.name, key,
+                              [spec](JobControl& c) { return slicesOf(cacheDir(), spec, c); });
 }
 
 // What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
@@ -81,27 +86,42 @@ void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species,
 
 // Whether slices stand for what else is drawn blade by blade (frame/plan.h, coarseFeatures).
 bool slicesAlone(const DrawContext& ctx, const GrassField& f) {
-    return ctx.settings.coarse && has(ctx.plan.features, Feature::GrassSlices) && static_cast<Technique>(f.technique) == Technique::Hybrid;
+    return ctx.settings.coarse && has(ctx.plan.features, Feature::GrassSlices) &&
+           static_cast<Technique>(f.technique) == Technique::Hybrid;
 }
 
-// --- uniforms ------------------------------------------------------------------------------------------------------------
+// --- uniforms
+// ------------------------------------------------------------------------------------------------------------
 FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s, size_t index) {
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
-    if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0) l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
+    if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0)
+        l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
     l.weighting = f.lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
-    if (has(ctx.plan.features, Feature::Wind)) l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
+    if (has(ctx.plan.features, Feature::Wind))
+        l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
     l.pressed = has(ctx.plan.features, Feature::Forces) || has(ctx.plan.features, Feature::ForceMap);
     return l;
 }
 
 void updateGains(FieldSpecies& s, const FieldLight& l) {
-    std::vector<float> read{l.sky.x, l.sky.y, l.sky.z, l.ground.x, l.ground.y, l.ground.z, static_cast<float>(l.weighting), l.lean, l.translucency, l.gloss, l.roughness, l.pressed ? 1.0f : 0.0f};
+    std::vector<float> read{l.sky.x,
+                            l.sky.y,
+                            l.sky.z,
+                            l.ground.x,
+                            l.ground.y,
+                            l.ground.z,
+                            static_cast<float>(l.weighting),
+                            l.lean,
+                            l.translucency,
+                            l.gloss,
+                            l.roughness,
+                            l.pressed ? 1.0f : 0.0f};
     if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
     for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
@@ -118,12 +138,14 @@ SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Specie
     const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
     GeometryRange range = slicesAlone(ctx, f) ? GeometryRange{0, f32::lodInverse(0, 0), 0} : geometryRange(f);
     if (static_cast<Technique>(f.technique) == Technique::Tessellated)  // takes over while blades get lower
-        range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance), f.maxDistance};
+        range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance),
+                 f.maxDistance};
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
     g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
     g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, s.slices.farDepth};
     g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
-    g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width), static_cast<float>(s.slices.reflectance.width)};
+    g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width),
+                static_cast<float>(s.slices.reflectance.width)};
     g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
     g.ambient = glm::vec4(gains.sliceAmbient, 0);
     g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
@@ -146,7 +168,8 @@ void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLu
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, s.sliceGlobals.id());
 }
 
-// --- vertical slices ---------------------------------------------------------------------------------------------------
+// --- vertical slices
+// ---------------------------------------------------------------------------------------------------
 struct SliceDraw {
     Buffer indices, cells;
     VertexArray mesh;
@@ -158,8 +181,8 @@ struct SlicesState : EffectState {
     std::vector<std::unique_ptr<SliceDraw>> species;
 };
 
-// Quads of a cell in four orders, nearest first for an eye to its -x or +x, -z or +z. Vertex 4 q + corner of quad q; the
-// first n quads cut x.
+// Quads of a cell in four orders, nearest first for an eye to its -x or +x, -z or +z. Vertex 4 q + corner of quad q;
+// the first n quads cut x.
 std::vector<uint16_t> sliceIndices(int n) {
     std::vector<uint16_t> out;
     for (int quarter = 0; quarter < 4; ++quarter)
@@ -180,12 +203,19 @@ void makeSliceMesh(DrawContext& ctx, SliceDraw& s, int n) {
 }
 
 // 0..3: the eye lies to the cell's -x or +x (1), -z or +z (2).
-int quarterOf(const SliceCell& c, float cellSize) { return (c.x + 0.5f * cellSize < 0 ? 1 : 0) + (c.z + 0.5f * cellSize < 0 ? 2 : 0); }
+int quarterOf(const SliceCell& c, float cellSize) {
+    return (c.x + 0.5f * cellSize < 0 ? 1 : 0) + (c.z + 0.5f * cellSize < 0 ? 2 : 0);
+}
 
 void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
-    std::stable_sort(s.selected.begin(), s.selected.end(), [&](const SliceCell& a, const SliceCell& b) { return quarterOf(a, cellSize) < quarterOf(b, cellSize); });
+    std::stable_sort(s.selected.begin(), s.selected.end(), [&](const SliceCell& a, const SliceCell& b) {
+        return quarterOf(a, cellSize) < quarterOf(b, cellSize);
+    });
     for (int q = 0; q <= 4; ++q)
-        s.first[q] = static_cast<int>(std::partition_point(s.selected.begin(), s.selected.end(), [&](const SliceCell& c) { return quarterOf(c, cellSize) < q; }) - s.selected.begin());
+        s.first[q] =
+            static_cast<int>(std::partition_point(s.selected.begin(), s.selected.end(),
+                                                  [&](const SliceCell& c) { return quarterOf(c, cellSize) < q; }) -
+                             s.selected.begin());
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(SliceCell), s.selected.data());
     describeCells(s.mesh.id(), s.cells.id(), sizeof(SliceCell), s.indices.id());
     ctx.stats.sliceQuads += s.selected.size() * 2 * static_cast<size_t>(s.slices);
@@ -204,8 +234,10 @@ void selectSlices(DrawContext& ctx) {
         SliceDraw& s = *state.species[i];
         const FieldSpecies& field = *ctx.shared.grass->species[i];
         if (s.slices != field.slices.slices) makeSliceMesh(ctx, s, field.slices.slices);
-        const CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.patch, ctx.eye, ctx.frustum, 1);
-        s.selected = selectSliceCells(q, only || slicesAlone(ctx, f) ? -1 : f.minGeom, only ? std::numeric_limits<float>::infinity() : f.maxBTF);
+        const CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.patch,
+                                      ctx.eye, ctx.frustum, 1);
+        s.selected = selectSliceCells(q, only || slicesAlone(ctx, f) ? -1 : f.minGeom,
+                                      only ? std::numeric_limits<float>::infinity() : f.maxBTF);
         uploadSliceCells(ctx, s, f.cellSize);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -213,11 +245,14 @@ void selectSlices(DrawContext& ctx) {
 
 // Where texels are smaller than pixels even for the nearest slices, one is as good as four, and costs a third.
 void filterSlices(const DrawContext& ctx, const GrassField& f, const SliceTextures& t) {
-    const float texels = std::min(static_cast<float>(t.reflectance.width) / f.cellSize, static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
-    const float nearest = static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : 0;
+    const float texels = std::min(static_cast<float>(t.reflectance.width) / f.cellSize,
+                                  static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
+    const float nearest =
+        static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : 0;
     const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
-        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER, small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER,
+                            small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
         glTextureParameteri(s->id(), GL_TEXTURE_MAG_FILTER, small ? GL_NEAREST : GL_LINEAR);
     }
 }
@@ -240,7 +275,9 @@ void drawSlices(DrawContext& ctx) {
         for (int q = 0; q < 4; ++q) {
             const int n = s.first[q + 1] - s.first[q];
             if (n == 0) continue;
-            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n, static_cast<GLuint>(s.first[q]));
+            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT,
+                                                reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n,
+                                                static_cast<GLuint>(s.first[q]));
             ctx.pass->draws += 1;
             ctx.pass->instances += static_cast<uint64_t>(n);
         }
@@ -248,16 +285,21 @@ void drawSlices(DrawContext& ctx) {
     endTransparency();
 }
 
-// --- the horizontal slice ------------------------------------------------------------------------------------------------
-// Nodes that reach beyond the distance where blades are all there and begin before `far`.
+// --- the horizontal slice
+// ------------------------------------------------------------------------------------------------ Nodes that reach
+// beyond the distance where blades are all there and begin before `far`.
 std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, float far) {
     std::vector<TerrainNode> out;
-    const float near = static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : -1;
+    const float near =
+        static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : -1;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
         const float side = 16 * n.level.x;
         const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
-        const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low), std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
-        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near && glm::length(glm::max(glm::max(low, -high), glm::vec2(0))) < far) out.push_back(n);
+        const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
+                                    std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
+        if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near &&
+            glm::length(glm::max(glm::max(low, -high), glm::vec2(0))) < far)
+            out.push_back(n);
     }
     return out;
 }
@@ -289,7 +331,8 @@ void filterFar(GLuint texture, const GrassField& f) {
 std::vector<size_t> lowestFirst(const FieldState& field) {
     std::vector<size_t> order(field.species.size());
     std::iota(order.begin(), order.end(), size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return field.species[a]->slices.top < field.species[b]->slices.top; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return field.species[a]->slices.top < field.species[b]->slices.top; });
     return order;
 }
 
@@ -298,14 +341,16 @@ void drawFar(DrawContext& ctx) {
     if (!ctx.shared.grass || state.selected.empty()) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.use(0, fieldConstants(f))) return;
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = has(ctx.plan.features, Feature::GrassBlended);
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw,
+               blended = has(ctx.plan.features, Feature::GrassBlended);
     if (overdraw || blended) glEnable(GL_BLEND);
     glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(!blended);
     for (const size_t i : lowestFirst(*ctx.shared.grass)) {
         const FieldSpecies& s = *ctx.shared.grass->species[i];
         if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-        for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight}) filterFar(t->id(), f);
+        for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight})
+            filterFar(t->id(), f);
         bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
         ctx.pass->draws += drawNodes(ctx.shared.groundMesh, state.selected, state.nodes);
         ctx.pass->instances += state.selected.size();
@@ -321,11 +366,13 @@ void drawFarShadow(DrawContext& ctx) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     const std::vector<TerrainNode> shaded = farNodes(ctx, f, std::max(f.maxBTF, f.maxGeom));
     if (shaded.empty() || !ctx.use(0, fieldConstants(f))) return;
-    if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    if (!state.nodes.id())
+        state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
+    const bool sun =
+        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
     const int lamps = static_cast<int>(ctx.shared.lights.count.y);
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
         for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
@@ -340,23 +387,36 @@ void drawFarShadow(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-// --- rows ------------------------------------------------------------------------------------------------------------------
+// --- rows
+// ------------------------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
+                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
+                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
+                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
+                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 };
 constexpr auto kShadow = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion,
-                      Feature::Forces, Feature::ForceMap, Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights, Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
+    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
+                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::Forces,
+                      Feature::ForceMap, Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights,
+                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
+                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
 };
 const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
-const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
-const ProgramRow kSlicePrograms[] = {{"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
-const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
-const ProgramRow kFarShadowPrograms[] = {{"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
-const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kFarShadowPrograms, drawFarShadow}};
-const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
+const ProgramRow kFarPrograms[] = {
+    {"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
+const ProgramRow kSlicePrograms[] = {
+    {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
+const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
+                            kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
+const ProgramRow kFarShadowPrograms[] = {
+    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
+const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth,
+                                  kSceneColor, kFarShadowPrograms, drawFarShadow}};
+const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0,
+                              kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
 
 }  // namespace
 
@@ -374,7 +434,8 @@ SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& bl
     return s;
 }
 
-Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control, bool* cached) {
+Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control,
+                             bool* cached) {
     const uint64_t key = sliceKey(spec);
     auto kept = loadCachedSlices(folder, key);
     if (cached) *cached = kept.has_value();
@@ -390,25 +451,40 @@ std::vector<SliceSpec> projectSlices(const Project& project, const Tables& table
     if (!has(features, Feature::GrassFar)) return out;
     for (const auto& [name, e] : project.entities)
         if (const GrassField* f = project.registry.get<GrassField>(e))
-            for (size_t i = 0; i < f->species.size() && i < MAX_SPECIES; ++i) out.push_back(sliceSpec(*f, f->species[i], bladeImage(project, f->species[i]), slicesAreShaded(features)));
+            for (size_t i = 0; i < f->species.size() && i < MAX_SPECIES; ++i)
+                out.push_back(
+                    sliceSpec(*f, f->species[i], bladeImage(project, f->species[i]), slicesAreShaded(features)));
     return out;
 }
 
 const EffectRow& farEffect() {
-    static const EffectRow row{"grass/far", featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain), kFarSystems, kFarPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarState>(); },
-                               "far grass is one slice over the ground"};
+    static const EffectRow row{
+        "grass/far",
+        featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain),
+        kFarSystems,
+        kFarPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarState>(); },
+        "far grass is one slice over the ground"};
     return row;
 }
 const EffectRow& farShadowEffect() {
-    static const EffectRow row{"grass/far-shadow", featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights), {},
-                               kFarShadowPasses, [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarShadowState>(); }, "slices shade the ground"};
+    static const EffectRow row{
+        "grass/far-shadow",
+        featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain, Feature::GroundShadows, Feature::CastingLights),
+        {},
+        kFarShadowPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarShadowState>(); },
+        "slices shade the ground"};
     return row;
 }
 const EffectRow& slicesEffect() {
-    static const EffectRow row{"grass/slices", featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain), kSliceSystems, kSlicePasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesState>(); },
-                               "grass at middle distance is vertical slices"};
+    static const EffectRow row{
+        "grass/slices",
+        featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain),
+        kSliceSystems,
+        kSlicePasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesState>(); },
+        "grass at middle distance is vertical slices"};
     return row;
 }
 

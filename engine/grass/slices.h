@@ -1,13 +1,15 @@
-// Grass as slices: vertical ones through the cells at middle distance, one horizontal over the ground as far as it reaches.
-// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.1 and appendix; B-1 to B-18, B-26.
-// The horizontal slice lies on the terrain's own quadtree nodes (macro-cells), lifted; cells repeat in it by integer id.
+// Grass as slices: vertical ones through the cells at middle distance, one horizontal over the ground as far as it
+// reaches. Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.1 and appendix; B-1 to B-18, B-26. The
+// horizontal slice lies on the terrain's own quadtree nodes (macro-cells), lifted; cells repeat in it by integer id.
 // Ours, where GrassField.sliceCover is "conserving" (the paper's form stays selectable):
-//   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does, so each
+//   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does,
+//   so each
 //     family shows the share |cos| of its blades by which it is turned to the eye: cos^2 + sin^2 = 1.
 //   - the horizontal slice is opaque by Beer's law along the slanted ray, less what vertical slices already cover.
 //   - from steeply above, where one would look between them, vertical slices give way to the horizontal one.
 //   - each end of a vertical slice is moved a little along the cells' edge that it lies on.
-//   - where grass is pressed, vertical slices sink, and the horizontal one covers what they leave, as blades that lie do.
+//   - where grass is pressed, vertical slices sink, and the horizontal one covers what they leave, as blades that lie
+//   do.
 //   - every tier is scaled to the mean radiance of the blades it stands for (appearance.h).
 // Does not: bake (slice_bake.h).
 #pragma once
@@ -18,15 +20,18 @@
 
 namespace sward {
 
-const EffectRow& slicesEffect();  // vertical
-const EffectRow& farEffect();     // horizontal; makes and holds the slices of both
+const EffectRow& slicesEffect();     // vertical
+const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
 const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 
-// What a species' slices are made from. shaded: with the blades' shadows on each other; draft: an eighth of the resolution,
-// made while one waits.
-SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool shaded, bool draft = false);
-// The slices of a spec: from a cache folder, or made and put there. Failed only if cancelled. `cached`, if given: they were there.
-Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control, bool* cached = nullptr);
+// What a species' slices are made from. shaded: with the blades' shadows on each other; draft: an eighth of the
+// resolution, made while one waits.
+SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool shaded,
+                    bool draft = false);
+// The slices of a spec: from a cache folder, or made and put there. Failed only if cancelled. `cached`, if given: they
+// were there.
+Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control,
+                             bool* cached = nullptr);
 // Of every species of every field; none where no tier wants them.
 std::vector<SliceSpec> projectSlices(const Project& project, const Tables& tables);
 

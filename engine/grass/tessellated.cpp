@@ -9,12 +9,14 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "grass/tessellated";
-constexpr float kNear = 0.05f;          // metres: the near plane
-constexpr float kMostWidening = 6;      // of blades, where others are left out
-constexpr float kPlainPixels = 1.5f;    // blades of one quad that are thinner are plain triangles
-constexpr uint32_t kSoftwarePiece = 256, kPiece = 32;  // blades that one invocation writes: their survivors lie without gaps
-constexpr uint32_t kMostRows = 65;      // of a blade
-// Software rasterisers take a way whose time grows with the square of the vertices if stages make more of a draw than 16 bits count.
+constexpr float kNear = 0.05f;        // metres: the near plane
+constexpr float kMostWidening = 6;    // of blades, where others are left out
+constexpr float kPlainPixels = 1.5f;  // blades of one quad that are thinner are plain triangles
+constexpr uint32_t kSoftwarePiece = 256,
+                   kPiece = 32;     // blades that one invocation writes: their survivors lie without gaps
+constexpr uint32_t kMostRows = 65;  // of a blade
+// Software rasterisers take a way whose time grows with the square of the vertices if stages make more of a draw than
+// 16 bits count.
 constexpr uint32_t kSoftwareVertices = 65535;
 constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
 constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
@@ -48,19 +50,25 @@ float meanAlpha(const Rgba8& image) {
     return image.pixels.empty() ? 1 : static_cast<float>(sum / (255.0 * static_cast<double>(image.pixels.size() / 4)));
 }
 
-float mostWidening(const GrassField& f) { return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1; }
+float mostWidening(const GrassField& f) {
+    return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1;
+}
 
 TessGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& species, float covered) {
     TessGlobals g;
-    g.range = {f.maxDistance, f.thinning / f.maxDistance, 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f), mostWidening(f)};
+    g.range = {f.maxDistance, f.thinning / f.maxDistance, 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f),
+               mostWidening(f)};
     const bool byPixels = f.levelBy == static_cast<int>(LevelBy::Pixels);
-    g.level = {static_cast<float>(species.smoothness), byPixels ? f.pixelsPerQuad : 0, kNear, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings))};
+    g.level = {static_cast<float>(species.smoothness), byPixels ? f.pixelsPerQuad : 0, kNear,
+               pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings))};
     g.plain = {kPlainPixels, 2 * covered, 0, 0};  // a triangle covers half of its strip
     return g;
 }
 
-void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, const GrassField& f, const Species& species) {
-    if (s.key != own.drawnKey() || !s.blades.id()) s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
+void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, const GrassField& f,
+                   const Species& species) {
+    if (s.key != own.drawnKey() || !s.blades.id())
+        s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
     s.key = own.drawnKey();
     if (s.imageHash != own.bladeHash) s.covered = meanAlpha(own.bladeImage);
     s.imageHash = own.bladeHash;
@@ -68,14 +76,18 @@ void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, c
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
-// --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------------------
+// --- cells, in pieces, and the batches in which they are drawn
+// ---------------------------------------------------------
 
-size_t vertexBytes(const FeatureSet& features) { return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8); }
+size_t vertexBytes(const FeatureSet& features) {
+    return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8);
+}
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
 // A row of stages has three vertices.
 void planPoints(const Gpu& gpu, SpeciesState& s, int smoothness) {
-    s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1)) : std::numeric_limits<int32_t>::max();
+    s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1))
+                                : std::numeric_limits<int32_t>::max();
     s.pointDraws = static_cast<uint32_t>((s.chosen.allBlades + s.drawPoints - 1) / s.drawPoints);
 }
 
@@ -86,7 +98,8 @@ void planBatches(DrawContext& ctx, SpeciesState& s) {
     s.batchVertices = static_cast<uint32_t>(std::clamp<uint64_t>(s.chosen.vertices, 1, most));
     s.batches = static_cast<uint32_t>((s.chosen.vertices + s.batchVertices - 1) / s.batchVertices);
     // A cell's blades are shared out evenly, so that of its pieces all but the only one hold half of what a piece may.
-    s.batchPieces = static_cast<uint32_t>(std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(ctx.gpu) / 2) + 1));
+    s.batchPieces = static_cast<uint32_t>(
+        std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(ctx.gpu) / 2) + 1));
 }
 
 CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
@@ -114,11 +127,15 @@ void select(DrawContext& ctx) {
         updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
         const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
         const CellQuery query = queryOf(ctx, f, i);
-        chooseCells(ctx, s.chosen, {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu) && gpuMayChoose(query)}, kOwner);
+        chooseCells(ctx, s.chosen,
+                    {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels),
+                     pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu) && gpuMayChoose(query)},
+                    kOwner);
         planBatches(ctx, s);
         planPoints(ctx.gpu, s, f.species[i].smoothness);
         writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
-        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t), nullptr);
+        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t),
+                    nullptr);
     }
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
@@ -150,7 +167,8 @@ void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
     if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 && SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
+    static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 &&
+                  SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
     const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id(), s.list.id()};
     glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 5, buffers);
     static_assert(UBO_TESS == UBO_SPECIES + 1);
@@ -170,14 +188,16 @@ void drawPatches(DrawContext& ctx, TessState& state, const std::string& constant
         if (s.chosen.pieces == 0) continue;
         bindSpecies(ctx, i, s);
         glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
-        glMultiDrawArraysIndirect(GL_PATCHES, reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)), static_cast<GLsizei>(s.pointDraws), 0);
+        glMultiDrawArraysIndirect(
+            GL_PATCHES, reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)),
+            static_cast<GLsizei>(s.pointDraws), 0);
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
     }
 }
 
-// Quads are cut as tessellation stages cut them (Mesa's, and Direct3D's), the lower half's across the upper's: with several samples a pixel's
-// alpha is taken within its triangle.
+// Quads are cut as tessellation stages cut them (Mesa's, and Direct3D's), the lower half's across the upper's: with
+// several samples a pixel's alpha is taken within its triangle.
 std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
     std::vector<uint32_t> out;
     out.reserve(firstStrip(most + 1) * blades);
@@ -185,8 +205,10 @@ std::vector<uint32_t> stripIndices(int most, uint32_t blades) {
         for (uint32_t b = 0; b < blades; ++b)
             for (uint32_t row = 0; row < static_cast<uint32_t>(n); ++row) {
                 const uint32_t a = 2 * (b * static_cast<uint32_t>(n + 1) + row), c = a + 2;
-                if (row < static_cast<uint32_t>(n) / 2) out.insert(out.end(), {a, a + 1, c + 1, a, c + 1, c});
-                else out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
+                if (row < static_cast<uint32_t>(n) / 2)
+                    out.insert(out.end(), {a, a + 1, c + 1, a, c + 1, c});
+                else
+                    out.insert(out.end(), {a, a + 1, c, c, a + 1, c + 1});
             }
     return out;
 }
@@ -197,7 +219,9 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         GLenum type;
         GLuint offset;
     };
-    static constexpr Attribute kAttributes[] = {{4, GL_FLOAT, 0}, {4, GL_HALF_FLOAT, 16}, {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28}, {4, GL_HALF_FLOAT, 32}, {2, GL_HALF_FLOAT, 40}};
+    static constexpr Attribute kAttributes[] = {{4, GL_FLOAT, 0},           {4, GL_HALF_FLOAT, 16},
+                                                {2, GL_UNSIGNED_SHORT, 24}, {1, GL_UNSIGNED_INT, 28},
+                                                {4, GL_HALF_FLOAT, 32},     {2, GL_HALF_FLOAT, 40}};
     glVertexArrayVertexBuffer(mesh, 0, vertices, 0, static_cast<GLsizei>(stride));
     for (GLuint i = 0; i < std::size(kAttributes); ++i) {
         const Attribute& a = kAttributes[i];
@@ -207,13 +231,17 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
         }
         glEnableVertexArrayAttrib(mesh, i);
         glVertexArrayAttribBinding(mesh, i, 0);
-        if (a.type == GL_UNSIGNED_INT) glVertexArrayAttribIFormat(mesh, i, a.size, a.type, a.offset);
-        else glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type == GL_UNSIGNED_SHORT, a.offset);
+        if (a.type == GL_UNSIGNED_INT)
+            glVertexArrayAttribIFormat(mesh, i, a.size, a.type, a.offset);
+        else
+            glVertexArrayAttribFormat(mesh, i, a.size, a.type, a.type == GL_UNSIGNED_SHORT, a.offset);
     }
 }
 
 void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
-    const size_t size = vertexBytes(ctx.plan.features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 * static_cast<uint64_t>(smoothness + 1);
+    const size_t size = vertexBytes(ctx.plan.features),
+                 over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
+                        static_cast<uint64_t>(smoothness + 1);
     writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
     writeBuffer(ctx.gpu, s.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
     if (s.indicesTo != smoothness) {
@@ -234,7 +262,8 @@ bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const 
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);  // the next batch writes there
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);  // the next batch writes there
     return true;
 }
 
@@ -243,7 +272,8 @@ void drawStrips(DrawContext& ctx, const SpeciesState& s, const std::string& cons
     if (!ctx.use(kStrips, constants)) return;
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
     if (!ctx.use(kPlain, constants)) return;
-    glMultiDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(uintptr_t{s.batchPieces} * kCommandBytes), commands, kPlainCommandBytes);
+    glMultiDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(uintptr_t{s.batchPieces} * kCommandBytes),
+                              commands, kPlainCommandBytes);
     ctx.pass->draws += 2;
     ctx.pass->instances += 2 * static_cast<uint64_t>(commands);
 }
@@ -273,8 +303,10 @@ void draw(DrawContext& ctx) {
     if (!ctx.shared.grass) return;
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     beginTransparency(ctx, f);
-    if (stagesChosen(f, ctx.gpu)) drawPatches(ctx, state, fieldConstants(f));
-    else drawBatches(ctx, state, f, stripConstants(f, ctx.targets.samples));
+    if (stagesChosen(f, ctx.gpu))
+        drawPatches(ctx, state, fieldConstants(f));
+    else
+        drawBatches(ctx, state, f, stripConstants(f, ctx.targets.samples));
     endTransparency();
 }
 
@@ -288,28 +320,40 @@ std::vector<std::string> stripVariants() {
 const System kSystems[] = {{"grass/tessellated/select", select}};
 // What posing and lighting a blade asks for.
 FeatureSet bladeFeatures() {
-    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
+    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation,
+                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
                       Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
+                      Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
+                      Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
+                      Feature::Fog, Feature::WaterReflection);
 }
 const ProgramRow kPrograms[] = {
-    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
+    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(),
+     fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
     {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), stripVariants},
-    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(), stripVariants},
-    {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr, bladeFeatures(), stripVariants},
+    {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr,
+     bladeFeatures(), stripVariants},
+    {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr,
+     bladeFeatures(), stripVariants},
 };
-const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-                                    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0, kCellPrograms, listCells},
-                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kCellPrograms[] = {
+    {"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
+    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
+const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
+                         kCellPrograms, listCells},
+                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
+                         kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& tessellatedEffect() {
-    static const EffectRow row{"grass/tessellated", featureSet(Feature::GrassTessellated, Feature::Grass, Feature::Terrain), kSystems, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessState>(); },
-                               "blades are tessellated by distance"};
+    static const EffectRow row{
+        "grass/tessellated",
+        featureSet(Feature::GrassTessellated, Feature::Grass, Feature::Terrain),
+        kSystems,
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessState>(); },
+        "blades are tessellated by distance"};
     return row;
 }
 

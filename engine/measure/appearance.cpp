@@ -88,10 +88,12 @@ ErrorMap appearanceMap(const PicturePair& pair) {
         parallelFor(static_cast<size_t>((pair.truth.height + side - 1) / side), [&](size_t row) {
             const int y0 = static_cast<int>(row) * side;
             for (int x0 = 0; x0 < pair.truth.width; x0 += side) {
-                const float e = static_cast<float>(blockError(pair, x0, y0, side).distance / static_cast<double>(std::size(kAppearanceBlocks)));
+                const float e = static_cast<float>(blockError(pair, x0, y0, side).distance /
+                                                   static_cast<double>(std::size(kAppearanceBlocks)));
                 for (int y = y0; y < std::min(y0 + side, pair.truth.height); ++y)
                     for (int x = x0; x < std::min(x0 + side, pair.truth.width); ++x)
-                        map[static_cast<size_t>(y) * static_cast<size_t>(pair.truth.width) + static_cast<size_t>(x)] += e;
+                        map[static_cast<size_t>(y) * static_cast<size_t>(pair.truth.width) + static_cast<size_t>(x)] +=
+                            e;
             }
         });
     for (size_t i = 0; i < map.size(); ++i)

@@ -5,7 +5,9 @@
 namespace sward {
 namespace {
 
-size_t at(int x, int y, int width) { return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x); }
+size_t at(int x, int y, int width) {
+    return static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+}
 
 Plane along(const Plane& p, const Taps& taps, int dx, int dy) {
     Plane out{p.width, p.height, std::vector<float>(p.values.size())};
@@ -16,9 +18,11 @@ Plane along(const Plane& p, const Taps& taps, int dx, int dy) {
         for (int k = -radius; k <= radius; ++k) {
             const double weight = taps[static_cast<size_t>(k + radius)];
             const float* from = &p.values[at(0, std::clamp(y + k * dy, 0, p.height - 1), p.width)];
-            for (int x = 0; x < p.width; ++x) sums[static_cast<size_t>(x)] += weight * from[std::clamp(x + k * dx, 0, p.width - 1)];
+            for (int x = 0; x < p.width; ++x)
+                sums[static_cast<size_t>(x)] += weight * from[std::clamp(x + k * dx, 0, p.width - 1)];
         }
-        for (int x = 0; x < p.width; ++x) out.values[at(x, y, p.width)] = static_cast<float>(sums[static_cast<size_t>(x)]);
+        for (int x = 0; x < p.width; ++x)
+            out.values[at(x, y, p.width)] = static_cast<float>(sums[static_cast<size_t>(x)]);
     });
     return out;
 }

@@ -18,9 +18,10 @@ namespace sward {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kSure = 4;  // times the limit that a row must be expected to take to be left out unseen
+constexpr double kSure = 4;           // times the limit that a row must be expected to take to be left out unseen
 constexpr double kMsPerBlade = 1e-5;  // until a camera is met that has blades near by
-constexpr double kLimit = 2, kLeastLimit = 250;  // times what the project's own settings take, and at least so many ms: the limit, where none is given
+constexpr double kLimit = 2, kLeastLimit = 250;  // times what the project's own settings take, and at least so many ms:
+                                                 // the limit, where none is given
 
 // --- keys --------------------------------------------------------------------------------------------------------
 // This program as it was built: rows drawn by another are drawn again.
@@ -30,8 +31,9 @@ std::string buildStamp() {
     return fmt::format("{} {} {}.{}", SWARD_VERSION, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec);
 }
 std::string sweepHash(const CostRequest& r, const Project& p, const Tables& tables) {
-    return hashHex(hashText(fmt::format("{} {}x{} {} {} {} {}", hashHex(projectHash(p, tables.components)), r.width, r.height, r.time, r.truth.samples, r.truth.seed,
-                                        static_cast<int>(r.truth.lighting))));
+    return hashHex(
+        hashText(fmt::format("{} {}x{} {} {} {} {}", hashHex(projectHash(p, tables.components)), r.width, r.height,
+                             r.time, r.truth.samples, r.truth.seed, static_cast<int>(r.truth.lighting))));
 }
 
 struct Sweep {
@@ -42,18 +44,26 @@ struct Sweep {
     const CostProgress& progress;
     Renderer renderer{gpu, tables};
     std::string hash = {};
-    std::vector<CostTruth> truths = {};              // by camera
+    std::vector<CostTruth> truths = {};  // by camera
     CostRun run = {};
-    std::vector<size_t> settings = {};                // of each row, index into request.settings
-    std::vector<size_t> slow = {};                    // rows that were left out
+    std::vector<size_t> settings = {};  // of each row, index into request.settings
+    std::vector<size_t> slow = {};      // rows that were left out
     double msPerBlade = kMsPerBlade, msOfRest = 0, msLimit = 0;
 
     std::string keyOf(const CostRow& row) const {
-        return hashHex(hashText(hash + "\n" + row.camera + "\n" + row.technique + "\n" + row.settings + "\n" + gpu.renderer + "\n" + shortestText(request.maxMs) + "\n" + buildStamp()));
+        return hashHex(hashText(hash + "\n" + row.camera + "\n" + row.technique + "\n" + row.settings + "\n" +
+                                gpu.renderer + "\n" + shortestText(request.maxMs) + "\n" + buildStamp()));
     }
     fs::path fileOf(const CostRow& row) const { return request.folder / ("row-" + keyOf(row) + ".json"); }
 };
-Error stopped() { return {ExitCode::Interrupted, "interrupted; what is finished is kept", "", 0, 0, "run the same command again to go on"}; }
+Error stopped() {
+    return {ExitCode::Interrupted,
+            "interrupted; what is finished is kept",
+            "",
+            0,
+            0,
+            "run the same command again to go on"};
+}
 
 // --- a row's picture and errors ----------------------------------------------------------------------------------
 struct Prepared {
@@ -62,14 +72,16 @@ struct Prepared {
     ViewSettings view;
 };
 Prepared asItIs(const Sweep& s, const std::string& view) {
-    const CostView& from = *std::find_if(s.request.views.begin(), s.request.views.end(), [&](const CostView& v) { return v.name == view; });
+    const CostView& from = *std::find_if(s.request.views.begin(), s.request.views.end(),
+                                         [&](const CostView& v) { return v.name == view; });
     Prepared p{snapshot(s.project, s.tables.components), from.camera, {}};
     p.view.width = s.request.width, p.view.height = s.request.height, p.view.time = s.request.time + from.since;
     return p;
 }
 Result<Prepared> prepare(const Sweep& s, size_t row) {
     Prepared p = asItIs(s, s.run.rows[row].camera);
-    if (Status st = applySetting(p.project, s.tables, s.request.settings[s.settings[row]], p.view); !st) return st.error();
+    if (Status st = applySetting(p.project, s.tables, s.request.settings[s.settings[row]], p.view); !st)
+        return st.error();
     return p;
 }
 // Milliseconds of one frame with one finish at its end.
@@ -79,7 +91,8 @@ Result<double> frameMs(Sweep& s, Prepared& p) {
     s.renderer.finish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
-// The i-th offset in pixels of frames that add up; none of the first. Additive recurrence by the plastic number (Roberts 2018).
+// The i-th offset in pixels of frames that add up; none of the first. Additive recurrence by the plastic number
+// (Roberts 2018).
 glm::vec2 offsetOf(int i) {
     const glm::vec2 at = glm::fract(static_cast<float>(i) * glm::vec2(0.7548777f, 0.5698403f) + 0.5f);
     return at - 0.5f;
@@ -104,8 +117,11 @@ Result<Picture> convergedPicture(Sweep& s, Prepared& p, std::vector<double>& ms)
 Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
     row.gpuBytes = s.renderer.stats().gpuBytes;
     row.image = "row-" + s.keyOf(row) + ".png";
-    if (Status st = writeImagePng(s.request.folder / row.image, p.view.width, p.view.height, 3, s.renderer.readImage()); !st) return st;
-    auto drawn = pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
+    if (Status st = writeImagePng(s.request.folder / row.image, p.view.width, p.view.height, 3, s.renderer.readImage());
+        !st)
+        return st;
+    auto drawn =
+        pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
     if (!drawn) return drawn.error();
     row.metrics = metricsOf(*drawn);
     auto frames = convergedPicture(s, p, row.ms);
@@ -117,17 +133,19 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 }
 
 // --- what it will take -------------------------------------------------------------------------------------------
-// Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few metres; and
-// the limit, from a third.
+// Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few
+// metres; and the limit, from a third.
 Status calibrate(Sweep& s, const std::string& camera) {
     Prepared p = asItIs(s, camera);
     const GrassField own = *firstOf<GrassField>(p.project);
     double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
-    const CostSetting settings[] = {{kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
+    const CostSetting settings[] = {
+        {kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
     for (size_t i = 0; i < 3; ++i) {
         if (Status st = applySetting(p.project, s.tables, settings[i], p.view); !st) return st;
-        for (int frame = 0; frame < 3; ++frame) {  // the first makes what it draws with; of the others the quicker, since load only adds
+        for (int frame = 0; frame < 3;
+             ++frame) {  // the first makes what it draws with; of the others the quicker, since load only adds
             auto took = frameMs(s, p);
             if (!took) return took.error();
             ms[i] = frame < 2 ? *took : std::min(ms[i], *took);
@@ -136,22 +154,27 @@ Status calibrate(Sweep& s, const std::string& camera) {
     }
     s.msLimit = s.request.maxMs > 0 ? s.request.maxMs : std::max(kLimit * ms[0], kLeastLimit);
     s.msOfRest = ms[1];
-    if (blades > 1000) s.msPerBlade = std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades);  // else that of the camera before
+    if (blades > 1000)
+        s.msPerBlade = std::max(0.0, ms[2] - ms[1]) / static_cast<double>(blades);  // else that of the camera before
     return {};
 }
-// Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by, so what is
-// expected is too much rather than too little.
+// Why the row is left out unseen; empty: it is drawn once at least. Blades farther away take less than those near by,
+// so what is expected is too much rather than too little.
 std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
     const CostSetting& setting = s.request.settings[s.settings[row]];
     for (const size_t slow : s.slow)
-        if (s.run.rows[slow].camera == s.run.rows[row].camera && drawsNoLess(setting, s.request.settings[s.settings[slow]]))
+        if (s.run.rows[slow].camera == s.run.rows[row].camera &&
+            drawsNoLess(setting, s.request.settings[s.settings[slow]]))
             return fmt::format("draws no less than {}: {}", s.run.rows[slow].settings, s.run.rows[slow].skipped);
-    const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) * static_cast<double>(p.view.detail);
+    const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) *
+                          static_cast<double>(p.view.detail);
     const double expected = s.msOfRest + s.msPerBlade * blades;
-    return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}", blades, expected, s.msLimit) : "";
+    return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}",
+                                                      blades, expected, s.msLimit)
+                                        : "";
 }
-// A frame that makes what the setting draws with, and one that is the row's first time; beyond the limit another, since what is left out
-// takes others with it.
+// A frame that makes what the setting draws with, and one that is the row's first time; beyond the limit another, since
+// what is left out takes others with it.
 Status drawTwice(Sweep& s, Prepared& p, CostRow& row) {
     if (auto first = frameMs(s, p); !first) return first.error();
     auto ms = frameMs(s, p);
@@ -170,7 +193,8 @@ Status draw(Sweep& s, size_t i) {
     if (row.skipped.empty())
         if (Status st = drawTwice(s, *p, row); !st) return st;
     if (row.skipped.empty()) {
-        const auto truth = std::find_if(s.truths.begin(), s.truths.end(), [&](const CostTruth& t) { return t.floors.camera == row.camera; });
+        const auto truth = std::find_if(s.truths.begin(), s.truths.end(),
+                                        [&](const CostTruth& t) { return t.floors.camera == row.camera; });
         if (Status st = measure(s, *p, row, *truth); !st) return st;
     }
     return writeFileAtomic(s.fileOf(row), writeJson(costRowJson(row)));
@@ -189,7 +213,9 @@ Status drawAll(Sweep& s) {
     std::string calibrated;
     for (size_t i = 0; i < s.run.rows.size(); ++i) {
         CostRow& row = s.run.rows[i];
-        if (!s.progress(row.camera + ": " + row.technique + " " + row.settings, static_cast<double>(i) / static_cast<double>(s.run.rows.size()))) return stopped();
+        if (!s.progress(row.camera + ": " + row.technique + " " + row.settings,
+                        static_cast<double>(i) / static_cast<double>(s.run.rows.size())))
+            return stopped();
         if (!takeKept(s, row)) {
             if (calibrated != row.camera)
                 if (Status st = calibrate(s, calibrated = row.camera); !st) return st;
@@ -223,8 +249,10 @@ Status timeAll(Sweep& s) {
         auto next = t.ms;
         for (size_t i = 0; i < s.run.rows.size(); ++i) {
             const CostRow& row = s.run.rows[i];
-            if (!row.skipped.empty() || row.ms.empty() || round >= roundsFor(row.ms.front(), s.request.rounds)) continue;
-            const double share = (round + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
+            if (!row.skipped.empty() || row.ms.empty() || round >= roundsFor(row.ms.front(), s.request.rounds))
+                continue;
+            const double share =
+                (round + static_cast<double>(i) / static_cast<double>(s.run.rows.size())) / s.request.rounds;
             if (!s.progress(fmt::format("times, round {} of {}", round + 1, s.request.rounds), share)) return stopped();
             if (Status st = timeRow(s, i, next[i]); !st) return st;
         }
@@ -246,7 +274,8 @@ void listRows(Sweep& s) {
         for (size_t i = 0; i < s.request.settings.size(); ++i, ++index) {
             if (index % s.request.shards != s.request.shard) continue;
             CostRow row;
-            row.camera = view.name, row.technique = s.request.settings[i].technique, row.settings = s.request.settings[i].text(), row.index = index;
+            row.camera = view.name, row.technique = s.request.settings[i].technique,
+            row.settings = s.request.settings[i].text(), row.index = index;
             s.run.rows.push_back(std::move(row));
             s.settings.push_back(i);
         }
@@ -264,13 +293,17 @@ Status traceTruths(Sweep& s) {
 
 }  // namespace
 
-Result<CostRun> runCost(const CostRequest& request, const Project& project, const Tables& tables, Gpu& gpu, const CostProgress& progress) {
+Result<CostRun> runCost(const CostRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
+                        const CostProgress& progress) {
     std::error_code ec;
     fs::create_directories(request.folder, ec);
-    if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.folder.string(), 0, 0, "choose another --out"};
+    if (ec)
+        return Error{ExitCode::Failed,      "cannot make the folder: " + ec.message(), request.folder.string(), 0, 0,
+                     "choose another --out"};
     Sweep s{request, project, tables, gpu, progress};
     s.hash = sweepHash(request, project, tables);
-    s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height, s.run.samples = request.truth.samples;
+    s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height,
+    s.run.samples = request.truth.samples;
     s.run.lighting = kReferenceLightings[static_cast<size_t>(request.truth.lighting)];
     s.run.machines.push_back({gpu.renderer, "wall-finish", workerCount()});
     listRows(s);
@@ -285,10 +318,13 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
 void markFrontier(std::vector<CostRow>& rows) {
     const auto beats = [](const CostRow& a, const CostRow& b) {
         const double ea = a.metrics.appearance.distance, eb = b.metrics.appearance.distance;
-        return a.camera == b.camera && a.machine == b.machine && a.skipped.empty() && a.msMedian <= b.msMedian && ea <= eb && (a.msMedian < b.msMedian || ea < eb);
+        return a.camera == b.camera && a.machine == b.machine && a.skipped.empty() && a.msMedian <= b.msMedian &&
+               ea <= eb && (a.msMedian < b.msMedian || ea < eb);
     };
     for (CostRow& row : rows)
-        row.onFrontier = row.skipped.empty() && std::isfinite(row.msMedian) && std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) { return beats(other, row); });
+        row.onFrontier =
+            row.skipped.empty() && std::isfinite(row.msMedian) &&
+            std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) { return beats(other, row); });
 }
 
 }  // namespace sward

@@ -1,5 +1,5 @@
-// Time against appearance for one camera of a sweep: a colour a technique, the frontier, and the floors that scores are held against.
-// Both axes are logarithmic. Does not: write files.
+// Time against appearance for one camera of a sweep: a colour a technique, the frontier, and the floors that scores are
+// held against. Both axes are logarithmic. Does not: write files.
 #pragma once
 #include "measure/cost.h"
 #include "measure/plot.h"

@@ -28,7 +28,8 @@ void takeTimes(CostRow& row, std::vector<double> ms) {
     double mean = 0, squares = 0;
     for (const double v : row.ms) mean += v / n;
     for (const double v : row.ms) squares += (v - mean) * (v - mean);
-    row.msSigma = std::sqrt(std::numbers::pi / 2 * squares / (n - 1) / n);  // pi / 2: a median's variance against a mean's
+    row.msSigma =
+        std::sqrt(std::numbers::pi / 2 * squares / (n - 1) / n);  // pi / 2: a median's variance against a mean's
 }
 
 CostTimes keptTimes(const std::filesystem::path& file, size_t rows) {

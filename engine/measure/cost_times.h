@@ -1,8 +1,7 @@
 // How often a sweep's rows are timed, what their times are, and where they are kept.
-// The frames that a row's pictures are made of are its first round; then one frame of each row in turn. A quick row takes part in all
-// rounds; a slow one in fewer, so that more than the least number take no more than about kTimedSeconds; what its median is worth then
-// follows from its own frames (msSigma).
-// Does not: draw.
+// The frames that a row's pictures are made of are its first round; then one frame of each row in turn. A quick row
+// takes part in all rounds; a slow one in fewer, so that more than the least number take no more than about
+// kTimedSeconds; what its median is worth then follows from its own frames (msSigma). Does not: draw.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -22,7 +21,8 @@ int roundsFor(double ms, int rounds);
 // Sets ms, and msMedian, msP95 and msSigma from it.
 void takeTimes(CostRow& row, std::vector<double> ms);
 
-// One list of milliseconds for each row, one number for each round after the first in which it took part; written after each round.
+// One list of milliseconds for each row, one number for each round after the first in which it took part; written after
+// each round.
 struct CostTimes {
     std::filesystem::path file;
     std::vector<std::vector<double>> ms;

@@ -34,7 +34,8 @@ ExpectedRecord recordOf(const Json& object) {
 
 Result<ExpectedValues> loadExpectedValues(const std::string& file) {
     std::ifstream stream(file);
-    if (!stream) return Error{ExitCode::Failed, "cannot read the expected values", file, 0, 0, "run from the source tree"};
+    if (!stream)
+        return Error{ExitCode::Failed, "cannot read the expected values", file, 0, 0, "run from the source tree"};
     const Json json = Json::parse(stream, nullptr, false);
     if (!json.is_object()) return Error{ExitCode::Unsound, "is not a JSON object", file, 0, 0, ""};
     ExpectedValues values;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kFrames = 5, kLeastFrames = 3;  // of a timing's median, after one that is not counted
 constexpr double kTimedMs = 1500;             // more than the least number only within this time
-constexpr double kHopeless = 1.5;             // times the budget: a candidate slower than that from one camera is not drawn from others
+constexpr double kHopeless =
+    1.5;  // times the budget: a candidate slower than that from one camera is not drawn from others
 constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
@@ -23,15 +24,19 @@ struct Knobs {
 };
 constexpr double Knobs::*kFactors[] = {&Knobs::near, &Knobs::far, &Knobs::fade};
 
-std::string value(const char* name, double v) { return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000)); }
+std::string value(const char* name, double v) {
+    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
+}
 
 // Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
 std::vector<std::string> valuesOf(const GrassField& own, const Knobs& k) {
     const double maxGeom = std::clamp(own.maxGeom * k.near, 0.1, 1e5);
     const double minGeom = std::clamp(own.minGeom * k.near / k.fade, 0.0, maxGeom);
-    const double maxBTF = std::max(own.maxBTF * k.far, maxGeom), minBTF = std::clamp(own.minBTF * k.far / k.fade, std::min(maxGeom, maxBTF), maxBTF);
+    const double maxBTF = std::max(own.maxBTF * k.far, maxGeom),
+                 minBTF = std::clamp(own.minBTF * k.far / k.fade, std::min(maxGeom, maxBTF), maxBTF);
     const double sharpness = std::clamp(own.sharpness + k.sharpness, 0.0, 8.0);
-    return {value("minGeom", minGeom), value("maxGeom", maxGeom), value("minBTF", minBTF), value("maxBTF", maxBTF), value("sharpness", sharpness)};
+    return {value("minGeom", minGeom), value("maxGeom", maxGeom), value("minBTF", minBTF), value("maxBTF", maxBTF),
+            value("sharpness", sharpness)};
 }
 
 struct Seen {
@@ -59,9 +64,12 @@ struct Drawing {
     ViewSettings view;
 };
 Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const CostView& from) {
-    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit), static_cast<double>(s.seen.size()) / std::max(1, s.limit))) return stopped();
+    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit),
+                    static_cast<double>(s.seen.size()) / std::max(1, s.limit)))
+        return stopped();
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
-    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height, d.view.time = s.request.cost.time + from.since;
+    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
+    d.view.time = s.request.cost.time + from.since;
     if (Status st = applySetting(d.project, s.tables, {"hybrid", values}, d.view); !st) return st.error();
     return d;
 }
@@ -108,7 +116,8 @@ Status measureFrom(Search& s, const Seen& v, FitCandidate& c, double most) {
     c.appearance += *error / static_cast<double>(s.views.size());
     return {};
 }
-// Each candidate once; asked again it is remembered. One that takes far more than the budget from a camera has no error.
+// Each candidate once; asked again it is remembered. One that takes far more than the budget from a camera has no
+// error.
 Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values, bool whole = false) {
     if (const auto it = s.seen.find(values); it != s.seen.end()) return it->second;
     const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
@@ -155,8 +164,10 @@ Status search(Search& s, Knobs at) {
             if (!there) return there.error();
             if (better(*there, *here, s.request.budgetMs)) here = there, next = k;
         }
-        if (next) at = *next;
-        else step = std::sqrt(step);
+        if (next)
+            at = *next;
+        else
+            step = std::sqrt(step);
     }
     return {};
 }
@@ -177,7 +188,8 @@ Result<FitCandidate> gridBest(Search& s) {
 // --- cameras that were not seen ----------------------------------------------------------------------------------
 Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    FitHeldOut out{0, 0, std::isfinite(found.gridBest.appearance) ? 0 : none, std::isfinite(found.gridBest.appearance) ? "" : "no point of the grid fits the budget"};
+    FitHeldOut out{0, 0, std::isfinite(found.gridBest.appearance) ? 0 : none,
+                   std::isfinite(found.gridBest.appearance) ? "" : "no point of the grid fits the budget"};
     int taken = 0;
     for (const CostView& seen : s.request.cost.views) {
         const CostView view{seen.name + ", moved", heldOutCamera(seen.camera), seen.since};
@@ -188,7 +200,8 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
             continue;
         }
         ++taken;
-        const std::pair<double*, const FitCandidate*> all[] = {{&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
+        const std::pair<double*, const FitCandidate*> all[] = {
+            {&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
         for (const auto& [sum, candidate] : all) {
             if (candidate->values.empty()) continue;
             auto picture = pictureOf(s, candidate->values, view);
@@ -217,7 +230,9 @@ void choose(const Search& s, FitResult& r) {
         if (r.best.values.empty() || better(c, r.best, s.request.budgetMs)) r.best = c;
     r.fits = r.best.ms <= s.request.budgetMs;
     for (const auto& [values, c] : s.seen)
-        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance && (r.given.values.empty() || c.ms < r.given.ms)) r.given = c;
+        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance &&
+            (r.given.values.empty() || c.ms < r.given.ms))
+            r.given = c;
     r.tried = static_cast<int>(s.seen.size());
 }
 
@@ -228,21 +243,26 @@ ViewCamera heldOutCamera(ViewCamera c) {
     const glm::dvec2 flat(ahead.x, ahead.z);
     const double length = std::max(glm::length(flat), 1e-3), angle = glm::radians(20.0);
     c.eye += glm::dvec3(-ahead.z, 0, ahead.x) / length * (0.125 * glm::length(ahead));
-    c.target = c.eye + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y, ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
+    c.target = c.eye + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y,
+                                  ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
     return c;
 }
 
-Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu, const CostProgress& progress) {
+Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
+                         const CostProgress& progress) {
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
-    if (ec) return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.cost.folder.string(), 0, 0, "choose another"};
+    if (ec)
+        return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.cost.folder.string(), 0, 0,
+                     "choose another"};
     Search s{request, project, tables, gpu, progress};
     s.limit = request.candidates;
     const GrassField* field = nullptr;
     for (const auto& [name, e] : project.entities)
         if (!field) field = project.registry.get<GrassField>(e);
     if (field) s.own = *field;
-    if (!field) return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    if (!field)
+        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
     auto shipped = measured(s, valuesOf(s.own, {}), true);

@@ -43,16 +43,15 @@ glm::dvec3 huntLab(const ColorSpace& s, const glm::dvec3& rgb) {
     const double x = labCurve(v.x), y = labCurve(v.y), z = labCurve(v.z), lightness = 116 * y - 16;
     return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};
 }
-double hyab(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
-}
+double hyab(const glm::dvec3& a, const glm::dvec3& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
 
 // --- contrast sensitivity ----------------------------------------------------------------------------------------
 // A sum of two Gaussians a sqrt(pi/b) e^(-pi^2 x^2 / b), x in degrees (table 1).
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
-constexpr Sensitivity kAchromatic{1, 0.0047, 0, 1e-5}, kRedGreen{1, 0.0053, 0, 1e-5}, kBlueYellow{34.1, 0.04, 13.5, 0.025};
+constexpr Sensitivity kAchromatic{1, 0.0047, 0, 1e-5}, kRedGreen{1, 0.0053, 0, 1e-5},
+    kBlueYellow{34.1, 0.04, 13.5, 0.025};
 constexpr double kPi = 3.14159265358979323846;
 
 // Normalised to a sum of 1 over the square of taps.
@@ -82,8 +81,10 @@ Planes planesOf(const ColorSpace& s, const Picture& p) {
     for (size_t i = 0; i < p.pixels.size(); ++i) {
         const glm::dvec3 v = p.pixels[i];
         const bool finite = std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-        const glm::dvec3 ycc = finite ? yccOf(s, p.linear ? glm::clamp(v, 0.0, 1.0) : f64::srgbDecode3(v)) : glm::dvec3(kNoValue);
-        out.y.values[i] = static_cast<float>(ycc.x), out.cx.values[i] = static_cast<float>(ycc.y), out.cz.values[i] = static_cast<float>(ycc.z);
+        const glm::dvec3 ycc =
+            finite ? yccOf(s, p.linear ? glm::clamp(v, 0.0, 1.0) : f64::srgbDecode3(v)) : glm::dvec3(kNoValue);
+        out.y.values[i] = static_cast<float>(ycc.x), out.cx.values[i] = static_cast<float>(ycc.y),
+        out.cz.values[i] = static_cast<float>(ycc.z);
     }
     return out;
 }
@@ -92,7 +93,8 @@ Planes planesOf(const ColorSpace& s, const Picture& p) {
 // What the eye sees of each pixel, in Hunt-adjusted L*a*b*.
 std::vector<glm::dvec3> perceived(const ColorSpace& s, const Planes& p, double ppd) {
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(kBlueYellow.b1 / (2 * kPi * kPi)) * ppd));
-    const Plane y = filtered(p.y, kAchromatic, ppd, radius), cx = filtered(p.cx, kRedGreen, ppd, radius), cz = filtered(p.cz, kBlueYellow, ppd, radius);
+    const Plane y = filtered(p.y, kAchromatic, ppd, radius), cx = filtered(p.cx, kRedGreen, ppd, radius),
+                cz = filtered(p.cz, kBlueYellow, ppd, radius);
     std::vector<glm::dvec3> out(y.values.size());
     for (size_t i = 0; i < out.size(); ++i)
         out[i] = huntLab(s, glm::clamp(rgbOf(s, {y.values[i], cx.values[i], cz.values[i]}), 0.0, 1.0));
@@ -149,15 +151,18 @@ ErrorMap flipMap(const PicturePair& pair, double pixelsPerDegree) {
     const ColorSpace space;
     const double greatest = std::pow(hyab(huntLab(space, {0, 1, 0}), huntLab(space, {0, 0, 1})), kColorPower);
     const Planes a = planesOf(space, pair.image), b = planesOf(space, pair.truth);
-    const std::vector<glm::dvec3> seenA = perceived(space, a, pixelsPerDegree), seenB = perceived(space, b, pixelsPerDegree);
+    const std::vector<glm::dvec3> seenA = perceived(space, a, pixelsPerDegree),
+                                  seenB = perceived(space, b, pixelsPerDegree);
     const Features fa = featuresOf(a.y, pixelsPerDegree), fb = featuresOf(b.y, pixelsPerDegree);
     ErrorMap map(seenA.size(), kNoValue);
     parallelFor(map.size() / static_cast<size_t>(pair.truth.width), [&](size_t row) {
-        for (size_t i = row * static_cast<size_t>(pair.truth.width); i < (row + 1) * static_cast<size_t>(pair.truth.width); ++i) {
+        for (size_t i = row * static_cast<size_t>(pair.truth.width);
+             i < (row + 1) * static_cast<size_t>(pair.truth.width); ++i) {
             const double color = colorDifference(seenA[i], seenB[i], greatest);
             const double edge = std::abs(fa.edge[i] - fb.edge[i]), point = std::abs(fa.point[i] - fb.point[i]);
             const double feature = std::pow(std::max(edge, point) / std::sqrt(2.0), kFeaturePower);
-            if (std::isfinite(color) && std::isfinite(feature)) map[i] = static_cast<float>(std::pow(color, 1 - std::min(feature, 1.0)));
+            if (std::isfinite(color) && std::isfinite(feature))
+                map[i] = static_cast<float>(std::pow(color, 1 - std::min(feature, 1.0)));
         }
     });
     return map;

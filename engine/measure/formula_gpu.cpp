@@ -9,8 +9,9 @@ Result<std::vector<double>> runOnGpu(Gpu& gpu, const FormulaRow& row, const Form
     Programs programs;
     ProgramSources sources{"measure/formula"};
     sources.compute = "measure/formula.comp.glsl";
-    const std::string constants = fmt::format("#define FORMULA_INPUTS {}\n#define FORMULA_OUTPUTS {}\n#define FORMULA_BODY {}\n",
-                                              row.inputs, row.outputs, body.text);
+    const std::string constants =
+        fmt::format("#define FORMULA_INPUTS {}\n#define FORMULA_OUTPUTS {}\n#define FORMULA_BODY {}\n", row.inputs,
+                    row.outputs, body.text);
     const auto program = programs.get(sources, constants);
     if (!program) return program.error();
 

@@ -1,6 +1,5 @@
-// The table of formulas: one row a formula, whose body is written once and runs in float, in double and on the GPU. Tests
-// and `sward hardcases` read the same rows.
-// Does not: run anything on the GPU (measure/formula_gpu.h does).
+// The table of formulas: one row a formula, whose body is written once and runs in float, in double and on the GPU.
+// Tests and `sward hardcases` read the same rows. Does not: run anything on the GPU (measure/formula_gpu.h does).
 #pragma once
 #include <functional>
 #include <random>
@@ -20,8 +19,8 @@ struct FormulaBody {
     explicit operator bool() const { return single != nullptr; }
 };
 
-// What a body is tried on: `count` times `inputs` numbers, each exactly a float, and `outputs` wanted ones. A wanted NaN
-// is not compared. scale: the unit of each error, 1 where errors are absolute.
+// What a body is tried on: `count` times `inputs` numbers, each exactly a float, and `outputs` wanted ones. A wanted
+// NaN is not compared. scale: the unit of each error, 1 where errors are absolute.
 struct FormulaSamples {
     int count = 0;
     std::vector<double> x;
@@ -36,7 +35,7 @@ using FormulaError = double (*)(double got, double want, double scale);
 
 struct FormulaRow {
     std::string id = "";  // of the hard case, as "B-1"; empty: no hard case, but CPU and GPU must still agree
-    std::string name;  // what is computed
+    std::string name;     // what is computed
     int inputs = 0;
     int outputs = 0;
     FormulaBody ours;

@@ -7,17 +7,26 @@
 #include "measure/formula_rows.h"
 
 // The GLSL names of a formula namespace, ahead of the C library's of the same name.
-#define SWARD_NUMERICS(ns)                                                                                      \
-    using namespace ns;                                                                                         \
-    using ns::abs, ns::sign, ns::floor, ns::ceil, ns::round, ns::sqrt, ns::sin, ns::cos, ns::atan, ns::acos;    \
-    using ns::exp, ns::log, ns::log2, ns::pow, ns::min, ns::max, ns::clamp, ns::mix, ns::real, ns::vec2;        \
+#define SWARD_NUMERICS(ns)                                                                                   \
+    using namespace ns;                                                                                      \
+    using ns::abs, ns::sign, ns::floor, ns::ceil, ns::round, ns::sqrt, ns::sin, ns::cos, ns::atan, ns::acos; \
+    using ns::exp, ns::log, ns::log2, ns::pow, ns::min, ns::max, ns::clamp, ns::mix, ns::real, ns::vec2;     \
     using ns::vec3, ns::vec4
 
 // A body written once: float, double and text.
-#define BODY(...)                                                                                               \
-    FormulaBody {                                                                                               \
-        [](const float* x, float* y) { SWARD_NUMERICS(sward::f32); (void)x; __VA_ARGS__ },                      \
-        [](const double* x, double* y) { SWARD_NUMERICS(sward::f64); (void)x; __VA_ARGS__ }, #__VA_ARGS__       \
+#define BODY(...)                            \
+    FormulaBody {                            \
+        [](const float* x, float* y) {       \
+            SWARD_NUMERICS(sward::f32);      \
+            (void)x;                         \
+            __VA_ARGS__                      \
+        },                                   \
+            [](const double* x, double* y) { \
+                SWARD_NUMERICS(sward::f64);  \
+                (void)x;                     \
+                __VA_ARGS__                  \
+            },                               \
+            #__VA_ARGS__                     \
     }
 
 namespace sward {
@@ -39,8 +48,8 @@ class Sweep {
     uint32_t state_;
 };
 
-// Samples from a group of the expected values: inputs and wanted outputs are fields, flattened in order. `unit` gives the
-// scale of output i of a record; nullptr: 1. Records for which a field is missing are skipped.
+// Samples from a group of the expected values: inputs and wanted outputs are fields, flattened in order. `unit` gives
+// the scale of output i of a record; nullptr: 1. Records for which a field is missing are skipped.
 using FormulaUnit = double (*)(const ExpectedRecord& record, size_t output, double want);
 std::function<FormulaSamples(const ExpectedValues&)> fromGroup(std::string group, std::vector<std::string> inputs,
                                                                std::vector<std::string> outputs,

@@ -107,7 +107,8 @@ uint64_t sumOverSpecies(const Project& project, const ViewCamera& camera, int wi
             const Species& s = f->species[i];
             const UniqueBlades own = isUnique(*f) ? makeUnique(s, *f, *ground.terrain) : UniqueBlades{};
             const Patch patch = isUnique(*f) ? own.patch : makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
-            CellQuery q = cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum, pixelsPerMetre(camera, height));
+            CellQuery q = cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum,
+                                    pixelsPerMetre(camera, height));
             if (!own.empty()) q.unique = &own;
             sum += count(q);
         }
@@ -130,7 +131,8 @@ uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int w
     });
 }
 
-std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width, int height, int msaa) {
+std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,
+                           int height, int msaa) {
     if (records.size() == 1) return writeJson(recordJson(records[0], project, gpu, width, height, msaa));
     Json all;
     all["cameras"] = Json::makeArray();

@@ -21,6 +21,7 @@ uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int wid
 uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int width, int height);
 
 // One camera: its object; several: {"cameras": [...]}.
-std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width, int height, int msaa);
+std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,
+                           int height, int msaa);
 
 }  // namespace sward

@@ -106,7 +106,8 @@ std::string hardCasesJson(const std::vector<HardCaseRow>& rows) {
     for (size_t i = 0; i < rows.size(); ++i) {
         const HardCaseRow& r = rows[i];
         out += fmt::format(
-            "{}\n    {{\"id\": {}, \"name\": {}, \"published\": {}, \"ours_cpu\": {}, \"ours_gpu\": {}, \"tolerance\": {}, "
+            "{}\n    {{\"id\": {}, \"name\": {}, \"published\": {}, \"ours_cpu\": {}, \"ours_gpu\": {}, \"tolerance\": "
+            "{}, "
             "\"tolerance_gpu\": {}, \"pass\": {}}}",
             i ? "," : "", jsonText(r.id), jsonText(r.name), jsonNumber(r.hasPublished, r.published),
             jsonNumber(true, r.oursCpu), jsonNumber(r.hasGpu, r.oursGpu), jsonNumber(true, r.tolerance),

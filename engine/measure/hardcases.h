@@ -10,17 +10,17 @@
 namespace sward {
 
 struct HardCaseRow {
-    std::string id;    // "B-1"
+    std::string id;  // "B-1"
     std::string name;
     bool hasPublished = false;  // some rows show ours only
     double published = 0;       // largest error of the printed form, float on this CPU; NaN or infinity where it breaks
     double oursCpu = 0;         // largest error of ours in float; NaN where it is not finite
     bool hasGpu = false;
-    double oursGpu = 0;         // the same on the GPU
-    double tolerance = 0;       // of the CPU
+    double oursGpu = 0;    // the same on the GPU
+    double tolerance = 0;  // of the CPU
     double gpuTolerance = 0;
-    bool pass = false;          // errors within their tolerances, every output finite and in range
-    std::string fault;          // why the row could not be run, or empty
+    bool pass = false;  // errors within their tolerances, every output finite and in range
+    std::string fault;  // why the row could not be run, or empty
 };
 
 // Every hard case; gpu may be null: CPU only. Where the expected values cannot be read, one failing row says so.
@@ -29,8 +29,8 @@ bool allPass(const std::vector<HardCaseRow>& rows);
 
 // An aligned table with a line a row and a last line that counts them.
 std::string hardCasesText(const std::vector<HardCaseRow>& rows);
-// {"rows": [{"id", "name", "published", "ours_cpu", "ours_gpu", "tolerance", "pass"}, ...]}: errors that are no numbers are
-// "nan" or "inf", what was not run is null.
+// {"rows": [{"id", "name", "published", "ours_cpu", "ours_gpu", "tolerance", "pass"}, ...]}: errors that are no numbers
+// are "nan" or "inf", what was not run is null.
 std::string hardCasesJson(const std::vector<HardCaseRow>& rows);
 
 }  // namespace sward

@@ -1,6 +1,6 @@
 // A map of errors as a picture: from black over violet and orange to pale yellow, evenly lighter as seen.
-// Source of the colours: a path in CIE L*a*b* whose lightness rises linearly from 2 to 97 while its hue turns from violet
-// to yellow; chroma is what sRGB holds. Does not: choose the scale.
+// Source of the colours: a path in CIE L*a*b* whose lightness rises linearly from 2 to 97 while its hue turns from
+// violet to yellow; chroma is what sRGB holds. Does not: choose the scale.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

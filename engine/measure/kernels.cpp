@@ -21,7 +21,8 @@ struct NamedForm {
     const char* name;
     bool alone = false;  // its own samples differ from the base's: it is listed by itself too
 };
-// The rows that are forms of one formula: `name` stands in place of the base row, which gives samples and measure of error.
+// The rows that are forms of one formula: `name` stands in place of the base row, which gives samples and measure of
+// error.
 struct KernelForms {
     const char* base;
     const char* name;
@@ -30,15 +31,30 @@ struct KernelForms {
 };
 const std::vector<KernelForms>& severalForms() {
     static const std::vector<KernelForms> several = {
-        {"light weights, three atan", "light weights, eqs 8-13", true,
-         {{"light weights, three atan", "three atan"}, {"light weights, two atan and remainder", "two atan and remainder"},
-          {"light weights, degree 13", "degree 13"}, {"light weights, degree 9", "degree 9"}, {"light weights, degree 7", "degree 7"},
-          {"light weights, degree 5", "degree 5"}, {"light weights, degree 3", "degree 3"},
-          {"light weights, normalised components", "normalised components"}, {"light weights, squares", "squares"}}},
-        {"opacity correction, pow", "opacity correction, 8 bits", true,
-         {{"opacity correction, series, relative", "series", true}, {"opacity correction, pow", "pow"}, {"opacity correction, hyperbola", "hyperbola"}}},
-        {"opacity correction of thin layers, relative", "opacity correction of thin layers, relative", false,
-         {{"opacity correction of thin layers, relative", "series"}, {"opacity correction, pow", "pow"}, {"opacity correction, hyperbola", "hyperbola"}}},
+        {"light weights, three atan",
+         "light weights, eqs 8-13",
+         true,
+         {{"light weights, three atan", "three atan"},
+          {"light weights, two atan and remainder", "two atan and remainder"},
+          {"light weights, degree 13", "degree 13"},
+          {"light weights, degree 9", "degree 9"},
+          {"light weights, degree 7", "degree 7"},
+          {"light weights, degree 5", "degree 5"},
+          {"light weights, degree 3", "degree 3"},
+          {"light weights, normalised components", "normalised components"},
+          {"light weights, squares", "squares"}}},
+        {"opacity correction, pow",
+         "opacity correction, 8 bits",
+         true,
+         {{"opacity correction, series, relative", "series", true},
+          {"opacity correction, pow", "pow"},
+          {"opacity correction, hyperbola", "hyperbola"}}},
+        {"opacity correction of thin layers, relative",
+         "opacity correction of thin layers, relative",
+         false,
+         {{"opacity correction of thin layers, relative", "series"},
+          {"opacity correction, pow", "pow"},
+          {"opacity correction, hyperbola", "hyperbola"}}},
     };
     return several;
 }
@@ -141,7 +157,8 @@ double secondsMore(Time&& time, Empty&& empty) {
 
 int passesOf(const Kernel& kernel, const FormulaBody& body, const std::vector<float>& x) {
     int passes = 1;
-    while (passes < 1 << 16 && leastOf(3, [&] { return cpuSeconds(kernel, body.single, x, passes); }) < kCpuSeconds) passes *= 2;
+    while (passes < 1 << 16 && leastOf(3, [&] { return cpuSeconds(kernel, body.single, x, passes); }) < kCpuSeconds)
+        passes *= 2;
     return passes;
 }
 
@@ -149,8 +166,10 @@ int passesOf(const Kernel& kernel, const FormulaBody& body, const std::vector<fl
 KernelGrid gridOf(KernelBench& bench, size_t form) {
     KernelGrid grid;
     while (grid.steps < 1 << 16 && leastOf(3, [&] { return bench.seconds(form, grid); }) < kGpuSeconds) {
-        if (grid.steps < 16 || grid.groups >= kMaxKernelGroups) grid.steps *= 2;
-        else grid.groups *= 2;
+        if (grid.steps < 16 || grid.groups >= kMaxKernelGroups)
+            grid.steps *= 2;
+        else
+            grid.groups *= 2;
     }
     return grid;
 }
@@ -178,10 +197,15 @@ void timeForms(const Kernel& kernel, KernelBench* bench, int rounds, std::vector
     for (int round = 0; round < rounds; ++round)
         for (size_t f = 0; f < runs.size(); ++f) {
             FormRuns& r = runs[f];
-            const auto cpu = [&](void (*form)(const float*, float*)) { return [&, form] { return cpuSeconds(kernel, form, x, r.passes); }; };
-            r.cpu.push_back(secondsMore(cpu(kernel.forms[f].body.single), cpu(emptyForm)) * 1e9 / (double(r.passes) * kernel.samples.count));
+            const auto cpu = [&](void (*form)(const float*, float*)) {
+                return [&, form] { return cpuSeconds(kernel, form, x, r.passes); };
+            };
+            r.cpu.push_back(secondsMore(cpu(kernel.forms[f].body.single), cpu(emptyForm)) * 1e9 /
+                            (double(r.passes) * kernel.samples.count));
             if (!bench) continue;
-            r.shader.push_back(secondsMore([&] { return bench->seconds(f, r.grid); }, [&] { return bench->emptySeconds(r.grid); }) * 1e9 / r.grid.evaluations());
+            r.shader.push_back(
+                secondsMore([&] { return bench->seconds(f, r.grid); }, [&] { return bench->emptySeconds(r.grid); }) *
+                1e9 / r.grid.evaluations());
         }
 }
 
@@ -213,7 +237,8 @@ Result<std::vector<KernelRow>> measureKernel(const Kernel& kernel, int rounds, G
     }
     std::vector<FormRuns> runs(rows.size());
     timeForms(kernel, bench.get(), rounds, runs);
-    for (size_t f = 0; f < rows.size(); ++f) rows[f].cpuTime = timeOf(runs[f].cpu), rows[f].shaderTime = timeOf(runs[f].shader);
+    for (size_t f = 0; f < rows.size(); ++f)
+        rows[f].cpuTime = timeOf(runs[f].cpu), rows[f].shaderTime = timeOf(runs[f].shader);
     compareTimes(rows, &KernelRow::cpuTime);
     compareTimes(rows, &KernelRow::shaderTime);
     return rows;
@@ -240,9 +265,12 @@ KernelError kernelError(const Kernel& kernel, const std::vector<double>& outputs
         for (size_t k = i * each; k < (i + 1) * each; ++k) {
             if (std::isnan(s.want[k]) || outputs[k] == s.want[k]) continue;
             fails = fails || !std::isfinite(outputs[k]);
-            worst = std::max(worst, kernel.row.error ? kernel.row.error(outputs[k], s.want[k], s.scale[k]) : std::abs(outputs[k] - s.want[k]) / s.scale[k]);
+            worst = std::max(worst, kernel.row.error ? kernel.row.error(outputs[k], s.want[k], s.scale[k])
+                                                     : std::abs(outputs[k] - s.want[k]) / s.scale[k]);
         }
-        const auto input = [&] { return std::vector<double>(s.x.begin() + ptrdiff_t(i * inputs), s.x.begin() + ptrdiff_t((i + 1) * inputs)); };
+        const auto input = [&] {
+            return std::vector<double>(s.x.begin() + ptrdiff_t(i * inputs), s.x.begin() + ptrdiff_t((i + 1) * inputs));
+        };
         if (fails && e.notFinite++ == 0) e.fails = input();
         if (fails) continue;
         ++finite;
@@ -260,7 +288,8 @@ Result<KernelRun> measureKernels(const KernelRequest& request, Gpu* gpu, const K
     if (gpu) run.renderer = gpu->renderer;
     const std::vector<Kernel> all = kernels(*values);
     for (size_t i = 0; i < all.size(); ++i) {
-        if (!progress(all[i].row.name, double(i) / double(all.size()))) return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
+        if (!progress(all[i].row.name, double(i) / double(all.size())))
+            return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
         if (all[i].row.name.find(request.only) == std::string::npos) continue;
         auto rows = measureKernel(all[i], request.rounds, gpu);
         if (!rows) return rows.error();

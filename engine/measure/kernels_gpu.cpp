@@ -9,8 +9,9 @@ namespace {
 Result<GLuint> programOf(Programs& programs, const FormulaRow& row, const char* body) {
     ProgramSources sources{"measure/kernel"};
     sources.compute = "measure/kernel.comp.glsl";
-    return programs.get(sources, fmt::format("#define FORMULA_INPUTS {}\n#define FORMULA_OUTPUTS {}\n#define FORMULA_BODY {}\n",
-                                             row.inputs, row.outputs, body));
+    return programs.get(sources,
+                        fmt::format("#define FORMULA_INPUTS {}\n#define FORMULA_OUTPUTS {}\n#define FORMULA_BODY {}\n",
+                                    row.inputs, row.outputs, body));
 }
 
 int groupsOf(int invocations) { return (invocations + kKernelGroup - 1) / kKernelGroup; }

@@ -1,6 +1,5 @@
-// Forms of a formula in compute shaders: their outputs, and how long they take. One program a form and one that loads as
-// much and computes nothing.
-// Does not: judge or choose how much to run. Cost: 20 to 100 ms a program.
+// Forms of a formula in compute shaders: their outputs, and how long they take. One program a form and one that loads
+// as much and computes nothing. Does not: judge or choose how much to run. Cost: 20 to 100 ms a program.
 #pragma once
 #include "gpu/program.h"
 #include "measure/kernels.h"

@@ -16,7 +16,9 @@ double rmseOf(const PicturePair& p) {
     return std::sqrt(sum / p.weightSum);
 }
 Json number(double v) { return std::isnan(v) ? Json() : Json(v); }
-std::string text(double v, const char* format) { return std::isnan(v) ? "none" : std::isinf(v) ? "inf" : fmt::format(fmt::runtime(format), v); }
+std::string text(double v, const char* format) {
+    return std::isnan(v) ? "none" : std::isinf(v) ? "inf" : fmt::format(fmt::runtime(format), v);
+}
 
 }  // namespace
 
@@ -54,18 +56,24 @@ Json metricsJson(const Metrics& m, const PicturePair& pair, double pixelsPerDegr
     j["ssim"] = number(m.ssim);
     j["rmse"] = number(m.rmse);
     j["psnr"] = number(m.psnr);
-    j["pixels"] = static_cast<uint64_t>(std::count_if(pair.weight.begin(), pair.weight.end(), [](float w) { return w > 0; }));
+    j["pixels"] =
+        static_cast<uint64_t>(std::count_if(pair.weight.begin(), pair.weight.end(), [](float w) { return w > 0; }));
     j["non_finite"] = pair.nonFinite;
     if (pair.nonFinite > 0) j["first_non_finite"] = Json(Json::Array{pair.nonFiniteX, pair.nonFiniteY});
     return j;
 }
 
 std::string metricsText(const Metrics& m, const PicturePair& pair, double pixelsPerDegree) {
-    std::string out = fmt::format("appearance  {} +- {}   (bias {}, contrast {})\n", text(m.appearance.distance, "{:.5f}"), text(m.appearance.sigma, "{:.5f}"),
+    std::string out = fmt::format("appearance  {} +- {}   (bias {}, contrast {})\n",
+                                  text(m.appearance.distance, "{:.5f}"), text(m.appearance.sigma, "{:.5f}"),
                                   text(m.appearance.bias, "{:.5f}"), text(m.appearance.contrast, "{:.5f}"));
-    out += fmt::format("flip        {}   (at {} pixels per degree)\n", text(m.flip, "{:.6f}"), shortestText(pixelsPerDegree));
-    out += fmt::format("ssim        {}\nrmse        {}\npsnr        {}\n", text(m.ssim, "{:.6f}"), text(m.rmse, "{:.6f}"), text(m.psnr, "{:.2f} dB"));
-    if (pair.nonFinite > 0) out += fmt::format("not finite  {} pixels, left out; the first at {},{}\n", pair.nonFinite, pair.nonFiniteX, pair.nonFiniteY);
+    out += fmt::format("flip        {}   (at {} pixels per degree)\n", text(m.flip, "{:.6f}"),
+                       shortestText(pixelsPerDegree));
+    out += fmt::format("ssim        {}\nrmse        {}\npsnr        {}\n", text(m.ssim, "{:.6f}"),
+                       text(m.rmse, "{:.6f}"), text(m.psnr, "{:.2f} dB"));
+    if (pair.nonFinite > 0)
+        out += fmt::format("not finite  {} pixels, left out; the first at {},{}\n", pair.nonFinite, pair.nonFiniteX,
+                           pair.nonFiniteY);
     return out;
 }
 

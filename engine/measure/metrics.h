@@ -16,8 +16,8 @@ struct Metrics {
     Appearance appearance;
     double flip = 0;
     double ssim = 0;
-    double rmse = 0;          // over all channels
-    double psnr = 0;          // dB of a peak of 1; infinite for equal pictures
+    double rmse = 0;  // over all channels
+    double psnr = 0;  // dB of a peak of 1; infinite for equal pictures
 };
 Metrics metricsOf(const PicturePair& pair, double pixelsPerDegree = kPixelsPerDegree);
 

@@ -29,8 +29,10 @@ struct Canvas {
     template <class D>
     void shape(glm::dvec2 low, glm::dvec2 high, const std::string& color, D&& distance) {
         const glm::vec3 c = rgbOf(color);
-        for (int y = std::max(0, static_cast<int>(low.y) - 2); y <= std::min(height - 1, static_cast<int>(high.y) + 2); ++y)
-            for (int x = std::max(0, static_cast<int>(low.x) - 2); x <= std::min(width - 1, static_cast<int>(high.x) + 2); ++x)
+        for (int y = std::max(0, static_cast<int>(low.y) - 2); y <= std::min(height - 1, static_cast<int>(high.y) + 2);
+             ++y)
+            for (int x = std::max(0, static_cast<int>(low.x) - 2);
+                 x <= std::min(width - 1, static_cast<int>(high.x) + 2); ++x)
                 mix(x, y, c, 0.5 - distance(glm::dvec2(x + 0.5, y + 0.5)));
     }
     void segment(glm::dvec2 a, glm::dvec2 b, double lineWidth, const std::string& color) {
@@ -45,10 +47,12 @@ struct Canvas {
         for (size_t i = 0; i + 1 < l.points.size(); ++i) {
             const glm::dvec2 a = l.points[i], b = l.points[i + 1];
             const double length = glm::distance(a, b);
-            if (l.dash <= 0 || length <= 0) segment(a, b, l.width, l.color);
+            if (l.dash <= 0 || length <= 0)
+                segment(a, b, l.width, l.color);
             else
                 for (double from = 0; from < length; from += 2 * l.dash)
-                    segment(glm::mix(a, b, from / length), glm::mix(a, b, std::min(1.0, (from + l.dash) / length)), l.width, l.color);
+                    segment(glm::mix(a, b, from / length), glm::mix(a, b, std::min(1.0, (from + l.dash) / length)),
+                            l.width, l.color);
         }
     }
     void dot(const PlotDot& d) {
@@ -90,13 +94,16 @@ struct Font {
         for (const char c : t.text) {
             int w = 0, h = 0, left = 0, top = 0;
             const double at = (t.upright ? -t.at.y : t.at.x) + along;
-            unsigned char* glyph = stbtt_GetCodepointBitmapSubpixel(&info, scale, scale, static_cast<float>(at - std::floor(at)), 0, c, &w, &h, &left, &top);
+            unsigned char* glyph = stbtt_GetCodepointBitmapSubpixel(
+                &info, scale, scale, static_cast<float>(at - std::floor(at)), 0, c, &w, &h, &left, &top);
             for (int y = 0; y < h; ++y)
                 for (int x = 0; x < w; ++x) {
                     const int u = static_cast<int>(std::floor(at)) + left + x, v = top + y;
                     const double cover = glyph[y * w + x] / 255.0;
-                    if (t.upright) canvas.mix(static_cast<int>(t.at.x) + v, -u, color, cover);
-                    else canvas.mix(u, static_cast<int>(t.at.y) + v, color, cover);
+                    if (t.upright)
+                        canvas.mix(static_cast<int>(t.at.x) + v, -u, color, cover);
+                    else
+                        canvas.mix(u, static_cast<int>(t.at.y) + v, color, cover);
                 }
             stbtt_FreeBitmap(glyph, nullptr);
             along += advance(c, scale);
@@ -115,33 +122,50 @@ std::string pointsText(const std::vector<glm::dvec2>& points) {
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '&') out += "&amp;";
-        else if (c == '<') out += "&lt;";
-        else if (c == '>') out += "&gt;";
-        else if (c == '"') out += "&quot;";
-        else out += c;
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += c;
     }
     return out;
 }
 
 std::string plotSvg(const Plot& plot) {
-    std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\">\n"
-                                  "<rect width=\"{0}\" height=\"{1}\" fill=\"{2}\"/>\n", plot.width, plot.height, plot.background);
+    std::string out = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"DejaVu Sans, sans-serif\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"{2}\"/>\n",
+        plot.width, plot.height, plot.background);
     for (const PlotLine& l : plot.lines)
-        out += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", pointsText(l.points), l.color, l.width,
+        out += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n",
+                           pointsText(l.points), l.color, l.width,
                            l.dash > 0 ? fmt::format(" stroke-dasharray=\"{}\"", l.dash) : "");
     for (const PlotDot& d : plot.dots)
-        out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}><title>{}</title></circle>\n", d.at.x, d.at.y, d.radius,
-                           d.filled ? "fill=\"" + d.color + "\"" : "fill=\"none\" stroke-width=\"1.5\" stroke=\"" + d.color + "\"", escaped(d.title));
+        out += fmt::format(
+            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}><title>{}</title></circle>\n", d.at.x, d.at.y, d.radius,
+            d.filled ? "fill=\"" + d.color + "\"" : "fill=\"none\" stroke-width=\"1.5\" stroke=\"" + d.color + "\"",
+            escaped(d.title));
     for (const PlotText& t : plot.texts)
-        out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", t.at.x, t.at.y, t.size, t.color,
-                           t.anchor == PlotAnchor::Start ? "start" : t.anchor == PlotAnchor::Middle ? "middle" : "end",
-                           t.upright ? fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", t.at.x, t.at.y) : "", escaped(t.text));
+        out += fmt::format(
+            "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", t.at.x,
+            t.at.y, t.size, t.color,
+            t.anchor == PlotAnchor::Start    ? "start"
+            : t.anchor == PlotAnchor::Middle ? "middle"
+                                             : "end",
+            t.upright ? fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", t.at.x, t.at.y) : "", escaped(t.text));
     return out + "</svg>\n";
 }
 
 std::vector<uint8_t> plotPixels(const Plot& plot) {
-    Canvas canvas{plot.width, plot.height, std::vector<glm::vec3>(static_cast<size_t>(plot.width) * static_cast<size_t>(plot.height), rgbOf(plot.background))};
+    Canvas canvas{plot.width, plot.height,
+                  std::vector<glm::vec3>(static_cast<size_t>(plot.width) * static_cast<size_t>(plot.height),
+                                         rgbOf(plot.background))};
     for (const PlotLine& l : plot.lines) canvas.line(l);
     for (const PlotDot& d : plot.dots) canvas.dot(d);
     const Font font;

@@ -1,5 +1,5 @@
-// A drawing of lines, circles and text that is written as SVG or drawn into pixels: one description, two outputs that look alike.
-// Does not: know what it shows (cost_plot.h).
+// A drawing of lines, circles and text that is written as SVG or drawn into pixels: one description, two outputs that
+// look alike. Does not: know what it shows (cost_plot.h).
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -10,24 +10,24 @@ namespace sward {
 
 struct PlotLine {
     std::vector<glm::dvec2> points;
-    std::string color;            // "#rrggbb"
+    std::string color;  // "#rrggbb"
     double width = 1;
-    double dash = 0;              // length of dashes and gaps; 0: none
+    double dash = 0;  // length of dashes and gaps; 0: none
 };
 struct PlotDot {
     glm::dvec2 at{0};
     double radius = 3;
     std::string color;
     bool filled = true;
-    std::string title;            // shown by browsers under the pointer
+    std::string title;  // shown by browsers under the pointer
 };
 enum class PlotAnchor { Start, Middle, End };
 struct PlotText {
-    glm::dvec2 at{0};             // of the baseline
+    glm::dvec2 at{0};  // of the baseline
     std::string text, color;
     double size = 12;
     PlotAnchor anchor = PlotAnchor::Start;
-    bool upright = false;         // reads from below
+    bool upright = false;  // reads from below
 };
 // Pixels, from the top left. Drawn in the order lines, dots, texts.
 struct Plot {

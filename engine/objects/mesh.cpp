@@ -52,7 +52,8 @@ void describe(GpuMesh& m) {
     glVertexArrayAttribFormat(mesh, 0, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, position));
     glVertexArrayAttribFormat(mesh, 1, 3, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, normal));
     glVertexArrayAttribFormat(mesh, 2, 2, GL_FLOAT, GL_FALSE, offsetof(MeshVertex, uv));
-    for (GLuint row = 0; row < 3; ++row) glVertexArrayAttribFormat(mesh, 3 + row, 4, GL_FLOAT, GL_FALSE, row * sizeof(glm::vec4));
+    for (GLuint row = 0; row < 3; ++row)
+        glVertexArrayAttribFormat(mesh, 3 + row, 4, GL_FLOAT, GL_FALSE, row * sizeof(glm::vec4));
 }
 
 GpuMesh uploadMesh(Gpu& gpu, const Mesh& mesh) {
@@ -60,7 +61,8 @@ GpuMesh uploadMesh(Gpu& gpu, const Mesh& mesh) {
     out.vertices = makeBuffer(gpu, kOwner, mesh.vertices.size() * sizeof(MeshVertex), mesh.vertices.data());
     out.indices = makeBuffer(gpu, kOwner, mesh.indices.size() * 4, mesh.indices.data());
     out.mesh = makeVertexArray(kOwner);
-    for (const MeshImage& image : mesh.images) out.images.push_back(makeTileTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
+    for (const MeshImage& image : mesh.images)
+        out.images.push_back(makeTileTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
     out.parts = mesh.parts;
     out.centre = (mesh.low + mesh.high) * 0.5f;
     out.radius = glm::length(mesh.high - mesh.low) * 0.5f;
@@ -84,7 +86,8 @@ ObjectInstance instanceOf(const PlacedMesh& p, const glm::dvec3& eye) {
     ObjectInstance out;
     const glm::dvec3 at = p.at - eye;
     for (int r = 0; r < 3; ++r) {
-        const glm::dvec3 row = glm::dvec3(p.turn[0][r], p.turn[1][r], p.turn[2][r]) * static_cast<double>(p.mesh->scale);
+        const glm::dvec3 row =
+            glm::dvec3(p.turn[0][r], p.turn[1][r], p.turn[2][r]) * static_cast<double>(p.mesh->scale);
         out.row[r] = glm::vec4(glm::vec3(row), static_cast<float>(at[r]));
     }
     return out;
@@ -102,7 +105,8 @@ Ball ballOf(const GpuMesh& m, const ObjectInstance& i, float scale) {
 void cast(DrawContext& ctx, const GpuMesh& m, const Ball& ball, size_t instance) {
     for (const MeshPart& part : m.parts)
         ctx.shared.casters.push_back({m.mesh.id(), static_cast<GLuint>(instance), part.first, part.count,
-                                      part.image >= 0 ? m.images[static_cast<size_t>(part.image)].id() : 0, part.cutoff, ball.centre, ball.radius});
+                                      part.image >= 0 ? m.images[static_cast<size_t>(part.image)].id() : 0, part.cutoff,
+                                      ball.centre, ball.radius});
 }
 
 // Adds those of one file.
@@ -158,9 +162,11 @@ void place(DrawContext& ctx) {
 void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
     glBindVertexArray(g.mesh->mesh.id());
     for (const MeshPart& part : g.mesh->parts) {
-        glBindTextureUnit(TEX_OBJECT, part.image >= 0 ? g.mesh->images[static_cast<size_t>(part.image)].id() : s.white.id());
+        glBindTextureUnit(TEX_OBJECT,
+                          part.image >= 0 ? g.mesh->images[static_cast<size_t>(part.image)].id() : s.white.id());
         glUniform4f(0, part.color.x, part.color.y, part.color.z, part.cutoff);
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT, reinterpret_cast<const void*>(size_t(part.first) * 4),
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
+                                            reinterpret_cast<const void*>(size_t(part.first) * 4),
                                             static_cast<GLsizei>(g.seen), static_cast<GLuint>(g.first));
         ctx.pass->draws += 1;
         ctx.pass->instances += g.seen;
@@ -176,13 +182,16 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"objects/place", place}};
 const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr,
-                                 featureSet(Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
-const Pass kPasses[] = {{"objects/mesh", Stage::Opaque, kViewMain | kViewReflection | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+                                 featureSet(Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky,
+                                            Feature::Fog, Feature::WaterReflection)}};
+const Pass kPasses[] = {{"objects/mesh", Stage::Opaque, kViewMain | kViewReflection | kViewCompare, 0,
+                         kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& meshEffect() {
-    static const EffectRow row{"objects/mesh", featureSet(Feature::Objects), kSystems, kPasses, makeState, "objects stand in the scene"};
+    static const EffectRow row{"objects/mesh", featureSet(Feature::Objects), kSystems, kPasses,
+                               makeState,      "objects stand in the scene"};
     return row;
 }
 

@@ -6,10 +6,10 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "objects/shadow";
-constexpr int kSide = 2048;                                          // texels of a map
-constexpr double kReach[SHADOW_CASCADES] = {14, 60, 256};            // metres from the eye
-constexpr double kSlack = 0.1;                                       // share of the reach that the eye may move before a map is drawn anew
-constexpr double kHalf = 1.02 + kSlack;                              // half a map's side, as a share of the reach: and room for taps
+constexpr int kSide = 2048;                                // texels of a map
+constexpr double kReach[SHADOW_CASCADES] = {14, 60, 256};  // metres from the eye
+constexpr double kSlack = 0.1;           // share of the reach that the eye may move before a map is drawn anew
+constexpr double kHalf = 1.02 + kSlack;  // half a map's side, as a share of the reach: and room for taps
 
 struct ShadowMap {
     Framebuffer target;
@@ -65,11 +65,14 @@ void setAxes(ShadowState& s, const glm::vec3& sun) {
 // From eye-relative positions to a map around `centre`, its texels at the same places of the world whatever the centre.
 glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3& eye, double half) {
     const double texel = 2 * half / kSide;
-    const auto middle = [&](const glm::dvec3& axis) { return std::round(glm::dot(centre, axis) / texel) * texel - glm::dot(eye, axis); };
+    const auto middle = [&](const glm::dvec3& axis) {
+        return std::round(glm::dot(centre, axis) / texel) * texel - glm::dot(eye, axis);
+    };
     const double scale = 0.5 / half;
     glm::mat4 m(0);
     for (int c = 0; c < 3; ++c) m[c] = glm::vec4(s.right[c], s.up[c], s.sun[c], 0) * static_cast<float>(scale);
-    m[3] = glm::vec4(glm::dvec4(0.5 - middle(s.right) * scale, 0.5 - middle(s.up) * scale, 0.5 - glm::dot(centre - eye, glm::dvec3(s.sun)) * scale, 1));
+    m[3] = glm::vec4(glm::dvec4(0.5 - middle(s.right) * scale, 0.5 - middle(s.up) * scale,
+                                0.5 - glm::dot(centre - eye, glm::dvec3(s.sun)) * scale, 1));
     return m;
 }
 
@@ -119,7 +122,8 @@ void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
         glUniform1f(0, c.image ? c.cutoff : 0.0f);
         if (c.image) glBindTextureUnit(TEX_OBJECT, c.image);
         glBindVertexArray(c.vertexArray);
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(c.indices), GL_UNSIGNED_INT, reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), 1, c.instance);
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(c.indices), GL_UNSIGNED_INT,
+                                            reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), 1, c.instance);
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;
     }
@@ -129,7 +133,8 @@ void draw(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
     const uint64_t wanted = ctx.shared.castersHash | 1;
     const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted; };
-    if (ctx.globals.sunDirection.w <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use()) return;
+    if (ctx.globals.sunDirection.w <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use())
+        return;
     glViewport(0, 0, kSide, kSide);
     glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map still shades
     for (int i = 0; i < SHADOW_CASCADES; ++i) {
@@ -141,13 +146,16 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"objects/aim", aim}};
-const ProgramRow kPrograms[] = {{"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {{"objects/shadow", Stage::Shadow, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr, {}}};
+const Pass kPasses[] = {
+    {"objects/shadow", Stage::Shadow, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& shadowEffect() {
-    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows), kSystems, kPasses, makeState, "objects shade what lies behind them"};
+    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows),   kSystems, kPasses,
+                               makeState,        "objects shade what lies behind them"};
     return row;
 }
 

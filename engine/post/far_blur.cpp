@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kOwner = "post/far-blur";
 
 struct BlurState : EffectState {
-    Texture across;       // blurred across only
+    Texture across;  // blurred across only
     Framebuffer target;
 };
 
@@ -19,11 +19,14 @@ void ensureTarget(DrawContext& ctx, BlurState& s) {
     s.target = makeFramebuffer(s.across.id(), 0, kOwner);
 }
 
-std::string constants(const ViewTargets& t, int blur) { return depthConstants(t) + fmt::format("const bool GAUSSIAN = {};\n", blur == static_cast<int>(FarBlur::Gaussian)); }
+std::string constants(const ViewTargets& t, int blur) {
+    return depthConstants(t) + fmt::format("const bool GAUSSIAN = {};\n", blur == static_cast<int>(FarBlur::Gaussian));
+}
 std::vector<std::string> variants() {
     std::vector<std::string> out;
     for (const std::string& depth : depthVariants())
-        for (const char* kind : {"false", "true"}) out.push_back(depth + fmt::format("const bool GAUSSIAN = {};\n", kind));
+        for (const char* kind : {"false", "true"})
+            out.push_back(depth + fmt::format("const bool GAUSSIAN = {};\n", kind));
     return out;
 }
 
@@ -49,15 +52,21 @@ void draw(DrawContext& ctx) {
     pass(ctx, s.across.id(), t.resolve.id(), 1);
 }
 
-const ProgramRow kPrograms[] = {{"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, {}, variants}};
-const Pass kPasses[] = {{"post/far-blur", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kResolved, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, {}, variants}};
+const Pass kPasses[] = {
+    {"post/far-blur", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kResolved, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& farBlurEffect() {
-    static const EffectRow row{"post/far-blur", featureSet(Feature::FarBlur), {}, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<BlurState>(); },
-                               "what is far is blurred, against sparkling"};
+    static const EffectRow row{
+        "post/far-blur",
+        featureSet(Feature::FarBlur),
+        {},
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<BlurState>(); },
+        "what is far is blurred, against sparkling"};
     return row;
 }
 

@@ -24,7 +24,9 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
 }
 
 // How the shader shows it.
-float kindOf(const FieldRow& row) { return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4; }
+float kindOf(const FieldRow& row) {
+    return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4;
+}
 
 // Metres, with room for the ground's own roughness.
 float tallestGrass(Project& project) {
@@ -40,12 +42,15 @@ void draw(DrawContext& ctx) {
     const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
-    const bool pressed = field->row->isForce && has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
+    const bool pressed =
+        field->row->isForce && has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
     if ((map.empty() && !pressed) || !ctx.use(0, depthConstants(ctx.targets))) return;
     if (!map.empty()) glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
-    const float metresPerPixel = 1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
-    const float texelsPerMetre = static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
+    const float metresPerPixel =
+        1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
+    const float texelsPerMetre =
+        static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
     glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());
@@ -58,13 +63,18 @@ void draw(DrawContext& ctx) {
 }
 
 const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                        featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
+                                 featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
 const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& mapOverlayEffect() {
-    static const EffectRow row{"post/map-overlay", featureSet(Feature::Terrain), {}, kPasses, nullptr, "shows the painted map that the editor asks for"};
+    static const EffectRow row{"post/map-overlay",
+                               featureSet(Feature::Terrain),
+                               {},
+                               kPasses,
+                               nullptr,
+                               "shows the painted map that the editor asks for"};
     return row;
 }
 

@@ -7,7 +7,9 @@ namespace {
 
 void resolve(DrawContext& ctx) {
     const ViewTargets& t = ctx.targets;
-    if (t.samples > 1) glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (t.samples > 1)
+        glBlitNamedFramebuffer(t.scene.id(), t.resolve.id(), 0, 0, t.width, t.height, 0, 0, t.width, t.height,
+                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void fullScreen(DrawContext& ctx) {
@@ -38,20 +40,27 @@ void drawDecal(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const ProgramRow kTonemapPrograms[] = {{"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
-const ProgramRow kDecalPrograms[] = {{"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
-const Pass kTonemapPasses[] = {{"post/resolve", Stage::Post, kViewMain | kViewReflection | kViewCompare, kSceneColor, kResolved, {}, resolve},
-                               {"post/tonemap", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kImage, kTonemapPrograms, drawTonemap}};
-const Pass kDecalPasses[] = {{"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
+const ProgramRow kTonemapPrograms[] = {
+    {"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
+const ProgramRow kDecalPrograms[] = {
+    {"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
+const Pass kTonemapPasses[] = {
+    {"post/resolve", Stage::Post, kViewMain | kViewReflection | kViewCompare, kSceneColor, kResolved, {}, resolve},
+    {"post/tonemap", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kImage, kTonemapPrograms,
+     drawTonemap}};
+const Pass kDecalPasses[] = {
+    {"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
 
 }  // namespace
 
 const EffectRow& tonemapEffect() {
-    static const EffectRow row{"post/tonemap", {}, {}, kTonemapPasses, nullptr, "every picture needs its light brought to the screen"};
+    static const EffectRow row{"post/tonemap", {},      {},
+                               kTonemapPasses, nullptr, "every picture needs its light brought to the screen"};
     return row;
 }
 const EffectRow& decalEffect() {
-    static const EffectRow row{"post/decal", featureSet(Feature::Terrain), {}, kDecalPasses, nullptr, "shows what the brush would touch"};
+    static const EffectRow row{"post/decal", featureSet(Feature::Terrain),      {}, kDecalPasses,
+                               nullptr,      "shows what the brush would touch"};
     return row;
 }
 

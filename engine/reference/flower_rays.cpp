@@ -22,7 +22,7 @@ struct Kind {
 struct Standing {
     glm::vec3 root, stem;
     glm::vec2 facing;
-    float half;         // of its head's width
+    float half;  // of its head's width
     float second;
     uint32_t kind, grain;
 };
@@ -69,7 +69,9 @@ glm::vec2 leanOf(const Weather& w, const f32::Flower& f, const glm::dvec2& groun
     const bool painted = w.grass && w.grass->forces.present();
     if (!painted && (w.forces.empty() || !w.grass)) return lean;
     glm::vec3 sum = w.grass ? forceAt(w.forces, ground) : glm::vec3(0);
-    if (painted) sum += f32::paintedForce(paintedAt(w.grass->forces.map, ground / mapExtent(t), static_cast<double>(w.grass->forcesTiling), false));
+    if (painted)
+        sum += f32::paintedForce(
+            paintedAt(w.grass->forces.map, ground / mapExtent(t), static_cast<double>(w.grass->forcesTiling), false));
     const glm::vec3 force = f32::forceOf(sum);
     return f32::forcedLean(lean, {force.x, force.y}, force.z, f.facing);
 }
@@ -85,9 +87,11 @@ void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const Flo
         const f32::Flower one = f32::flowerOf(x, z, i, grid.expected, static_cast<uint32_t>(f.seed & 0xFFFFFF));
         const glm::dvec2 ground = (glm::dvec2(x, z) + glm::dvec2(one.place)) * grid.side, place = ground / t.size;
         if (place.x > 1 || place.y > 1 || one.threshold > densityAt(t, f, ground)) continue;
-        const glm::vec3 stem = f32::flowerStem(one, f.height * (1 + f.heightVariation * one.taller), leanOf(weather, one, ground, t));
+        const glm::vec3 stem =
+            f32::flowerStem(one, f.height * (1 + f.heightVariation * one.taller), leanOf(weather, one, ground, t));
         const glm::vec3 root(glm::dvec3(ground.x, terrainHeight(t, ground.x, ground.y), ground.y));
-        all.standing.push_back({root, stem, one.facing, 0.5f * f.headSize * one.larger, one.second, kind, f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(z), i)});
+        all.standing.push_back({root, stem, one.facing, 0.5f * f.headSize * one.larger, one.second, kind,
+                                f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(z), i)});
     }
 }
 
@@ -120,7 +124,8 @@ std::optional<Meeting> flowerMet(const Query& q, const Standing& s, float near, 
         take(*head, {0.5f + 0.5f * head->y, (0.5f - 0.5f * head->z) * kind.headShare}, f.face, 1);
     if (const auto stem = planeMet(q, s.root + 0.5f * s.stem, f.side * s.half, 0.5f * s.stem)) {
         const float v = 0.5f + 0.5f * stem->z;
-        take(*stem, {0.5f + 0.5f * stem->y, glm::mix(1.0f, kind.headShare, v)}, f32::stemNormal(-q.way), f32::flowerOpen(v));
+        take(*stem, {0.5f + 0.5f * stem->y, glm::mix(1.0f, kind.headShare, v)}, f32::stemNormal(-q.way),
+             f32::flowerOpen(v));
     }
     return found;
 }
@@ -151,7 +156,8 @@ bool makeScene(RayFlowers& f) {
     RTCGeometry g = rtcNewGeometry(f.device.get(), RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(f.standing.size()));
     rtcSetGeometryUserData(g, &f);
-    rtcSetGeometryBoundsFunction(g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
+    rtcSetGeometryBoundsFunction(
+        g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, meetClosest);
     rtcCommitGeometry(g);
     rtcAttachGeometry(f.scene.get(), g);
@@ -160,16 +166,21 @@ bool makeScene(RayFlowers& f) {
     return rtcGetDeviceError(f.device.get()) == RTC_ERROR_NONE;
 }
 
-Error failed(const std::string& message, const std::string& remedy) { return Error{ExitCode::Failed, message, "", 0, 0, remedy}; }
+Error failed(const std::string& message, const std::string& remedy) {
+    return Error{ExitCode::Failed, message, "", 0, 0, remedy};
+}
 
 // All that one kind has. Failed: too many, cancelled.
 Status standAll(RayFlowers& all, const Weather& weather, uint32_t kind, const JobControl& control) {
     const FlowerGrid grid = flowerGrid(*all.kinds[kind].flowers);
-    const int across = static_cast<int>(std::ceil(all.terrain->size.x / grid.side)), down = static_cast<int>(std::ceil(all.terrain->size.y / grid.side));
+    const int across = static_cast<int>(std::ceil(all.terrain->size.x / grid.side)),
+              down = static_cast<int>(std::ceil(all.terrain->size.y / grid.side));
     for (int z = 0; z < down; ++z) {
         if (control.cancelled()) return failed("cancelled", "");
         for (int x = 0; x < across; ++x) standCell(all, weather, kind, grid, x, z);
-        if (all.standing.size() > kMostRayFlowers) return failed(fmt::format("more than {} flowers make no reference", kMostRayFlowers), "lower Flowers.flowersPerM2, or paint fewer");
+        if (all.standing.size() > kMostRayFlowers)
+            return failed(fmt::format("more than {} flowers make no reference", kMostRayFlowers),
+                          "lower Flowers.flowersPerM2, or paint fewer");
     }
     return {};
 }
@@ -188,13 +199,17 @@ Result<FlowerRays> FlowerRays::make(const Project& p, double time, const JobCont
     if (!all->terrain || found.empty()) return FlowerRays(std::move(all));
     Map made;
     Weather weather{windOf(p), nullptr, {}, forcesOf(p, time), firstOf<GrassField>(p)};
-    if (weather.wind) weather.gusts = &gustsOf(*weather.wind, made), weather.globals = windGlobals(*weather.wind, {0, 0}, time);
+    if (weather.wind)
+        weather.gusts = &gustsOf(*weather.wind, made), weather.globals = windGlobals(*weather.wind, {0, 0}, time);
     for (const auto& [entity, flowers] : found) {
         const FlowerImage image = flowerImage(p, *flowers);
         all->kinds.push_back({flowers, texelGridOf(image.pixels), image.made, image.headShare});
-        if (Status s = standAll(*all, weather, static_cast<uint32_t>(all->kinds.size() - 1), control); !s) return s.error();
+        if (Status s = standAll(*all, weather, static_cast<uint32_t>(all->kinds.size() - 1), control); !s)
+            return s.error();
     }
-    if (!all->standing.empty() && !makeScene(*all)) return failed("rays cannot be prepared: Embree has no memory, or does not know this processor", "close other programs");
+    if (!all->standing.empty() && !makeScene(*all))
+        return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                      "close other programs");
     return FlowerRays(std::move(all));
 }
 
@@ -214,7 +229,9 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     s.at = ray.origin + ray.way * s.t;
     s.normal = s.face = q.met.normal;
     const glm::vec3 petal = glm::mix(kind.flowers->color, kind.flowers->secondColor, one.second);
-    s.color = f32::flowerColor(glm::vec3(kind.image.at(static_cast<double>(q.met.uv.x), static_cast<double>(q.met.uv.y), false)), petal, kind.flowers->centerColor, kind.flowers->stemColor, kind.made);
+    s.color = f32::flowerColor(
+        glm::vec3(kind.image.at(static_cast<double>(q.met.uv.x), static_cast<double>(q.met.uv.y), false)), petal,
+        kind.flowers->centerColor, kind.flowers->stemColor, kind.made);
     s.open = q.met.open;
     s.place = glm::dvec2(one.root.x, one.root.z) / mapExtent(*all.terrain);
     return s;

@@ -1,6 +1,6 @@
-// Flowers as rays meet them: every one that the maps call for, with no level of detail, by the formulas that shaders use
-// (numerics/flower.h). A flower turns to whoever looks, so each ray meets it as it looks from there.
-// Does not: shade. Cost: 64 bytes a flower and Embree's boxes, about as much again; 1 to 2 us a ray.
+// Flowers as rays meet them: every one that the maps call for, with no level of detail, by the formulas that shaders
+// use (numerics/flower.h). A flower turns to whoever looks, so each ray meets it as it looks from there. Does not:
+// shade. Cost: 64 bytes a flower and Embree's boxes, about as much again; 1 to 2 us a ray.
 #pragma once
 #include <memory>
 #include <optional>

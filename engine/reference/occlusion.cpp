@@ -12,7 +12,8 @@ constexpr int kDefaultSide = 512;
 
 const MapField* existingMap(const Project& p) {
     for (const auto& [name, e] : p.entities)
-        if (const GrassField* f = p.registry.get<GrassField>(e)) return f->ambientOcclusion.present() ? &f->ambientOcclusion : nullptr;
+        if (const GrassField* f = p.registry.get<GrassField>(e))
+            return f->ambientOcclusion.present() ? &f->ambientOcclusion : nullptr;
     return nullptr;
 }
 
@@ -21,7 +22,9 @@ MapInfo infoFor(const Project& p, const Terrain& t, const OcclusionSettings& s) 
     if (s.size == 0 && existing) return {existing->map.info().width, existing->map.info().height, 1, PixelType::U8};
     const int side = s.size > 0 ? s.size : kDefaultSide;
     const double longer = std::max(t.size.x, t.size.y);
-    const auto texels = [&](double extent) { return std::max(static_cast<int>(std::lround(side * extent / longer)), 1); };
+    const auto texels = [&](double extent) {
+        return std::max(static_cast<int>(std::lround(side * extent / longer)), 1);
+    };
     return {texels(t.size.x), texels(t.size.y), 1, PixelType::U8};
 }
 
@@ -34,7 +37,8 @@ void axesAcross(const glm::vec3& n, glm::vec3& u, glm::vec3& v) {
 }  // namespace
 
 // Malley's method: points spread evenly over a disc, lifted onto the hemisphere, are weighted by the cosine.
-double skySeen(const RayScene& rays, const TerrainSurface& ground, double x, double z, const glm::dvec2& spread, int samples, uint32_t id) {
+double skySeen(const RayScene& rays, const TerrainSurface& ground, double x, double z, const glm::dvec2& spread,
+               int samples, uint32_t id) {
     const int side = std::max(static_cast<int>(std::sqrt(samples)), 1);
     int open = 0;
     for (int i = 0; i < side * side; ++i) {
@@ -46,7 +50,8 @@ double skySeen(const RayScene& rays, const TerrainSurface& ground, double x, dou
         const float turn = 6.2831853f * (static_cast<float>(i / side) + random(3)) / static_cast<float>(side);
         glm::vec3 u, v;
         axesAcross(n, u, v);
-        const glm::vec3 way = u * (r * std::cos(turn)) + v * (r * std::sin(turn)) + n * std::sqrt(std::max(1 - r * r, 0.0f));
+        const glm::vec3 way =
+            u * (r * std::cos(turn)) + v * (r * std::sin(turn)) + n * std::sqrt(std::max(1 - r * r, 0.0f));
         open += !rays.hits(from, way);
     }
     return static_cast<double>(open) / (side * side);
@@ -54,7 +59,13 @@ double skySeen(const RayScene& rays, const TerrainSurface& ground, double x, dou
 
 Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, JobControl& control) {
     const Ground ground = findGround(p);
-    if (!ground.terrain) return Error{ExitCode::Unsound, "there is no Terrain to bake ambient occlusion for", p.dir.string(), 0, 0, "add an entity with a Terrain"};
+    if (!ground.terrain)
+        return Error{ExitCode::Unsound,
+                     "there is no Terrain to bake ambient occlusion for",
+                     p.dir.string(),
+                     0,
+                     0,
+                     "add an entity with a Terrain"};
     const Result<std::vector<Triangles>> triangles = sceneTriangles(p, control);
     if (!triangles) return triangles.error();
     const Result<RayScene> rays = RayScene::make(*triangles);
@@ -67,8 +78,10 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
     parallelFor(static_cast<size_t>(info.height), [&](size_t y) {
         for (int x = 0; x < info.width && !control.cancelled(); ++x) {
             const uint32_t id = f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y));
-            const double seen = skySeen(*rays, surface, (x + 0.5) * texel.x, (static_cast<double>(y) + 0.5) * texel.y, texel, settings.samples, id);
-            texels[y * static_cast<size_t>(info.width) + static_cast<size_t>(x)] = static_cast<uint8_t>(std::lround(255 * seen));
+            const double seen = skySeen(*rays, surface, (x + 0.5) * texel.x, (static_cast<double>(y) + 0.5) * texel.y,
+                                        texel, settings.samples, id);
+            texels[y * static_cast<size_t>(info.width) + static_cast<size_t>(x)] =
+                static_cast<uint8_t>(std::lround(255 * seen));
         }
         control.setProgress(static_cast<double>(++done) / info.height);
     });
@@ -81,7 +94,8 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
 uint64_t occlusionHash(const Project& p, const OcclusionSettings& settings) {
     const Ground ground = findGround(p);
     const MapInfo info = ground.terrain ? infoFor(p, *ground.terrain, settings) : MapInfo{};
-    const uint64_t parts[] = {kVersion, sceneTrianglesHash(p), static_cast<uint64_t>(settings.samples), static_cast<uint64_t>(info.width), static_cast<uint64_t>(info.height)};
+    const uint64_t parts[] = {kVersion, sceneTrianglesHash(p), static_cast<uint64_t>(settings.samples),
+                              static_cast<uint64_t>(info.width), static_cast<uint64_t>(info.height)};
     return hashBytes(parts, sizeof(parts));
 }
 

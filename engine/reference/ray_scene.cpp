@@ -10,8 +10,10 @@ struct RayScene::Device {
     // False without memory.
     bool add(const Triangles& t, uint32_t id) {
         RTCGeometry g = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        void* vertices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), t.positions.size());
-        void* indices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), t.indices.size() / 3);
+        void* vertices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                                 t.positions.size());
+        void* indices = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
+                                                t.indices.size() / 3);
         const bool done = vertices && indices;
         if (done) {
             std::memcpy(vertices, t.positions.data(), t.positions.size() * sizeof(glm::vec3));
@@ -25,7 +27,12 @@ struct RayScene::Device {
 };
 
 Result<RayScene> RayScene::make(const std::vector<Triangles>& meshes) {
-    const Error failed{ExitCode::Failed, "rays cannot be prepared: Embree has no memory, or does not know this processor", "", 0, 0, "close other programs, or make the objects simpler"};
+    const Error failed{ExitCode::Failed,
+                       "rays cannot be prepared: Embree has no memory, or does not know this processor",
+                       "",
+                       0,
+                       0,
+                       "close other programs, or make the objects simpler"};
     auto device = std::make_shared<Device>();
     if (!device->scene) return failed;
     rtcSetSceneFlags(device->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between neighbours
@@ -41,7 +48,8 @@ bool RayScene::hits(const glm::vec3& origin, const glm::vec3& way, float far) co
     return anyHit(device_->scene.get(), context, embreeRay(origin, way, 0, far));
 }
 
-std::optional<TriangleHit> RayScene::closest(const glm::vec3& origin, const glm::vec3& way, float near, float far) const {
+std::optional<TriangleHit> RayScene::closest(const glm::vec3& origin, const glm::vec3& way, float near,
+                                             float far) const {
     RayContext context;
     RTCRayHit r{embreeRay(origin, way, near, far), {}};
     closestHit(device_->scene.get(), context, r);

@@ -18,10 +18,10 @@ struct Triangles {
 };
 
 struct TriangleHit {
-    float t;                // in lengths of the ray's direction
+    float t;  // in lengths of the ray's direction
     uint32_t mesh, triangle;
-    float u, v;             // weights of the triangle's second and third corner
-    glm::vec3 normal;       // of the triangle; any length
+    float u, v;        // weights of the triangle's second and third corner
+    glm::vec3 normal;  // of the triangle; any length
 };
 
 class RayScene {

@@ -13,11 +13,12 @@
 namespace sward {
 namespace {
 
-constexpr int kTileWidth = 32;         // pixels; as high as a shard's band
+constexpr int kTileWidth = 32;  // pixels; as high as a shard's band
 constexpr int kMostBounces = 32;
-constexpr double kOffBlade = 2e-5;     // metres by which a new ray starts off the surface it leaves, so as not to meet it again
+constexpr double kOffBlade =
+    2e-5;  // metres by which a new ray starts off the surface it leaves, so as not to meet it again
 constexpr double kOffSolid = 2e-4;
-constexpr float kBrightest = 65504;    // as the scene's target holds
+constexpr float kBrightest = 65504;  // as the scene's target holds
 
 // Independent numbers of one sample: the n-th is hashUnit(hash3(seed, place, n)).
 struct Dice {
@@ -28,8 +29,10 @@ struct Dice {
 
 glm::vec3 cosineAround(const glm::vec3& n, Dice& dice) {
     const float r2 = dice.unit(), turn = f32::kTau * dice.unit(), r = std::sqrt(r2);
-    const glm::vec3 side = glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
-    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) + n * std::sqrt(std::max(1 - r2, 1e-8f)));
+    const glm::vec3 side =
+        glm::normalize(std::abs(n.y) < 0.9f ? glm::cross(n, glm::vec3(0, 1, 0)) : glm::cross(n, glm::vec3(1, 0, 0)));
+    return glm::normalize(side * (r * std::cos(turn)) + glm::cross(n, side) * (r * std::sin(turn)) +
+                          n * std::sqrt(std::max(1 - r2, 1e-8f)));
 }
 
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
@@ -55,7 +58,7 @@ struct View {
     LightsGlobals lamps{};
     f32::SkyModel sky{};
     glm::dmat4 toWorld{1};
-    glm::dvec3 eye{0};   // from the terrain's corner
+    glm::dvec3 eye{0};  // from the terrain's corner
     const GrassField* field = nullptr;
     WaterRays water{};
     bool hasSky = false, hasSun = false, hasHaze = false;
@@ -69,12 +72,14 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     v.globals.eye = glm::vec4(glm::vec3(v.eye), 0);
     const Terrain& t = *firstOf<Terrain>(scene.project);
     v.globals.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
-    v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky), v.hasHaze = has(scene.features, Feature::Fog);
+    v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky),
+    v.hasHaze = has(scene.features, Feature::Fog);
     SkySums sums;
     if (v.hasSun) addSun(v.globals, scene.project, scene.time);
     if (v.hasSky) addSky(v.globals, scene.project, scene.time, sums);
     if (v.hasHaze) addHaze(v.globals, scene.project);
-    if (has(scene.features, Feature::Lamps)) v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.mode.y);
+    if (has(scene.features, Feature::Lamps))
+        v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.mode.y);
     if (v.hasSky) v.sky = f32::skyModel(glm::vec3(v.globals.skySun), v.globals.skySun.w);
     v.field = firstOf<GrassField>(scene.project);
     v.water = WaterRays::make(scene.project, scene.time, v.eye);
@@ -84,7 +89,8 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
 glm::vec3 horizonOf(const View& v, const glm::dvec3& way) {
     const FrameGlobals& g = v.globals;
     const auto h = [&g](int i) { return glm::vec3(g.horizon[i]); };
-    return f32::horizonLight(g.horizon[0], g.horizon[1], h(2), h(3), h(4), {g.skySun.x, g.skySun.z}, {static_cast<float>(way.x), static_cast<float>(way.z)});
+    return f32::horizonLight(g.horizon[0], g.horizon[1], h(2), h(3), h(4), {g.skySun.x, g.skySun.z},
+                             {static_cast<float>(way.x), static_cast<float>(way.z)});
 }
 
 // What a ray sees that meets nothing: the sky, and the plain beyond the terrain.
@@ -92,7 +98,9 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     if (!v.hasSky) return glm::vec3(0);
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
-    if (d.y < 0) return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x, f32::plainDistance(glm::vec3(g.eye), {g.terrain.x, g.terrain.y}, d));
+    if (d.y < 0)
+        return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x,
+                               f32::plainDistance(glm::vec3(g.eye), {g.terrain.x, g.terrain.y}, d));
     glm::vec3 light = f32::skyRadianceOf(v.sky, d) * glm::vec3(g.skyGain);
     if (withSun && v.hasSun) light += glm::vec3(g.sunLight) * f32::sunDisc(glm::dot(d, glm::vec3(g.sunDirection)));
     return light;
@@ -118,8 +126,10 @@ Ray leave(const Surface& s, const glm::vec3& towards, double far, Dice& dice) {
 bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, Dice& dice, GrassMemory& memory) {
     const Ray ray = leave(s, towards, far, dice);
     if (v.scene.solids->blocks(ray)) return false;
-    if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray)) return false;
-    const bool blades = v.settings.lighting == ReferenceLighting::Full || (s.met == Met::Blade && v.field && v.field->shadowMask > 0) ||
+    if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray))
+        return false;
+    const bool blades = v.settings.lighting == ReferenceLighting::Full ||
+                        (s.met == Met::Blade && v.field && v.field->shadowMask > 0) ||
                         (s.met == Met::Ground && v.field && v.field->groundShadows);
     return !blades || !v.scene.grass->blocks(ray, memory);
 }
@@ -136,11 +146,13 @@ float untracedShare(const View& v, const Surface& s, bool casts) {
     if (s.met == Met::Flower) return s.open;
     if (!v.field) return 1;
     if (s.met == Met::Blade) return v.field->shadowMask > 0 && casts ? 1 : s.open;
-    if (s.met == Met::Ground) return v.field->groundShadows && casts ? 1 : v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    if (s.met == Met::Ground)
+        return v.field->groundShadows && casts ? 1 : v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
     return 1;
 }
 
-glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const glm::vec3& towards, double far, const glm::vec3& light, bool casts, Dice& dice, GrassMemory& memory) {
+glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const glm::vec3& towards, double far,
+                    const glm::vec3& light, bool casts, Dice& dice, GrassMemory& memory) {
     const glm::vec3 sent = sends(s, toEye, towards) * light;
     if (sent == glm::vec3(0) || (casts && !lit(v, s, towards, far, dice, memory))) return glm::vec3(0);
     return sent * untracedShare(v, s, casts);
@@ -150,12 +162,15 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const FrameGlobals& g = v.globals;
     glm::vec3 sum(0);
-    if (v.hasSun && g.sunDirection.w > 0) sum += lightFrom(v, s, toEye, glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0, dice, memory);
+    if (v.hasSun && g.sunDirection.w > 0)
+        sum += lightFrom(v, s, toEye, glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0, dice,
+                         memory);
     for (int i = 0; i < static_cast<int>(v.lamps.count.x); ++i) {
         const LightGlobals& l = v.lamps.lights[i];
         const glm::vec3 way = glm::vec3(l.place) - glm::vec3(s.at - v.eye) * l.place.w;
         const f32::PointLight p = f32::pointLight(way, l.color.w);
-        sum += lightFrom(v, s, toEye, p.direction, l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar, glm::vec3(l.color) * p.attenuation, i < static_cast<int>(v.lamps.count.y), dice, memory);
+        sum += lightFrom(v, s, toEye, p.direction, l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar,
+                         glm::vec3(l.color) * p.attenuation, i < static_cast<int>(v.lamps.count.y), dice, memory);
     }
     return sum;
 }
@@ -163,9 +178,13 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
 // Light from above and below as shaders have it (ReferenceLighting::Direct).
 glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
-    if (v.field && s.met != Met::Object && v.field->ambientOcclusion.present()) share *= paintedAt(v.field->ambientOcclusion.map, s.place, static_cast<double>(v.field->ambientOcclusionTiling), false).x;
+    if (v.field && s.met != Met::Object && v.field->ambientOcclusion.present())
+        share *= paintedAt(v.field->ambientOcclusion.map, s.place, static_cast<double>(v.field->ambientOcclusionTiling),
+                           false)
+                     .x;
     if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
-    return s.color * s.tint * f32::halvesLight(glm::vec3(v.globals.groundLight), glm::vec3(v.globals.skyLight), s.normal.y) * share;
+    return s.color * s.tint *
+           f32::halvesLight(glm::vec3(v.globals.groundLight), glm::vec3(v.globals.skyLight), s.normal.y) * share;
 }
 
 // The next direction of a path, and by how much it counts. A leaf sends part of it on from behind.
@@ -182,8 +201,8 @@ Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
     return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
 }
 
-// What the surface of water itself shows: the sun's glint; and of the light that enters, what its body sends back, as a factor of
-// the share that does not come through.
+// What the surface of water itself shows: the sun's glint; and of the light that enters, what its body sends back, as a
+// factor of the share that does not come through.
 struct WaterShows {
     glm::vec3 glint{0}, body{0};
 };
@@ -195,7 +214,9 @@ WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& di
     Surface s;
     s.met = Met::Water;
     s.at = w.at;
-    if (!v.hasSun || g.sunDirection.w <= 0 || (g.sunLight.w > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory))) return shows;
+    if (!v.hasSun || g.sunDirection.w <= 0 ||
+        (g.sunLight.w > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory)))
+        return shows;
     shows.body += v.water.color() * glm::vec3(g.sunLight) * sun.y;
     shows.glint = glm::vec3(g.sunLight) * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), sun);
     return shows;
@@ -213,7 +234,8 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
     path.sum += path.weight * shows.glint;
     const glm::vec3 way(path.ray.way);
     const bool up = dice.unit() < w.mirror;
-    path.ray = {w.at + glm::dvec3(0, up ? kOffSolid : -kOffSolid, 0), glm::normalize(glm::dvec3(up ? f32::mirrored(way, w.normal) : f32::refracted(way, w.normal))), 0,
+    path.ray = {w.at + glm::dvec3(0, up ? kOffSolid : -kOffSolid, 0),
+                glm::normalize(glm::dvec3(up ? f32::mirrored(way, w.normal) : f32::refracted(way, w.normal))), 0,
                 std::numeric_limits<double>::infinity(), dice.grain()};
     path.met = meet(v, path.ray, memory);
     if (up) {
@@ -224,7 +246,9 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
         path.weight *= 1 - haze;
         return;
     }
-    const glm::vec3 left = path.met ? f32::waterLeft(v.water.extinction(), static_cast<float>(path.met->t), static_cast<float>(v.water.level() - path.met->at.y)) : glm::vec3(0);
+    const glm::vec3 left = path.met ? f32::waterLeft(v.water.extinction(), static_cast<float>(path.met->t),
+                                                     static_cast<float>(v.water.level() - path.met->at.y))
+                                    : glm::vec3(0);
     path.sum += path.weight * shows.body * (glm::vec3(1) - left);
     path.weight *= left;
 }
@@ -255,7 +279,8 @@ glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memor
         sum += weight * directLight(v, *s, toEye, dice, memory);
         if (v.settings.lighting == ReferenceLighting::Direct) return sum + weight * ambientLight(v, *s);
         const Bounce next = bounceOff(*s, toEye, dice);
-        if (glm::dot(s->face, next.towards) * glm::dot(s->normal, next.towards) <= 0) return sum;  // a smooth normal's part below the surface
+        if (glm::dot(s->face, next.towards) * glm::dot(s->normal, next.towards) <= 0)
+            return sum;  // a smooth normal's part below the surface
         weight *= next.weight;
         if (bounce > 0) {
             const float goesOn = std::clamp(std::max({next.weight.x, next.weight.y, next.weight.z}), 0.02f, 0.95f);
@@ -307,7 +332,8 @@ void writePixel(Truth& t, size_t i, const Sums& s, int samples) {
     const glm::dvec3 mean = s.light / n, spread = glm::max(s.squares / n - mean * mean, glm::dvec3(0));
     for (int c = 0; c < 3; ++c) {
         t.color[3 * i + static_cast<size_t>(c)] = static_cast<float>(mean[c]);
-        t.error[3 * i + static_cast<size_t>(c)] = samples > 1 ? static_cast<float>(std::sqrt(spread[c] / (n - 1))) : std::numeric_limits<float>::infinity();
+        t.error[3 * i + static_cast<size_t>(c)] =
+            samples > 1 ? static_cast<float>(std::sqrt(spread[c] / (n - 1))) : std::numeric_limits<float>::infinity();
     }
     t.grass[i] = static_cast<float>(s.grass / n);
 }
@@ -330,10 +356,17 @@ struct MemoryPool {
 };
 
 Status checkSettings(const ReferenceSettings& s) {
-    const auto usage = [](const std::string& message, const std::string& remedy) { return Error{ExitCode::Usage, message, "", 0, 0, remedy}; };
-    if (s.samples < 1 || s.samples > kMaxReferenceSamples) return usage(fmt::format("{} samples a pixel make no picture", s.samples), fmt::format("1 to {}", kMaxReferenceSamples));
-    if (s.width < 1 || s.height < 1 || int64_t(s.width) * s.height > kMaxReferencePixels) return usage(fmt::format("{}x{} pixels make no reference", s.width, s.height), "at least 1x1, at most 2^26 pixels, such as 8192x8192");
-    if (s.shards < 1 || s.shard < 0 || s.shard >= s.shards) return usage(fmt::format("there is no shard {} of {}", s.shard, s.shards), "write I/N, I from 0 to N-1");
+    const auto usage = [](const std::string& message, const std::string& remedy) {
+        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
+    };
+    if (s.samples < 1 || s.samples > kMaxReferenceSamples)
+        return usage(fmt::format("{} samples a pixel make no picture", s.samples),
+                     fmt::format("1 to {}", kMaxReferenceSamples));
+    if (s.width < 1 || s.height < 1 || int64_t(s.width) * s.height > kMaxReferencePixels)
+        return usage(fmt::format("{}x{} pixels make no reference", s.width, s.height),
+                     "at least 1x1, at most 2^26 pixels, such as 8192x8192");
+    if (s.shards < 1 || s.shard < 0 || s.shard >= s.shards)
+        return usage(fmt::format("there is no shard {} of {}", s.shard, s.shards), "write I/N, I from 0 to N-1");
     return {};
 }
 
@@ -344,7 +377,8 @@ ReferenceScene::ReferenceScene(ReferenceScene&&) noexcept = default;
 ReferenceScene& ReferenceScene::operator=(ReferenceScene&&) noexcept = default;
 ReferenceScene::~ReferenceScene() = default;
 
-Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tables, double time, const JobControl& control) {
+Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tables, double time,
+                                            const JobControl& control) {
     auto impl = std::make_unique<Impl>();
     impl->project = snapshot(p, tables.components);
     impl->features = sceneFeatures(impl->project.registry, tables.components);
@@ -361,12 +395,15 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     return ReferenceScene(std::move(impl));
 }
 
-Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSettings& settings, JobControl& control) const {
+Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSettings& settings,
+                                    JobControl& control) const {
     if (Status s = checkSettings(settings); !s) return s.error();
     const View view = viewFrom(*impl_, camera, settings);
     const size_t pixels = static_cast<size_t>(settings.width) * static_cast<size_t>(settings.height);
-    Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels), std::vector<float>(pixels)};
-    const int across = (settings.width + kTileWidth - 1) / kTileWidth, down = (settings.height + kShardRows - 1) / kShardRows;
+    Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
+                std::vector<float>(pixels)};
+    const int across = (settings.width + kTileWidth - 1) / kTileWidth,
+              down = (settings.height + kShardRows - 1) / kShardRows;
     MemoryPool memories;
     std::atomic<int> done{0};
     parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t tile) {
@@ -375,7 +412,8 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
         auto memory = memories.take();
         for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
             for (int x = x0; x < std::min(x0 + kTileWidth, settings.width); ++x)
-                writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x), samplePixel(view, x, y, *memory), settings.samples);
+                writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x),
+                           samplePixel(view, x, y, *memory), settings.samples);
         memories.give(std::move(memory));
         control.setProgress(static_cast<double>(++done) * settings.shards / (across * down));
     });

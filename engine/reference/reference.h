@@ -1,14 +1,13 @@
-// The ray-traced truth of a project: what its cameras would see if nothing had to be quick. Every blade that the maps call for
-// (grass_rays.h), ground and objects (solids.h), met exactly; light that reaches them traced. What techniques draw is held against
-// it (measure/).
-// Full: direct light of sun and lamps past everything that casts shadows, and light of the sky, of ground, blades and objects that
-// falls on each other, by paths (Kajiya 1986) that end by chance (Russian roulette) without bias.
-// Direct: surfaces lit as the shaders light them, by the same numerics: light from above and below by the normal, darker near a
-// blade's root and by the ambient-occlusion map; only shadows are traced, where the scene has them at all (shadowMask,
-// groundShadows). What is left against a technique is its geometry, not its light.
-// Samples of a pixel are independent (a hash of seed, pixel and sample), over the pixel's square; haze is the shaders' own.
-// Does not: depth of field, motion blur, spectra.
-// Cost: football's `human`, 640 x 480, 16 samples: docs/accuracy.md.
+// The ray-traced truth of a project: what its cameras would see if nothing had to be quick. Every blade that the maps
+// call for (grass_rays.h), ground and objects (solids.h), met exactly; light that reaches them traced. What techniques
+// draw is held against it (measure/). Full: direct light of sun and lamps past everything that casts shadows, and light
+// of the sky, of ground, blades and objects that falls on each other, by paths (Kajiya 1986) that end by chance
+// (Russian roulette) without bias. Direct: surfaces lit as the shaders light them, by the same numerics: light from
+// above and below by the normal, darker near a blade's root and by the ambient-occlusion map; only shadows are traced,
+// where the scene has them at all (shadowMask, groundShadows). What is left against a technique is its geometry, not
+// its light. Samples of a pixel are independent (a hash of seed, pixel and sample), over the pixel's square; haze is
+// the shaders' own. Does not: depth of field, motion blur, spectra. Cost: football's `human`, 640 x 480, 16 samples:
+// docs/accuracy.md.
 #pragma once
 #include <memory>
 #include <vector>
@@ -24,8 +23,8 @@ inline constexpr const char* kReferenceLightings[] = {"full", "direct"};
 
 struct ReferenceSettings {
     int width = 1024, height = 768;
-    int samples = 16;      // a pixel, 1 to kMaxReferenceSamples
-    uint32_t seed = 1;     // of the samples, never of the scene
+    int samples = 16;   // a pixel, 1 to kMaxReferenceSamples
+    uint32_t seed = 1;  // of the samples, never of the scene
     ReferenceLighting lighting = ReferenceLighting::Full;
     int shard = 0, shards = 1;  // of several machines this one's bands of kShardRows rows: the others' pixels stay 0
 };
@@ -41,7 +40,8 @@ struct Truth {
     std::vector<float> grass;  // share of the pixel's samples that meet a blade first
 };
 
-// A project prepared for rays, as it is at a scene time. Takes a copy (maps share their tiles); tracing is from any thread.
+// A project prepared for rays, as it is at a scene time. Takes a copy (maps share their tiles); tracing is from any
+// thread.
 class ReferenceScene {
   public:
     // Unsound: an object's file that cannot be read. Failed: no memory; cancelled.
@@ -49,7 +49,8 @@ class ReferenceScene {
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
     ~ReferenceScene();
-    // Failed when cancelled. Usage error: sizes below 1 or beyond kMaxReferencePixels, samples out of range, a shard that is not one of shards.
+    // Failed when cancelled. Usage error: sizes below 1 or beyond kMaxReferencePixels, samples out of range, a shard
+    // that is not one of shards.
     Result<Truth> trace(const ViewCamera& camera, const ReferenceSettings& settings, JobControl& control) const;
 
     struct Impl;

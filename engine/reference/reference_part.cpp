@@ -25,7 +25,9 @@ size_t rowsOf(const ReferenceSettings& s) {
     return n;
 }
 
-Error unsound(const std::filesystem::path& file, const std::string& what) { return {ExitCode::Unsound, what, file.string(), 0, 0, "make it again with sward reference --shard I/N"}; }
+Error unsound(const std::filesystem::path& file, const std::string& what) {
+    return {ExitCode::Unsound, what, file.string(), 0, 0, "make it again with sward reference --shard I/N"};
+}
 
 std::optional<int> numberIn(const Json& j, const char* key, int least, int most) {
     const auto at = j.object.find(key);
@@ -41,12 +43,17 @@ std::string encodePart(const ReferencePart& p) {
     const ReferenceSettings& s = p.settings;
     Json head;
     head["kind"] = kKind, head["camera"] = p.camera, head["of"] = hashHex(p.of);
-    head["width"] = s.width, head["height"] = s.height, head["samples"] = s.samples, head["shard"] = s.shard, head["shards"] = s.shards;
+    head["width"] = s.width, head["height"] = s.height, head["samples"] = s.samples, head["shard"] = s.shard,
+    head["shards"] = s.shards;
     std::string out = writeJson(head);
     std::replace(out.begin(), out.end(), '\n', ' ');
     out += '\n';
-    const auto add = [&](const std::vector<float>& from, size_t first, size_t n, size_t channels) { out.append(reinterpret_cast<const char*>(&from[first * channels]), n * channels * sizeof(float)); };
-    eachRow(s, [&](size_t first, size_t n) { add(p.truth.color, first, n, 3), add(p.truth.error, first, n, 3), add(p.truth.grass, first, n, 1); });
+    const auto add = [&](const std::vector<float>& from, size_t first, size_t n, size_t channels) {
+        out.append(reinterpret_cast<const char*>(&from[first * channels]), n * channels * sizeof(float));
+    };
+    eachRow(s, [&](size_t first, size_t n) {
+        add(p.truth.color, first, n, 3), add(p.truth.error, first, n, 3), add(p.truth.grass, first, n, 1);
+    });
     return out;
 }
 
@@ -68,26 +75,38 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     if (!head) return head.error();
     ReferencePart p;
     ReferenceSettings& s = p.settings;
-    const auto width = numberIn(*head, "width", 1, 16384), height = numberIn(*head, "height", 1, 16384), samples = numberIn(*head, "samples", 1, kMaxReferenceSamples);
-    const auto shards = numberIn(*head, "shards", 1, 1 << 20), shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1);
-    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard || !head->object.contains("of") || !head->object.contains("camera")) return unsound(file, "the part's first line does not say what it is a part of");
+    const auto width = numberIn(*head, "width", 1, 16384), height = numberIn(*head, "height", 1, 16384),
+               samples = numberIn(*head, "samples", 1, kMaxReferenceSamples);
+    const auto shards = numberIn(*head, "shards", 1, 1 << 20),
+               shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1);
+    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard ||
+        !head->object.contains("of") || !head->object.contains("camera"))
+        return unsound(file, "the part's first line does not say what it is a part of");
     s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards;
     p.camera = head->object.at("camera").text;
     p.of = std::strtoull(head->object.at("of").text.c_str(), nullptr, 16);
-    const size_t pixels = static_cast<size_t>(s.width) * static_cast<size_t>(s.height), wanted = rowsOf(s) * static_cast<size_t>(s.width) * kFloats * sizeof(float);
-    if (bytes->size() - end - 1 != wanted) return unsound(file, fmt::format("the part is damaged: {} bytes of pixels instead of {}", bytes->size() - end - 1, wanted));
-    p.truth = {s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels), std::vector<float>(pixels)};
+    const size_t pixels = static_cast<size_t>(s.width) * static_cast<size_t>(s.height),
+                 wanted = rowsOf(s) * static_cast<size_t>(s.width) * kFloats * sizeof(float);
+    if (bytes->size() - end - 1 != wanted)
+        return unsound(file, fmt::format("the part is damaged: {} bytes of pixels instead of {}",
+                                         bytes->size() - end - 1, wanted));
+    p.truth = {s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
+               std::vector<float>(pixels)};
     const char* at = bytes->data() + end + 1;
     const auto take = [&](std::vector<float>& to, size_t first, size_t n, size_t channels) {
         std::memcpy(&to[first * channels], at, n * channels * sizeof(float));
         at += n * channels * sizeof(float);
     };
-    eachRow(s, [&](size_t first, size_t n) { take(p.truth.color, first, n, 3), take(p.truth.error, first, n, 3), take(p.truth.grass, first, n, 1); });
+    eachRow(s, [&](size_t first, size_t n) {
+        take(p.truth.color, first, n, 3), take(p.truth.error, first, n, 3), take(p.truth.grass, first, n, 1);
+    });
     return p;
 }
 
 Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
-    const auto failed = [](const std::string& message, const std::string& file, const std::string& remedy) { return Error{ExitCode::Failed, message, file, 0, 0, remedy}; };
+    const auto failed = [](const std::string& message, const std::string& file, const std::string& remedy) {
+        return Error{ExitCode::Failed, message, file, 0, 0, remedy};
+    };
     if (files.empty()) return failed("there are no parts", "", "name every part");
     std::vector<std::string> from;
     Truth whole;
@@ -101,8 +120,12 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
             from.resize(static_cast<size_t>(s.shards));
             whole = part->truth, of = part->of;
         }
-        if (part->of != of || from.size() != static_cast<size_t>(s.shards)) return failed("this part is of another image than " + files[0].string(), file.string(), "project, camera, size, samples, seed, lighting and the number of shards must be the same");
-        if (!from[shard].empty()) return failed(fmt::format("shard {} is there twice, in {} too", shard, from[shard]), file.string(), "name each part once");
+        if (part->of != of || from.size() != static_cast<size_t>(s.shards))
+            return failed("this part is of another image than " + files[0].string(), file.string(),
+                          "project, camera, size, samples, seed, lighting and the number of shards must be the same");
+        if (!from[shard].empty())
+            return failed(fmt::format("shard {} is there twice, in {} too", shard, from[shard]), file.string(),
+                          "name each part once");
         from[shard] = file.string();
         eachRow(s, [&](size_t first, size_t n) {
             std::copy_n(&part->truth.color[3 * first], 3 * n, &whole.color[3 * first]);
@@ -111,7 +134,9 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
         });
     }
     for (size_t i = 0; i < from.size(); ++i)
-        if (from[i].empty()) return failed(fmt::format("shard {} of {} is missing", i, from.size()), "", fmt::format("make it with sward reference --shard {}/{}", i, from.size()));
+        if (from[i].empty())
+            return failed(fmt::format("shard {} of {} is missing", i, from.size()), "",
+                          fmt::format("make it with sward reference --shard {}/{}", i, from.size()));
     return whole;
 }
 

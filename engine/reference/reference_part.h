@@ -1,5 +1,6 @@
 // One machine's share of a reference image as a file, and the whole that shares make, bit for bit as one machine's.
-// A part: one line of JSON (what it is a part of), then float32, little-endian: color, error and grass of its rows from the top.
+// A part: one line of JSON (what it is a part of), then float32, little-endian: color, error and grass of its rows from
+// the top.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,9 +12,9 @@ namespace sward {
 
 struct ReferencePart {
     std::string camera;
-    uint64_t of = 0;      // names project, camera, time and settings but for the shard: parts of one image share it
+    uint64_t of = 0;  // names project, camera, time and settings but for the shard: parts of one image share it
     ReferenceSettings settings;
-    Truth truth;          // other shards' rows are 0
+    Truth truth;  // other shards' rows are 0
 };
 std::string encodePart(const ReferencePart& part);
 // Unsound error naming the file: unreadable, no part, truncated.

@@ -12,13 +12,17 @@ namespace {
 
 constexpr int kMaxQuads = 1024;
 
-size_t vertexAt(const TerrainSurface& s, int x, int z) { return static_cast<size_t>(z) * static_cast<size_t>(s.quadsX + 1) + static_cast<size_t>(x); }
+size_t vertexAt(const TerrainSurface& s, int x, int z) {
+    return static_cast<size_t>(z) * static_cast<size_t>(s.quadsX + 1) + static_cast<size_t>(x);
+}
 
 Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm::dvec3& origin) {
     Triangles out;
     out.positions.reserve(mesh.vertices.size());
     const glm::dvec3 at = placed.at - origin;
-    for (const MeshVertex& v : mesh.vertices) out.positions.push_back(glm::vec3(at + placed.turn * (glm::dvec3(v.position) * static_cast<double>(placed.mesh->scale))));
+    for (const MeshVertex& v : mesh.vertices)
+        out.positions.push_back(
+            glm::vec3(at + placed.turn * (glm::dvec3(v.position) * static_cast<double>(placed.mesh->scale))));
     out.indices = mesh.indices;
     return out;
 }
@@ -30,14 +34,17 @@ TerrainSurface terrainSurface(const Terrain& t) {
     s.size = t.size;
     if (t.height.present()) {
         const glm::dvec2 repeats = t.size / tilingOf(t, t.heightTiling).metres;  // a quad a texel, as far as that goes
-        const auto quads = [](double texels) { return static_cast<int>(std::clamp(std::ceil(texels), 1.0, static_cast<double>(kMaxQuads))); };
+        const auto quads = [](double texels) {
+            return static_cast<int>(std::clamp(std::ceil(texels), 1.0, static_cast<double>(kMaxQuads)));
+        };
         s.quadsX = quads(t.height.map.info().width * repeats.x);
         s.quadsZ = quads(t.height.map.info().height * repeats.y);
     }
     s.heights.resize(static_cast<size_t>(s.quadsX + 1) * static_cast<size_t>(s.quadsZ + 1));
     parallelFor(static_cast<size_t>(s.quadsZ + 1), [&](size_t z) {
         for (int x = 0; x <= s.quadsX; ++x)
-            s.heights[vertexAt(s, x, static_cast<int>(z))] = static_cast<float>(terrainHeight(t, t.size.x * x / s.quadsX, t.size.y * static_cast<double>(z) / s.quadsZ));
+            s.heights[vertexAt(s, x, static_cast<int>(z))] = static_cast<float>(
+                terrainHeight(t, t.size.x * x / s.quadsX, t.size.y * static_cast<double>(z) / s.quadsZ));
     });
     return s;
 }
@@ -50,21 +57,24 @@ glm::vec3 TerrainSurface::at(double x, double z) const {
     const double a = u - i, b = v - j;
     const double h10 = heights[vertexAt(*this, i + 1, j)], h01 = heights[vertexAt(*this, i, j + 1)];
     const double h00 = heights[vertexAt(*this, i, j)], h11 = heights[vertexAt(*this, i + 1, j + 1)];
-    const double h = a + b <= 1 ? h00 + (h10 - h00) * a + (h01 - h00) * b : h11 + (h01 - h11) * (1 - a) + (h10 - h11) * (1 - b);
+    const double h =
+        a + b <= 1 ? h00 + (h10 - h00) * a + (h01 - h00) * b : h11 + (h01 - h11) * (1 - a) + (h10 - h11) * (1 - b);
     return {static_cast<float>(x), static_cast<float>(h), static_cast<float>(z)};
 }
 
 glm::vec3 TerrainSurface::normalAt(double x, double z) const {
     const double dx = size.x / quadsX, dz = size.y / quadsZ;
     const glm::vec3 e = at(x + dx, z), w = at(x - dx, z), s = at(x, z + dz), n = at(x, z - dz);
-    return glm::normalize(glm::vec3(-(e.y - w.y) / std::max(e.x - w.x, 1e-6f), 1, -(s.y - n.y) / std::max(s.z - n.z, 1e-6f)));
+    return glm::normalize(
+        glm::vec3(-(e.y - w.y) / std::max(e.x - w.x, 1e-6f), 1, -(s.y - n.y) / std::max(s.z - n.z, 1e-6f)));
 }
 
 Triangles TerrainSurface::triangles() const {
     Triangles t;
     for (int z = 0; z <= quadsZ; ++z)
         for (int x = 0; x <= quadsX; ++x)
-            t.positions.push_back({static_cast<float>(size.x * x / quadsX), heights[vertexAt(*this, x, z)], static_cast<float>(size.y * z / quadsZ)});
+            t.positions.push_back({static_cast<float>(size.x * x / quadsX), heights[vertexAt(*this, x, z)],
+                                   static_cast<float>(size.y * z / quadsZ)});
     for (int z = 0; z < quadsZ; ++z)
         for (int x = 0; x < quadsX; ++x) {
             const auto v = [&](int i, int j) { return static_cast<uint32_t>(vertexAt(*this, x + i, z + j)); };
@@ -97,7 +107,8 @@ uint64_t sceneTrianglesHash(const Project& p) {
     const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
     const Ground ground = findGround(p);
     if (ground.terrain) {
-        add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin), add(ground.terrain->heightTiling), add(ground.terrain->mapSize);
+        add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin),
+            add(ground.terrain->heightTiling), add(ground.terrain->mapSize);
         if (ground.terrain->height.present()) add(ground.terrain->height.map.hash());
     }
     for (const PlacedMesh& placed : placedMeshes(p)) {

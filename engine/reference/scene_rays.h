@@ -8,7 +8,8 @@
 
 namespace sward {
 
-// The terrain in squares of two triangles, at most 1024 a side: the surface that rays meet, and on which points lie exactly.
+// The terrain in squares of two triangles, at most 1024 a side: the surface that rays meet, and on which points lie
+// exactly.
 struct TerrainSurface {
     glm::dvec2 size{1};
     int quadsX = 1, quadsZ = 1;

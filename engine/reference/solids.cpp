@@ -25,9 +25,10 @@ const MeshPart& partOf(const Mesh& mesh, uint32_t triangle) {
 }
 
 template <class V>
-V across(const Mesh& mesh, const TriangleHit& h, V MeshVertex::* member) {
+V across(const Mesh& mesh, const TriangleHit& h, V MeshVertex::*member) {
     const uint32_t* i = &mesh.indices[3 * static_cast<size_t>(h.triangle)];
-    return mesh.vertices[i[0]].*member * (1 - h.u - h.v) + mesh.vertices[i[1]].*member * h.u + mesh.vertices[i[2]].*member * h.v;
+    return mesh.vertices[i[0]].*member * (1 - h.u - h.v) + mesh.vertices[i[1]].*member * h.u +
+           mesh.vertices[i[2]].*member * h.v;
 }
 
 glm::vec3 towards(const glm::vec3& n, const glm::dvec3& way) { return glm::dot(glm::dvec3(n), way) > 0 ? -n : n; }
@@ -54,7 +55,9 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
             s.meshes_[file] = std::move(*mesh);
         }
         const Mesh& mesh = s.meshes_[file];
-        s.objects_.push_back({&mesh, placedMesh.at - s.ground_.origin, placedMesh.turn * static_cast<double>(placedMesh.mesh->scale), placedMesh.mesh->castShadows});
+        s.objects_.push_back({&mesh, placedMesh.at - s.ground_.origin,
+                              placedMesh.turn * static_cast<double>(placedMesh.mesh->scale),
+                              placedMesh.mesh->castShadows});
         s.imagesOf_.push_back(&s.images_[file]);
         triangles.push_back(placed(mesh, s.objects_.back().at, s.objects_.back().turn));
     }
@@ -69,7 +72,8 @@ double Solids::flatGround(const Ray& ray) const {
     if (!ground_.terrain || !level_ || ray.way.y == 0) return kNone;
     const double t = -ray.origin.y / ray.way.y;
     const glm::dvec3 at = ray.origin + ray.way * t;
-    const bool there = t > ray.near && t < ray.far && at.x >= 0 && at.z >= 0 && at.x <= ground_.terrain->size.x && at.z <= ground_.terrain->size.y;
+    const bool there = t > ray.near && t < ray.far && at.x >= 0 && at.z >= 0 && at.x <= ground_.terrain->size.x &&
+                       at.z <= ground_.terrain->size.y;
     return there ? t : kNone;
 }
 
@@ -113,7 +117,9 @@ std::optional<Surface> Solids::closest(const Ray& ray) const {
 
 bool Solids::blocks(const Ray& ray) const {
     const bool hillsCast = ground_.terrain && ground_.terrain->castShadows;
-    return closestOf(*scene_, ray, [&](const TriangleHit& h) { return h.mesh == 0 ? hillsCast : objects_[h.mesh - 1].casts; }).has_value();
+    return closestOf(*scene_, ray,
+                     [&](const TriangleHit& h) { return h.mesh == 0 ? hillsCast : objects_[h.mesh - 1].casts; })
+        .has_value();
 }
 
 glm::vec3 Solids::groundNormal(double x, double z) const {
@@ -121,8 +127,10 @@ glm::vec3 Solids::groundNormal(double x, double z) const {
     if (!t || level_) return {0, 1, 0};
     const MapInfo& info = t->height.map.info();
     const glm::dvec2 covered = tilingOf(*t, t->heightTiling).metres;
-    const double dx = std::max(static_cast<double>(t->gridSpacing), covered.x / info.width), dz = std::max(static_cast<double>(t->gridSpacing), covered.y / info.height);
-    const double rx = terrainHeight(*t, x + dx, z) - terrainHeight(*t, x - dx, z), rz = terrainHeight(*t, x, z + dz) - terrainHeight(*t, x, z - dz);
+    const double dx = std::max(static_cast<double>(t->gridSpacing), covered.x / info.width),
+                 dz = std::max(static_cast<double>(t->gridSpacing), covered.y / info.height);
+    const double rx = terrainHeight(*t, x + dx, z) - terrainHeight(*t, x - dx, z),
+                 rz = terrainHeight(*t, x, z + dz) - terrainHeight(*t, x, z - dz);
     return glm::vec3(glm::normalize(glm::dvec3(-rx / (2 * dx), 1, -rz / (2 * dz))));
 }
 
@@ -132,7 +140,8 @@ glm::vec3 Solids::soilAt(double x, double z) const {
     if (!t.terrainMap.present()) return tile;
     const Tiling tiling = tilingOf(t, t.terrainMapTiling);
     const glm::dvec2 place = glm::dvec2(x, z) / tiling.metres;
-    const glm::vec4 paint = paintedAt(t.terrainMap.map, tiling.repeats ? place : glm::clamp(place, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
+    const glm::vec4 paint = paintedAt(
+        t.terrainMap.map, tiling.repeats ? place : glm::clamp(place, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
     return f32::soilColor(tile, t.groundColor, glm::vec3(paint), paint.w);
 }
 

@@ -45,7 +45,7 @@ class Solids {
     TexelGrid tile_;
     std::map<std::string, Mesh> meshes_;
     std::map<std::string, std::vector<TexelGrid>> images_;
-    std::vector<Object> objects_;             // mesh i + 1 of the scene; mesh 0 is the ground
+    std::vector<Object> objects_;  // mesh i + 1 of the scene; mesh 0 is the ground
     std::vector<const std::vector<TexelGrid>*> imagesOf_;
     std::optional<RayScene> scene_;
 };

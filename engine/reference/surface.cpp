@@ -21,13 +21,16 @@ Taps tapsAt(double x, int n, bool repeat) {
 
 template <class F>
 glm::vec4 bilinear(const Taps& x, const Taps& y, F texel) {
-    return glm::mix(glm::mix(texel(x.a, y.a), texel(x.b, y.a), x.share), glm::mix(texel(x.a, y.b), texel(x.b, y.b), x.share), y.share);
+    return glm::mix(glm::mix(texel(x.a, y.a), texel(x.b, y.a), x.share),
+                    glm::mix(texel(x.a, y.b), texel(x.b, y.b), x.share), y.share);
 }
 
 }  // namespace
 
 glm::vec4 TexelGrid::at(double u, double v, bool repeat) const {
-    return bilinear(tapsAt(u, width, repeat), tapsAt(v, height, repeat), [&](int x, int y) { return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)]; });
+    return bilinear(tapsAt(u, width, repeat), tapsAt(v, height, repeat), [&](int x, int y) {
+        return texels[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    });
 }
 
 TexelGrid texelGridOf(const Rgba8& image) {
@@ -42,11 +45,12 @@ TexelGrid texelGridOf(const Rgba8& image) {
 
 glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb) {
     const MapInfo& info = map.info();
-    return bilinear(tapsAt(place.x * tiling, info.width, true), tapsAt(place.y * tiling, info.height, true), [&](int x, int y) {
-        glm::vec4 t(0, 0, 0, 1);
-        for (int c = 0; c < info.channels; ++c) t[c] = map.at(x, y, c);
-        return srgb ? glm::vec4(f32::srgbDecode3(glm::vec3(t)), t.w) : t;
-    });
+    return bilinear(tapsAt(place.x * tiling, info.width, true), tapsAt(place.y * tiling, info.height, true),
+                    [&](int x, int y) {
+                        glm::vec4 t(0, 0, 0, 1);
+                        for (int c = 0; c < info.channels; ++c) t[c] = map.at(x, y, c);
+                        return srgb ? glm::vec4(f32::srgbDecode3(glm::vec3(t)), t.w) : t;
+                    });
 }
 
 }  // namespace sward

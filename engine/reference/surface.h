@@ -1,6 +1,6 @@
 // What the reference's parts tell each other: rays, what they meet, and images as rays see them.
-// Positions are metres from the terrain's corner (from the world's origin without a terrain), in double: cells and hits keep
-// their digits 90 km out.
+// Positions are metres from the terrain's corner (from the world's origin without a terrain), in double: cells and hits
+// keep their digits 90 km out.
 #pragma once
 #include <glm/glm.hpp>
 #include <limits>
@@ -13,7 +13,7 @@ namespace sward {
 
 struct Ray {
     glm::dvec3 origin;
-    glm::dvec3 way;                                        // unit
+    glm::dvec3 way;  // unit
     double near = 0, far = std::numeric_limits<double>::infinity();
     uint32_t grain = 0;  // decides which part-covered edges it passes: another number, another choice
 };
@@ -40,7 +40,8 @@ struct TexelGrid {
     glm::vec4 at(double u, double v, bool repeat) const;
 };
 TexelGrid texelGridOf(const Rgba8& image);
-// A painted map read as shaders read it: it repeats `tiling` times over what a map of tiling 1 covers; colours, of sRGB maps, linear.
+// A painted map read as shaders read it: it repeats `tiling` times over what a map of tiling 1 covers; colours, of sRGB
+// maps, linear.
 glm::vec4 paintedAt(const Map& map, const glm::dvec2& place, double tiling, bool srgb);
 
 }  // namespace sward

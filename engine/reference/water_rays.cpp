@@ -19,7 +19,8 @@ WaterRays WaterRays::make(const Project& p, double time, const glm::dvec3& eye) 
     if (!w.wind_) return w;
     w.blows_ = windGlobals(*w.wind_, {eye.x, eye.z}, time);
     gustsOf(*w.wind_, w.made_);
-    w.gusts_ = w.wind_->model != static_cast<int>(WindModel::Waves) && w.wind_->gusts.present() ? &w.wind_->gusts.map : nullptr;
+    w.gusts_ = w.wind_->model != static_cast<int>(WindModel::Waves) && w.wind_->gusts.present() ? &w.wind_->gusts.map
+                                                                                                : nullptr;
     return w;
 }
 
@@ -36,7 +37,8 @@ std::optional<WaterMet> WaterRays::enters(const Ray& ray, double far) const {
         m.slope = waterSlope(globals_, at, f32::rippleShare(blowsAt(blows_, gusts_ ? *gusts_ : made_, at)));
     }
     m.normal = f32::rippleNormal(m.slope);
-    m.mirror = f32::waterFresnel(f32::roughCosine(std::max(glm::dot(m.normal, glm::vec3(-ray.way)), 0.0f), f32::kSmoothest));
+    m.mirror =
+        f32::waterFresnel(f32::roughCosine(std::max(glm::dot(m.normal, glm::vec3(-ray.way)), 0.0f), f32::kSmoothest));
     return m;
 }
 

@@ -1,5 +1,5 @@
-// The water's surface as rays meet it: a plane with every ripple, which throws part of the light back and lets the rest in, bent.
-// Does not: count from below (light that leaves the water goes straight), nor know what lies in it.
+// The water's surface as rays meet it: a plane with every ripple, which throws part of the light back and lets the rest
+// in, bent. Does not: count from below (light that leaves the water goes straight), nor know what lies in it.
 #pragma once
 #include <optional>
 
@@ -15,12 +15,13 @@ struct WaterMet {
     double t = 0;
     glm::vec2 slope{0};
     glm::vec3 normal{0, 1, 0};
-    float mirror = 0;      // share of the light that is thrown back
+    float mirror = 0;  // share of the light that is thrown back
 };
 
 class WaterRays {
   public:
-    // Of the project's first Water over its terrain, about an eye (relative to the terrain's corner); `p` must outlive it.
+    // Of the project's first Water over its terrain, about an eye (relative to the terrain's corner); `p` must outlive
+    // it.
     static WaterRays make(const Project& p, double time, const glm::dvec3& eye);
     // A ray that comes down from above and meets the surface before `far`.
     std::optional<WaterMet> enters(const Ray& ray, double far) const;

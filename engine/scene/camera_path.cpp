@@ -10,12 +10,15 @@ struct Station {
     glm::dvec3 eye, target;
     double fov;
 };
-Station operator+(const Station& a, const Station& b) { return {a.seconds + b.seconds, a.eye + b.eye, a.target + b.target, a.fov + b.fov}; }
+Station operator+(const Station& a, const Station& b) {
+    return {a.seconds + b.seconds, a.eye + b.eye, a.target + b.target, a.fov + b.fov};
+}
 Station operator*(double f, const Station& a) { return {f * a.seconds, f * a.eye, f * a.target, f * a.fov}; }
 
 std::vector<Station> stationsOf(const CameraPath& path) {
     std::vector<Station> out;
-    for (const CameraKey& k : path.keys) out.push_back({static_cast<double>(k.seconds), k.eye, k.target, static_cast<double>(k.fovDeg)});
+    for (const CameraKey& k : path.keys)
+        out.push_back({static_cast<double>(k.seconds), k.eye, k.target, static_cast<double>(k.fovDeg)});
     std::stable_sort(out.begin(), out.end(), [](const Station& a, const Station& b) { return a.seconds < b.seconds; });
     return out;
 }
@@ -27,7 +30,8 @@ Station rate(const Station& a, const Station& b) {
 }
 // Slope at s[i], of the parabola through it and its neighbours; at an end or a cut that of the one side there is.
 Station slopeAt(const std::vector<Station>& s, size_t i) {
-    const double before = i > 0 ? s[i].seconds - s[i - 1].seconds : 0, after = i + 1 < s.size() ? s[i + 1].seconds - s[i].seconds : 0;
+    const double before = i > 0 ? s[i].seconds - s[i - 1].seconds : 0,
+                 after = i + 1 < s.size() ? s[i + 1].seconds - s[i].seconds : 0;
     if (before <= 0 && after <= 0) return {0, {}, {}, 0};
     if (before <= 0) return rate(s[i], s[i + 1]);
     if (after <= 0) return rate(s[i - 1], s[i]);
@@ -35,14 +39,16 @@ Station slopeAt(const std::vector<Station>& s, size_t i) {
 }
 Station between(const std::vector<Station>& s, size_t i, double seconds) {
     const double dt = s[i + 1].seconds - s[i].seconds, t = (seconds - s[i].seconds) / dt, u = 1 - t;
-    return (u * u * (1 + 2 * t)) * s[i] + (t * t * (1 + 2 * u)) * s[i + 1] + (u * u * t * dt) * slopeAt(s, i) + (-t * t * u * dt) * slopeAt(s, i + 1);
+    return (u * u * (1 + 2 * t)) * s[i] + (t * t * (1 + 2 * u)) * s[i + 1] + (u * u * t * dt) * slopeAt(s, i) +
+           (-t * t * u * dt) * slopeAt(s, i + 1);
 }
 
 }  // namespace
 
 Camera cameraOn(const CameraPath& path, double seconds) {
     const std::vector<Station> s = stationsOf(path);
-    const auto after = std::upper_bound(s.begin(), s.end(), seconds, [](double t, const Station& k) { return t < k.seconds; });
+    const auto after =
+        std::upper_bound(s.begin(), s.end(), seconds, [](double t, const Station& k) { return t < k.seconds; });
     const size_t i = static_cast<size_t>(after - s.begin());
     const Station at = i == 0 ? s.front() : i == s.size() ? s.back() : between(s, i - 1, seconds);
     Camera c{at.eye, at.target, static_cast<float>(std::clamp(at.fov, 1.0, 170.0)), path.exposure};

@@ -95,8 +95,10 @@ constexpr FieldRow kTerrainFields[] = {
          "how far the finest level reaches; each next level doubles it"),
     map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
         "colour and opacity blended over the tile texture"),
-    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling, "repeats of the height map over mapSize, every other one mirrored"),
-    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling, "repeats of the terrain map over mapSize"),
+    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling,
+         "repeats of the height map over mapSize, every other one mirrored"),
+    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling,
+         "repeats of the terrain map over mapSize"),
     real("mapSize", offsetof(Terrain, mapSize), "m", {0, 1e6, 0, 1000},
          "length over which every map's tiling counts its repeats; 0: the whole terrain"),
     imageFile("groundTexture", offsetof(Terrain, groundTexture),
@@ -122,7 +124,8 @@ constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
     map("density", offsetof(Species, density), 1, PixelType::U16,
         "where it grows: share of bladesPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Species, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
+    real("densityTiling", offsetof(Species, densityTiling), "", kTiling,
+         "repeats of the density map over the terrain's mapSize"),
     real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
          "blades on a square metre at density 1"),
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
@@ -134,9 +137,11 @@ constexpr FieldRow kSpeciesFields[] = {
     real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
          "how much the lean differs, both ways"),
     real("stiffness", offsetof(Species, stiffness), "", {0.05, 100, 0.25, 4},
-         "how much it resists the wind: 2 leans half as far, 0.5 twice as far; what presses it lays it down all the same"),
+         "how much it resists the wind: 2 leans half as far, 0.5 twice as far; what presses it lays it down all the "
+         "same"),
     number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
-    number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16}, "quads along a blade at most, where it is tessellated"),
+    number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16},
+           "quads along a blade at most, where it is tessellated"),
     imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
     color("rootColor", offsetof(Species, rootColor), kReflectance, "reflectance at the root"),
     color("midColor", offsetof(Species, midColor), kReflectance, "reflectance half-way up"),
@@ -185,39 +190,60 @@ constexpr FieldRow kGrassFieldFields[] = {
     distance("minBTF", offsetof(GrassField, minBTF), kTierDistance, "up to here every vertical slice is drawn"),
     distance("maxBTF", offsetof(GrassField, maxBTF), kTierDistance,
              "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
-    whole("slices", offsetof(GrassField, slices), "", {1, 64, 4, 20}, "vertical slices through a cell along x, and as many along z"),
-    whole("sliceWidth", offsetof(GrassField, sliceWidth), "texels", kSliceTexels, "width of a vertical slice's images, made a power of two"),
-    whole("sliceHeight", offsetof(GrassField, sliceHeight), "texels", kSliceTexels, "height of a vertical slice's images, made a power of two"),
-    whole("farSize", offsetof(GrassField, farSize), "texels", kSliceTexels, "side of the horizontal slice's images, made a power of two"),
+    whole("slices", offsetof(GrassField, slices), "", {1, 64, 4, 20},
+          "vertical slices through a cell along x, and as many along z"),
+    whole("sliceWidth", offsetof(GrassField, sliceWidth), "texels", kSliceTexels,
+          "width of a vertical slice's images, made a power of two"),
+    whole("sliceHeight", offsetof(GrassField, sliceHeight), "texels", kSliceTexels,
+          "height of a vertical slice's images, made a power of two"),
+    whole("farSize", offsetof(GrassField, farSize), "texels", kSliceTexels,
+          "side of the horizontal slice's images, made a power of two"),
     real("farHeight", offsetof(GrassField, farHeight), "", kShare,
          "where the horizontal slice lies, as a share of the tallest blade's height"),
-    choice("storage", offsetof(GrassField, storage), kStorages, "how slices are stored: factored, compressed, or an image a light as published"),
+    choice("storage", offsetof(GrassField, storage), kStorages,
+           "how slices are stored: factored, compressed, or an image a light as published"),
     choice("sliceCover", offsetof(GrassField, sliceCover), kSliceCovers,
            "slices cover what the blades would in this view, or all that they hold, as published"),
-    choice("lightWeights", offsetof(GrassField, lightWeights), kLightWeights, "how a slice's images are weighted by the light: by its cosine, or interpolated by a form of equations 8-13"),
+    choice(
+        "lightWeights", offsetof(GrassField, lightWeights), kLightWeights,
+        "how a slice's images are weighted by the light: by its cosine, or interpolated by a form of equations 8-13"),
     choice("weightsAt", offsetof(GrassField, weightsAt), kWeightsAt, "where point lights' weights are computed"),
-    choice("transparency", offsetof(GrassField, transparency), kTransparencies, "how part-covered pixels are drawn (figure 21)"),
+    choice("transparency", offsetof(GrassField, transparency), kTransparencies,
+           "how part-covered pixels are drawn (figure 21)"),
     choice("filtering", offsetof(GrassField, filtering), kFilterings, "how the horizontal slice is filtered"),
     real("sharpness", offsetof(GrassField, sharpness), "levels", {-2, 8, 0, 4},
          "how much finer than a pixel slices are sampled: 0 smooth, more as grainy as blades"),
-    whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256}, "width of the mask by which blades shade blades; 0: they do not"),
+    whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256},
+          "width of the mask by which blades shade blades; 0: they do not"),
     number(FieldType::Bool, "groundShadows", offsetof(GrassField, groundShadows), "", {}, "blades shade the ground"),
-    real("maxDistance", offsetof(GrassField, maxDistance), "m", {0.1, 1e6, 5, 200}, "tessellated: from here no blade is drawn"),
-    choice("levelBy", offsetof(GrassField, levelBy), kLevelsBy, "tessellated: what says how fine a blade is, its distance or its length on screen"),
-    real("pixelsPerQuad", offsetof(GrassField, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40}, "tessellated by pixels: length of a blade's quad on screen"),
-    real("thinning", offsetof(GrassField, thinning), "", kShare, "tessellated: share of the blades that is missing at maxDistance"),
-    flag("widening", offsetof(GrassField, widening), "tessellated: blades that are left are wider, so as to cover as much"),
-    real("lowerFrom", offsetof(GrassField, lowerFrom), "", kShare, "tessellated: share of maxDistance from which blades get lower; 1: they do not"),
-    choice("beyond", offsetof(GrassField, beyond), kBeyonds, "tessellated: what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
+    real("maxDistance", offsetof(GrassField, maxDistance), "m", {0.1, 1e6, 5, 200},
+         "tessellated: from here no blade is drawn"),
+    choice("levelBy", offsetof(GrassField, levelBy), kLevelsBy,
+           "tessellated: what says how fine a blade is, its distance or its length on screen"),
+    real("pixelsPerQuad", offsetof(GrassField, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40},
+         "tessellated by pixels: length of a blade's quad on screen"),
+    real("thinning", offsetof(GrassField, thinning), "", kShare,
+         "tessellated: share of the blades that is missing at maxDistance"),
+    flag("widening", offsetof(GrassField, widening),
+         "tessellated: blades that are left are wider, so as to cover as much"),
+    real("lowerFrom", offsetof(GrassField, lowerFrom), "", kShare,
+         "tessellated: share of maxDistance from which blades get lower; 1: they do not"),
+    choice("beyond", offsetof(GrassField, beyond), kBeyonds,
+           "tessellated: what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
     choice("tessellation", offsetof(GrassField, tessellation), kTessellations,
            "tessellated: by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
     choice("culling", offsetof(GrassField, culling), kCullings,
-           "who chooses the cells of which blades are drawn: the CPU, or the GPU; auto: what is faster here. The picture is the same"),
+           "who chooses the cells of which blades are drawn: the CPU, or the GPU; auto: what is faster here. The "
+           "picture is the same"),
     real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
-    choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs, "blurs what is far, against sparkling: with equal weights, or a bell's"),
-    real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300}, "distance at which that blur is full"),
-    real("farDarkening", offsetof(GrassField, farDarkening), "", kShare, "share of their light that far blades lose, which shows depth; 0: none"),
-    real("farDarkeningDistance", offsetof(GrassField, farDarkeningDistance), "m", {0.1, 1e6, 10, 300}, "distance at which they have lost it"),
+    choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs,
+           "blurs what is far, against sparkling: with equal weights, or a bell's"),
+    real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300},
+         "distance at which that blur is full"),
+    real("farDarkening", offsetof(GrassField, farDarkening), "", kShare,
+         "share of their light that far blades lose, which shows depth; 0: none"),
+    real("farDarkeningDistance", offsetof(GrassField, farDarkeningDistance), "m", {0.1, 1e6, 10, 300},
+         "distance at which they have lost it"),
     map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
         "direction x, z about 0.5 in which blades lean"),
     map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
@@ -225,27 +251,37 @@ constexpr FieldRow kGrassFieldFields[] = {
     map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
         "share of the sky that the ground sees"),
     forces("forces", offsetof(GrassField, forces),
-        "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
-    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8, "share of their height that blades have; none: all of it"),
+           "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8,
+        "share of their height that blades have; none: all of it"),
     real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
          "repeats of the orientation map over the terrain's mapSize"),
     real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
          "repeats of the vegetation map over the terrain's mapSize"),
     real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
          "repeats of the ambient-occlusion map over the terrain's mapSize"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling, "repeats of the map of forces over the terrain's mapSize"),
-    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling, "repeats of the blade-height map over the terrain's mapSize"),
+    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling,
+         "repeats of the map of forces over the terrain's mapSize"),
+    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling,
+         "repeats of the blade-height map over the terrain's mapSize"),
     choice("population", offsetof(GrassField, population), kPopulations,
            "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
 };
 // Which tiers a field is drawn with.
 FeatureSet tierFeatures(const GrassField& g) {
     switch (static_cast<Technique>(g.technique)) {
-        case Technique::Geometry: return featureSet(Feature::GrassGeometry);
-        case Technique::Slices: return featureSet(Feature::GrassSlices, Feature::GrassFar);
-        case Technique::Flat: return featureSet(Feature::GrassFar);
-        case Technique::Tessellated: return g.beyond == static_cast<int>(Beyond::Slice) ? featureSet(Feature::GrassTessellated, Feature::GrassFar) : featureSet(Feature::GrassTessellated);
-        default: break;
+        case Technique::Geometry:
+            return featureSet(Feature::GrassGeometry);
+        case Technique::Slices:
+            return featureSet(Feature::GrassSlices, Feature::GrassFar);
+        case Technique::Flat:
+            return featureSet(Feature::GrassFar);
+        case Technique::Tessellated:
+            return g.beyond == static_cast<int>(Beyond::Slice)
+                       ? featureSet(Feature::GrassTessellated, Feature::GrassFar)
+                       : featureSet(Feature::GrassTessellated);
+        default:
+            break;
     }
     FeatureSet s;
     if (g.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
@@ -292,13 +328,16 @@ constexpr FieldRow kLightFields[] = {
            "directional: from so far that all of it comes from one side, the first of them the sun; point: a lamp"),
     real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360},
          "where it stands, clockwise from north (-z); where on its circle a point light starts"),
-    real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90}, "height of a directional light over the horizon"),
+    real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90},
+         "height of a directional light over the horizon"),
     real("intensity", offsetof(Light, intensity), "", {0, kBrightest, 0, 4}, "factor of its light; 0: it is off"),
     color("color", offsetof(Light, color), {0, kBrightest, 0, 1}, "factor of its colour"),
     real("attenuation", offsetof(Light, attenuation), "1/m2", {0, 1e6, 0, 4},
          "how fast a point light fades: intensity / (1 + attenuation * distance^2)"),
-    number(FieldType::Bool, "castShadows", offsetof(Light, castShadows), "", {}, "what stands in its light throws a shadow"),
-    real("orbitRadius", offsetof(Light, orbitRadius), "m", {0, 1e6, 0, 20}, "radius of a point light's circle around its place"),
+    number(FieldType::Bool, "castShadows", offsetof(Light, castShadows), "", {},
+           "what stands in its light throws a shadow"),
+    real("orbitRadius", offsetof(Light, orbitRadius), "m", {0, 1e6, 0, 20},
+         "radius of a point light's circle around its place"),
     real("orbitSeconds", offsetof(Light, orbitSeconds), "s", {0, 1e9, 0, 120},
          "time of a turn of a point light's circle or of a directional light's azimuth; 0: it stands still"),
 };
@@ -311,7 +350,8 @@ FeatureSet lightFeatures(const void* component) {
 }
 
 constexpr FieldRow kSkyFields[] = {
-    choice("model", offsetof(Sky, model), kSkyModels, "clear: by sun and turbidity; uniform: equally bright everywhere, as under clouds"),
+    choice("model", offsetof(Sky, model), kSkyModels,
+           "clear: by sun and turbidity; uniform: equally bright everywhere, as under clouds"),
     real("turbidity", offsetof(Sky, turbidity), "", {1.7, 12, 2, 8}, "how hazy the air is: 2 clear, 8 thick haze"),
     real("intensity", offsetof(Sky, intensity), "", {0, kBrightest, 0, 4}, "factor of the sky's light; 0: no sky"),
 };
@@ -320,38 +360,54 @@ FeatureSet skyFeatures(const void* component) {
 }
 
 constexpr FieldRow kWindFields[] = {
-    choice("model", offsetof(Wind, model), kWindModels, "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
-    real("strength", offsetof(Wind, strength), "", {0, kStrongestWind, 0, 1}, "how far a full gust leans a blade, metres a metre, at a stiffness of 1; 0: a calm"),
-    real("azimuthDeg", offsetof(Wind, azimuthDeg), "deg", {-360, 360, 0, 360}, "where it blows to, clockwise from north (-z)"),
+    choice("model", offsetof(Wind, model), kWindModels,
+           "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
+    real("strength", offsetof(Wind, strength), "", {0, kStrongestWind, 0, 1},
+         "how far a full gust leans a blade, metres a metre, at a stiffness of 1; 0: a calm"),
+    real("azimuthDeg", offsetof(Wind, azimuthDeg), "deg", {-360, 360, 0, 360},
+         "where it blows to, clockwise from north (-z)"),
     real("speed", offsetof(Wind, speed), "m/s", {0, 100, 0, 15}, "how fast gusts and waves travel"),
     real("gustSize", offsetof(Wind, gustSize), "m", {0.1, 10000, 2, 30}, "length of a gust along the wind"),
     real("turbulence", offsetof(Wind, turbulence), "", kShare, "share of small gusts, and how much blades quiver"),
     real("quiverHz", offsetof(Wind, quiverHz), "Hz", {0, 50, 1, 6}, "how fast blades quiver"),
-    map("gusts", offsetof(Wind, gusts), 1, PixelType::U16, "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
-    real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1}, "of waves: how close they follow each other; in steps of 0.05"),
+    map("gusts", offsetof(Wind, gusts), 1, PixelType::U16,
+        "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
+    real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1},
+         "of waves: how close they follow each other; in steps of 0.05"),
     real("c2", offsetof(Wind, c2), "1/m", {0, 10, 0, 0.5}, "of waves: how they bend across the wind"),
-    real("c3", offsetof(Wind, c3), "1/m", {0, 10, 0, 1}, "of waves: the second ones, which overlap the first; in steps of 0.05"),
-    real("epsilon", offsetof(Wind, epsilon), "", {0.1, 10, 0.1, 2}, "of waves: how sharply they bend; below 0.1 neighbours would move without relation"),
+    real("c3", offsetof(Wind, c3), "1/m", {0, 10, 0, 1},
+         "of waves: the second ones, which overlap the first; in steps of 0.05"),
+    real("epsilon", offsetof(Wind, epsilon), "", {0.1, 10, 0.1, 2},
+         "of waves: how sharply they bend; below 0.1 neighbours would move without relation"),
 };
 FeatureSet windFeatures(const void* component) {
     const auto& w = *static_cast<const Wind*>(component);
     if (!(w.strength > 0)) return {};
-    return w.model == static_cast<int>(WindModel::Noise) ? featureSet(Feature::Wind, Feature::Gusts) : featureSet(Feature::Wind);
+    return w.model == static_cast<int>(WindModel::Noise) ? featureSet(Feature::Wind, Feature::Gusts)
+                                                         : featureSet(Feature::Wind);
 }
 
 constexpr FieldRow kForceFields[] = {
-    choice("shape", offsetof(ForceSource, shape), kForceShapes, "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: as the entity's StaticMesh stands on the ground. A foot without a Transform is the walker's, in play"),
-    real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5}, "how far from its middle it presses blades down, 0: nowhere; an outline presses inside, and pushes out to radius * (reach - 1) around"),
-    real("length", offsetof(ForceSource, length), "m", {0, 1000, 0.1, 2}, "of a foot, or of a wheel's tread on the ground"),
-    real("headingDeg", offsetof(ForceSource, headingDeg), "deg", {-360, 360, 0, 360}, "where a foot or wheel points, clockwise from north (-z)"),
+    choice("shape", offsetof(ForceSource, shape), kForceShapes,
+           "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: "
+           "as the entity's StaticMesh stands on the ground. A foot without a Transform is the walker's, in play"),
+    real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5},
+         "how far from its middle it presses blades down, 0: nowhere; an outline presses inside, and pushes out to "
+         "radius * (reach - 1) around"),
+    real("length", offsetof(ForceSource, length), "m", {0, 1000, 0.1, 2},
+         "of a foot, or of a wheel's tread on the ground"),
+    real("headingDeg", offsetof(ForceSource, headingDeg), "deg", {-360, 360, 0, 360},
+         "where a foot or wheel points, clockwise from north (-z)"),
     real("reach", offsetof(ForceSource, reach), "radii", {1, 20, 1, 4}, "how far around it blades are pushed aside"),
     real("strength", offsetof(ForceSource, strength), "", kShare, "share of its force; 0: none"),
-    seconds("recovery", offsetof(ForceSource, recovery), {0, 1e9, 0, 120}, "time in which its tracks recover; inf: they stay"),
+    seconds("recovery", offsetof(ForceSource, recovery), {0, 1e9, 0, 120},
+            "time in which its tracks recover; inf: they stay"),
 };
 FeatureSet forceFeatures(const void* component) {
     const auto& f = *static_cast<const ForceSource*>(component);
     if (!(f.strength > 0 && f.radius > 0)) return {};
-    return f.shape == static_cast<int>(ForceShape::Outline) ? featureSet(Feature::Forces, Feature::ForceOutlines) : featureSet(Feature::Forces);
+    return f.shape == static_cast<int>(ForceShape::Outline) ? featureSet(Feature::Forces, Feature::ForceOutlines)
+                                                            : featureSet(Feature::Forces);
 }
 
 constexpr FieldRow kFogFields[] = {
@@ -364,31 +420,44 @@ FeatureSet fogFeatures(const void* component) {
 
 // --- Water, Flowers ----------------------------------------------------------------------------------------------
 constexpr FieldRow kWaterFields[] = {
-    real("level", offsetof(Water, level), "m", {-1e5, 1e5, -10, 50}, "height of the surface, as the terrain's heights count; it stands where the ground is lower"),
-    real("clarity", offsetof(Water, clarity), "m", {0.01, 10000, 0.2, 20}, "distance over which what lies under water loses all but 2% of its contrast"),
-    color("color", offsetof(Water, color), kReflectance, "of deep water: share of the light from above that it sends back"),
-    real("ripples", offsetof(Water, ripples), "", {0, 2, 0, 1}, "slopes of ripples as a share of the open sea's in this wind; without wind it lies still"),
+    real("level", offsetof(Water, level), "m", {-1e5, 1e5, -10, 50},
+         "height of the surface, as the terrain's heights count; it stands where the ground is lower"),
+    real("clarity", offsetof(Water, clarity), "m", {0.01, 10000, 0.2, 20},
+         "distance over which what lies under water loses all but 2% of its contrast"),
+    color("color", offsetof(Water, color), kReflectance,
+          "of deep water: share of the light from above that it sends back"),
+    real("ripples", offsetof(Water, ripples), "", {0, 2, 0, 1},
+         "slopes of ripples as a share of the open sea's in this wind; without wind it lies still"),
     real("rippleSize", offsetof(Water, rippleSize), "m", {0.05, 1000, 0.2, 10}, "length of the longest ripples"),
-    real("reflection", offsetof(Water, reflection), "", kShare, "pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone"),
+    real("reflection", offsetof(Water, reflection), "", kShare,
+         "pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone"),
 };
 FeatureSet waterFeatures(const void* component) {
-    return static_cast<const Water*>(component)->reflection > 0 ? featureSet(Feature::Water, Feature::WaterReflection) : featureSet(Feature::Water);
+    return static_cast<const Water*>(component)->reflection > 0 ? featureSet(Feature::Water, Feature::WaterReflection)
+                                                                : featureSet(Feature::Water);
 }
 
 constexpr FieldRow kFlowersFields[] = {
-    map("density", offsetof(Flowers, density), 1, PixelType::U16, "where they stand: share of flowersPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling, "repeats of the density map over the terrain's mapSize"),
-    real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50}, "flowers on a square metre at density 1; 0: none"),
+    map("density", offsetof(Flowers, density), 1, PixelType::U16,
+        "where they stand: share of flowersPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling,
+         "repeats of the density map over the terrain's mapSize"),
+    real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50},
+         "flowers on a square metre at density 1; 0: none"),
     real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),
-    real("heightVariation", offsetof(Flowers, heightVariation), "", kShare, "how much heights differ, as a share, both ways"),
+    real("heightVariation", offsetof(Flowers, heightVariation), "", kShare,
+         "how much heights differ, as a share, both ways"),
     real("headSize", offsetof(Flowers, headSize), "m", {0, 5, 0.005, 0.2}, "of a head, across; 0: none"),
-    color("color", offsetof(Flowers, color), {0, 1, 0, 1}, "reflectance of petals: of each flower's somewhere between this"),
+    color("color", offsetof(Flowers, color), {0, 1, 0, 1},
+          "reflectance of petals: of each flower's somewhere between this"),
     color("secondColor", offsetof(Flowers, secondColor), {0, 1, 0, 1}, "reflectance of petals: and this"),
     color("centerColor", offsetof(Flowers, centerColor), {0, 1, 0, 1}, "reflectance of the middle of a head"),
     color("stemColor", offsetof(Flowers, stemColor), {0, 1, 0, 1}, "reflectance of stem and leaves"),
-    imageFile("texture", offsetof(Flowers, texture), "image with alpha: its top square the head, what is below it the stem; none: made by the program"),
+    imageFile("texture", offsetof(Flowers, texture),
+              "image with alpha: its top square the head, what is below it the stem; none: made by the program"),
     real("maxDistance", offsetof(Flowers, maxDistance), "m", {0.1, 10000, 5, 200}, "from here none is drawn"),
-    number(FieldType::Int, "seed", offsetof(Flowers, seed), "", {0, 2147483647, 0, 1000}, "another number: other flowers"),
+    number(FieldType::Int, "seed", offsetof(Flowers, seed), "", {0, 2147483647, 0, 1000},
+           "another number: other flowers"),
 };
 FeatureSet flowersFeatures(const void* component) {
     const auto& f = *static_cast<const Flowers*>(component);
@@ -413,9 +482,12 @@ FeatureSet staticMeshFeatures(const void* component) {
 
 // --- Rolling -----------------------------------------------------------------------------------------------------
 constexpr FieldRow kRollingFields[] = {
-    real("radius", offsetof(Rolling, radius), "m", {0.01, 100, 0.05, 2}, "size of the ball around its place that rolls in a playtest"),
-    real("friction", offsetof(Rolling, friction), "", {0, 10, 0, 0.5}, "what stops it: it rests on slopes of less than about this"),
-    real("push", offsetof(Rolling, push), "", kShare, "share of the walker's motion that it takes; 0: it stands like a wall"),
+    real("radius", offsetof(Rolling, radius), "m", {0.01, 100, 0.05, 2},
+         "size of the ball around its place that rolls in a playtest"),
+    real("friction", offsetof(Rolling, friction), "", {0, 10, 0, 0.5},
+         "what stops it: it rests on slopes of less than about this"),
+    real("push", offsetof(Rolling, push), "", kShare,
+         "share of the walker's motion that it takes; 0: it stands like a wall"),
 };
 FeatureSet rollingFeatures(const void*) { return {}; }
 
@@ -431,7 +503,8 @@ FeatureSet cameraFeatures(const void*) { return {}; }
 // --- CameraPath --------------------------------------------------------------------------------------------------
 constexpr FieldRow kCameraKeyFields[] = {
     number(FieldType::String, "name", offsetof(CameraKey, name), "", {}, "what this key is called"),
-    real("seconds", offsetof(CameraKey, seconds), "s", {0, 86400, 0, 60}, "when the camera is here, from the path's beginning"),
+    real("seconds", offsetof(CameraKey, seconds), "s", {0, 86400, 0, 60},
+         "when the camera is here, from the path's beginning"),
     number(FieldType::Vec3, "eye", offsetof(CameraKey, eye), "m", kPosition, "where the camera stands"),
     number(FieldType::Vec3, "target", offsetof(CameraKey, target), "m", kPosition, "the point it looks at"),
     real("fovDeg", offsetof(CameraKey, fovDeg), "deg", {1, 170, 20, 100}, "vertical field of view"),
@@ -444,7 +517,8 @@ constexpr FieldRow cameraKeysField() {
 }
 constexpr FieldRow kCameraPathFields[] = {
     cameraKeysField(),
-    real("exposure", offsetof(CameraPath, exposure), "stops", {-20, 20, -4, 4}, "brightens (+) or darkens (-) the pictures"),
+    real("exposure", offsetof(CameraPath, exposure), "stops", {-20, 20, -4, 4},
+         "brightens (+) or darkens (-) the pictures"),
 };
 FeatureSet cameraPathFeatures(const void*) { return {}; }
 
@@ -459,14 +533,17 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
         componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
-        componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.", kForceFields, forceFeatures),
+        componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.",
+                                  kForceFields, forceFeatures),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
-        componentRow<Water>("Water", "Water up to a level: it stands where the ground is lower.", kWaterFields, waterFeatures),
+        componentRow<Water>("Water", "Water up to a level: it stands where the ground is lower.", kWaterFields,
+                            waterFeatures),
         componentRow<Flowers>("Flowers", "Flowers over the terrain.", kFlowersFields, flowersFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
         componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),
-        componentRow<CameraPath>("CameraPath", "A way of the camera, for films.", kCameraPathFields, cameraPathFeatures),
+        componentRow<CameraPath>("CameraPath", "A way of the camera, for films.", kCameraPathFields,
+                                 cameraPathFeatures),
     };
     return kRows;
 }

@@ -26,118 +26,125 @@ struct Transform {
 // Source of the colour blend: Jahrmann and Wimmer 2013, equation 1.
 struct Terrain {
     glm::dvec2 size{40, 40};
-    MapField height;                       // float maps in metres; integer maps span heightRange
-    glm::dvec2 heightRange{0, 10};         // metres at 0 and at full scale of an integer height map
-    float gridSpacing = 0.25f;             // metres between vertices of the finest level
-    float lodDistance = 30;                // metres to which the finest level reaches; each next level doubles it
-    MapField terrainMap;                   // RGBA, colour (sRGB) and opacity over the tile texture
-    float heightTiling = 1, terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
-    float mapSize = 0;                     // metres over which all maps' tilings count, both ways; 0: the whole terrain
-    std::string groundTexture;             // PNG tiled over the ground; empty: soil made by the program
-    float tileSize = 2;                    // metres a tile of it covers
+    MapField height;                // float maps in metres; integer maps span heightRange
+    glm::dvec2 heightRange{0, 10};  // metres at 0 and at full scale of an integer height map
+    float gridSpacing = 0.25f;      // metres between vertices of the finest level
+    float lodDistance = 30;         // metres to which the finest level reaches; each next level doubles it
+    MapField terrainMap;            // RGBA, colour (sRGB) and opacity over the tile texture
+    float heightTiling = 1,
+          terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
+    float mapSize = 0;           // metres over which all maps' tilings count, both ways; 0: the whole terrain
+    std::string groundTexture;   // PNG tiled over the ground; empty: soil made by the program
+    float tileSize = 2;          // metres a tile of it covers
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
-    bool castShadows = false;              // hills shade what lies behind them
+    bool castShadows = false;                    // hills shade what lies behind them
 };
 
 // One kind of blade. Shapes: scene/population.h.
 struct Species {
     std::string name = "grass";
-    MapField density;                     // one channel; absent: 1 everywhere
-    float densityTiling = 1;              // repeats over Terrain.mapSize
-    float bladesPerM2 = 2000;             // at density 1
+    MapField density;          // one channel; absent: 1 everywhere
+    float densityTiling = 1;   // repeats over Terrain.mapSize
+    float bladesPerM2 = 2000;  // at density 1
     float height = 0.08f;
-    float heightVariation = 0.25f;        // share of the height, both ways
+    float heightVariation = 0.25f;  // share of the height, both ways
     float width = 0.004f;
-    float bend = 0.5f;                    // how far the tip droops, as a share of the length
-    float leanDeg = 8;                    // mean lean from the vertical towards the painted (or own) direction
+    float bend = 0.5f;  // how far the tip droops, as a share of the length
+    float leanDeg = 8;  // mean lean from the vertical towards the painted (or own) direction
     float leanVariationDeg = 10;
-    float stiffness = 1;                  // against the wind alone: 2 leans and quivers half as far (scene/wind.h, windStrength)
-    int segments = 3;                     // quads a blade
-    int smoothness = 5;                   // quads a blade has at most where it is tessellated
-    std::string texture;                  // PNG with alpha; empty: made by the program
+    float stiffness = 1;  // against the wind alone: 2 leans and quivers half as far (scene/wind.h, windStrength)
+    int segments = 3;     // quads a blade
+    int smoothness = 5;   // quads a blade has at most where it is tessellated
+    std::string texture;  // PNG with alpha; empty: made by the program
     glm::vec3 rootColor{0.045f, 0.065f, 0.02f};
     glm::vec3 midColor{0.055f, 0.125f, 0.03f};
     glm::vec3 tipColor{0.085f, 0.155f, 0.045f};
     float hueVariationDeg = 4;
     float lightnessVariation = 0.15f;
-    float rootOcclusion = 0.25f;          // ambient light left at the root; 1 at the tip
-    float clumpSize = 0.25f;              // metres; 0: no clumps
-    float clumpStrength = 0.5f;           // share of lean, height and tint that a clump's blades have in common
-    float translucency = 0;               // light that shines through, as a share of what is reflected; 0: none
-    float gloss = 0;                      // waxy highlight, as a factor of a leaf's (Fresnel 0.04); 0: none
-    float roughness = 0.5f;               // of the highlight
+    float rootOcclusion = 0.25f;  // ambient light left at the root; 1 at the tip
+    float clumpSize = 0.25f;      // metres; 0: no clumps
+    float clumpStrength = 0.5f;   // share of lean, height and tint that a clump's blades have in common
+    float translucency = 0;       // light that shines through, as a share of what is reflected; 0: none
+    float gloss = 0;              // waxy highlight, as a factor of a leaf's (Fresnel 0.04); 0: none
+    float roughness = 0.5f;       // of the highlight
 };
 
 // Grass over the whole terrain: what grows (population) and how it is drawn (technique, distances).
 struct GrassField {
-    int technique = 0;                    // index into kTechniques
+    int technique = 0;  // index into kTechniques
     std::vector<Species> species{1};
-    float cellSize = 0.5f;                // metres; the patch that is repeated covers one cell
+    float cellSize = 0.5f;  // metres; the patch that is repeated covers one cell
     int seed = 1;
-    float minGeom = 4;                    // blades are all there up to here ...
-    float maxGeom = 12;                   // ... and gone from here; infinite: never fades
-    float minBTF = 25;                    // vertical slices are all there up to here ...
-    float maxBTF = 40;                    // ... and gone from here
-    int slices = 10;                      // vertical slices through a cell along x, and as many along z
+    float minGeom = 4;                       // blades are all there up to here ...
+    float maxGeom = 12;                      // ... and gone from here; infinite: never fades
+    float minBTF = 25;                       // vertical slices are all there up to here ...
+    float maxBTF = 40;                       // ... and gone from here
+    int slices = 10;                         // vertical slices through a cell along x, and as many along z
     int sliceWidth = 256, sliceHeight = 64;  // texels of a vertical slice
-    int farSize = 256;                    // texels of the horizontal slice, each way
-    float farHeight = 0.3f;               // where the horizontal slice lies, as a share of the tallest blade's height
-    int storage = 0;                      // index into kStorages
-    int sliceCover = 0;                   // index into kSliceCovers
-    int lightWeights = 0;                 // index into kLightWeights
-    int weightsAt = 0;                    // index into kWeightsAt
-    int transparency = 0;                 // index into kTransparencies
-    int filtering = 0;                    // index into kFilterings
-    float sharpness = 2;               // levels of detail by which slices are sampled finer than a pixel
-    int shadowMask = 64;                  // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
-    bool groundShadows = true;            // blades shade the ground
+    int farSize = 256;                       // texels of the horizontal slice, each way
+    float farHeight = 0.3f;     // where the horizontal slice lies, as a share of the tallest blade's height
+    int storage = 0;            // index into kStorages
+    int sliceCover = 0;         // index into kSliceCovers
+    int lightWeights = 0;       // index into kLightWeights
+    int weightsAt = 0;          // index into kWeightsAt
+    int transparency = 0;       // index into kTransparencies
+    int filtering = 0;          // index into kFilterings
+    float sharpness = 2;        // levels of detail by which slices are sampled finer than a pixel
+    int shadowMask = 64;        // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
+    bool groundShadows = true;  // blades shade the ground
     // Of the technique "tessellated" (Jahrmann and Wimmer 2013):
-    float maxDistance = 25;               // metres from which no blade is drawn
-    int levelBy = 0;                      // index into kLevelsBy
-    float pixelsPerQuad = 8;              // that a quad of a blade is long, by pixels
-    float thinning = 0.75f;               // share of the blades that is missing at maxDistance; linear in the distance
-    bool widening = true;                 // those that are left are wider, so as to cover as much
-    float lowerFrom = 0.8f;               // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
-    int beyond = 0;                       // index into kBeyonds
-    int tessellation = 0;                 // index into kTessellations
-    int culling = 0;                      // index into kCullings
-    float fade = 0.4f;                    // omega: half the width of the opacity ramp over density; 0: a step
-    int farBlur = 0;                      // index into kFarBlurs
-    float farBlurDistance = 80;           // metres at which the blur is full
-    float farDarkening = 0;               // share of light that far grass loses; 0: none
-    float farDarkeningDistance = 80;      // metres at which it has lost it
-    MapField orientation;                 // two channels: direction x, z in [0,1] about 0.5; its length is the strength
-    MapField vegetation;                  // RGBA: colour (sRGB) and opacity over the blades' own
-    MapField forces;                      // RGBA: push x, z about 0.5, press; times A
-    MapField ambientOcclusion;            // one channel: share of the sky that the ground sees
-    MapField bladeHeight;                 // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
-    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1, bladeHeightTiling = 1;  // over Terrain.mapSize
-    int population = 0;                   // index into kPopulations
+    float maxDistance = 25;   // metres from which no blade is drawn
+    int levelBy = 0;          // index into kLevelsBy
+    float pixelsPerQuad = 8;  // that a quad of a blade is long, by pixels
+    float thinning = 0.75f;   // share of the blades that is missing at maxDistance; linear in the distance
+    bool widening = true;     // those that are left are wider, so as to cover as much
+    float lowerFrom = 0.8f;   // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
+    int beyond = 0;           // index into kBeyonds
+    int tessellation = 0;     // index into kTessellations
+    int culling = 0;          // index into kCullings
+    float fade = 0.4f;        // omega: half the width of the opacity ramp over density; 0: a step
+    int farBlur = 0;          // index into kFarBlurs
+    float farBlurDistance = 80;       // metres at which the blur is full
+    float farDarkening = 0;           // share of light that far grass loses; 0: none
+    float farDarkeningDistance = 80;  // metres at which it has lost it
+    MapField orientation;             // two channels: direction x, z in [0,1] about 0.5; its length is the strength
+    MapField vegetation;              // RGBA: colour (sRGB) and opacity over the blades' own
+    MapField forces;                  // RGBA: push x, z about 0.5, press; times A
+    MapField ambientOcclusion;        // one channel: share of the sky that the ground sees
+    MapField bladeHeight;  // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1,
+          bladeHeightTiling = 1;  // over Terrain.mapSize
+    int population = 0;           // index into kPopulations
 };
 inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
 enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
 // Which blades there are: one cell's, repeated in every cell; or each cell's own (scene/unique.h).
 inline constexpr const char* kPopulations[] = {"patch", "unique"};
 enum class Population { Patch, Unique };
-// How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a light.
+// How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a
+// light.
 inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
 enum class Storage { Factored, Compressed, Full };
 // How much of slices shows: as much as blades would cover in this view; or all of every slice, as published.
 inline constexpr const char* kSliceCovers[] = {"conserving", "published"};
 enum class SliceCover { Conserving, Published };
-// How a slice's images are weighted by a directional light: by the cosine that their differences give (exact where a texel
-// shows one blade), or interpolated as published, by a form of equations 8-13 (docs/numerics.md has what each costs).
-inline constexpr const char* kLightWeights[] = {"cosine", "atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published"};
+// How a slice's images are weighted by a directional light: by the cosine that their differences give (exact where a
+// texel shows one blade), or interpolated as published, by a form of equations 8-13 (docs/numerics.md has what each
+// costs).
+inline constexpr const char* kLightWeights[] = {"cosine", "atan",   "poly9",   "poly7",    "poly5",
+                                                "poly3",  "linear", "squares", "published"};
 enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
 inline constexpr const char* kWeightsAt[] = {"vertex", "pixel"};
 enum class WeightsAt { Vertex, Pixel };
 // By what a blade is tessellated: its distance (equation 4) or its length on screen (equation 5).
 inline constexpr const char* kLevelsBy[] = {"distance", "pixels"};
 enum class LevelBy { Distance, Pixels };
-// Who tessellates: the GPU's tessellation stages; a compute pass that writes strips; whichever is the faster of them here.
+// Who tessellates: the GPU's tessellation stages; a compute pass that writes strips; whichever is the faster of them
+// here.
 inline constexpr const char* kTessellations[] = {"auto", "stages", "strips"};
 enum class Tessellation { Auto, Stages, Strips };
-// Who chooses the cells of which blades are drawn: the CPU; the GPU, from the quadtree's nodes; whichever is the faster of them here.
+// Who chooses the cells of which blades are drawn: the CPU; the GPU, from the quadtree's nodes; whichever is the faster
+// of them here.
 inline constexpr const char* kCullings[] = {"auto", "cpu", "gpu"};
 enum class Culling { Auto, Cpu, Gpu };
 // How part-covered pixels are drawn (section 4.2, figure 21).
@@ -146,53 +153,56 @@ enum class Transparency { Coverage, Both, Test, Blend };
 // What is drawn where tessellated blades end: the hybrid's horizontal slice; or, as published, bare ground.
 inline constexpr const char* kBeyonds[] = {"slice", "nothing"};
 enum class Beyond { Slice, Nothing };
-// Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a bell's.
+// Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a
+// bell's.
 inline constexpr const char* kFarBlurs[] = {"none", "mean", "gaussian"};
 enum class FarBlur { None, Mean, Gaussian };
 inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
 enum class Filtering { Trilinear, Anisotropic };
 
-// A light. The first directional one, in the order of names, is the sun: its strength and colour follow from its elevation and
-// the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h): intensity 1 is 45 klx, half
-// of a noon sun, at a point light's own place or from a directional light; so a point light of attenuation 1 gives 22 klx at
-// one metre, which shows beside the sun at the exposure of day. Where lights are at a time: scene/lights.h.
+// A light. The first directional one, in the order of names, is the sun: its strength and colour follow from its
+// elevation and the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h):
+// intensity 1 is 45 klx, half of a noon sun, at a point light's own place or from a directional light; so a point light
+// of attenuation 1 gives 22 klx at one metre, which shows beside the sun at the exposure of day. Where lights are at a
+// time: scene/lights.h.
 struct Light {
-    int type = 0;                         // index into kLightTypes
-    float azimuthDeg = 135;               // clockwise from -z (north); of a point light: where on its circle it starts
-    float elevationDeg = 42;              // of a directional light
-    float intensity = 1;                  // factor
-    glm::vec3 color{1};                   // factor
-    float attenuation = 1;                // beta of a point light, 1/m2: intensity / (1 + beta d^2)
+    int type = 0;             // index into kLightTypes
+    float azimuthDeg = 135;   // clockwise from -z (north); of a point light: where on its circle it starts
+    float elevationDeg = 42;  // of a directional light
+    float intensity = 1;      // factor
+    glm::vec3 color{1};       // factor
+    float attenuation = 1;    // beta of a point light, 1/m2: intensity / (1 + beta d^2)
     bool castShadows = true;
-    float orbitRadius = 0;                // metres of the circle of a point light around its Transform's position
-    float orbitSeconds = 0;               // for one turn, of a directional light's azimuth too; 0: it stands still
+    float orbitRadius = 0;   // metres of the circle of a point light around its Transform's position
+    float orbitSeconds = 0;  // for one turn, of a directional light's azimuth too; 0: it stands still
 };
 inline constexpr const char* kLightTypes[] = {"directional", "point"};
 enum class LightType { Directional, Point };
 
 // The sky: clear by Preetham, Shirley and Smits 1999; or uniform, equally bright everywhere, as under clouds.
 struct Sky {
-    int model = 0;                        // index into kSkyModels
+    int model = 0;  // index into kSkyModels
     float turbidity = 3;
-    float intensity = 1;                  // factor
+    float intensity = 1;  // factor
 };
 
 inline constexpr const char* kSkyModels[] = {"clear", "uniform"};
 enum class SkyModel { Clear, Uniform };
 
 // Wind over the whole scene: the first by name that blows. Everything that grows leans with it (numerics/gust.h).
-// Waves: Jahrmann and Wimmer 2013, equation 9, travelling at `speed`. Noise: a picture of gusts that the wind carries along.
+// Waves: Jahrmann and Wimmer 2013, equation 9, travelling at `speed`. Noise: a picture of gusts that the wind carries
+// along.
 struct Wind {
-    int model = 1;                        // index into kWindModels
-    float strength = 0.3f;                // lean of a full gust, metres a metre of blade of stiffness 1; 0: a calm
-    float azimuthDeg = 70;                // where it blows to, clockwise from -z (north)
-    float speed = 4;                      // m/s, at which gusts and waves travel
-    float gustSize = 8;                   // metres of a gust along the wind; across it twice as much
-    float turbulence = 0.4f;              // share of small gusts, and how much blades quiver
-    float quiverHz = 3;                   // of a blade
-    MapField gusts;                       // one channel; covers 8 gusts and repeats; absent: made by the program
+    int model = 1;                           // index into kWindModels
+    float strength = 0.3f;                   // lean of a full gust, metres a metre of blade of stiffness 1; 0: a calm
+    float azimuthDeg = 70;                   // where it blows to, clockwise from -z (north)
+    float speed = 4;                         // m/s, at which gusts and waves travel
+    float gustSize = 8;                      // metres of a gust along the wind; across it twice as much
+    float turbulence = 0.4f;                 // share of small gusts, and how much blades quiver
+    float quiverHz = 3;                      // of a blade
+    MapField gusts;                          // one channel; covers 8 gusts and repeats; absent: made by the program
     float c1 = 0.2f, c2 = 0.05f, c3 = 0.1f;  // of equation 9, 1/m; c1 and c3 in twentieths, so that waves have a period
-    float epsilon = 0.5f;                 // of equation 9
+    float epsilon = 0.5f;                    // of equation 9
 };
 inline constexpr float kStrongestWind = 2;
 inline constexpr const char* kWindModels[] = {"waves", "noise"};
@@ -206,75 +216,78 @@ struct Track {
 // Presses the grass down where its Transform stands, and aside around it; what moves leaves tracks, which recover.
 // Source: Jahrmann and Wimmer 2013, section 5.2; frame/forces.h.
 struct ForceSource {
-    int shape = 2;                        // index into kForceShapes
-    float radius = 0.3f;                  // metres pressed down; of a foot or wheel, half its width; of an outline, of its rim alone
-    float length = 0.3f;                  // metres of a foot, and of a wheel's tread on the ground
-    float headingDeg = 0;                 // where a foot or wheel points, clockwise from -z (north)
-    float reach = 2;                      // radii out to which blades are pushed aside; of an outline, one less, from its edge
-    float strength = 1;                   // share; 0: none
-    float recovery = 20;                  // seconds in which a track recovers; infinite: it stays
-    std::vector<Track> tracks;            // left in playtest; never saved
+    int shape = 2;         // index into kForceShapes
+    float radius = 0.3f;   // metres pressed down; of a foot or wheel, half its width; of an outline, of its rim alone
+    float length = 0.3f;   // metres of a foot, and of a wheel's tread on the ground
+    float headingDeg = 0;  // where a foot or wheel points, clockwise from -z (north)
+    float reach = 2;       // radii out to which blades are pushed aside; of an outline, one less, from its edge
+    float strength = 1;    // share; 0: none
+    float recovery = 20;   // seconds in which a track recovers; infinite: it stays
+    std::vector<Track> tracks;  // left in playtest; never saved
 };
 inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object", "outline"};
 enum class ForceShape { Foot, Wheel, Object, Outline };
 inline constexpr const char* kOutlineOfNothing =
-    "an outline is that of the entity's StaticMesh, and it has none with a file: add one, or choose another shape; it presses nothing";
+    "an outline is that of the entity's StaticMesh, and it has none with a file: add one, or choose another shape; it "
+    "presses nothing";
 
 // Haze: what is seen fades into the horizon's colour.
 struct Fog {
-    float visibility = 4000;              // metres at which contrast has fallen to 2% (Koschmieder)
+    float visibility = 4000;  // metres at which contrast has fallen to 2% (Koschmieder)
 };
 
 // Water up to a level: it stands wherever the terrain lies lower. The first by name counts. Formulas: numerics/water.h.
 struct Water {
-    float level = 0;                      // metres, in the terrain's heights
-    float clarity = 2.5f;                 // metres over which what lies under water loses all but 2% of its contrast
+    float level = 0;                         // metres, in the terrain's heights
+    float clarity = 2.5f;                    // metres over which what lies under water loses all but 2% of its contrast
     glm::vec3 color{0.014f, 0.03f, 0.026f};  // of deep water: share of the light from above that it sends back
-    float ripples = 0.35f;                // slopes as a share of the open sea's in this wind; in a calm it lies still
-    float rippleSize = 1.2f;              // metres of the longest ripples
-    float reflection = 0.5f;              // pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone
+    float ripples = 0.35f;    // slopes as a share of the open sea's in this wind; in a calm it lies still
+    float rippleSize = 1.2f;  // metres of the longest ripples
+    float reflection =
+        0.5f;  // pixels of the mirrored view, as a share of the picture's, each way; 0: it mirrors the sky alone
 };
 
 // Flowers over the terrain, each a head on a stem that turns to the eye. Any number of entities may have some.
 // Source: Jahrmann and Wimmer 2013 (flowers as instanced billboards). Formulas: numerics/flower.h.
 struct Flowers {
-    MapField density;                     // one channel; absent: 1 everywhere
-    float densityTiling = 1;              // repeats over Terrain.mapSize
-    float flowersPerM2 = 3;               // at density 1
-    float height = 0.3f;                  // metres from the ground to the head
-    float heightVariation = 0.3f;         // share of the height, both ways
-    float headSize = 0.035f;              // metres across
-    glm::vec3 color{0.72f, 0.7f, 0.64f};  // of petals; of each flower's somewhere between this ...
+    MapField density;                           // one channel; absent: 1 everywhere
+    float densityTiling = 1;                    // repeats over Terrain.mapSize
+    float flowersPerM2 = 3;                     // at density 1
+    float height = 0.3f;                        // metres from the ground to the head
+    float heightVariation = 0.3f;               // share of the height, both ways
+    float headSize = 0.035f;                    // metres across
+    glm::vec3 color{0.72f, 0.7f, 0.64f};        // of petals; of each flower's somewhere between this ...
     glm::vec3 secondColor{0.72f, 0.7f, 0.64f};  // ... and this
     glm::vec3 centerColor{0.55f, 0.34f, 0.02f};
     glm::vec3 stemColor{0.05f, 0.1f, 0.025f};
-    std::string texture;                  // PNG with alpha: its top square the head, what is below it the stem; empty: made by the program
-    float maxDistance = 40;               // metres from which none is drawn
+    std::string
+        texture;  // PNG with alpha: its top square the head, what is below it the stem; empty: made by the program
+    float maxDistance = 40;  // metres from which none is drawn
     int seed = 1;
 };
 
 // An object standing where its Transform says: bench, stone, house. Files: scene/mesh_io.h.
 struct StaticMesh {
-    std::string file;                     // .glb or .gltf; empty: nothing to see
-    glm::dvec3 rotationDeg{0};            // about x, then z, then y (heading, counter-clockwise from above)
+    std::string file;           // .glb or .gltf; empty: nothing to see
+    glm::dvec3 rotationDeg{0};  // about x, then z, then y (heading, counter-clockwise from above)
     float scale = 1;
-    bool onGround = true;                 // the Transform's y counts from the ground below; else from the world's origin
+    bool onGround = true;  // the Transform's y counts from the ground below; else from the world's origin
     bool castShadows = true;
 };
 
-// What rolls in a playtest: down slopes, and pushed by the walker and by others of its kind. A ball about the Transform's place
-// (with a StaticMesh: about the mesh's origin). Out of play it stands still.
+// What rolls in a playtest: down slopes, and pushed by the walker and by others of its kind. A ball about the
+// Transform's place (with a StaticMesh: about the mesh's origin). Out of play it stands still.
 struct Rolling {
     float radius = 0.25f;
-    float friction = 0.06f;               // of rolling: on a slope of less than about this it comes to rest
-    float push = 0.6f;                    // share of the walker's motion that it takes; 0: it stands like a wall
+    float friction = 0.06f;  // of rolling: on a slope of less than about this it comes to rest
+    float push = 0.6f;       // share of the walker's motion that it takes; 0: it stands like a wall
 };
 
 struct Camera {
     glm::dvec3 eye{2, 1.7, 2};
     glm::dvec3 target{20, 0, 20};
-    float fovDeg = 55;                    // vertical
-    float exposure = 0;                   // stops
+    float fovDeg = 55;   // vertical
+    float exposure = 0;  // stops
 };
 
 // Where a camera is at a second of its way.
@@ -285,10 +298,11 @@ struct CameraKey {
     glm::dvec3 target{20, 0, 20};
     float fovDeg = 55;
 };
-// A way that a camera takes, through its keys (scene/camera_path.h): for films, and for what changes from picture to picture.
+// A way that a camera takes, through its keys (scene/camera_path.h): for films, and for what changes from picture to
+// picture.
 struct CameraPath {
-    std::vector<CameraKey> keys;          // used in the order of their seconds
-    float exposure = 0;                   // stops
+    std::vector<CameraKey> keys;  // used in the order of their seconds
+    float exposure = 0;           // stops
 };
 
 // The rows of the components above, in file order.

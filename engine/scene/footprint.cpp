@@ -44,7 +44,9 @@ std::vector<Corners> lowParts(const Mesh& mesh, const glm::mat3& turn, float top
 void place(Footprint& f, const std::vector<Corners>& parts) {
     glm::vec2 low(kInf), high(-kInf);
     for (const Corners& c : parts)
-        for (size_t i = 0; i < c.count; ++i) low = glm::min(low, c.at[i]), high = glm::max(high, c.at[i]), f.farthest = std::max(f.farthest, glm::length(c.at[i]));
+        for (size_t i = 0; i < c.count; ++i)
+            low = glm::min(low, c.at[i]), high = glm::max(high, c.at[i]),
+            f.farthest = std::max(f.farthest, glm::length(c.at[i]));
     const glm::vec2 size = high - low;
     const float longer = std::max({size.x, size.y, 1e-3f});
     f.texel = 2 * longer / kFootprintSide;
@@ -59,7 +61,8 @@ void cover(const Footprint& f, const Corners& c, std::vector<uint8_t>& covered) 
     std::array<glm::vec2, 4> p;
     for (size_t i = 0; i < c.count; ++i) p[i] = (c.at[i] - f.low) / f.texel;
     const auto mark = [&](int x, int y) {
-        if (x >= 0 && y >= 0 && x < f.width && y < f.height) covered[static_cast<size_t>(y) * static_cast<size_t>(f.width) + static_cast<size_t>(x)] = 1;
+        if (x >= 0 && y >= 0 && x < f.width && y < f.height)
+            covered[static_cast<size_t>(y) * static_cast<size_t>(f.width) + static_cast<size_t>(x)] = 1;
     };
     float top = kInf, bottom = -kInf;
     for (size_t i = 0; i < c.count; ++i) {
@@ -80,14 +83,18 @@ void cover(const Footprint& f, const Corners& c, std::vector<uint8_t>& covered) 
             const float x = a.x + (b.x - a.x) * (middle - a.y) / (b.y - a.y);
             left = std::min(left, x), right = std::max(right, x);
         }
-        for (int x = std::max(static_cast<int>(std::ceil(left - 0.5f)), 0); left <= right && x <= std::min(static_cast<int>(std::floor(right - 0.5f)), f.width - 1); ++x) mark(x, y);
+        for (int x = std::max(static_cast<int>(std::ceil(left - 0.5f)), 0);
+             left <= right && x <= std::min(static_cast<int>(std::floor(right - 0.5f)), f.width - 1); ++x)
+            mark(x, y);
     }
 }
 
-// Squared distances along a line, each the least of from[q] + (p - q)^2: the lower envelope of parabolas (Felzenszwalb and Huttenlocher).
+// Squared distances along a line, each the least of from[q] + (p - q)^2: the lower envelope of parabolas (Felzenszwalb
+// and Huttenlocher).
 class Envelope {
   public:
-    explicit Envelope(int most) : at_(static_cast<size_t>(most)), from_(static_cast<size_t>(most)), until_(static_cast<size_t>(most) + 1) {}
+    explicit Envelope(int most)
+        : at_(static_cast<size_t>(most)), from_(static_cast<size_t>(most)), until_(static_cast<size_t>(most) + 1) {}
     void run(float* line, int n, int stride) {
         int count = 0;
         for (int q = 0; q < n; ++q) {
@@ -123,15 +130,18 @@ std::vector<float> distancesTo(const Footprint& f, const std::vector<uint8_t>& c
     for (size_t i = 0; i < d.size(); ++i) d[i] = covered[i] == wanted ? 0 : kInf;
     Envelope envelope(std::max(f.width, f.height));
     for (int x = 0; x < f.width; ++x) envelope.run(&d[static_cast<size_t>(x)], f.height, f.width);
-    for (int y = 0; y < f.height; ++y) envelope.run(&d[static_cast<size_t>(y) * static_cast<size_t>(f.width)], f.width, 1);
+    for (int y = 0; y < f.height; ++y)
+        envelope.run(&d[static_cast<size_t>(y) * static_cast<size_t>(f.width)], f.width, 1);
     for (float& v : d) v = std::sqrt(v);
     return d;
 }
 
 float bilinear(const Footprint& f, const glm::vec2& place) {
-    const glm::vec2 at = glm::clamp((place - f.low) / f.texel - 0.5f, glm::vec2(0), glm::vec2(f.width - 1, f.height - 1));
+    const glm::vec2 at =
+        glm::clamp((place - f.low) / f.texel - 0.5f, glm::vec2(0), glm::vec2(f.width - 1, f.height - 1));
     const int x = std::min(static_cast<int>(at.x), f.width - 2), y = std::min(static_cast<int>(at.y), f.height - 2);
-    const float *row = &f.distances[static_cast<size_t>(y) * static_cast<size_t>(f.width) + static_cast<size_t>(x)], *next = row + f.width;
+    const float *row = &f.distances[static_cast<size_t>(y) * static_cast<size_t>(f.width) + static_cast<size_t>(x)],
+                *next = row + f.width;
     const glm::vec2 part = at - glm::vec2(x, y);
     return glm::mix(glm::mix(row[0], row[1], part.x), glm::mix(next[0], next[1], part.x), part.y);
 }
@@ -147,13 +157,15 @@ Footprint makeFootprint(const Mesh& mesh, const glm::mat3& turn, float top) {
     for (const Corners& c : parts) cover(f, c, covered);
     f.distances = distancesTo(f, covered, 1);
     const std::vector<float> depth = distancesTo(f, covered, 0);
-    for (size_t i = 0; i < depth.size(); ++i) f.distances[i] = f.texel * (covered[i] ? 0.5f - depth[i] : f.distances[i] - 0.5f);
+    for (size_t i = 0; i < depth.size(); ++i)
+        f.distances[i] = f.texel * (covered[i] ? 0.5f - depth[i] : f.distances[i] - 0.5f);
     return f;
 }
 
 glm::vec3 outlineAt(const Footprint& f, const glm::vec2& place) {
     const glm::vec2 x(f.texel, 0), y(0, f.texel), beside = place - glm::clamp(place, f.low, f.high());
-    const glm::vec2 slope(bilinear(f, place + x) - bilinear(f, place - x), bilinear(f, place + y) - bilinear(f, place - y));
+    const glm::vec2 slope(bilinear(f, place + x) - bilinear(f, place - x),
+                          bilinear(f, place + y) - bilinear(f, place - y));
     const float far = glm::length(beside);
     return {bilinear(f, place) + far, far > 0 ? beside / far : slope / (2 * f.texel)};
 }

@@ -6,7 +6,9 @@ namespace sward {
 namespace {
 constexpr double kTau = 6.283185307179586;
 
-double angleOf(const Light& light, double seconds) { return glm::radians(double(light.azimuthDeg)) + kTau * turnOf(light, seconds); }
+double angleOf(const Light& light, double seconds) {
+    return glm::radians(double(light.azimuthDeg)) + kTau * turnOf(light, seconds);
+}
 }  // namespace
 
 Entity sunEntity(const Registry& registry) {
@@ -27,7 +29,9 @@ const Light* sunLight(const Project& project) {
     return e == kNoEntity ? nullptr : project.registry.get<Light>(e);
 }
 
-bool shines(const Light& light) { return light.intensity > 0 && std::max({light.color.x, light.color.y, light.color.z}) > 0; }
+bool shines(const Light& light) {
+    return light.intensity > 0 && std::max({light.color.x, light.color.y, light.color.z}) > 0;
+}
 
 double turnOf(const Light& light, double seconds) {
     if (!(light.orbitSeconds > 0)) return 0;

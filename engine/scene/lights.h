@@ -1,4 +1,5 @@
-// Which light is the sun, and where lights are at a time. Pure. Does not: say how bright they are (sky/sky.h, sky/lamps.h).
+// Which light is the sun, and where lights are at a time. Pure. Does not: say how bright they are (sky/sky.h,
+// sky/lamps.h).
 #pragma once
 #include <glm/glm.hpp>
 
@@ -14,8 +15,8 @@ const Light* sunLight(const Project& project);
 // Whether it gives any light.
 bool shines(const Light& light);
 
-// Share of its turn that a light has made after `seconds` of scene time, in [0, 1); 0 if it stands still. Wrapped in double,
-// so that it moves as evenly after days as at once (T-3).
+// Share of its turn that a light has made after `seconds` of scene time, in [0, 1); 0 if it stands still. Wrapped in
+// double, so that it moves as evenly after days as at once (T-3).
 double turnOf(const Light& light, double seconds);
 // Unit vector towards a directional light.
 glm::vec3 directionTo(const Light& light, double seconds);

@@ -12,8 +12,8 @@
 namespace sward {
 
 inline constexpr int kTileSize = 128;
-inline constexpr int kMaxMapSide = 16384;                   // larger maps are refused
-inline constexpr size_t kMaxMapBytes = size_t(1) << 30;     // and heavier ones
+inline constexpr int kMaxMapSide = 16384;                // larger maps are refused
+inline constexpr size_t kMaxMapBytes = size_t(1) << 30;  // and heavier ones
 
 enum class PixelType : uint8_t { U8, U16, F32 };
 constexpr size_t pixelBytes(PixelType t) { return t == PixelType::U8 ? 1 : t == PixelType::U16 ? 2 : 4; }

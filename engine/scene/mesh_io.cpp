@@ -42,17 +42,22 @@ Result<std::string> jsonText(const std::string& bytes) {
 
 // A few bytes may ask for any memory, or for what is not read here.
 Status checkHead(const Json& json) {
-    const auto list = [&](const char* name) { const Json* j = json.find(name); return j && j->isArray() ? j : nullptr; };
+    const auto list = [&](const char* name) {
+        const Json* j = json.find(name);
+        return j && j->isArray() ? j : nullptr;
+    };
     double bytes = 0;
     if (const Json* buffers = list("buffers")) {
         for (const Json& b : buffers->array)
             if (const Json* n = b.find("byteLength"); n && n->isNumber()) bytes += n->number;
         if (buffers->array.size() > kMaxBuffers || bytes > static_cast<double>(kMaxMeshBytes))
-            return unsound(fmt::format("has {} buffers of {:.0f} MB together; the limits are {} and {} MB", buffers->array.size(), bytes / 1e6,
-                                       kMaxBuffers, kMaxMeshBytes / 1'000'000), "make the object simpler");
+            return unsound(fmt::format("has {} buffers of {:.0f} MB together; the limits are {} and {} MB",
+                                       buffers->array.size(), bytes / 1e6, kMaxBuffers, kMaxMeshBytes / 1'000'000),
+                           "make the object simpler");
     }
     if (const Json* images = list("images"); images && images->array.size() > kMaxImages)
-        return unsound(fmt::format("has {} images; the limit is {}", images->array.size(), kMaxImages), "make the object simpler");
+        return unsound(fmt::format("has {} images; the limit is {}", images->array.size(), kMaxImages),
+                       "make the object simpler");
     if (const Json* needs = list("extensionsRequired"))
         for (const Json& name : needs->array)
             if (name.isString() && name.text != "KHR_texture_transform" && name.text != "KHR_materials_unlit")
@@ -90,14 +95,18 @@ tinygltf::FsCallbacks callbacks(Files& files) {
     // Later versions of the library ask for the size, too.
     [](auto& own) {
         if constexpr (requires { own.GetFileSizeInBytes; })
-            own.GetFileSizeInBytes = [](size_t* size, std::string*, const std::string&, void*) { *size = 1; return true; };
+            own.GetFileSizeInBytes = [](size_t* size, std::string*, const std::string&, void*) {
+                *size = 1;
+                return true;
+            };
     }(c);
     c.user_data = &files;
     return c;
 }
-// Images are kept as they come, and decoded if a material shows them. Those in buffer views are looked up then: here their
-// place was not yet checked.
-bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void*) {
+// Images are kept as they come, and decoded if a material shows them. Those in buffer views are looked up then: here
+// their place was not yet checked.
+bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
+               void*) {
     if (image->bufferView < 0 && size > 0) image->image.assign(bytes, bytes + size);
     image->as_is = true;
     return true;
@@ -109,8 +118,11 @@ Status parse(tinygltf::Model& model, const std::string& bytes, const std::string
     reader.SetImageLoader(keepImage, nullptr);
     std::string error, warning;
     const unsigned size = static_cast<unsigned>(bytes.size());
-    const bool done = isBinary(bytes) ? reader.LoadBinaryFromMemory(&model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                                      : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
+    const bool done =
+        isBinary(bytes)
+            ? reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
+            : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
     if (files.failed) return *files.failed;
     if (done) return {};
     return unsound("is damaged or no glTF 2.0: " + error.substr(0, error.find('\n')));
@@ -128,7 +140,8 @@ Result<Bytes> bytesOf(const tinygltf::Model& model, int view, const std::string&
     const tinygltf::BufferView& v = model.bufferViews[static_cast<size_t>(view)];
     if (v.buffer < 0 || static_cast<size_t>(v.buffer) >= model.buffers.size()) return unsound(what + " has no buffer");
     const auto& data = model.buffers[static_cast<size_t>(v.buffer)].data;
-    if (v.byteOffset > data.size() || v.byteLength > data.size() - v.byteOffset) return unsound(what + " reaches beyond its buffer");
+    if (v.byteOffset > data.size() || v.byteLength > data.size() - v.byteOffset)
+        return unsound(what + " reaches beyond its buffer");
     return Bytes{data.data() + v.byteOffset, v.byteLength};
 }
 
@@ -147,32 +160,44 @@ struct Elements {
     }
     float real(size_t i, int c) const {
         switch (componentType) {
-            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return static_cast<float>(component<uint8_t>(i, c)) / (normalized ? 255.0f : 1.0f);
-            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return static_cast<float>(component<uint16_t>(i, c)) / (normalized ? 65535.0f : 1.0f);
-            default: return component<float>(i, c);
+            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+                return static_cast<float>(component<uint8_t>(i, c)) / (normalized ? 255.0f : 1.0f);
+            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+                return static_cast<float>(component<uint16_t>(i, c)) / (normalized ? 65535.0f : 1.0f);
+            default:
+                return component<float>(i, c);
         }
     }
     uint32_t index(size_t i) const {
         switch (componentType) {
-            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return component<uint8_t>(i, 0);
-            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return component<uint16_t>(i, 0);
-            default: return component<uint32_t>(i, 0);
+            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+                return component<uint8_t>(i, 0);
+            case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+                return component<uint16_t>(i, 0);
+            default:
+                return component<uint32_t>(i, 0);
         }
     }
 };
 size_t componentBytes(int type) {
     switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-        default: return 0;
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
     }
 }
 Result<Elements> elementsOf(const tinygltf::Model& model, int accessor, int components, const std::string& what) {
-    if (accessor < 0 || static_cast<size_t>(accessor) >= model.accessors.size()) return unsound(fmt::format("{} names accessor {}, which is not there", what, accessor));
+    if (accessor < 0 || static_cast<size_t>(accessor) >= model.accessors.size())
+        return unsound(fmt::format("{} names accessor {}, which is not there", what, accessor));
     const tinygltf::Accessor& a = model.accessors[static_cast<size_t>(accessor)];
-    if (a.sparse.isSparse) return unsound(what + " is a sparse accessor, which is not read", "export it without sparse accessors");
+    if (a.sparse.isSparse)
+        return unsound(what + " is a sparse accessor, which is not read", "export it without sparse accessors");
     const int has = a.type == TINYGLTF_TYPE_SCALAR ? 1 : a.type >= 2 && a.type <= 4 ? a.type : 0;
     const size_t each = componentBytes(a.componentType);
     if (has != components || each == 0) return unsound(fmt::format("{} is of a type that is not read", what));
@@ -182,8 +207,10 @@ Result<Elements> elementsOf(const tinygltf::Model& model, int accessor, int comp
     const size_t stride = model.bufferViews[static_cast<size_t>(a.bufferView)].byteStride;
     Elements e{nullptr, a.count, stride ? stride : size, each, a.componentType, components, a.normalized};
     if (a.count == 0) return e;
-    if (a.byteOffset > bytes->size || size > bytes->size - a.byteOffset || (a.count - 1) > (bytes->size - a.byteOffset - size) / e.stride)
-        return unsound(fmt::format("{}: {} elements reach beyond the {} bytes of the buffer view", what, a.count, bytes->size));
+    if (a.byteOffset > bytes->size || size > bytes->size - a.byteOffset ||
+        (a.count - 1) > (bytes->size - a.byteOffset - size) / e.stride)
+        return unsound(
+            fmt::format("{}: {} elements reach beyond the {} bytes of the buffer view", what, a.count, bytes->size));
     e.data = bytes->data + a.byteOffset;
     return e;
 }
@@ -214,7 +241,8 @@ Result<std::vector<uint32_t>> trianglesOf(const tinygltf::Model& model, const ti
         indices = *e;
     }
     const size_t n = indices ? indices->count : vertices;
-    if (n / 3 > 3 * kMaxMeshTriangles) return unsound(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
+    if (n / 3 > 3 * kMaxMeshTriangles)
+        return unsound(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
     std::vector<uint32_t> order = triangleOrder(p.mode, n);
     for (uint32_t& i : order) {
         if (indices) i = indices->index(i);
@@ -236,18 +264,24 @@ struct Placed {
     bool mirrors() const { return glm::determinant(glm::dmat3(matrix)) < 0; }
 };
 
-Result<std::vector<MeshVertex>> verticesOf(const tinygltf::Model& model, const tinygltf::Primitive& p, const Placed& at, bool& hasNormals) {
-    const auto find = [&](const char* name) { const auto it = p.attributes.find(name); return it == p.attributes.end() ? -1 : it->second; };
+Result<std::vector<MeshVertex>> verticesOf(const tinygltf::Model& model, const tinygltf::Primitive& p, const Placed& at,
+                                           bool& hasNormals) {
+    const auto find = [&](const char* name) {
+        const auto it = p.attributes.find(name);
+        return it == p.attributes.end() ? -1 : it->second;
+    };
     const Result<Elements> positions = elementsOf(model, find("POSITION"), 3, "POSITION");
     if (!positions) return positions.error();
     hasNormals = find("NORMAL") >= 0;
     const Result<Elements> normals = hasNormals ? elementsOf(model, find("NORMAL"), 3, "NORMAL") : Elements{};
-    const Result<Elements> uvs = find("TEXCOORD_0") >= 0 ? elementsOf(model, find("TEXCOORD_0"), 2, "TEXCOORD_0") : Elements{};
+    const Result<Elements> uvs =
+        find("TEXCOORD_0") >= 0 ? elementsOf(model, find("TEXCOORD_0"), 2, "TEXCOORD_0") : Elements{};
     if (!normals) return normals.error();
     if (!uvs) return uvs.error();
     if ((hasNormals && normals->count < positions->count) || (uvs->data && uvs->count < positions->count))
         return unsound("has fewer normals or texture coordinates than positions");
-    if (positions->count > 3 * kMaxMeshTriangles) return unsound(fmt::format("has more than {} vertices", 3 * kMaxMeshTriangles), "make the object simpler");
+    if (positions->count > 3 * kMaxMeshTriangles)
+        return unsound(fmt::format("has more than {} vertices", 3 * kMaxMeshTriangles), "make the object simpler");
     const glm::dmat3 turn = at.normals();
     std::vector<MeshVertex> out(positions->count);
     for (size_t i = 0; i < out.size(); ++i) {
@@ -256,8 +290,10 @@ Result<std::vector<MeshVertex>> verticesOf(const tinygltf::Model& model, const t
         out[i].position = glm::vec3(at.matrix * glm::dvec4(raw, 1));
         out[i].uv = uvs->data ? glm::vec2(uvs->real(i, 0), uvs->real(i, 1)) : glm::vec2(0);
         if (!finite(out[i].position) || glm::length(out[i].position) > kMaxCoordinate)
-            return unsound(fmt::format("vertex {} lies nowhere: ({}, {}, {})", i, raw.x, raw.y, raw.z), "positions are finite, and within 1000 km");
-        if (!finite(normal) || !std::isfinite(out[i].uv.x + out[i].uv.y)) return unsound(fmt::format("vertex {} has a normal or texture coordinate that is not finite", i));
+            return unsound(fmt::format("vertex {} lies nowhere: ({}, {}, {})", i, raw.x, raw.y, raw.z),
+                           "positions are finite, and within 1000 km");
+        if (!finite(normal) || !std::isfinite(out[i].uv.x + out[i].uv.y))
+            return unsound(fmt::format("vertex {} has a normal or texture coordinate that is not finite", i));
         out[i].normal = unit(glm::vec3(turn * glm::dvec3(unit(normal))));
     }
     return out;
@@ -268,7 +304,8 @@ void flatten(std::vector<MeshVertex>& vertices, std::vector<uint32_t>& order) {
     std::vector<MeshVertex> flat(order.size());
     for (size_t i = 0; i < order.size(); ++i) flat[i] = vertices[order[i]];
     for (size_t i = 0; i + 2 < flat.size(); i += 3) {
-        const glm::vec3 n = unit(glm::cross(flat[i + 1].position - flat[i].position, flat[i + 2].position - flat[i].position));
+        const glm::vec3 n =
+            unit(glm::cross(flat[i + 1].position - flat[i].position, flat[i + 2].position - flat[i].position));
         for (size_t k = 0; k < 3; ++k) flat[i + k].normal = n;
     }
     for (size_t i = 0; i < order.size(); ++i) order[i] = static_cast<uint32_t>(i);
@@ -293,9 +330,11 @@ void compact(std::vector<MeshVertex>& vertices, std::vector<uint32_t>& order) {
 Result<MeshImage> decode(const Bytes& bytes) {
     int width = 0, height = 0, channels = 0;
     const int size = static_cast<int>(bytes.size);
-    if (!stbi_info_from_memory(bytes.data, size, &width, &height, &channels)) return unsound("an image is neither PNG nor JPEG, or damaged");
+    if (!stbi_info_from_memory(bytes.data, size, &width, &height, &channels))
+        return unsound("an image is neither PNG nor JPEG, or damaged");
     if (width < 1 || height < 1 || width > kMaxMeshImageSide || height > kMaxMeshImageSide)
-        return unsound(fmt::format("an image is {} x {}; the limit is {} a side", width, height, kMaxMeshImageSide), "scale it down");
+        return unsound(fmt::format("an image is {} x {}; the limit is {} a side", width, height, kMaxMeshImageSide),
+                       "scale it down");
     unsigned char* pixels = stbi_load_from_memory(bytes.data, size, &width, &height, &channels, 4);
     if (!pixels) return unsound("an image is truncated or damaged");
     MeshImage image{width, height, {pixels, pixels + static_cast<size_t>(width) * static_cast<size_t>(height) * 4}};
@@ -314,12 +353,15 @@ struct Reading {
 // The mesh's number of the image that a texture of the model shows.
 Result<int> imageOf(Reading& r, int texture) {
     const tinygltf::Model& m = r.model;
-    if (static_cast<size_t>(texture) >= m.textures.size()) return unsound("a material names a texture that is not there");
+    if (static_cast<size_t>(texture) >= m.textures.size())
+        return unsound("a material names a texture that is not there");
     const int source = m.textures[static_cast<size_t>(texture)].source;
-    if (source < 0 || static_cast<size_t>(source) >= m.images.size()) return unsound("a texture names no image that is there");
+    if (source < 0 || static_cast<size_t>(source) >= m.images.size())
+        return unsound("a texture names no image that is there");
     if (const auto known = r.images.find(source); known != r.images.end()) return known->second;
     const tinygltf::Image& image = m.images[static_cast<size_t>(source)];
-    const Result<Bytes> bytes = image.bufferView >= 0 ? bytesOf(m, image.bufferView, "an image") : Bytes{image.image.data(), image.image.size()};
+    const Result<Bytes> bytes = image.bufferView >= 0 ? bytesOf(m, image.bufferView, "an image")
+                                                      : Bytes{image.image.data(), image.image.size()};
     if (!bytes) return bytes.error();
     Result<MeshImage> decoded = decode(*bytes);
     if (!decoded) return decoded.error();
@@ -330,10 +372,12 @@ Result<int> imageOf(Reading& r, int texture) {
 Result<MeshPart> materialOf(Reading& r, int material) {
     MeshPart part;
     if (material < 0) return part;
-    if (static_cast<size_t>(material) >= r.model.materials.size()) return unsound("a primitive names a material that is not there");
+    if (static_cast<size_t>(material) >= r.model.materials.size())
+        return unsound("a primitive names a material that is not there");
     const tinygltf::Material& m = r.model.materials[static_cast<size_t>(material)];
     const auto& factor = m.pbrMetallicRoughness.baseColorFactor;
-    for (int c = 0; c < 3 && factor.size() == 4; ++c) part.color[c] = static_cast<float>(factor[static_cast<size_t>(c)]);
+    for (int c = 0; c < 3 && factor.size() == 4; ++c)
+        part.color[c] = static_cast<float>(factor[static_cast<size_t>(c)]);
     if (!finite(part.color)) return unsound("a base colour is not finite");
     part.color = glm::clamp(part.color, 0.0f, 1.0f);
     if (m.alphaMode == "MASK") part.cutoff = std::clamp(static_cast<float>(m.alphaCutoff), 0.0f, 1.0f);
@@ -354,7 +398,8 @@ Status addPrimitive(Reading& r, const tinygltf::Primitive& p, const Placed& at) 
     bool hasNormals = false;
     Result<std::vector<MeshVertex>> vertices = verticesOf(r.model, p, at, hasNormals);
     if (!vertices) return vertices.error();
-    if ((r.verticesRead += vertices->size()) > 12 * kMaxMeshTriangles) return unsound("has too many vertices", "make the object simpler");
+    if ((r.verticesRead += vertices->size()) > 12 * kMaxMeshTriangles)
+        return unsound("has too many vertices", "make the object simpler");
     Result<std::vector<uint32_t>> order = trianglesOf(r.model, p, vertices->size());
     if (!order) return order.error();
     if ((r.mesh.indices.size() + order->size()) / 3 > kMaxMeshTriangles)
@@ -377,7 +422,8 @@ glm::dmat4 matrixOf(const tinygltf::Node& n) {
         for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = n.matrix[static_cast<size_t>(i)];
         return m;
     }
-    if (n.rotation.size() == 4) m = glm::mat4_cast(glm::dquat(n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]));
+    if (n.rotation.size() == 4)
+        m = glm::mat4_cast(glm::dquat(n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]));
     for (int c = 0; c < 3 && n.scale.size() == 3; ++c) m[c] *= n.scale[static_cast<size_t>(c)];
     for (int c = 0; c < 3 && n.translation.size() == 3; ++c) m[3][c] = n.translation[static_cast<size_t>(c)];
     return m;
@@ -389,14 +435,17 @@ Status addNodes(Reading& r, int root) {
     while (!left.empty()) {
         const auto [index, parent] = left.back();
         left.pop_back();
-        if (index < 0 || static_cast<size_t>(index) >= r.model.nodes.size()) return unsound(fmt::format("names node {}, which is not there", index));
-        if (r.visited[static_cast<size_t>(index)]) return unsound(fmt::format("node {} hangs on several: nodes must make trees", index));
+        if (index < 0 || static_cast<size_t>(index) >= r.model.nodes.size())
+            return unsound(fmt::format("names node {}, which is not there", index));
+        if (r.visited[static_cast<size_t>(index)])
+            return unsound(fmt::format("node {} hangs on several: nodes must make trees", index));
         r.visited[static_cast<size_t>(index)] = true;
         const tinygltf::Node& n = r.model.nodes[static_cast<size_t>(index)];
         const Placed at{parent * matrixOf(n)};
         for (const int child : n.children) left.push_back({child, at.matrix});
         if (n.mesh < 0) continue;
-        if (static_cast<size_t>(n.mesh) >= r.model.meshes.size()) return unsound(fmt::format("node {} names mesh {}, which is not there", index, n.mesh));
+        if (static_cast<size_t>(n.mesh) >= r.model.meshes.size())
+            return unsound(fmt::format("node {} names mesh {}, which is not there", index, n.mesh));
         for (const tinygltf::Primitive& p : r.model.meshes[static_cast<size_t>(n.mesh)].primitives)
             if (Status s = addPrimitive(r, p, at); !s) return s;
     }
@@ -440,7 +489,8 @@ Result<Mesh> readFrom(const fs::path& root, const std::string& file) {
     r.visited.resize(r.model.nodes.size());
     for (const int node : *roots)
         if (Status s = addNodes(r, node); !s) return s.error();
-    if (r.mesh.indices.empty()) return unsound("has no mesh with triangles in its scene", "export the object's meshes with it");
+    if (r.mesh.indices.empty())
+        return unsound("has no mesh with triangles in its scene", "export the object's meshes with it");
     r.mesh.files = std::move(files.read);
     updateBounds(r.mesh);
     return std::move(r.mesh);
@@ -468,14 +518,16 @@ Result<Mesh> readMesh(const fs::path& root, const std::string& file) {
 namespace {
 
 // Adds bytes to the one buffer; the number of their accessor.
-int addAccessor(tinygltf::Model& m, const void* data, size_t bytes, size_t count, int componentType, int type, int target) {
+int addAccessor(tinygltf::Model& m, const void* data, size_t bytes, size_t count, int componentType, int type,
+                int target) {
     auto& buffer = m.buffers[0].data;
     tinygltf::BufferView view;
     view.buffer = 0;
     view.byteOffset = buffer.size();
     view.byteLength = bytes;
     view.target = target;
-    buffer.insert(buffer.end(), static_cast<const unsigned char*>(data), static_cast<const unsigned char*>(data) + bytes);
+    buffer.insert(buffer.end(), static_cast<const unsigned char*>(data),
+                  static_cast<const unsigned char*>(data) + bytes);
     m.bufferViews.push_back(view);
     tinygltf::Accessor accessor;
     accessor.bufferView = static_cast<int>(m.bufferViews.size()) - 1;
@@ -490,7 +542,8 @@ template <class F>
 int addVectors(tinygltf::Model& m, const Mesh& mesh, F&& of) {
     std::vector<glm::vec3> values;
     for (const MeshVertex& v : mesh.vertices) values.push_back(of(v));
-    return addAccessor(m, values.data(), values.size() * sizeof(glm::vec3), values.size(), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+    return addAccessor(m, values.data(), values.size() * sizeof(glm::vec3), values.size(),
+                       TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
 }
 
 tinygltf::Material materialFor(const MeshPart& part) {
@@ -518,8 +571,9 @@ Result<std::string> encodeGlb(const Mesh& mesh) {
         tinygltf::Primitive p;
         p.mode = TINYGLTF_MODE_TRIANGLES;
         p.attributes = {{"POSITION", positions}, {"NORMAL", normals}};
-        p.indices = addAccessor(m, &mesh.indices[part.first], part.count * 4, part.count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
-                                TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        p.indices =
+            addAccessor(m, &mesh.indices[part.first], part.count * 4, part.count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                        TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
         p.material = static_cast<int>(m.materials.size());
         m.materials.push_back(materialFor(part));
         m.meshes[0].primitives.push_back(p);
@@ -532,7 +586,8 @@ Result<std::string> encodeGlb(const Mesh& mesh) {
     m.scenes.push_back(scene);
     m.defaultScene = 0;
     std::ostringstream out;
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&m, out, false, true)) return Error{ExitCode::Failed, "the object cannot be encoded", "", 0, 0, ""};
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&m, out, false, true))
+        return Error{ExitCode::Failed, "the object cannot be encoded", "", 0, 0, ""};
     return out.str();
 }
 

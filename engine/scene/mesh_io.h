@@ -17,7 +17,8 @@ inline constexpr size_t kMaxMeshTriangles = 2'000'000;         // of all nodes t
 inline constexpr int kMaxMeshImageSide = 4096;
 
 // file: relative to root, the project's folder. Unsound error, naming the file and what to do: unreadable, truncated,
-// beyond a limit, no triangles, accessors or indices out of range, numbers that are not finite, a path that leaves the folder.
+// beyond a limit, no triangles, accessors or indices out of range, numbers that are not finite, a path that leaves the
+// folder.
 Result<Mesh> readMesh(const std::filesystem::path& root, const std::string& file);
 
 // The bytes of a .glb with the mesh; images are left out.

@@ -28,7 +28,9 @@ void box(Piece& out, const Solid& s) {
             n[axis] = side;
             u[(axis + 1) % 3] = side;
             v[(axis + 2) % 3] = 1;
-            const auto corner = [&](float a, float b) { return out.add((n + u * a + v * b) * half + glm::vec3(0, half.y, 0), n); };
+            const auto corner = [&](float a, float b) {
+                return out.add((n + u * a + v * b) * half + glm::vec3(0, half.y, 0), n);
+            };
             const uint32_t a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
             out.quad(a, b, c, d);
         }
@@ -40,7 +42,9 @@ void disc(Piece& out, float radius, float y, int sides, const glm::vec3& n) {
     for (int i = 0; i <= sides; ++i) {
         const float a = kTurn * static_cast<float>(i) / static_cast<float>(sides);
         const uint32_t at = out.add({radius * std::cos(a), y, radius * std::sin(a)}, n);
-        if (i > 0) n.y > 0 ? out.indices.insert(out.indices.end(), {middle, at, at - 1}) : out.indices.insert(out.indices.end(), {middle, at - 1, at});
+        if (i > 0)
+            n.y > 0 ? out.indices.insert(out.indices.end(), {middle, at, at - 1})
+                    : out.indices.insert(out.indices.end(), {middle, at - 1, at});
     }
 }
 
@@ -53,9 +57,12 @@ void cylinder(Piece& out, const Solid& s) {
             const float a = angle(faceted ? static_cast<float>(i) + 0.5f : k);
             return glm::normalize(glm::vec3(height * std::cos(a), bottom - top, height * std::sin(a)));
         };
-        const auto point = [&](float k, float r, float y) { return out.add({r * std::cos(angle(k)), y, r * std::sin(angle(k))}, normal(k)); };
+        const auto point = [&](float k, float r, float y) {
+            return out.add({r * std::cos(angle(k)), y, r * std::sin(angle(k))}, normal(k));
+        };
         const float k = static_cast<float>(i);
-        const uint32_t a = point(k, bottom, 0), b = point(k + 1, bottom, 0), c = point(k + 1, top, height), d = point(k, top, height);
+        const uint32_t a = point(k, bottom, 0), b = point(k + 1, bottom, 0), c = point(k + 1, top, height),
+                       d = point(k, top, height);
         out.quad(a, d, c, b);
     }
     if (bottom > 0) disc(out, bottom, 0, s.sides, {0, -1, 0});
@@ -70,7 +77,8 @@ float noise(const glm::vec3& p, uint32_t seed) {
         const glm::vec3 corner(static_cast<float>(i & 1), static_cast<float>(i >> 1 & 1), static_cast<float>(i >> 2));
         const glm::ivec3 at(base + corner);
         const glm::vec3 share = glm::mix(1.0f - w, w, corner);
-        const uint32_t h = f32::hash3(static_cast<uint32_t>(at.x), static_cast<uint32_t>(at.y), f32::hash2(static_cast<uint32_t>(at.z), seed));
+        const uint32_t h = f32::hash3(static_cast<uint32_t>(at.x), static_cast<uint32_t>(at.y),
+                                      f32::hash2(static_cast<uint32_t>(at.z), seed));
         sum += share.x * share.y * share.z * (2 * f32::hashUnit(h) - 1);
     }
     return sum;
@@ -80,11 +88,13 @@ float noise(const glm::vec3& p, uint32_t seed) {
 void smoothNormals(Piece& out) {
     for (MeshVertex& v : out.vertices) v.normal = glm::vec3(0);
     for (size_t i = 0; i + 2 < out.indices.size(); i += 3) {
-        MeshVertex &a = out.vertices[out.indices[i]], &b = out.vertices[out.indices[i + 1]], &c = out.vertices[out.indices[i + 2]];
+        MeshVertex &a = out.vertices[out.indices[i]], &b = out.vertices[out.indices[i + 1]],
+                   &c = out.vertices[out.indices[i + 2]];
         const glm::vec3 n = glm::cross(b.position - a.position, c.position - a.position);
         a.normal += n, b.normal += n, c.normal += n;
     }
-    for (MeshVertex& v : out.vertices) v.normal = glm::length(v.normal) > 0 ? glm::normalize(v.normal) : glm::vec3(0, 1, 0);
+    for (MeshVertex& v : out.vertices)
+        v.normal = glm::length(v.normal) > 0 ? glm::normalize(v.normal) : glm::vec3(0, 1, 0);
 }
 
 // Six faces of a cube, each cut into squares, blown up to a ball: vertices on the edges are shared.
@@ -97,7 +107,8 @@ void ball(Piece& out, const Solid& s) {
         const glm::vec3 way = glm::normalize(glm::tan(glm::vec3(p) * (0.7853981f / kCuts)));
         float r = 1;
         for (int octave = 0; octave < 3 && s.rough > 0; ++octave)
-            r += s.rough * noise(way * static_cast<float>(2 << octave) + 7.3f, s.seed + static_cast<uint32_t>(octave)) / static_cast<float>(1 << octave);
+            r += s.rough * noise(way * static_cast<float>(2 << octave) + 7.3f, s.seed + static_cast<uint32_t>(octave)) /
+                 static_cast<float>(1 << octave);
         return out.add(way * s.size * r, way);
     };
     for (int axis = 0; axis < 3; ++axis)
@@ -128,10 +139,12 @@ void leaf(Piece& out, const Solid& s, uint32_t i) {
     const glm::vec3 outward = glm::normalize(way / glm::max(s.size, glm::vec3(1e-3f)));
     const glm::vec3 face = glm::normalize(anyDirection(h ^ 0x3u) * 0.8f + outward);
     glm::vec3 length = along - face * glm::dot(along, face);
-    length = glm::length(length) > 1e-3f ? glm::normalize(length) : glm::normalize(glm::cross(face, glm::vec3(0.3f, 0.5f, 0.8f)));
+    length = glm::length(length) > 1e-3f ? glm::normalize(length)
+                                         : glm::normalize(glm::cross(face, glm::vec3(0.3f, 0.5f, 0.8f)));
     const glm::vec3 across = glm::cross(face, length) * (0.32f * s.leaf), half = length * (0.5f * s.leaf);
     const glm::vec3 n = glm::normalize(outward + face * 0.35f);
-    const uint32_t a = out.add(middle - half, n), b = out.add(middle + across, n), c = out.add(middle + half, n), d = out.add(middle - across, n);
+    const uint32_t a = out.add(middle - half, n), b = out.add(middle + across, n), c = out.add(middle + half, n),
+                   d = out.add(middle - across, n);
     out.quad(a, d, c, b);
 }
 
@@ -151,7 +164,8 @@ void place(Piece& to, const Piece& made, const Solid& s) {
     m = glm::rotate(m, r.z, glm::vec3(0, 0, 1));
     m = glm::rotate(m, r.x, glm::vec3(1, 0, 0));
     const uint32_t base = static_cast<uint32_t>(to.vertices.size());
-    for (const MeshVertex& v : made.vertices) to.add(glm::vec3(m * glm::vec4(v.position, 1)), glm::vec3(m * glm::vec4(v.normal, 0)));
+    for (const MeshVertex& v : made.vertices)
+        to.add(glm::vec3(m * glm::vec4(v.position, 1)), glm::vec3(m * glm::vec4(v.normal, 0)));
     for (const uint32_t i : made.indices) to.indices.push_back(base + i);
 }
 

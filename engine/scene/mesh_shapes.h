@@ -12,7 +12,8 @@ enum class SolidKind {
     Box,       // size: x, y, z; stands on `at`
     Cylinder,  // size: radius at the base, height, radius at the top (0: a cone); stands on `at`
     Ball,      // size: half axes; `at` is its centre
-    Leaves,    // size: half axes of the ball that `count` leaves of length `leaf` fill, denser outside; `at` is its centre
+    Leaves,    // size: half axes of the ball that `count` leaves of length `leaf` fill, denser outside; `at` is its
+               // centre
 };
 inline constexpr const char* kSolidKinds[] = {"box", "cylinder", "ball", "leaves"};
 

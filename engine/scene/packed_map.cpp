@@ -8,7 +8,9 @@ namespace {
 
 constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a share of red
 
-Error usage(std::string message, std::string remedy) { return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)}; }
+Error usage(std::string message, std::string remedy) {
+    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
+}
 
 MapField& mapOf(const FieldRef& f) { return *static_cast<MapField*>(f.value); }
 
@@ -16,10 +18,12 @@ MapField& mapOf(const FieldRef& f) { return *static_cast<MapField*>(f.value); }
 Map channelOf(const Map& floats, int channel, PixelType type) {
     const MapInfo& info = floats.info();
     Map out({info.width, info.height, 1, PixelType::F32});
-    std::vector<float> in(static_cast<size_t>(info.width) * static_cast<size_t>(info.channels)), one(static_cast<size_t>(info.width));
+    std::vector<float> in(static_cast<size_t>(info.width) * static_cast<size_t>(info.channels)),
+        one(static_cast<size_t>(info.width));
     for (int y = 0; y < info.height; ++y) {
         floats.readRows(y, 1, in.data());
-        for (size_t x = 0; x < one.size(); ++x) one[x] = in[x * static_cast<size_t>(info.channels) + static_cast<size_t>(channel)];
+        for (size_t x = 0; x < one.size(); ++x)
+            one[x] = in[x * static_cast<size_t>(info.channels) + static_cast<size_t>(channel)];
         out.writeRows(y, 1, one.data());
     }
     return convertMap(out, type);
@@ -85,19 +89,27 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip, std:
     const Result<Map> read = readMap(file, wish, repaired);
     if (!read) return read.error();
     if (read->info().channels < 3)
-        return Error{ExitCode::Unsound, fmt::format("has {} channels; a packed density map has red, green and blue", read->info().channels), file.string(), 0, 0, "leave out packed, or export it in colour"};
+        return Error{
+            ExitCode::Unsound,
+            fmt::format("has {} channels; a packed density map has red, green and blue", read->info().channels),
+            file.string(),
+            0,
+            0,
+            "leave out packed, or export it in colour"};
     const Map floats = convertMap(*read, PixelType::F32);
     return PackedMaps{channelOf(floats, 0, PixelType::U16), channelOf(floats, 2, PixelType::U8), hasOwnCoarse(floats)};
 }
 
 Result<FieldRef> bladeHeightBeside(Project& p, std::span<const ComponentRow> rows, const FieldRef& density) {
     if (std::string_view(density.row->name) != "density" || std::string_view(density.component->name) != "GrassField")
-        return usage(density.path + " is no density map: only those are packed with blade heights", "name a species' density");
+        return usage(density.path + " is no density map: only those are packed with blade heights",
+                     "name a species' density");
     return findField(p, rows, density.entity + ".GrassField.bladeHeight");
 }
 
-Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                    const ImportOptions& options, std::vector<std::string>* repaired) {
+Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                    const std::filesystem::path& file, const ImportOptions& options,
+                    std::vector<std::string>* repaired) {
     const Result<FieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
     const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
@@ -112,16 +124,19 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
     return {};
 }
 
-Status exportPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName, const std::filesystem::path& file,
-                    const ImportOptions& options) {
+Status exportPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                    const std::filesystem::path& file, const ImportOptions& options) {
     const Result<FieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
     const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField &red = mapOf(*density), &blue = mapOf(*height);
-    if (!red.present() && !blue.present()) return usage(fmt::format("neither {} nor {} has a map", density->path, height->path), "import or paint one first");
+    if (!red.present() && !blue.present())
+        return usage(fmt::format("neither {} nor {} has a map", density->path, height->path),
+                     "import or paint one first");
     if (red.present() && blue.present() && tilingBeside(p, *density) != tilingBeside(p, *height))
-        return usage(fmt::format("{} and {} repeat differently, and cannot be one image", density->path, height->path), "give both the same tiling, or export them apart");
+        return usage(fmt::format("{} and {} repeat differently, and cannot be one image", density->path, height->path),
+                     "give both the same tiling, or export them apart");
     return writeMap(file, packed(red, blue), flipOf(p, *density, options));
 }
 

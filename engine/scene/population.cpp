@@ -69,7 +69,8 @@ Blade makeBlade(const Species& s, const glm::vec2& root, uint32_t seed, uint32_t
 }  // namespace
 
 Patch makePatch(const Species& species, float cellSize, uint32_t seed) {
-    const int n = static_cast<int>(std::min<double>(std::lround(double(species.bladesPerM2) * cellSize * cellSize), kMaxPatchBlades));
+    const int n = static_cast<int>(
+        std::min<double>(std::lround(double(species.bladesPerM2) * cellSize * cellSize), kMaxPatchBlades));
     const auto roots = stratifiedRoots(n, cellSize, seed);
     const auto ranks = shuffledRanks(n, seed);
     Patch patch;
@@ -91,7 +92,8 @@ std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t s
     for (int i = 0; i < n; ++i) {
         const uint32_t rank = ranks[static_cast<size_t>(i)];
         blades[rank] = makeBlade(species, roots[static_cast<size_t>(i)], seed, static_cast<uint32_t>(i), 255);
-        blades[rank].threshold = (static_cast<float>(rank + 1) - f32::hashUnit(f32::hash3(seed, rank, 5))) / static_cast<float>(n);
+        blades[rank].threshold =
+            (static_cast<float>(rank + 1) - f32::hashUnit(f32::hash3(seed, rank, 5))) / static_cast<float>(n);
     }
     return blades;
 }
@@ -100,12 +102,22 @@ float leanAtFull(const Species& s) { return std::tan(glm::radians(std::min(s.lea
 
 glm::vec3 clumpStrengths(const Species& s) {
     const float clumps = s.clumpSize > 0 ? s.clumpStrength : 0;
-    return {0.8f * clumps * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f))), 0.8f * clumps * s.heightVariation, 0.2f * clumps};
+    return {0.8f * clumps * std::tan(glm::radians(std::min(s.leanVariationDeg + s.leanDeg, 80.0f))),
+            0.8f * clumps * s.heightVariation, 0.2f * clumps};
 }
 
 uint64_t patchKey(const Species& s, float cellSize, uint32_t seed) {
-    const float read[] = {static_cast<float>(seed), s.bladesPerM2, s.height, s.heightVariation, s.width, s.bend, s.leanVariationDeg,
-                          s.hueVariationDeg, s.lightnessVariation, cellSize, static_cast<float>(s.segments)};
+    const float read[] = {static_cast<float>(seed),
+                          s.bladesPerM2,
+                          s.height,
+                          s.heightVariation,
+                          s.width,
+                          s.bend,
+                          s.leanVariationDeg,
+                          s.hueVariationDeg,
+                          s.lightnessVariation,
+                          cellSize,
+                          static_cast<float>(s.segments)};
     return hashBytes(read, sizeof(read));
 }
 

@@ -1,7 +1,7 @@
 // Which blades exist: the one definition that every technique and the reference read.
-// A patch is one cell's blades; cells repeat it mirrored and begun elsewhere (numerics/population.h); density decides which of a cell's blades exist.
-// Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.1, 3.2, 3.4; stable forms in shaders/numerics.
-// Does not: draw. Cost: a patch of 22,000 blades 3 ms and 1.4 MB, once a species.
+// A patch is one cell's blades; cells repeat it mirrored and begun elsewhere (numerics/population.h); density decides
+// which of a cell's blades exist. Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.1, 3.2, 3.4; stable forms
+// in shaders/numerics. Does not: draw. Cost: a patch of 22,000 blades 3 ms and 1.4 MB, once a species.
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
@@ -11,18 +11,18 @@
 
 namespace sward {
 
-// One blade of a patch. control and tip are relative to the root, metres; facing is the unit direction it bends towards.
-// The layout is the storage buffer's (std430): four vec4.
+// One blade of a patch. control and tip are relative to the root, metres; facing is the unit direction it bends
+// towards. The layout is the storage buffer's (std430): four vec4.
 struct Blade {
-    glm::vec2 root;     // in the cell, [0, cellSize)
-    float width;        // metres
-    float threshold;    // k/255, k in 1..255: it exists where the density reaches it (B-13)
+    glm::vec2 root;   // in the cell, [0, cellSize)
+    float width;      // metres
+    float threshold;  // k/255, k in 1..255: it exists where the density reaches it (B-13)
     glm::vec3 control;
-    float hue;          // radians, by numerics/population.h bladeTint
+    float hue;  // radians, by numerics/population.h bladeTint
     glm::vec3 tip;
-    float lightness;    // factor about 1
+    float lightness;  // factor about 1
     glm::vec2 facing;
-    float dither;       // ]0, 1]: turns opacity into a number of samples without bias
+    float dither;  // ]0, 1]: turns opacity into a number of samples without bias
     float pad = 0;
 };
 static_assert(sizeof(Blade) == 64);
@@ -33,17 +33,18 @@ struct Patch {
     std::array<uint32_t, 256> upTo{};  // upTo[k]: blades with threshold <= k/255; upTo[0] = 0
 };
 
-// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). The same for the same
-// species, cellSize and seed. At most kMaxPatchBlades.
+// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). The same for the
+// same species, cellSize and seed. At most kMaxPatchBlades.
 inline constexpr int kMaxPatchBlades = 4'000'000;
 Patch makePatch(const Species& species, float cellSize, uint32_t seed);
-// `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also where they are few.
+// `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also
+// where they are few.
 std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t seed, int blades);
 // Hash over all that makePatch reads, to know when a patch is stale.
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 
-// Lean (m per m of blade) that paint of full strength gives, and what full clump values give: lean (m per m), share of height,
-// share of lightness; as numerics/population.h bladePlace takes them.
+// Lean (m per m of blade) that paint of full strength gives, and what full clump values give: lean (m per m), share of
+// height, share of lightness; as numerics/population.h bladePlace takes them.
 float leanAtFull(const Species& species);
 glm::vec3 clumpStrengths(const Species& species);
 

@@ -21,7 +21,7 @@ namespace sward {
 // How a map came in: what importMap was told, kept as "imports" in project.json, so that the next import and export
 // of the same map need not be told again.
 struct MapImport {
-    std::string file;                      // the name of the file, without its folder
+    std::string file;  // the name of the file, without its folder
     bool flip = false;
     std::optional<std::pair<double, double>> range;
     bool operator==(const MapImport&) const = default;
@@ -29,7 +29,7 @@ struct MapImport {
 
 struct Project {
     std::string name;
-    std::filesystem::path dir;             // empty: never saved
+    std::filesystem::path dir;  // empty: never saved
     Registry registry;
     std::map<std::string, Entity> entities;  // by Name; sorted
     // JSON text of what load did not know, by path "entity.Component.field" ("." in front of what is no entity's).
@@ -74,11 +74,11 @@ uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows);
 
 // --- fields by PATH ("ground.Terrain.size", "lawn.GrassField.species[lawn].height", "species[0]") -----------
 struct FieldRef {
-    void* value = nullptr;      // the field itself
+    void* value = nullptr;  // the field itself
     const FieldRow* row = nullptr;
     const ComponentRow* component = nullptr;
     std::string entity;
-    std::string path;           // canonical: list elements by name
+    std::string path;  // canonical: list elements by name
 };
 // Usage error if the path names nothing; the message lists what would have fitted. List elements go by name, or by
 // number from 0 where no element has that name; canonical paths take the number where names are empty or repeat.
@@ -105,7 +105,8 @@ std::vector<std::string> repairComponent(const ComponentRow& row, void* componen
 
 // --- files ---------------------------------------------------------------------------------------------------
 // Reads the whole project: refuses (ExitCode::Unsound, with file and line, or map and texel) or repairs and reports.
-Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows, LoadReport* report = nullptr);
+Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows,
+                            LoadReport* report = nullptr);
 // Loads everything and goes on after a refusal where it can: all faults, refusals first.
 struct CheckReport {
     std::vector<Error> refused;
@@ -113,13 +114,14 @@ struct CheckReport {
     std::vector<Fault> noticed;  // allowed, but surely not meant
 };
 CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
-// Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved` (or,
-// without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files written,
-// relative to the folder, sorted. If `saved` lies in another folder ("save as"), image files that p names are copied
-// from there. Fields that share a file but no longer their texels get files of their own. Maps that the folder's
+// Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved`
+// (or, without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files
+// written, relative to the folder, sorted. If `saved` lies in another folder ("save as"), image files that p names are
+// copied from there. Fields that share a file but no longer their texels get files of their own. Maps that the folder's
 // project.json named and p does not are deleted after the commit.
 // Fails, with the old project on disk unchanged: disk full, read-only folder, a value out of its range.
-Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows, const Project* saved = nullptr);
+Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
+                                             const Project* saved = nullptr);
 // A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
 // Fails if dir exists and is not empty; leaves nothing behind then.
 Result<Project> newProject(const std::filesystem::path& dir);

@@ -44,7 +44,8 @@ struct SceneToCheck {
     const Project& project;
     const Json& root;
 };
-// Adds to the faults of reading those of the scene as a whole. Reads every texel of the density maps of a unique population.
+// Adds to the faults of reading those of the scene as a whole. Reads every texel of the density maps of a unique
+// population.
 void checkScene(const SceneToCheck& scene, CheckReport& report);
 
 }  // namespace sward

@@ -119,11 +119,13 @@ void repairRange(const char* nearName, float& near, const char* farName, float& 
     if (near < far || (std::isinf(near) && std::isinf(far))) return;
     if (near > far) {
         std::swap(near, far);
-        said.push_back(fmt::format("{} was greater than {}; swapped to {} and {}", nearName, farName, shortestText(near), shortestText(far)));
+        said.push_back(fmt::format("{} was greater than {}; swapped to {} and {}", nearName, farName,
+                                   shortestText(near), shortestText(far)));
         return;
     }
     const float widened = near + std::max(0.1f, near * 0.1f);
-    said.push_back(fmt::format("{} and {} were both {}; {} is now {}", nearName, farName, shortestText(near), farName, shortestText(widened)));
+    said.push_back(fmt::format("{} and {} were both {}; {} is now {}", nearName, farName, shortestText(near), farName,
+                               shortestText(widened)));
     far = widened;
 }
 

@@ -44,11 +44,11 @@ struct ListRow {
 struct FieldRow {
     const char* name;  // as in files and paths
     FieldType type;
-    size_t offset;     // in the struct
-    const char* unit;  // "m", "deg", "blades/m2"; "" if none
-    double hardMin, hardMax;  // outside: refused on load, clamped on edit
-    double softMin, softMax;  // the slider's range
-    const char* help;         // one line
+    size_t offset;                              // in the struct
+    const char* unit;                           // "m", "deg", "blades/m2"; "" if none
+    double hardMin, hardMax;                    // outside: refused on load, clamped on edit
+    double softMin, softMax;                    // the slider's range
+    const char* help;                           // one line
     std::span<const char* const> options = {};  // Enum
     const ListRow* list = nullptr;              // List
     int mapChannels = 1;                        // Map: channels wanted
@@ -64,8 +64,8 @@ struct ComponentRow {
     const char* name;
     const char* help;
     std::span<const FieldRow> fields;
-    FeatureSet (*features)(const void* component);  // what having it asks for
-    void* (*get)(Registry&, Entity);                // null if absent
+    FeatureSet (*features)(const void* component);         // what having it asks for
+    void* (*get)(Registry&, Entity);                       // null if absent
     void (*assign)(Registry&, Entity, const void* value);  // adds or replaces; null value: its defaults
     void (*remove)(Registry&, Entity);
     std::shared_ptr<void> (*clone)(const void* value);  // maps share their tiles
@@ -75,7 +75,11 @@ struct ComponentRow {
 template <class C>
 constexpr ComponentRow componentRow(const char* name, const char* help, std::span<const FieldRow> fields,
                                     FeatureSet (*features)(const void*)) {
-    return {name, help, fields, features, [](Registry& r, Entity e) -> void* { return r.get<C>(e); },
+    return {name,
+            help,
+            fields,
+            features,
+            [](Registry& r, Entity e) -> void* { return r.get<C>(e); },
             [](Registry& r, Entity e, const void* v) { r.add<C>(e, v ? *static_cast<const C*>(v) : C{}); },
             [](Registry& r, Entity e) { r.remove<C>(e); },
             [](const void* v) -> std::shared_ptr<void> { return std::make_shared<C>(*static_cast<const C*>(v)); },
@@ -100,11 +104,37 @@ constexpr ListRow listRow(std::span<const FieldRow> fields) {
 // --- effects -------------------------------------------------------------------------------------------------
 
 // In drawing order, where no grass is blended (frame/plan.h).
-enum class Stage { Simulate, Bake, Shadow, Reflect, Depth, Opaque, Blades, Slices, Rays, Ground, GroundShadow, Sky, Water, Post, Overlay, Count };
+enum class Stage {
+    Simulate,
+    Bake,
+    Shadow,
+    Reflect,
+    Depth,
+    Opaque,
+    Blades,
+    Slices,
+    Rays,
+    Ground,
+    GroundShadow,
+    Sky,
+    Water,
+    Post,
+    Overlay,
+    Count
+};
 // Which views a pass takes part in: a set of bits.
 enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2, kViewShadow = 4, kViewCapture = 8, kViewCompare = 16 };
 // What a pass reads and writes; within a stage the planner runs writers before readers.
-enum ResourceBits : unsigned { kSceneColor = 1, kSceneDepth = 2, kHeights = 4, kGroundCover = 8, kSkyLight = 16, kImage = 32, kResolved = 64, kForces = 128 };
+enum ResourceBits : unsigned {
+    kSceneColor = 1,
+    kSceneDepth = 2,
+    kHeights = 4,
+    kGroundCover = 8,
+    kSkyLight = 16,
+    kImage = 32,
+    kResolved = 64,
+    kForces = 128
+};
 
 struct DrawContext;  // frame/draw_context.h
 // What an effect keeps while its features are there. One per project; freed when they go.
@@ -121,9 +151,10 @@ struct ProgramRow {
     const char* fragment;
     const char* compute;
     FeatureSet features;
-    // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are none.
+    // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are
+    // none.
     std::vector<std::string> (*variants)() = nullptr;
-    const char* control = nullptr;     // tessellation stages; null where they are absent
+    const char* control = nullptr;  // tessellation stages; null where they are absent
     const char* evaluation = nullptr;
 };
 

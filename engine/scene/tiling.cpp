@@ -17,7 +17,8 @@ float tiledSample(const Map& map, const Tiling& tiling, double x, double z, int 
     const double u = x / tiling.metres.x, v = z / tiling.metres.y;
     if (!tiling.repeats) return map.sample(u, v, c);
     const f64::BilinearTap t = f64::bilinearTapRepeat(u, v, map.info().width, map.info().height);
-    return f32::bilinearMix(map.at(t.x0, t.y0, c), map.at(t.x1, t.y0, c), map.at(t.x0, t.y1, c), map.at(t.x1, t.y1, c), static_cast<float>(t.fx), static_cast<float>(t.fy));
+    return f32::bilinearMix(map.at(t.x0, t.y0, c), map.at(t.x1, t.y0, c), map.at(t.x0, t.y1, c), map.at(t.x1, t.y1, c),
+                            static_cast<float>(t.fx), static_cast<float>(t.fy));
 }
 
 float mirroredSample(const Map& map, const Tiling& tiling, double x, double z) {

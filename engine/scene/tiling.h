@@ -1,8 +1,8 @@
-// Where on its map a place of the terrain lies. Every map has a tiling: how often it repeats over Terrain.mapSize metres, or over the
-// whole terrain where that is 0; so that texels stay small on a field of any size (Jahrmann and Wimmer 2013, section 6.2).
-// A map that lies on the terrain once ends there: its edge texels go on beyond. One that repeats begins again, and should be
-// seamless; heights are mirrored from repeat to repeat instead, so that no map has a cliff at its seams.
-// Does not: know which field is whose tiling; the fields' names say it (density, densityTiling).
+// Where on its map a place of the terrain lies. Every map has a tiling: how often it repeats over Terrain.mapSize
+// metres, or over the whole terrain where that is 0; so that texels stay small on a field of any size (Jahrmann and
+// Wimmer 2013, section 6.2). A map that lies on the terrain once ends there: its edge texels go on beyond. One that
+// repeats begins again, and should be seamless; heights are mirrored from repeat to repeat instead, so that no map has
+// a cliff at its seams. Does not: know which field is whose tiling; the fields' names say it (density, densityTiling).
 #pragma once
 #include "scene/components.h"
 
@@ -19,7 +19,8 @@ glm::dvec2 mapExtent(const Terrain& t);
 // As shaders take it (shared/frame.h): 0 where it does not repeat.
 float shaderTiling(const Terrain& t, float tiling);
 
-// One channel at terrain-relative (x, z) in metres, bilinear by the rule that shaders use (numerics/bilinear.h). Any finite x, z.
+// One channel at terrain-relative (x, z) in metres, bilinear by the rule that shaders use (numerics/bilinear.h). Any
+// finite x, z.
 float tiledSample(const Map& map, const Tiling& tiling, double x, double z, int c = 0);
 // The same of a map of heights, mirrored from repeat to repeat.
 float mirroredSample(const Map& map, const Tiling& tiling, double x, double z);

@@ -17,8 +17,10 @@ Cells cellsOf(const GrassField& f, const Terrain& t) {
 
 // A cell's blades where the density is 1: the whole ones, and one more as often as the rest asks for.
 int bladesAtFull(const Species& s, const GrassField& f, uint32_t cellSeed) {
-    const double expected = static_cast<double>(s.bladesPerM2) * static_cast<double>(f.cellSize) * static_cast<double>(f.cellSize);
-    return static_cast<int>(std::min<double>(std::floor(expected + static_cast<double>(f32::hashUnit(f32::hash3(cellSeed, 1, 9)))), kMaxPatchBlades));
+    const double expected =
+        static_cast<double>(s.bladesPerM2) * static_cast<double>(f.cellSize) * static_cast<double>(f.cellSize);
+    return static_cast<int>(std::min<double>(
+        std::floor(expected + static_cast<double>(f32::hashUnit(f32::hash3(cellSeed, 1, 9)))), kMaxPatchBlades));
 }
 
 std::vector<Blade> bladesOfCell(const Species& s, const GrassField& f, const Terrain& t, int x, int z) {
@@ -59,7 +61,8 @@ UniqueBlades makeUnique(const Species& s, const GrassField& f, const Terrain& t)
             rows[z].insert(rows[z].end(), own.begin(), own.end());
         }
     });
-    for (size_t i = 1; i < u.first.size(); ++i) u.mostInCell = std::max(u.mostInCell, u.first[i]), u.first[i] += u.first[i - 1];
+    for (size_t i = 1; i < u.first.size(); ++i)
+        u.mostInCell = std::max(u.mostInCell, u.first[i]), u.first[i] += u.first[i - 1];
     u.patch.blades.reserve(u.first.back());
     for (const std::vector<Blade>& row : rows) u.patch.blades.insert(u.patch.blades.end(), row.begin(), row.end());
     return u;
@@ -82,8 +85,14 @@ Status checkUnique(const Project& p, double blades) {
     const std::string field = uniqueField(p);
     if (field.empty() || blades <= kMaxUniqueBlades) return {};
     const std::string path = field + ".GrassField.population";
-    return Error{ExitCode::Unsound, fmt::format("{}: {:.0f} blades of their own are more than \"unique\" may have: {:.0f}, which take 128 MB", path, blades, kMaxUniqueBlades),
-                 p.dir.empty() ? std::string() : (p.dir / "project.json").string(), 0, 0, "set it to \"patch\", or lower bladesPerM2 or the terrain's size"};
+    return Error{
+        ExitCode::Unsound,
+        fmt::format("{}: {:.0f} blades of their own are more than \"unique\" may have: {:.0f}, which take 128 MB", path,
+                    blades, kMaxUniqueBlades),
+        p.dir.empty() ? std::string() : (p.dir / "project.json").string(),
+        0,
+        0,
+        "set it to \"patch\", or lower bladesPerM2 or the terrain's size"};
 }
 
 Status checkUnique(const Project& p) { return uniqueField(p).empty() ? Status() : checkUnique(p, virtualBlades(p)); }

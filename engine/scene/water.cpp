@@ -5,10 +5,10 @@
 namespace sward {
 namespace {
 
-constexpr double kShortest = 1.0 / 20;   // of the ripples, as a share of the longest
-constexpr double kSpreadDeg = 70;        // of their ways about the wind
+constexpr double kShortest = 1.0 / 20;  // of the ripples, as a share of the longest
+constexpr double kSpreadDeg = 70;       // of their ways about the wind
 constexpr double kGravity = 9.81;
-constexpr float kMirroredAt = 10;        // metres from the surface: what ripples move in the mirror is taken to be so far
+constexpr float kMirroredAt = 10;  // metres from the surface: what ripples move in the mirror is taken to be so far
 constexpr glm::vec3 kPureWater{0.264f, 0.0565f, 0.0101f};  // 1/m
 
 double wrapped(double x) { return x - std::floor(x); }
@@ -40,7 +40,8 @@ WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3
     g.extinction = glm::vec4(kPureWater + glm::vec3(3.912f / std::max(water.clarity, 0.01f)), 0);
     if (!wind) return g;
     const float slopes = water.ripples * std::sqrt(0.003f + 0.00512f * wind->speed);  // root of the mean square
-    for (int i = 0; i < WATER_WAVES; ++i) g.waves[i] = waveOf(i, water, *wind, {eye.x, eye.z}, seconds, slopes * std::sqrt(2.0f / WATER_WAVES));
+    for (int i = 0; i < WATER_WAVES; ++i)
+        g.waves[i] = waveOf(i, water, *wind, {eye.x, eye.z}, seconds, slopes * std::sqrt(2.0f / WATER_WAVES));
     return g;
 }
 

@@ -11,11 +11,11 @@ namespace sward {
 // The first Water by name; null without one.
 const Water* waterOf(const Project& p);
 
-// As shaders read it, but for place.y, place.z and square. eye: relative to the terrain's corner. wind: null in a calm, where every wave is 0.
-// seconds: scene time, of any age. Waves: lengths from rippleSize down to a twentieth of it, up to 70 degrees off the wind, by the law
-// of deep water (speed^2 = g / wave number); mean square of all slopes as Cox and Munk 1954 measured it on the open sea,
-// 0.003 + 0.00512 speed, times the square of `ripples`. Extinction: pure water's (Pope and Fry 1997, at 610, 550 and 465 nm) and
-// as much more, equal for all colours, as `clarity` says.
+// As shaders read it, but for place.y, place.z and square. eye: relative to the terrain's corner. wind: null in a calm,
+// where every wave is 0. seconds: scene time, of any age. Waves: lengths from rippleSize down to a twentieth of it, up
+// to 70 degrees off the wind, by the law of deep water (speed^2 = g / wave number); mean square of all slopes as Cox
+// and Munk 1954 measured it on the open sea, 0.003 + 0.00512 speed, times the square of `ripples`. Extinction: pure
+// water's (Pope and Fry 1997, at 610, 550 and 465 nm) and as much more, equal for all colours, as `clarity` says.
 WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3& eye, double seconds);
 
 // Slope (m per m) of the surface at x, z relative to the eye of `g`; share: rippleShare of the wind there.

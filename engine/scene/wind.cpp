@@ -8,9 +8,9 @@ namespace sward {
 namespace {
 
 constexpr int kSide = 128;
-constexpr double kFiner = 4;      // fine gusts are so much smaller
-constexpr double kAcross = 0.5;   // gusts are bands: twice as wide as they are long
-constexpr double kOvertakes = 1.4;  // fine gusts go faster, so that the picture changes while it moves
+constexpr double kFiner = 4;         // fine gusts are so much smaller
+constexpr double kAcross = 0.5;      // gusts are bands: twice as wide as they are long
+constexpr double kOvertakes = 1.4;   // fine gusts go faster, so that the picture changes while it moves
 constexpr double kPhaseGrains = 20;  // c1 and c3 are whole numbers of 1/20 m
 
 double wrapped(double x) { return x - std::floor(x); }
@@ -20,7 +20,9 @@ double inGrains(float c) { return std::round(static_cast<double>(c) * kPhaseGrai
 float periodicNoise(float x, float y, int cells, uint32_t seed) {
     const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
     const float fx = f32::clumpFade(x - static_cast<float>(i)), fy = f32::clumpFade(y - static_cast<float>(j));
-    const auto at = [&](int a, int b) { return f32::hashUnit(f32::hash3(static_cast<uint32_t>(a % cells), static_cast<uint32_t>(b % cells), seed)); };
+    const auto at = [&](int a, int b) {
+        return f32::hashUnit(f32::hash3(static_cast<uint32_t>(a % cells), static_cast<uint32_t>(b % cells), seed));
+    };
     return glm::mix(glm::mix(at(i, j), at(i + 1, j), fx), glm::mix(at(i, j + 1), at(i + 1, j + 1), fx), fy);
 }
 
@@ -37,8 +39,12 @@ float sampleRepeated(const Map& m, const glm::vec2& uv) {
 }
 
 glm::vec2 wayOf(const WindGlobals& g) { return {g.way.x, g.way.y}; }
-glm::vec2 coarsePlace(const WindGlobals& g, const glm::vec2& at) { return f32::gustPlace(at, wayOf(g), {g.begin.x, g.begin.y}, {g.rate.x, g.rate.y}); }
-glm::vec2 finePlace(const WindGlobals& g, const glm::vec2& at) { return f32::gustPlace(at, wayOf(g), {g.begin.z, g.begin.w}, {g.rate.z, g.rate.w}); }
+glm::vec2 coarsePlace(const WindGlobals& g, const glm::vec2& at) {
+    return f32::gustPlace(at, wayOf(g), {g.begin.x, g.begin.y}, {g.rate.x, g.rate.y});
+}
+glm::vec2 finePlace(const WindGlobals& g, const glm::vec2& at) {
+    return f32::gustPlace(at, wayOf(g), {g.begin.z, g.begin.w}, {g.rate.z, g.rate.w});
+}
 
 }  // namespace
 
@@ -54,9 +60,11 @@ Map makeGusts() {
         for (int x = 0; x < kSide; ++x) {
             const auto octave = [&](int cells, uint32_t seed) {
                 const float scale = static_cast<float>(cells) / kSide;
-                return periodicNoise((static_cast<float>(x) + 0.5f) * scale, (static_cast<float>(y) + 0.5f) * scale, cells, seed);
+                return periodicNoise((static_cast<float>(x) + 0.5f) * scale, (static_cast<float>(y) + 0.5f) * scale,
+                                     cells, seed);
             };
-            const float mean = 0.7f * octave(static_cast<int>(kGustsInPicture) * 2, 1) + 0.3f * octave(static_cast<int>(kGustsInPicture) * 4, 2);
+            const float mean = 0.7f * octave(static_cast<int>(kGustsInPicture) * 2, 1) +
+                               0.3f * octave(static_cast<int>(kGustsInPicture) * 4, 2);
             m.set(x, y, 0, std::clamp(0.5f + (mean - 0.5f) * 1.6f, 0.0f, 1.0f));
         }
     return m;
@@ -78,17 +86,20 @@ WindGlobals windGlobals(const Wind& w, const glm::dvec2& eye, double seconds) {
     const double rate = 1 / (kGustsInPicture * static_cast<double>(w.gustSize)), fine = rate * kFiner;
     WindGlobals g{};
     g.way = {glm::vec2(way), w.strength, w.turbulence};
-    g.begin = {wrapped((along - speed * seconds) * rate), wrapped(across * rate * kAcross), wrapped((along - kOvertakes * speed * seconds) * fine), wrapped(across * fine)};
+    g.begin = {wrapped((along - speed * seconds) * rate), wrapped(across * rate * kAcross),
+               wrapped((along - kOvertakes * speed * seconds) * fine), wrapped(across * fine)};
     g.rate = {rate, rate * kAcross, fine, fine};
     g.waves = {inGrains(w.c1), w.c2, inGrains(w.c3), w.epsilon};
     // Equation 9 as printed moves at 1/pi metres a unit of time, against x.
-    const f64::WindPhase phase = f64::windPhase(along, across, -f64::kPi * speed * seconds, inGrains(w.c1), static_cast<double>(w.c2), inGrains(w.c3));
+    const f64::WindPhase phase = f64::windPhase(along, across, -f64::kPi * speed * seconds, inGrains(w.c1),
+                                                static_cast<double>(w.c2), inGrains(w.c3));
     g.phases = {wrapped(static_cast<double>(w.quiverHz) * seconds), phase.first, phase.second, phase.across};
     return g;
 }
 
 double wavePeriod(const Wind& w) {
-    const long a = std::lround(static_cast<double>(w.c1) * kPhaseGrains), b = std::lround(static_cast<double>(w.c3) * kPhaseGrains);
+    const long a = std::lround(static_cast<double>(w.c1) * kPhaseGrains),
+               b = std::lround(static_cast<double>(w.c3) * kPhaseGrains);
     const long common = std::gcd(a, b);
     if (common == 0 || !(w.speed > 0)) return std::numeric_limits<double>::infinity();
     return 2 * kPhaseGrains / (static_cast<double>(common) * static_cast<double>(w.speed));
@@ -97,9 +108,11 @@ double wavePeriod(const Wind& w) {
 float blowsAt(const WindGlobals& g, const Map& gusts, const glm::vec2& at) {
     if (gusts.empty()) {
         const glm::vec2 way = wayOf(g);
-        return f32::windAt({g.phases.y, g.phases.z, g.phases.w}, glm::dot(at, way), at.y * way.x - at.x * way.y, g.waves.x, g.waves.y, g.waves.z, g.waves.w);
+        return f32::windAt({g.phases.y, g.phases.z, g.phases.w}, glm::dot(at, way), at.y * way.x - at.x * way.y,
+                           g.waves.x, g.waves.y, g.waves.z, g.waves.w);
     }
-    return f32::gustStrength(sampleRepeated(gusts, coarsePlace(g, at)), sampleRepeated(gusts, finePlace(g, at)), g.way.w);
+    return f32::gustStrength(sampleRepeated(gusts, coarsePlace(g, at)), sampleRepeated(gusts, finePlace(g, at)),
+                             g.way.w);
 }
 
 glm::vec2 windLeanAt(const WindGlobals& g, const Map& gusts, const glm::vec2& at, float grain) {
@@ -110,14 +123,17 @@ glm::vec2 windLeanAt(const WindGlobals& g, const Map& gusts, const glm::vec2& at
 float windSlope(const WindGlobals& g, const Map& gusts) {
     const float own = 0.125f * g.way.w;  // a quiver's share
     if (gusts.empty()) {
-        const float bound = (g.waves.x + g.waves.z) * f32::kPi * (1 + 0.25f * g.waves.y * f32::kPi / (g.waves.w * g.waves.w));
+        const float bound =
+            (g.waves.x + g.waves.z) * f32::kPi * (1 + 0.25f * g.waves.y * f32::kPi / (g.waves.w * g.waves.w));
         return g.way.z * (bound * (1 + own) + own * 8 * (g.rate.z + g.rate.w) * f32::kTau);
     }
     float step = 0;
     const MapInfo& i = gusts.info();
     for (int y = 0; y < i.height; ++y)
         for (int x = 0; x < i.width; ++x)
-            step = std::max({step, std::abs(gusts.at((x + 1) % i.width, y) - gusts.at(x, y)) * static_cast<float>(i.width), std::abs(gusts.at(x, (y + 1) % i.height) - gusts.at(x, y)) * static_cast<float>(i.height)});
+            step =
+                std::max({step, std::abs(gusts.at((x + 1) % i.width, y) - gusts.at(x, y)) * static_cast<float>(i.width),
+                          std::abs(gusts.at(x, (y + 1) % i.height) - gusts.at(x, y)) * static_cast<float>(i.height)});
     const float bound = step * ((g.rate.x + g.rate.y) * (1 - 0.4f * g.way.w) + (g.rate.z + g.rate.w) * 0.4f * g.way.w);
     return g.way.z * (bound * (1 + own) + own * 4 * (g.rate.z + g.rate.w) * f32::kTau);
 }

@@ -9,8 +9,8 @@ namespace sward {
 namespace {
 
 constexpr glm::vec3 kGroundAlbedo{0.07f, 0.10f, 0.045f};
-constexpr float kLampKlx = 45;               // of intensity 1
-constexpr float kFadeSine = 0.0523f;         // directional lights fade out over the last 3 degrees above the horizon (B-4)
+constexpr float kLampKlx = 45;        // of intensity 1
+constexpr float kFadeSine = 0.0523f;  // directional lights fade out over the last 3 degrees above the horizon (B-4)
 
 float turbidityOf(const Project& p) {
     const Sky* sky = firstOf<Sky>(p);
@@ -35,8 +35,8 @@ glm::vec3 skyOnGround(const glm::vec3& sun, float turbidity) {
     return sum * (2.0f / (kRows * kColumns));  // solid angle 2 pi / n each, divided by pi
 }
 
-// The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least chord to the sun and
-// the greatest, by its series.
+// The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least
+// chord to the sun and the greatest, by its series.
 void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
     const float r = glm::length(glm::vec2(sun.x, sun.z)), least = std::sqrt(2 - 2 * r), most = std::sqrt(2 + 2 * r);
     const glm::vec2 h = r > 1e-4f ? glm::vec2(sun.x, sun.z) / r : glm::vec2(1, 0);
@@ -44,11 +44,15 @@ void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
     glm::vec3 a[5]{};
     for (int i = 0; i < 5; ++i) {
         const float node = static_cast<float>(i) * kPi / 4, chord = middle + half * std::cos(node);
-        const float c = std::clamp((1 - 0.5f * chord * chord) / std::max(r, 1e-4f), -1.0f, 1.0f), n = std::sqrt(1 - c * c);
+        const float c = std::clamp((1 - 0.5f * chord * chord) / std::max(r, 1e-4f), -1.0f, 1.0f),
+                    n = std::sqrt(1 - c * c);
         const glm::vec3 seen = f32::skyRadiance(glm::vec3(h.x * c - h.y * n, 0, h.y * c + h.x * n), sun, turbidity);
-        for (int k = 0; k < 5; ++k) a[k] += seen * (std::cos(static_cast<float>(k) * node) * (i % 4 == 0 ? 0.25f : 0.5f) * (k % 4 == 0 ? 0.5f : 1.0f));
+        for (int k = 0; k < 5; ++k)
+            a[k] += seen *
+                    (std::cos(static_cast<float>(k) * node) * (i % 4 == 0 ? 0.25f : 0.5f) * (k % 4 == 0 ? 0.5f : 1.0f));
     }
-    const glm::vec3 powers[] = {a[0] - a[2] + a[4], a[1] - 3.0f * a[3], 2.0f * a[2] - 8.0f * a[4], 4.0f * a[3], 8.0f * a[4]};
+    const glm::vec3 powers[] = {a[0] - a[2] + a[4], a[1] - 3.0f * a[3], 2.0f * a[2] - 8.0f * a[4], 4.0f * a[3],
+                                8.0f * a[4]};
     for (int i = 0; i < 5; ++i) s.horizon[i] = glm::vec4(powers[i], i == 0 ? middle : i == 1 ? 1 / half : 0);
 }
 
@@ -95,7 +99,8 @@ void addSun(FrameGlobals& g, const Project& p, double seconds) {
     const Light& light = *sunLight(p);
     const glm::vec3 sun = directionTo(light, seconds);
     const float up = sun.y > 0 ? 1.0f : 0.0f;
-    const glm::vec3 irradiance = f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.mode.y * up);
+    const glm::vec3 irradiance =
+        f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.mode.y * up);
     g.sunDirection = glm::vec4(sun, up);
     g.sunLight = glm::vec4(f32::soundLight(irradiance), light.castShadows ? 1 : 0);
     g.groundLight += glm::vec4(irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo, 0);
@@ -129,7 +134,8 @@ LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double 
         if (!light || e == sun || !shines(*light) || lamps.size() == MAX_LIGHTS) continue;
         const Transform* t = project.registry.get<Transform>(e);
         const bool isPoint = light->type == static_cast<int>(LightType::Point);
-        LightGlobals g = isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
+        LightGlobals g =
+            isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
         const glm::vec3 color = light->color * (light->intensity * kLampKlx * kExposure / kPi * exposure);
         g.color = glm::vec4(f32::soundLight(color) * glm::vec3(g.color), g.color.w);
         lamps.push_back({g, light->castShadows});

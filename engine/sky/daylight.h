@@ -1,6 +1,6 @@
-// What sun, sky, haze and lamps give at a time, as the numbers that shaders read: for drawing, and for the ray-traced reference.
-// Pure, but for the sky's sums, which are kept between frames. Does not: draw.
-// Order: sun, then sky (which brings both into the camera's balance), then haze; a scene without one leaves it out.
+// What sun, sky, haze and lamps give at a time, as the numbers that shaders read: for drawing, and for the ray-traced
+// reference. Pure, but for the sky's sums, which are kept between frames. Does not: draw. Order: sun, then sky (which
+// brings both into the camera's balance), then haze; a scene without one leaves it out.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -21,7 +21,7 @@ struct SkySums {
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.
 void addSun(FrameGlobals& globals, const Project& project, double seconds);  // there must be one (scene/lights.h)
 void addSky(FrameGlobals& globals, const Project& project, double seconds, SkySums& sums);  // there must be a Sky
-void addHaze(FrameGlobals& globals, const Project& project);                 // there must be a Fog
+void addHaze(FrameGlobals& globals, const Project& project);                                // there must be a Fog
 // Lights beside the sun, relative to the eye (sky/lamps.h).
 LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure);
 

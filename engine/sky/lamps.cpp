@@ -24,9 +24,13 @@ const System kSystems[] = {{"sky/lamps", runLamps}};
 }  // namespace
 
 const EffectRow& lampsEffect() {
-    static const EffectRow row{"sky/lamps", featureSet(Feature::Lamps), kSystems, {},
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<LampsState>(); },
-                               "lights shine beside the sun"};
+    static const EffectRow row{
+        "sky/lamps",
+        featureSet(Feature::Lamps),
+        kSystems,
+        {},
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<LampsState>(); },
+        "lights shine beside the sun"};
     return row;
 }
 

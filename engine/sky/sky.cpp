@@ -24,23 +24,33 @@ void drawDome(DrawContext& ctx) {
 const System kSunSystems[] = {{"sky/sun", runSun}};
 const System kSkySystems[] = {{"sky/ambient", runSky}};
 const System kHazeSystems[] = {{"sky/haze", runHaze}};
-const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr, featureSet(Feature::Sun, Feature::Fog, Feature::WaterReflection)}};
-const Pass kDomePasses[] = {{"sky/dome", Stage::Sky, kViewMain | kViewReflection | kViewCompare, kSceneDepth, kSceneColor, kDomePrograms, drawDome}};
+const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr,
+                                     featureSet(Feature::Sun, Feature::Fog, Feature::WaterReflection)}};
+const Pass kDomePasses[] = {{"sky/dome", Stage::Sky, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
+                             kSceneColor, kDomePrograms, drawDome}};
 
 }  // namespace
 
 const EffectRow& sunEffect() {
-    static const EffectRow row{"sky/sun", featureSet(Feature::Sun), kSunSystems, {}, nullptr, "a light shines from one direction"};
+    static const EffectRow row{"sky/sun", featureSet(Feature::Sun),           kSunSystems, {},
+                               nullptr,   "a light shines from one direction"};
     return row;
 }
 const EffectRow& skyEffect() {
-    static const EffectRow row{"sky/dome", featureSet(Feature::Sky), kSkySystems, kDomePasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SkyState>(); },
-                               "the sky lights the scene and is seen where nothing stands before it"};
+    static const EffectRow row{
+        "sky/dome",
+        featureSet(Feature::Sky),
+        kSkySystems,
+        kDomePasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SkyState>(); },
+        "the sky lights the scene and is seen where nothing stands before it"};
     return row;
 }
 const EffectRow& hazeEffect() {
-    static const EffectRow row{"sky/haze", featureSet(Feature::Fog), kHazeSystems, {}, nullptr, "what is far fades into the horizon, and land is not drawn where nothing of it is left"};
+    static const EffectRow row{
+        "sky/haze",   featureSet(Feature::Fog),
+        kHazeSystems, {},
+        nullptr,      "what is far fades into the horizon, and land is not drawn where nothing of it is left"};
     return row;
 }
 

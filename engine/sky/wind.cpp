@@ -31,15 +31,23 @@ const System kGustSystems[] = {{"sky/gusts", runGusts}};
 }  // namespace
 
 const EffectRow& windEffect() {
-    static const EffectRow row{"sky/wind", featureSet(Feature::Wind), kWindSystems, {},
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindState>(); },
-                               "wind blows, and what grows follows it"};
+    static const EffectRow row{
+        "sky/wind",
+        featureSet(Feature::Wind),
+        kWindSystems,
+        {},
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindState>(); },
+        "wind blows, and what grows follows it"};
     return row;
 }
 const EffectRow& gustsEffect() {
-    static const EffectRow row{"sky/gusts", featureSet(Feature::Wind, Feature::Gusts), kGustSystems, {},
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GustsState>(); },
-                               "the wind comes in gusts, from a picture"};
+    static const EffectRow row{
+        "sky/gusts",
+        featureSet(Feature::Wind, Feature::Gusts),
+        kGustSystems,
+        {},
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GustsState>(); },
+        "the wind comes in gusts, from a picture"};
     return row;
 }
 

@@ -29,7 +29,8 @@ struct DepthState : EffectState {
 
 constexpr int kNodeIndices = 6 * kNodeQuads * kNodeQuads;
 
-// 17 x 17 vertices as two bytes each and two triangles a quad; then two triangles for a whole node, where ground is level.
+// 17 x 17 vertices as two bytes each and two triangles a quad; then two triangles for a whole node, where ground is
+// level.
 void makeMesh(Gpu& gpu, GroundState& s) {
     std::vector<uint8_t> vertices;
     std::vector<uint16_t> indices;
@@ -41,7 +42,8 @@ void makeMesh(Gpu& gpu, GroundState& s) {
             const uint16_t a = static_cast<uint16_t>(z * n + x), b = a + 1, c = static_cast<uint16_t>(a + n), d = c + 1;
             indices.insert(indices.end(), {a, c, b, b, c, d});
         }
-    for (const int corner : {0, n * (n - 1), n - 1, n - 1, n * (n - 1), n * n - 1}) indices.push_back(static_cast<uint16_t>(corner));
+    for (const int corner : {0, n * (n - 1), n - 1, n - 1, n * (n - 1), n * n - 1})
+        indices.push_back(static_cast<uint16_t>(corner));
     s.vertices = makeBuffer(gpu, kOwner, vertices.size(), vertices.data());
     s.indices = makeBuffer(gpu, kOwner, indices.size() * 2, indices.data());
     s.mesh = makeVertexArray(kOwner);
@@ -67,7 +69,9 @@ void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
 
 // For the whole frame: nothing else uses the bindings.
 void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
-    const GLuint map = t.terrainMap.present() ? ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true, tilingOf(t, t.terrainMapTiling).repeats) : 0;
+    const GLuint map = t.terrainMap.present() ? ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true,
+                                                             tilingOf(t, t.terrainMapTiling).repeats)
+                                              : 0;
     static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
     const GLuint textures[] = {ctx.shared.heights, map, s.tile.id()};
     glBindTextures(TEX_HEIGHT, 3, textures);
@@ -79,8 +83,10 @@ void select(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     TerrainLod lod = terrainLod(t);
-    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) * static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
-    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky)) lod.hidden = f32::hazeReach(ctx.globals.haze.x);
+    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
+                    static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
+        lod.hidden = f32::hazeReach(ctx.globals.haze.x);
     s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
@@ -93,7 +99,8 @@ void select(DrawContext& ctx) {
     g.heights = glm::vec4(0);
     if (t.height.present()) {
         const auto [offset, scale] = heightScale(t);
-        const float base = t.height.map.at(0, 0);  // subtracted from texels first, so that slopes keep their digits (T-4)
+        const float base =
+            t.height.map.at(0, 0);  // subtracted from texels first, so that slopes keep their digits (T-4)
         g.heights = {static_cast<float>(offset + scale * base - ctx.eye.y), static_cast<float>(scale), base, 0};
         ctx.shared.heights = ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
     } else {
@@ -129,24 +136,35 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"terrain/select", select}};
-const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr, featureSet(Feature::TerrainHeights, Feature::WaterReflection)}};
-const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows,
-                                            Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection)}};
-const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth, kDepthPrograms, drawDepth}};
-const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover, kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr,
+                                      featureSet(Feature::TerrainHeights, Feature::WaterReflection)}};
+const ProgramRow kPrograms[] = {
+    {"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
+     featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity,
+                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows, Feature::CastingLights,
+                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
+                Feature::Fog, Feature::WaterReflection)}};
+const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth,
+                              kDepthPrograms, drawDepth}};
+const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover,
+                         kSceneColor | kSceneDepth, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& groundEffect() {
-    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain), kSystems, kPasses, makeState, "there is ground to stand on"};
+    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain), kSystems, kPasses,
+                               makeState,        "there is ground to stand on"};
     return row;
 }
 const EffectRow& groundDepthEffect() {
-    static const EffectRow row{"terrain/depth", featureSet(Feature::Terrain, Feature::TerrainHeights), {}, kDepthPasses,
+    static const EffectRow row{"terrain/depth",
+                               featureSet(Feature::Terrain, Feature::TerrainHeights),
+                               {},
+                               kDepthPasses,
                                [](DrawContext& ctx) -> std::unique_ptr<EffectState> {
                                    auto s = std::make_unique<DepthState>();
-                                   s->nodes = makeBuffer(ctx.gpu, "terrain/depth", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+                                   s->nodes = makeBuffer(ctx.gpu, "terrain/depth", NODES_PER_DRAW * sizeof(TerrainNode),
+                                                         nullptr);
                                    return s;
                                },
                                "hills hide what stands behind them, so that it is not lit"};

@@ -3,8 +3,8 @@
 namespace sward {
 namespace {
 
-constexpr double kMorphStart = 0.75;  // of a level's range: from here vertices move to the next level's
-constexpr double kHorizonSine = 0.01; // up to here the sky is as it is at the horizon (numerics/sky.h)
+constexpr double kMorphStart = 0.75;   // of a level's range: from here vertices move to the next level's
+constexpr double kHorizonSine = 0.01;  // up to here the sky is as it is at the horizon (numerics/sky.h)
 
 struct Selection {
     const Terrain& terrain;
@@ -18,7 +18,8 @@ struct Selection {
     double range(int level) const { return lod.range * std::exp2(level); }
 
     double distance(double x, double z, double size) const {
-        const double dx = std::max({x - eye.x, 0.0, eye.x - (x + size)}), dz = std::max({z - eye.z, 0.0, eye.z - (z + size)});
+        const double dx = std::max({x - eye.x, 0.0, eye.x - (x + size)}),
+                     dz = std::max({z - eye.z, 0.0, eye.z - (z + size)});
         return std::sqrt(dx * dx + dz * dz + above * above);
     }
 
@@ -26,13 +27,15 @@ struct Selection {
         if (x >= terrain.size.x || z >= terrain.size.y) return false;
         const auto [low, high] = bounds.over(terrain.size, x, z, x + size, z + size);
         if (const double d = distance(x, z, size); d > lod.hidden && high - eye.y < kHorizonSine * d) return false;
-        return frustum.touches(glm::vec3(x - eye.x, low - eye.y, z - eye.z), glm::vec3(x + size - eye.x, high - eye.y, z + size - eye.z));
+        return frustum.touches(glm::vec3(x - eye.x, low - eye.y, z - eye.z),
+                               glm::vec3(x + size - eye.x, high - eye.y, z + size - eye.z));
     }
 
     void add(double x, double z, int level) {
         const double spacing = lod.spacing * std::exp2(level), end = range(level), begin = end * kMorphStart;
         TerrainNode n;
-        n.place = {static_cast<float>(x - eye.x), static_cast<float>(z - eye.z), static_cast<float>(x), static_cast<float>(z)};
+        n.place = {static_cast<float>(x - eye.x), static_cast<float>(z - eye.z), static_cast<float>(x),
+                   static_cast<float>(z)};
         n.level = {static_cast<float>(spacing), static_cast<float>(begin), static_cast<float>(1 / (end - begin)), 0};
         if (level == lod.levels - 1) n.level.y = std::numeric_limits<float>::max();  // nothing coarser to morph to
         out.push_back(n);
@@ -44,8 +47,10 @@ struct Selection {
         for (int i = 0; i < 4; ++i) {
             const double qx = x + (i & 1) * node, qz = z + (i >> 1) * node;
             if (!visible(qx, qz, node)) continue;
-            if (level > 0 && distance(qx, qz, node) < std::min(range(level - 1), lod.plainFrom)) quad(qx, qz, level - 1);
-            else add(qx, qz, level);
+            if (level > 0 && distance(qx, qz, node) < std::min(range(level - 1), lod.plainFrom))
+                quad(qx, qz, level - 1);
+            else
+                add(qx, qz, level);
         }
     }
 };
@@ -61,7 +66,8 @@ TerrainLod terrainLod(const Terrain& t) {
     return lod;
 }
 
-std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds, const glm::dvec3& eye, const Frustum& frustum) {
+std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds,
+                                     const glm::dvec3& eye, const Frustum& frustum) {
     Selection s{t, lod, bounds, eye, frustum, std::max(eye.y - bounds.high, 0.0), {}};
     s.quad(0, 0, lod.levels - 1);
     return std::move(s.out);

@@ -5,8 +5,11 @@ namespace {
 
 // Grows a square (low x, z, high x, z) by a part of the terrain.
 void grow(std::optional<glm::vec4>& square, const glm::vec2& low, const glm::vec2& high) {
-    if (!square) square = glm::vec4(low, high);
-    else square = glm::vec4(glm::min(glm::vec2(square->x, square->y), low), glm::max(glm::vec2(square->z, square->w), high));
+    if (!square)
+        square = glm::vec4(low, high);
+    else
+        square =
+            glm::vec4(glm::min(glm::vec2(square->x, square->y), low), glm::max(glm::vec2(square->z, square->w), high));
 }
 
 }  // namespace
@@ -22,7 +25,8 @@ std::optional<glm::vec4> waterInView(DrawContext& ctx, const Water& water) {
     const float height = static_cast<float>(level - ctx.eye.y);
     for (int z = 0; z < kBoundsGrid; ++z)
         for (int x = 0; x < kBoundsGrid; ++x) {
-            const double lowest = static_cast<double>(bounds.parts.size() > 1 ? bounds.parts[static_cast<size_t>(z * kBoundsGrid + x)].first : bounds.low);
+            const double lowest = static_cast<double>(
+                bounds.parts.size() > 1 ? bounds.parts[static_cast<size_t>(z * kBoundsGrid + x)].first : bounds.low);
             if (!(lowest < level)) continue;
             const glm::vec2 low(glm::dvec2(x, z) * part - eye), high(glm::dvec2(x + 1, z + 1) * part - eye);
             if (ctx.frustum.touches({low.x, height, low.y}, {high.x, height, high.y})) grow(square, low, high);

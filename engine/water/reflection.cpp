@@ -8,9 +8,9 @@ namespace sward {
 namespace {
 
 constexpr const char* kOwner = "water/reflection";
-constexpr float kMargin = 0.08f;     // of the picture beyond each edge, for ripples that look there
-constexpr float kUnder = 0.04f;      // metres below the level at which the view is cut: no gap shows along the shore
-constexpr float kBlades = 0.35f;     // share of the blades that is drawn where blades are; each is wider
+constexpr float kMargin = 0.08f;  // of the picture beyond each edge, for ripples that look there
+constexpr float kUnder = 0.04f;   // metres below the level at which the view is cut: no gap shows along the shore
+constexpr float kBlades = 0.35f;  // share of the blades that is drawn where blades are; each is wider
 constexpr float kAnisotropy = 8;
 
 struct ReflectionState : EffectState {
@@ -18,7 +18,9 @@ struct ReflectionState : EffectState {
 };
 
 void ensureTargets(DrawContext& ctx, ReflectionState& s, float share) {
-    const auto pixels = [&](int side) { return std::max(static_cast<int>(std::lround(static_cast<float>(side) * share * (1 + 2 * kMargin))), 8); };
+    const auto pixels = [&](int side) {
+        return std::max(static_cast<int>(std::lround(static_cast<float>(side) * share * (1 + 2 * kMargin))), 8);
+    };
     const int width = pixels(ctx.targets.width), height = pixels(ctx.targets.height);
     if (s.targets.width == width && s.targets.height == height && s.targets.samples == ctx.targets.samples) return;
     s.targets = {};
@@ -36,11 +38,14 @@ ViewRequest requestFor(const DrawContext& ctx, ReflectionState& s, const Water& 
     r.camera.eye = mirroredAt(ctx.camera.eye, height);
     r.camera.target = mirroredAt(ctx.camera.target, height);
     const float shown = 1 / (1 + 2 * kMargin);
-    r.viewProj = glm::scale(glm::mat4(1), {shown, shown, 1}) * ctx.globals.viewProj * glm::scale(glm::mat4(1), {1, -1, 1});
+    r.viewProj =
+        glm::scale(glm::mat4(1), {shown, shown, 1}) * ctx.globals.viewProj * glm::scale(glm::mat4(1), {1, -1, 1});
     r.cutAt = static_cast<float>(height - r.camera.eye.y) - kUnder;
     r.settings = ctx.settings;
     r.settings.width = s.targets.width, r.settings.height = s.targets.height;
-    r.settings.part = {0, 0, s.targets.width, static_cast<int>(std::lround(static_cast<double>(wholeHeight(ctx.settings)) * s.targets.height * static_cast<double>(shown) / ctx.targets.height))};
+    r.settings.part = {0, 0, s.targets.width,
+                       static_cast<int>(std::lround(static_cast<double>(wholeHeight(ctx.settings)) * s.targets.height *
+                                                    static_cast<double>(shown) / ctx.targets.height))};
     r.settings.coarse = true;
     r.settings.detail = ctx.settings.detail * kBlades;
     r.settings.decal = {};
@@ -65,9 +70,13 @@ const Pass kPasses[] = {{"water/reflection", Stage::Reflect, kViewMain | kViewCo
 }  // namespace
 
 const EffectRow& reflectionEffect() {
-    static const EffectRow row{"water/reflection", featureSet(Feature::Water, Feature::WaterReflection, Feature::Terrain), {}, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ReflectionState>(); },
-                               "water mirrors the scene: sky, ground, objects and grass are drawn once more, coarsely"};
+    static const EffectRow row{
+        "water/reflection",
+        featureSet(Feature::Water, Feature::WaterReflection, Feature::Terrain),
+        {},
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ReflectionState>(); },
+        "water mirrors the scene: sky, ground, objects and grass are drawn once more, coarsely"};
     return row;
 }
 

@@ -51,16 +51,24 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"water/ripples", update}};
-const ProgramRow kPrograms[] = {{"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr,
-                                 featureSet(Feature::WaterReflection, Feature::Wind, Feature::Gusts, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog), depthVariants}};
-const Pass kPasses[] = {{"water/surface", Stage::Water, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr,
+     featureSet(Feature::WaterReflection, Feature::Wind, Feature::Gusts, Feature::ObjectShadows,
+                Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog),
+     depthVariants}};
+const Pass kPasses[] = {
+    {"water/surface", Stage::Water, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
 
 }  // namespace
 
 const EffectRow& waterEffect() {
-    static const EffectRow row{"water/surface", featureSet(Feature::Water, Feature::Terrain), kSystems, kPasses,
-                               [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SurfaceState>(); },
-                               "water stands where the ground is below its level"};
+    static const EffectRow row{
+        "water/surface",
+        featureSet(Feature::Water, Feature::Terrain),
+        kSystems,
+        kPasses,
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SurfaceState>(); },
+        "water stands where the ground is below its level"};
     return row;
 }
 

@@ -1,4 +1,5 @@
-// Makes a draw command of each chosen cell, in their order: of its blades, and of those that shade the soil. Holes draw nothing.
+// Makes a draw command of each chosen cell, in their order: of its blades, and of those that shade the soil. Holes draw
+// nothing.
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/hash.h"
@@ -12,11 +13,13 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer CellBlock { CellInstance cells[]; };
-layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // five words a cell; then those of shadows
+layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
+    uint commands[];
+};  // five words a cell; then those of shadows
 layout(location = 0) uniform uint chosenCount;
 layout(location = 1) uniform uint patchBlades;
-layout(location = 2) uniform vec2 shares;        // of a cell's blades that are drawn, and that shade
-layout(location = 3) uniform uint shadowQuads;   // of a blade; 0: none shades
+layout(location = 2) uniform vec2 shares;       // of a cell's blades that are drawn, and that shade
+layout(location = 3) uniform uint shadowQuads;  // of a blade; 0: none shades
 
 void command(uint at, uint i, ChosenCell c, uint quads, float share) {
     precise float drawn = float(bladesOf(c)) * share;
@@ -38,9 +41,13 @@ void main() {
     CellVersion v = cellVersion(c.cell.x, c.cell.y, uint(cull.texels.z));
     cells[i] = CellInstance(c.cell, cellCorner(cullGrid(), c.cell.x, c.cell.y), v.mirror, v.shift);
     bool any = bladesOf(c) > 0u;
-    if (any && isSet(c, CHOSEN_SEEN)) command(i, i, c, levelOfCell(c), shares.x);
-    else nothing(i);
+    if (any && isSet(c, CHOSEN_SEEN))
+        command(i, i, c, levelOfCell(c), shares.x);
+    else
+        nothing(i);
     if (shadowQuads == 0u) return;
-    if (any) command(chosenCount + i, i, c, shadowQuads, shares.y);
-    else nothing(chosenCount + i);
+    if (any)
+        command(chosenCount + i, i, c, shadowQuads, shares.y);
+    else
+        nothing(chosenCount + i);
 }

@@ -1,6 +1,7 @@
-// Lists the chosen cells' blades in pieces, without gaps and always in the same order: cells that lie in view as a whole, then those
-// that its edge cuts, because a software rasteriser takes a slow way with batches of vertices of which one must be clipped.
-// One group, by exclusive prefix sums: each invocation counts a run of cells, one sums the runs up, each writes its own.
+// Lists the chosen cells' blades in pieces, without gaps and always in the same order: cells that lie in view as a
+// whole, then those that its edge cuts, because a software rasteriser takes a slow way with batches of vertices of
+// which one must be clipped. One group, by exclusive prefix sums: each invocation counts a run of cells, one sums the
+// runs up, each writes its own.
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/hash.h"
@@ -18,7 +19,8 @@ layout(std430, binding = SSBO_CELLS) writeonly buffer TessCellBlock { TessCell c
 layout(std430, binding = SSBO_LIST) coherent buffer ListBlock { uint list[]; };
 layout(location = 0) uniform uvec4 job;
 layout(location = 1) uniform uint pointDraws;
-uint chosenCount = job.x, batchVertices = job.y, batchCount = job.z;  // vertices: at most, of the pieces that begin in a batch
+uint chosenCount = job.x, batchVertices = job.y,
+     batchCount = job.z;  // vertices: at most, of the pieces that begin in a batch
 uint drawPoints = job.w;  // at most, of a command
 
 // Of all before: pieces, blades, vertices.
@@ -38,9 +40,12 @@ void write(ChosenCell c, uvec3 at) {
     if (cull.counted.z > 0.5) v.mirror = vec2(1.0), v.shift = vec2(0.0);
     vec2 corner = cellCorner(cullGrid(), c.cell.x, c.cell.y);
     for (uint i = 0u; i < pieces; ++i) {
-        uint done = i * each, vertex = at.z + done * verticesOf(c), next = at.z + min(done + each, count) * verticesOf(c);
-        cells[at.x + i] = TessCell(c.cell, corner, v.mirror, v.shift, c.first + done, at.y + done, isSet(c, CHOSEN_PLAIN) ? 0u : levelOfCell(c), vertex);
-        for (uint b = vertex / batchVertices + 1u; b <= min(next / batchVertices, batchCount); ++b) beginBatch(b, at.x + i + 1u);
+        uint done = i * each, vertex = at.z + done * verticesOf(c),
+             next = at.z + min(done + each, count) * verticesOf(c);
+        cells[at.x + i] = TessCell(c.cell, corner, v.mirror, v.shift, c.first + done, at.y + done,
+                                   isSet(c, CHOSEN_PLAIN) ? 0u : levelOfCell(c), vertex);
+        for (uint b = vertex / batchVertices + 1u; b <= min(next / batchVertices, batchCount); ++b)
+            beginBatch(b, at.x + i + 1u);
     }
 }
 
@@ -78,8 +83,10 @@ void main() {
     uvec3 whole = uvec3(0u), cut = uvec3(0u);
     for (uint i = from; i < upTo; ++i) {
         ChosenCell c = chosen[i];
-        if (isSet(c, CHOSEN_WHOLE)) whole += sizeOf(c);
-        else cut += sizeOf(c);
+        if (isSet(c, CHOSEN_WHOLE))
+            whole += sizeOf(c);
+        else
+            cut += sizeOf(c);
     }
     sums[run] = whole;
     sums[kRuns + run] = cut;
@@ -95,8 +102,10 @@ void main() {
         if (bladesOf(c) == 0u) continue;
         bool inside = isSet(c, CHOSEN_WHOLE);
         write(c, inside ? whole : cut);
-        if (inside) whole += sizeOf(c);
-        else cut += sizeOf(c);
+        if (inside)
+            whole += sizeOf(c);
+        else
+            cut += sizeOf(c);
     }
     memoryBarrierBuffer();
     barrier();

@@ -14,7 +14,9 @@
 layout(local_size_x = 64) in;  // kNodeSide squared
 layout(std430, binding = SSBO_NODES) readonly buffer NodeBlock { NodeOfCells nodes[]; };
 layout(std430, binding = SSBO_CHOSEN) writeonly buffer ChosenBlock { ChosenCell chosen[]; };
-layout(std430, binding = SSBO_UP_TO) readonly buffer UpToBlock { uint upTo[]; };  // blades of the patch with thresholds up to k / 255
+layout(std430, binding = SSBO_UP_TO) readonly buffer UpToBlock {
+    uint upTo[];
+};  // blades of the patch with thresholds up to k / 255
 layout(std430, binding = SSBO_COUNTS) buffer CountBlock { ChosenCounts counts; };  // sums, which no order changes
 layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
 
@@ -51,7 +53,8 @@ uint lookOf(CellBox b, uint count) {
     float nearest = sqrt(boxNearest2(b));
     int quads = quadsAt(nearest);
     bool seen = cull.field.w > 0.0 ? visible(b, cull.grid.w) : true, plain = quads == 1 && nearest > cull.strips.w;
-    return count | uint(quads) << CHOSEN_LEVEL | uint(within(b, cull.grid.w)) << CHOSEN_WHOLE | uint(seen) << CHOSEN_SEEN | uint(plain) << CHOSEN_PLAIN;
+    return count | uint(quads) << CHOSEN_LEVEL | uint(within(b, cull.grid.w)) << CHOSEN_WHOLE |
+           uint(seen) << CHOSEN_SEEN | uint(plain) << CHOSEN_PLAIN;
 }
 
 void count(ChosenCell c) {

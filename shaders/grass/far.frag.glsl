@@ -1,5 +1,5 @@
-// A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical slices
-// cover (grass/slices.h), and lit as they are.
+// A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
+// slices cover (grass/slices.h), and lit as they are.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -49,7 +49,8 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
     vec4 w = slices.sunWeights, images = farImages(r, w);
     if (STORAGE == FULL_STORAGE) {
         vec3 sum = vec3(0.0);
-        for (int i = 0; i < 5; ++i) sum += (i < 4 ? images[i] : w.y) * textureGrad(sliceLight, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
+        for (int i = 0; i < 5; ++i)
+            sum += (i < 4 ? images[i] : w.y) * textureGrad(sliceLight, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
         return light + sun * sum;
     }
     vec4 lit = textureGrad(sliceLight, r.texel, r.dx, r.dy);
@@ -62,7 +63,8 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
 
 // A random number fixed to the ground, its grains about a pixel.
 uint grain(Repeated r) {
-    float size = slices.counts.z, level = clamp(floor(log2(max(length(r.dx), length(r.dy)) / slices.lean.w * size)), 0.0, 16.0);
+    float size = slices.counts.z,
+          level = clamp(floor(log2(max(length(r.dx), length(r.dy)) / slices.lean.w * size)), 0.0, 16.0);
     ivec2 at = ivec2(r.texel.xy * size * exp2(-level));
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
 }
@@ -80,8 +82,8 @@ vec3 forceSeen(vec3 toEye, float high) {
     vec2 on = toEye.xz * ((high - slices.areas.z) / max(toEye.y, 0.03));
     return forceHere(position.xz + on, mapPlace(place + on));
 }
-// What lies there: x, how much of the grass; y, how much of it is pressed. Vertical slices that stand before it hide it themselves; where there
-// are none, a ray sees of it what it would if it came in among grass that lies, too.
+// What lies there: x, how much of the grass; y, how much of it is pressed. Vertical slices that stand before it hide it
+// themselves; where there are none, a ray sees of it what it would if it came in among grass that lies, too.
 vec2 laidSeen(vec3 toEye, float vertical) {
     if (!FORCES && !FORCE_MAP) return vec2(0.0);
     vec3 f = forceSeen(toEye, 0.0);
@@ -96,7 +98,9 @@ void main() {
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
     vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
-    float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) * (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w)) : 0.0;
+    float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
+                                        (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w))
+                                  : 0.0;
     vec4 stored;
     vec2 laid = laidSeen(toEye, vertical);
     float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);

@@ -15,8 +15,8 @@
 #include "lib/node.glsl"
 #include "lib/mirror.glsl"
 
-out vec3 position;    // relative to the eye
-out vec2 place;       // relative to the terrain's corner, metres
+out vec3 position;  // relative to the eye
+out vec2 place;     // relative to the terrain's corner, metres
 
 void main() {
     NodeCorner c = nodeCorner();

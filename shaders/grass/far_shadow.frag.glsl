@@ -1,6 +1,6 @@
-// Shadow of the horizontal slice on the ground, by one light: what is left of its light, multiplied onto the picture. The slice is
-// followed down the light's ray (Boulanger, Pattanaik and Bouatouch 2006, section 3.5). It takes over from the blades' own
-// shadows, and gives way to the mean.
+// Shadow of the horizontal slice on the ground, by one light: what is left of its light, multiplied onto the picture.
+// The slice is followed down the light's ray (Boulanger, Pattanaik and Bouatouch 2006, section 3.5). It takes over from
+// the blades' own shadows, and gives way to the mean.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -37,7 +37,9 @@ void main() {
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
     float high = max(towards.y, 0.2);  // lower light throws no longer shadows
     vec4 stored;
-    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0, laidBy(forceHere(position.xz, uv)), stored);
-    vec3 takes = shadowShare(light, position, uv, normalize(normal), soilLeft(cover.shade[int(slices.ambient.w)], grown, tall), near);
+    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0,
+                               laidBy(forceHere(position.xz, uv)), stored);
+    vec3 takes = shadowShare(light, position, uv, normalize(normal),
+                             soilLeft(cover.shade[int(slices.ambient.w)], grown, tall), near);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

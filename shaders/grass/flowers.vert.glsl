@@ -1,4 +1,5 @@
-// A corner of a flower (numerics/flower.h): 0 to 3 its stem's, from the root up; 4 to 7 its head's. Placed, leant and lit here.
+// A corner of a flower (numerics/flower.h): 0 to 3 its stem's, from the root up; 4 to 7 its head's. Placed, leant and
+// lit here.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -21,8 +22,8 @@ layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
 
 out vec2 uv;
-out vec4 lit;          // light on what faces so, over pi; w: share of haze
-out vec3 shown;        // normal
+out vec4 lit;    // light on what faces so, over pi; w: share of haze
+out vec3 shown;  // normal
 flat out vec3 petal;
 flat out uint grain;
 
@@ -31,10 +32,13 @@ float densityAt(vec2 uv) {
     if (!FLOWER_DENSITY || tiling < 0.0) return 1.0;
     ivec2 size = textureSize(densityHere, 0);
     BilinearTap t;
-    if (tiling > 0.0) t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
-    else t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    if (tiling > 0.0)
+        t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
+    else
+        t = bilinearTap(uv.x, uv.y, size.x, size.y);
     return bilinearMix(texelFetch(densityHere, ivec2(t.x0, t.y0), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y0), 0).r,
-                       texelFetch(densityHere, ivec2(t.x0, t.y1), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+                       texelFetch(densityHere, ivec2(t.x0, t.y1), 0).r, texelFetch(densityHere, ivec2(t.x1, t.y1), 0).r,
+                       t.fx, t.fy);
 }
 
 vec2 leanAt(Flower f, vec2 at, vec2 place) {
@@ -48,7 +52,9 @@ vec2 leanAt(Flower f, vec2 at, vec2 place) {
 
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
     vec3 sum = ambientLight(n) * (open * skyShare(place));
-    if (SUN) sum += frame.sunLight.rgb * (flowerSends(n, frame.sunDirection.xyz) * frame.sunDirection.w * sunVisible(at, vec3(0.0)) * open);
+    if (SUN)
+        sum += frame.sunLight.rgb *
+               (flowerSends(n, frame.sunDirection.xyz) * frame.sunDirection.w * sunVisible(at, vec3(0.0)) * open);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
         sum += l.light * (flowerSends(n, l.direction) * open);
@@ -73,7 +79,8 @@ void main() {
     float rises = min(size, 1.0);
     vec3 stem = flowerStem(f, flowers.shape.x * (1.0 + flowers.shape.y * f.taller), leanAt(f, at, place)) * rises;
     FlowerFrame b = flowerFrame(stem, f.facing, unitOr(-(root + stem), 1e-6, vec3(0.0, 1.0, 0.0)));
-    float half_ = 0.5 * flowers.shape.z * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0, top = float((corner >> 1) & 1u);
+    float half_ = 0.5 * flowers.shape.z * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0,
+          top = float((corner >> 1) & 1u);
     bool head = corner >= 4u;
     vec3 position = root + b.side * (across * half_) + (head ? stem + b.up * ((top * 2.0 - 1.0) * half_) : stem * top);
     shown = head ? b.face : stemNormal(unitOr(-root, 1e-6, vec3(0.0, 1.0, 0.0)));

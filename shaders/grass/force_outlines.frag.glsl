@@ -1,5 +1,5 @@
-// What an outline throws at a place: its push, added to others', and its press, of which the strongest counts (by the blending).
-// As outlineAt (scene/footprint.h) and forceAt (frame/forces.h) on the CPU.
+// What an outline throws at a place: its push, added to others', and its press, of which the strongest counts (by the
+// blending). As outlineAt (scene/footprint.h) and forceAt (frame/forces.h) on the CPU.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -23,7 +23,9 @@ void main() {
     vec2 beside = at - clamp(at, raster.xy, raster.xy + raster.zw);
     float far = length(beside), d = size.y;
     vec2 slope = far > 0.0 ? beside / far
-                           : vec2(distanceAt(at + vec2(d, 0.0)) - distanceAt(at - vec2(d, 0.0)), distanceAt(at + vec2(0.0, d)) - distanceAt(at - vec2(0.0, d))) / (2.0 * d);
+                           : vec2(distanceAt(at + vec2(d, 0.0)) - distanceAt(at - vec2(d, 0.0)),
+                                  distanceAt(at + vec2(0.0, d)) - distanceAt(at - vec2(0.0, d))) /
+                                 (2.0 * d);
     vec2 turned = vec2(rim.z * slope.x + rim.w * slope.y, rim.z * slope.y - rim.w * slope.x);
     vec3 f = outlineForce((distanceAt(at) + far) * size.x, turned, rim.x, rim.y, around.w);
     color = vec4(f.xy, 0.0, f.z);

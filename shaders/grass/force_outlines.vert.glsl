@@ -1,7 +1,8 @@
 // A corner of the square around one outline (scene/footprint.h) in the map around the eye.
 #include "lib/frame.glsl"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
-layout(location = 0) uniform vec4 around;  // x, z of its origin relative to the eye; how far the force reaches; its share
+layout(
+    location = 0) uniform vec4 around;  // x, z of its origin relative to the eye; how far the force reaches; its share
 
 out vec2 place;  // from the origin
 

@@ -1,10 +1,10 @@
 // A corner of the square around one force (frame/forces.h) in the map around the eye.
 #include "lib/frame.glsl"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
-layout(location = 0) in vec4 line;   // begin and end of its line: x, z relative to the eye
-layout(location = 1) in vec3 size;   // radius, reach in radii, share
+layout(location = 0) in vec4 line;  // begin and end of its line: x, z relative to the eye
+layout(location = 1) in vec3 size;  // radius, reach in radii, share
 
-out vec2 place;                      // from the line's begin
+out vec2 place;  // from the line's begin
 flat out vec4 ends;
 flat out vec3 extent;
 

@@ -25,11 +25,12 @@
 #include "lib/mirror.glsl"
 
 // At a covered sample: blades are thinner than pixels, and from the pixel's centre their light would be extrapolated.
-centroid out vec4 lit;   // radiance; w: share of it that is haze
-centroid out vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
-centroid out vec2 maskAt;    // where in their shadow mask
-centroid out vec3 strip;         // across, along; opacity
-flat out uint grain;             // a random number of the blade
+centroid out vec4 lit;  // radiance; w: share of it that is haze
+centroid out vec4
+    sunned;  // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
+centroid out vec2 maskAt;  // where in their shadow mask
+centroid out vec3 strip;   // across, along; opacity
+flat out uint grain;       // a random number of the blade
 
 void main() {
     Blade b = bladeHere();
@@ -39,7 +40,8 @@ void main() {
     maskAt = vec2(0.0);
     strip = vec3(0.0);
     grain = 0u;
-    gl_Position = vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
+    gl_Position =
+        vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
     if (!exists(s)) return;
 
     float lighter;
@@ -48,7 +50,10 @@ void main() {
     vec3 fromRoot = f.position + f.side * (s.across * b.place.z * frame.mode.w);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
-    BladeLight light = lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position, fromRoot, pose.facing, pose.upright, mix(species.rootColor.w, 1.0, s.v), s.density), s.uv);
+    BladeLight light =
+        lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position,
+                       fromRoot, pose.facing, pose.upright, mix(species.rootColor.w, 1.0, s.v), s.density),
+                   s.uv);
     lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);

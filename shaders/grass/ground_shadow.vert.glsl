@@ -1,5 +1,5 @@
-// One vertex of the shadow that one light throws of one blade: the blade's vertex, followed down its ray to the plane of the
-// ground at its root and laid onto the ground there. Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20.
+// One vertex of the shadow that one light throws of one blade: the blade's vertex, followed down its ray to the plane
+// of the ground at its root and laid onto the ground there. Boulanger, Pattanaik and Bouatouch 2006, section 3.5; B-20.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -34,8 +34,10 @@ void main() {
     Blade b = bladeHere();
     Stand s = standHere(b);
     left = vec3(1.0);
-    gl_Position = vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
-    // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep whole ones out.
+    gl_Position =
+        vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
+    // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep
+    // whole ones out.
     if (!exists(s) || s.opacity < b.facing.z) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = int(species.counts.w);

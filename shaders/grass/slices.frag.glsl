@@ -1,5 +1,5 @@
-// A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit: reflectance
-// times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
+// A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit:
+// reflectance times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -28,8 +28,8 @@ in vec3 ambient;
 in vec4 haze;
 in vec2 weights;
 out vec4 color;
-float level;          // of detail
-float fine;           // of what is lit: a mean of normals has less contrast than blades; opacity is a mean
+float level;  // of detail
+float fine;   // of what is lit: a mean of normals has less contrast than blades; opacity is a mean
 
 // A random number fixed to the slice: it moves with it, and its grains are about a pixel.
 uint grain(float level) {
@@ -65,7 +65,8 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
     }
     vec4 lit = textureLod(sliceLight, vec3(texel.xy, texel.z + lightLayer), fine);
     vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), images.xyz)
-                            : vec2(dot(images, vec4(lit.xzw, above)), dot(images, vec4(0.0, lit.wz, below)) + (1.0 - dot(images, vec4(1.0))) * lit.x);
+                            : vec2(dot(images, vec4(lit.xzw, above)),
+                                   dot(images, vec4(0.0, lit.wz, below)) + (1.0 - dot(images, vec4(1.0))) * lit.x);
     return light + leavesSend(reflectance, sun) * gain * visible + lampsSend(reflectance, lit, above);
 }
 

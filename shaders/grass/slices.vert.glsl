@@ -1,6 +1,6 @@
-// One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that neighbours
-// share them), lean with the paint and with clumps, and are lit per vertex.
-// Boulanger, Pattanaik and Bouatouch 2006, sections 3.1 and 3.3.
+// One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that
+// neighbours share them), lean with the paint and with clumps, and are lit per vertex. Boulanger, Pattanaik and
+// Bouatouch 2006, sections 3.1 and 3.3.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -25,23 +25,23 @@ layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)
 layout(location = 3) in vec2 shift;
 
-out vec3 texel;       // across (it repeats), up, layer
-out vec3 foot;        // the ground below, relative to the eye
-flat out vec4 images; // sun: weights of the view's images: facing, side +, side -, above (behind is what is left); with
-                      // LIGHT_COSINE its direction: facing, side, above
-flat out vec4 axes;   // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
+out vec3 texel;        // across (it repeats), up, layer
+out vec3 foot;         // the ground below, relative to the eye
+flat out vec4 images;  // sun: weights of the view's images: facing, side +, side -, above (behind is what is left);
+                       // with LIGHT_COSINE its direction: facing, side, above
+flat out vec4 axes;  // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
 flat out float lightLayer;
-out vec3 gain;        // of light from the sun
-out vec3 brighter;    // of any light
-out vec4 lamp[3];     // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
+out vec3 gain;      // of light from the sun
+out vec3 brighter;  // of any light
+out vec4 lamp[3];   // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
 out vec3 ambient;
-out vec4 haze;        // its colour times the share that it has; w: what is left to the slice
-out vec2 weights;     // by distance, of what slices draw; by distance and view, of that what this family shows
+out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
+out vec2 weights;  // by distance, of what slices draw; by distance and view, of that what this family shows
 
 struct Place {
-    vec2 wide;      // lean that is the same over many blades: by paint, wind and clumps
-    vec2 lean;      // all of it, horizontal metres a metre of height
-    float scale;    // of heights
+    vec2 wide;    // lean that is the same over many blades: by paint, wind and clumps
+    vec2 lean;    // all of it, horizontal metres a metre of height
+    float scale;  // of heights
     float lighter, press;
 };
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
@@ -74,8 +74,8 @@ vec4 sunImages(int axis, float side) {
     return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
 }
 
-// In slices, within ]-0.15, 0.15[: moves each end of a slice by a number of the cells' edge that it lies on, which the neighbour
-// shares. Without it the slices' straight tops, all at one distance, show as a weave.
+// In slices, within ]-0.15, 0.15[: moves each end of a slice by a number of the cells' edge that it lies on, which the
+// neighbour shares. Without it the slices' straight tops, all at one distance, show as a weave.
 float jitter(int axis, int k, int end) {
     ivec2 edge = axis == 0 ? cell + ivec2(0, end) : cell + ivec2(end, 0);
     return 0.3 * (hashUnit(hash3(uint(edge.x), uint(edge.y), uint(axis * 64 + k))) - 0.5);
@@ -95,7 +95,8 @@ void main() {
     float lean2 = min(dot(p.lean, p.lean), 0.9);
     vec3 position = foot + top * slices.shape.y * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
 
-    vec2 signs = axis == 0 ? mirror : mirror.yx, begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
+    vec2 signs = axis == 0 ? mirror : mirror.yx,
+         begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
     float side = (axis == 0 ? -foot.x : -foot.z) * signs.x;
     int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
     texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * n + layer));
@@ -103,7 +104,8 @@ void main() {
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
-    weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y), (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
+    weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y),
+                   (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
 
     brighter = p.lighter * darkened(far) * slices.shape.w * sliceGain(-foot / far, p.wide, p.press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));

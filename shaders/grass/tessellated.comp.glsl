@@ -1,22 +1,26 @@
-// Blades as vertices of strips, ready to be drawn: one invocation takes a piece of a cell, poses its blades, chooses their levels, and
-// writes and lights the rows of those that cover a sample, without gaps, and the command that draws them. A piece's blades have as
-// many rows as the greatest level among them; rows beyond a blade's own lie on its tip. Plain triangles, in pieces that have none
-// but those, are three vertices. Light is taken in the middle of a row, for both its ends.
+// Blades as vertices of strips, ready to be drawn: one invocation takes a piece of a cell, poses its blades, chooses
+// their levels, and writes and lights the rows of those that cover a sample, without gaps, and the command that draws
+// them. A piece's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip.
+// Plain triangles, in pieces that have none but those, are three vertices. Light is taken in the middle of a row, for
+// both its ends.
 #include "lib/tess.glsl"
 #include "numerics/chance.h"
 layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
 layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
-const uint kVector = 8u;         // invocations that a software rasteriser runs at once: they take pieces that are neighbours
+const uint kVector = 8u;  // invocations that a software rasteriser runs at once: they take pieces that are neighbours
 const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
 layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
-layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock { uint commands[]; };  // of strips five words, then of triangles four
+layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
+    uint commands[];
+};  // of strips five words, then of triangles four
 layout(location = 0) uniform uvec4 job;
-uint batch = job.x, batchVertex = job.y, batchPieces = job.z, pieceBlades = job.w;  // its number, its first vertex; at most
+uint batch = job.x, batchVertex = job.y, batchPieces = job.z,
+     pieceBlades = job.w;  // its number, its first vertex; at most
 
-// Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance turns
-// on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade blades,
-// what the sun adds, as halves (2), and where in the mask (1).
+// Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
+// turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade
+// blades, what the sun adds, as halves (2), and where in the mask (1).
 const uint kWords = BLADE_SHADOWS && CASTING_LIGHTS ? 11u : 8u;
 
 void place(uint vertex, vec4 at) {
@@ -40,8 +44,9 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     words[w + 6u] = packHalf2x16(maskOf(t, fromRoot));
 }
 
-// Whether any sample of the picture may lie within the blade: its box on screen, widened by half its width, holds a row and a column
-// of samples. Rows and columns are where samples of each pixel are by convention; other numbers of them have none to count on.
+// Whether any sample of the picture may lie within the blade: its box on screen, widened by half its width, holds a row
+// and a column of samples. Rows and columns are where samples of each pixel are by convention; other numbers of them
+// have none to count on.
 bool covers(TessBlade t) {
     vec4 root = frame.viewProj * vec4(t.root, 1.0), tip = frame.viewProj * vec4(t.root + t.pose.tip, 1.0);
     vec4 control = t.plain ? root : frame.viewProj * vec4(t.root + t.pose.control, 1.0);
@@ -49,7 +54,8 @@ bool covers(TessBlade t) {
     if (!(nearest > tess.level.z)) return true;
     vec2 a = root.xy / root.w, b = tip.xy / tip.w, c = control.xy / control.w;
     float margin = 0.5 * t.width * tess.level.w / nearest + kSnap;
-    vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.viewport.xy - margin, high = (max(max(a, b), c) * 0.5 + 0.5) * frame.viewport.xy + margin;
+    vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.viewport.xy - margin,
+         high = (max(max(a, b), c) * 0.5 + 0.5) * frame.viewport.xy + margin;
     if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.viewport.xy))) return false;
     float n = frame.mode.z;
     bool regular = n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0;
@@ -109,8 +115,8 @@ bool shows(TessBlade t) {
     return !(ALL_OR_NOTHING && t.plain) || chanceCovers(t.opacity, t.grain);
 }
 
-// Number of the piece that an invocation takes: vectors of neighbours, and of each group from all over the batch, so that groups
-// have about as much to do.
+// Number of the piece that an invocation takes: vectors of neighbours, and of each group from all over the batch, so
+// that groups have about as much to do.
 uint pieceNumber() {
     uint vector = gl_LocalInvocationIndex / kVector * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     return vector * kVector + gl_LocalInvocationIndex % kVector;
@@ -125,8 +131,10 @@ void main() {
         TessBlade t = tessBlade(c, c.first + i);
         if (!shows(t)) continue;
         uint vertex = c.vertex - batchVertex + each * shown;
-        if (c.level == 0u) writeTriangle(t, vertex);
-        else writeStrip(t, vertex, int(c.level));
+        if (c.level == 0u)
+            writeTriangle(t, vertex);
+        else
+            writeStrip(t, vertex, int(c.level));
         ++shown;
     }
     command(number, c, shown);

@@ -1,5 +1,5 @@
-// A vertex of a tessellated blade: on two parallel quadratic splines, with their frame (Jahrmann and Wimmer 2013, equations 7 and 8;
-// J-7), lit there.
+// A vertex of a tessellated blade: on two parallel quadratic splines, with their frame (Jahrmann and Wimmer 2013,
+// equations 7 and 8; J-7), lit there.
 #include "lib/tess.glsl"
 #include "lib/mirror.glsl"
 layout(quads, equal_spacing, ccw) in;
@@ -7,10 +7,10 @@ layout(quads, equal_spacing, ccw) in;
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];
 in vec3 stemUpright[];
 flat in uint stemGrain[];
-centroid out vec4 lit;     // as in geometry.vert.glsl
+centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
 centroid out vec2 maskAt;
-centroid out vec3 strip;   // across (-1: a plain triangle), along; opacity
+centroid out vec3 strip;  // across (-1: a plain triangle), along; opacity
 flat out uint grain;
 
 TessBlade patchBlade() {
@@ -34,9 +34,11 @@ TessBlade patchBlade() {
 
 void main() {
     TessBlade t = patchBlade();
-    float u = gl_TessCoord.x > 0.25 ? 1.0 : 0.0, v = gl_TessCoord.y;  // stages put a vertex between the two of a row: there it draws nothing
+    float u = gl_TessCoord.x > 0.25 ? 1.0 : 0.0,
+          v = gl_TessCoord.y;  // stages put a vertex between the two of a row: there it draws nothing
     vec3 side = vec3(-t.pose.facing.y, 0.0, t.pose.facing.x), end = side * (0.5 * t.width);
-    SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end, t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
+    SplineFrame f = splineFrame(-end, t.pose.control - end, t.pose.tip - end, end, t.pose.control + end,
+                                t.pose.tip + end, side, t.plain ? mix(u, 0.5, v) : u, v);
     vec3 middle = bladePosition(t.pose.control, t.pose.tip, v), across = t.plain ? end * (1.0 - v) : end, shown;
     BladeLight light = lightPoint(t, middle, f.normal, v, shown);
     lit = light.lit, sunned = light.sunned;

@@ -1,14 +1,15 @@
 // A vertex that the compute pass has posed and lit: passed on.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
-layout(location = 0) in vec4 at;         // in clip space
+layout(location = 0) in vec4 at;  // in clip space
 layout(location = 1) in vec4 light;
-layout(location = 2) in vec2 along;      // along, opacity
-layout(location = 3) in uint number;     // grain, of a number in ]0, 1]: its first two bits are free for across, and plain triangles
+layout(location = 2) in vec2 along;  // along, opacity
+layout(location = 3)
+    in uint number;  // grain, of a number in ]0, 1]: its first two bits are free for across, and plain triangles
 layout(location = 4) in vec4 sun;
 layout(location = 5) in vec2 shadowAt;
 
-centroid out vec4 lit;                   // as in geometry.vert.glsl
+centroid out vec4 lit;  // as in geometry.vert.glsl
 centroid out vec4 sunned;
 centroid out vec2 maskAt;
 centroid out vec3 strip;

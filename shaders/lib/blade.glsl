@@ -1,14 +1,15 @@
-// Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind, forces). No fragment shaders.
-// Needs, of the cell that it stands in: ivec2 cell; vec2 cellCorner (relative to the eye); vec2 mirror, shift (numerics/population.h,
-// CellVersion), as strip.glsl or tess.glsl declare them; const bool TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl;
-// frame.glsl, heights.glsl, cover.glsl; numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
+// Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind,
+// forces). No fragment shaders. Needs, of the cell that it stands in: ivec2 cell; vec2 cellCorner (relative to the
+// eye); vec2 mirror, shift (numerics/population.h, CellVersion), as strip.glsl or tess.glsl declare them; const bool
+// TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl; frame.glsl, heights.glsl, cover.glsl;
+// numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
 struct Blade {
-    vec4 place;      // root x, z; width; threshold
-    vec4 control;    // w: hue
-    vec4 tip;        // w: lightness
-    vec4 facing;     // z: dither
+    vec4 place;    // root x, z; width; threshold
+    vec4 control;  // w: hue
+    vec4 tip;      // w: lightness
+    vec4 facing;   // z: dither
 };
 layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
@@ -25,10 +26,14 @@ float density(vec2 uv) {
     ivec2 size = textureSize(densityMap[0], 0);
     float tiling = cover.densities[int(species.counts.w)];
     BilinearTap t;
-    if (tiling > 0.0) t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
-    else t = bilinearTap(uv.x, uv.y, size.x, size.y);
-    return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
-                       texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+    if (tiling > 0.0)
+        t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
+    else
+        t = bilinearTap(uv.x, uv.y, size.x, size.y);
+    return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r,
+                       texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r,
+                       texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
 
 Stand standAt(Blade b, float v, float across) {
@@ -49,11 +54,12 @@ bool exists(Stand s) {
     return s.opacity > 0.0 && share.x <= 1.0 && share.y <= 1.0;
 }
 
-// Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's light: the
-// density by which they shade each other falls with the press.
+// Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's
+// light: the density by which they shade each other falls with the press.
 BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     vec3 clump = vec3(0.0);
-    if (GRASS_CLUMPS && species.tipColor.w > 0.0) clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
+    if (GRASS_CLUMPS && species.tipColor.w > 0.0)
+        clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
     BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
     if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z, cover.gusts[int(species.counts.w)]);
     if (FORCES || FORCE_MAP) {

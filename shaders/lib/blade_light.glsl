@@ -1,29 +1,33 @@
 // How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
-// Needs: const bool GRASS_VEGETATION, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS; blade.glsl, light.glsl, lamps.glsl, leaf.glsl,
-// shadow.glsl, mask.glsl, cover.glsl.
-// hue, lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
+// Needs: const bool GRASS_VEGETATION, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS; blade.glsl, light.glsl, lamps.glsl,
+// leaf.glsl, shadow.glsl, mask.glsl, cover.glsl. hue, lightness: as numerics/population.h bladeTint takes them; uv: of
+// the root (mapPlace).
 vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
-    vec3 c = bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), hue, lightness);
+    vec3 c =
+        bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), hue, lightness);
     if (!GRASS_VEGETATION) return c;
     vec4 paint = textureLod(vegetationMap, uv * cover.tiling.y, 0.0);
     return mix(c, paint.rgb, paint.a);
 }
 
-// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what of
-// the light is left so near to the root, where no mask says it.
+// A vertex that is lit: reflectance; the side of the blade that the eye sees; where it is; where the blade faces; what
+// of the light is left so near to the root, where no mask says it.
 struct Lit {
     vec3 color, normal, toEye, position, fromRoot;
     vec2 facing;
-    vec3 upright;   // of its pose
+    vec3 upright;  // of its pose
     float open, density;
 };
 // Where in the shadow mask it is, for a light.
 vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
-    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(stoodUp(towards, upright), 1e-6, towards), species.mask.xy).xy;
+    return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(stoodUp(towards, upright), 1e-6, towards),
+                     species.mask.xy)
+        .xy;
 }
 vec3 sunOn(Lit p) {
     if (!SUN) return vec3(0.0);
-    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) * sunVisible(p.position, vec3(0.0));
+    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) *
+           sunVisible(p.position, vec3(0.0));
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
 vec3 lampsOn(Lit p) {
@@ -31,17 +35,19 @@ vec3 lampsOn(Lit p) {
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, p.position);
         float share = p.open;
-        if (BLADE_SHADOWS && i < castingLamps()) share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
+        if (BLADE_SHADOWS && i < castingLamps())
+            share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
         sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
 }
-// A point of a blade as it would be without the map of heights: its neighbours are lowered as it is, so that they shade it as they would then.
+// A point of a blade as it would be without the map of heights: its neighbours are lowered as it is, so that they shade
+// it as they would then.
 vec3 inFullHeight(vec3 fromRoot, vec2 uv) { return GRASS_HEIGHTS ? fromRoot / max(bladeShare(uv), 0.02) : fromRoot; }
 struct BladeLight {
-    vec4 lit;       // radiance; w: share of it that is haze
-    vec4 sunned;    // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
-    vec2 maskAt;    // where in their shadow mask
+    vec4 lit;     // radiance; w: share of it that is haze
+    vec4 sunned;  // radiance where the sun reaches between the neighbours; w: density. Only where blades shade blades
+    vec2 maskAt;  // where in their shadow mask
 };
 // Light on a blade: what no mask holds back into lit, what it may into sunned.
 BladeLight lightBlade(Lit p, vec2 uv) {

@@ -1,4 +1,5 @@
-// A fragment of a blade: what its vertices were lit with, its mask, its texture, and how it covers its pixel. Fragment shaders only.
+// A fragment of a blade: what its vertices were lit with, its mask, its texture, and how it covers its pixel. Fragment
+// shaders only.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/hash.h"

@@ -1,4 +1,5 @@
-// How cells are chosen, and those that were. Needs: numerics/glsl.h, basics.h, hash.h, lod.h, opacity.h, blade.h, population.h, tess.h, cells.h.
+// How cells are chosen, and those that were. Needs: numerics/glsl.h, basics.h, hash.h, lod.h, opacity.h, blade.h,
+// population.h, tess.h, cells.h.
 #include "shared/frame.h"
 layout(std140, binding = UBO_CULL) uniform CullBlock { CullGlobals cull; };
 

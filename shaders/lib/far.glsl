@@ -1,10 +1,11 @@
-// The horizontal slice over the ground: the patch repeated by integer cell, each in its version (Boulanger, Pattanaik and
-// Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash, population, correction.
+// The horizontal slice over the ground: the patch repeated by integer cell, each in its version (Boulanger, Pattanaik
+// and Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash,
+// population, correction.
 struct Repeated {
     vec3 texel;
-    vec2 dx, dy;    // gradients of the coordinate before it was wrapped, as fine as is wanted
+    vec2 dx, dy;  // gradients of the coordinate before it was wrapped, as fine as is wanted
     ivec2 cell;
-    vec2 inCell;    // metres
+    vec2 inCell;  // metres
     vec2 mirror;
 };
 // at: x, z relative to the eye.
@@ -29,9 +30,10 @@ float bladeShareSeen(vec2 uv) {
     return texture(bladeHeightMap, tiled(uv, cover.bladeHeight.x)).r;
 }
 
-// How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover. Blades that
-// are pressed show their faces to the sky instead of to the side: their area towards the zenith grows to nearly all that they have,
-// while that towards a level view, of which vertical slices cover what they have not sunk, goes.
+// How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.
+// Blades that are pressed show their faces to the sky instead of to the side: their area towards the zenith grows to
+// nearly all that they have, while that towards a level view, of which vertical slices cover what they have not sunk,
+// goes.
 float depthFactor(float sine, float vertical, float laid) {
     if (!CONSERVING) return 1.0;
     float y = clamp(sine, 0.03, 1.0), slant = sqrt(1.0 - y * y) / y;
@@ -39,15 +41,17 @@ float depthFactor(float sine, float vertical, float laid) {
     return max((length(area) - vertical * sunk(laid) * slices.areas.x * slant) / max(slices.areas.w, 1e-4), 0.0);
 }
 
-// Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. tall: share of their height that
-// blades have: a ray crosses so much less of them. vertical: share of the vertical slices that are drawn. laid: how much of the grass
-// lies (laidBy): as far about as it was high. stored: the texel's thresholds and light from above.
+// Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. tall: share of
+// their height that blades have: a ray crosses so much less of them. vertical: share of the vertical slices that are
+// drawn. laid: how much of the grass lies (laidBy): as far about as it was high. stored: the texel's thresholds and
+// light from above.
 float farOpacity(Repeated r, float density, float tall, float sine, float vertical, float laid, out vec4 stored) {
-    // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected for the
-    // slant. Colour and light are taken as sharp as is wanted.
+    // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected
+    // for the slant. Colour and light are taken as sharp as is wanted.
     float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.lean.z * max(sqrt(1.0 - y * y) / y, laid) : 0.0;
     float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w, wide = max(pixel, crossed);
     float level = clamp(log2(wide * slices.counts.z), 0.0, 16.0);
     stored = textureLod(sliceThreshold, r.texel, level);
-    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), depthFactor(sine, vertical, laid) * tall);
+    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level),
+                         depthFactor(sine, vertical, laid) * tall);
 }

@@ -1,5 +1,5 @@
-// What presses on the grass at a place: what stands or went there, and what is painted. Needs: const bool FORCES, FORCE_MAP;
-// frame.glsl, density.glsl (for the tiling); numerics glsl, basics.
+// What presses on the grass at a place: what stands or went there, and what is painted. Needs: const bool FORCES,
+// FORCE_MAP; frame.glsl, density.glsl (for the tiling); numerics glsl, basics.
 #include "numerics/wind.h"
 #include "numerics/gust.h"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };

@@ -12,7 +12,8 @@ vec3 sunLight(vec3 n) {
 
 // The sky's colour at the horizon in a direction.
 vec3 horizonColor(vec2 direction) {
-    return horizonLight(frame.horizon[0], frame.horizon[1], frame.horizon[2].rgb, frame.horizon[3].rgb, frame.horizon[4].rgb, frame.skySun.xz, direction);
+    return horizonLight(frame.horizon[0], frame.horizon[1], frame.horizon[2].rgb, frame.horizon[3].rgb,
+                        frame.horizon[4].rgb, frame.skySun.xz, direction);
 }
 // Share of the light that haze takes away over a distance.
 float hazeShare(float distance) {

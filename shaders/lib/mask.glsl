@@ -1,9 +1,10 @@
-// How blades shade blades: the shadow mask of a species (grass/mask.h). Needs: numerics/glsl.h, basics.h, shadow.h; a sampler
-// of the mask bound to TEX_MASK.
+// How blades shade blades: the shadow mask of a species (grass/mask.h). Needs: numerics/glsl.h, basics.h, shadow.h; a
+// sampler of the mask bound to TEX_MASK.
 layout(binding = TEX_MASK) uniform sampler2D bladeMask;
 
-// Where the ray from a point of a blade (relative to its root) towards a light leaves the blade's cylinder: turns from where
-// the blade faces, height as a share of the mask; z: 1 if the light stands above, else 0. size: radius and height (m).
+// Where the ray from a point of a blade (relative to its root) towards a light leaves the blade's cylinder: turns from
+// where the blade faces, height as a share of the mask; z: 1 if the light stands above, else 0. size: radius and height
+// (m).
 vec3 maskPoint(vec3 fromRoot, vec2 facing, vec3 towards, vec2 size) {
     MaskPoint p = maskPointOf(fromRoot, facing, towards, size.x, size.y);
     return vec3(p.turn, p.height, towards.y > 0.0 ? 1.0 : 0.0);

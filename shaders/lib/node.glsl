@@ -1,6 +1,6 @@
-// Corners of the terrain's nodes by continuous distance-dependent level of detail (Strugar 2009): a node's odd vertices move
-// onto the next level's grid between two distances, so that levels meet without cracks.
-// Needs: frame.glsl; numerics/glsl.h, numerics/bilinear.h; heights.glsl.
+// Corners of the terrain's nodes by continuous distance-dependent level of detail (Strugar 2009): a node's odd vertices
+// move onto the next level's grid between two distances, so that levels meet without cracks. Needs: frame.glsl;
+// numerics/glsl.h, numerics/bilinear.h; heights.glsl.
 layout(std140, binding = UBO_NODES) uniform NodeBlock { TerrainNode nodes[NODES_PER_DRAW]; };
 layout(location = 0) in vec2 corner;  // 0..16
 
@@ -13,7 +13,7 @@ NodeCorner nodeCorner() {
     TerrainNode node = nodes[gl_InstanceID];
     float spacing = node.level.x;
     vec2 local = corner * spacing;
-    vec2 limit = frame.terrain.xy - node.place.zw;      // nodes reach over the terrain's edge: their vertices do not
+    vec2 limit = frame.terrain.xy - node.place.zw;  // nodes reach over the terrain's edge: their vertices do not
     vec2 flatRelative = node.place.xy + min(local, limit);
     float above = max(frame.eye.w, 0.0);
     float d = sqrt(dot(flatRelative, flatRelative) + above * above);

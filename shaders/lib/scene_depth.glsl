@@ -2,4 +2,6 @@
 layout(binding = TEX_DEPTH) uniform sampler2D depthPlain;
 layout(binding = TEX_DEPTH_SAMPLES) uniform sampler2DMS depthSamples;
 
-float sceneDepth(ivec2 pixel) { return MULTISAMPLED ? texelFetch(depthSamples, pixel, 0).r : texelFetch(depthPlain, pixel, 0).r; }
+float sceneDepth(ivec2 pixel) {
+    return MULTISAMPLED ? texelFetch(depthSamples, pixel, 0).r : texelFetch(depthPlain, pixel, 0).r;
+}

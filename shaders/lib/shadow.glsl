@@ -1,5 +1,6 @@
-// How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS; frame.glsl.
-// Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden (terrain/shade.h).
+// How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS;
+// frame.glsl. Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden
+// (terrain/shade.h).
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(binding = TEX_SHADOW) uniform sampler2DArrayShadow shadowMap;
 layout(binding = TEX_SHADE) uniform sampler2D shadeMap;
@@ -13,7 +14,8 @@ float sunInMap(int map, vec3 position, vec3 normal) {
     vec3 at = (shadow.toMap[map] * vec4(p, 1.0)).xyz;
     vec2 d = vec2(0.75 * shadow.texel.w);
     return 0.25 * (texture(shadowMap, vec4(at.xy + d, map, at.z)) + texture(shadowMap, vec4(at.xy - d, map, at.z)) +
-                   texture(shadowMap, vec4(at.xy + vec2(d.x, -d.y), map, at.z)) + texture(shadowMap, vec4(at.xy - vec2(d.x, -d.y), map, at.z)));
+                   texture(shadowMap, vec4(at.xy + vec2(d.x, -d.y), map, at.z)) +
+                   texture(shadowMap, vec4(at.xy - vec2(d.x, -d.y), map, at.z)));
 }
 
 // The finest map that reaches there, blended into the next over its last tenth; light beyond the last.
@@ -38,8 +40,8 @@ float sunPastHills(vec3 position) {
     return smoothstep(-soft, 0.0, above);
 }
 
-// 1: in the sun; 0: in shadow. position: relative to the eye; normal: unit, of the surface there, or 0 on what is in no shadow
-// map itself (ground, grass) and so needs no distance from its own shadow.
+// 1: in the sun; 0: in shadow. position: relative to the eye; normal: unit, of the surface there, or 0 on what is in no
+// shadow map itself (ground, grass) and so needs no distance from its own shadow.
 float sunVisible(vec3 position, vec3 normal) {
     if (frame.sunDirection.w <= 0.0) return 1.0;
     float share = 1.0;

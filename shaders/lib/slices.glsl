@@ -1,6 +1,6 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
-// Needs: frame.glsl; numerics opacity, lod, weights, leaf; cover.glsl, light.glsl, lamps.glsl; const bool TRANSLUCENCY, CONSERVING;
-// const int STORAGE.
+// Needs: frame.glsl; numerics opacity, lod, weights, leaf; cover.glsl, light.glsl, lamps.glsl; const bool TRANSLUCENCY,
+// CONSERVING; const int STORAGE.
 layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; };
 layout(binding = TEX_SLICE_REFLECTANCE) uniform sampler2DArray sliceReflectance;
 layout(binding = TEX_SLICE_THRESHOLD) uniform sampler2DArray sliceThreshold;
@@ -24,23 +24,28 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
-// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`: how far
-// they are laid down.
+// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`:
+// how far they are laid down.
 vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
-    vec4 across = slices.gains[t.view.x] * t.weight.x + slices.gains[t.view.y] * t.weight.y + slices.gains[t.view.z] * t.weight.z + slices.gains[t.view.w] * t.weight.w;
-    vec4 above = slices.farGains[t.view.x] * t.weight.x + slices.farGains[t.view.y] * t.weight.y + slices.farGains[t.view.z] * t.weight.z + slices.farGains[t.view.w] * t.weight.w;
+    vec4 across = slices.gains[t.view.x] * t.weight.x + slices.gains[t.view.y] * t.weight.y +
+                  slices.gains[t.view.z] * t.weight.z + slices.gains[t.view.w] * t.weight.w;
+    vec4 above = slices.farGains[t.view.x] * t.weight.x + slices.farGains[t.view.y] * t.weight.y +
+                 slices.farGains[t.view.z] * t.weight.z + slices.farGains[t.view.w] * t.weight.w;
     float leant = max(1.0 + dot(lean, vec2(across.w, above.w)), 0.1);
     vec3 gain = (far ? above.rgb : across.rgb) * leant;
     if (!FORCES && !FORCE_MAP) return gain;
-    vec4 laid = slices.laidGains[t.view.x] * t.weight.x + slices.laidGains[t.view.y] * t.weight.y + slices.laidGains[t.view.z] * t.weight.z + slices.laidGains[t.view.w] * t.weight.w;
+    vec4 laid = slices.laidGains[t.view.x] * t.weight.x + slices.laidGains[t.view.y] * t.weight.y +
+                slices.laidGains[t.view.z] * t.weight.z + slices.laidGains[t.view.w] * t.weight.w;
     return gain * mix(vec3(1.0), laid.rgb, press);
 }
 
-// Share of its height that a slice keeps where it is pressed: it has no blades to lay down each its own way, so it sinks.
+// Share of its height that a slice keeps where it is pressed: it has no blades to lay down each its own way, so it
+// sinks.
 const float kSinks = 0.9;
 float sunk(float press) { return 1.0 - kSinks * press; }
-// How much of the grass lies under a force (lib/force.glsl), in [0, 1]: what slices lack of their height, pressed down and pushed over.
+// How much of the grass lies under a force (lib/force.glsl), in [0, 1]: what slices lack of their height, pressed down
+// and pushed over.
 float laidBy(vec3 f) { return min((1.0 - sunk(f.z) * sqrt(1.0 - min(dot(f.xy, f.xy), 0.9))) / kSinks, 1.0); }
 
 // Share of vertical slices that is drawn for a view of this sine: from steeply above one would look between them.
@@ -63,10 +68,10 @@ vec3 paintedOver(vec3 reflectance, vec2 uv) {
     return mix(reflectance, paint.rgb / slices.shape.w, paint.a);
 }
 
-// Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of normals
-// along each axis and against it, `towards` the light. One blade has one of the two on each axis, and their difference is
-// exact. Where filtering mixed blades that face both ways, each way has light: the hyperbola of the mean and that spread, which
-// is exact where the mean is 0 or nothing is mixed.
+// Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of
+// normals along each axis and against it, `towards` the light. One blade has one of the two on each axis, and their
+// difference is exact. Where filtering mixed blades that face both ways, each way has light: the hyperbola of the mean
+// and that spread, which is exact where the mean is 0 or nothing is mixed.
 vec2 cosineOf(vec3 plus, vec3 minus, vec3 towards) {
     float facing = dot(plus - minus, towards), spread = 2.0 * dot(min(plus, minus), abs(towards));
     float both = sqrt(facing * facing + spread * spread);
@@ -87,8 +92,8 @@ vec4 lampWeights(vec3 direction) {
 }
 float lampFade(vec3 direction) { return horizonFade(direction.y, 0.052); }
 
-// Five weights as weights of a vertical slice's images: facing, side +, side -, above. axes: side that is seen, mirror x, z,
-// and 0 for slices across x, 1 across z.
+// Five weights as weights of a vertical slice's images: facing, side +, side -, above. axes: side that is seen, mirror
+// x, z, and 0 for slices across x, 1 across z.
 vec4 imagesOf(vec4 w, vec4 axes) {
     float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
     vec2 x = axes.y > 0.0 ? vec2(w.x, w.w) : vec2(w.w, w.x), z = axes.z > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z);

@@ -1,5 +1,5 @@
-// Blades as indexed strips, instanced by cell: which blade a vertex belongs to (gl_VertexID), and where it is on it. Vertex shaders only.
-// Needs: what blade.glsl needs.
+// Blades as indexed strips, instanced by cell: which blade a vertex belongs to (gl_VertexID), and where it is on it.
+// Vertex shaders only. Needs: what blade.glsl needs.
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
 layout(location = 2) in vec2 mirror;      // of the cell's version of the patch (numerics/population.h)

@@ -1,5 +1,6 @@
-// A blade to be tessellated: whether it is drawn, how it is posed and how finely (Jahrmann and Wimmer 2013, sections 5.1 and 6.3).
-// All that is decided once a blade. Any stage but fragments. Brings what blade_light.glsl needs with it.
+// A blade to be tessellated: whether it is drawn, how it is posed and how finely (Jahrmann and Wimmer 2013,
+// sections 5.1 and 6.3). All that is decided once a blade. Any stage but fragments. Brings what blade_light.glsl needs
+// with it.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -22,7 +23,7 @@
 #include "lib/shadow.glsl"
 #include "lib/mask.glsl"
 #include "lib/cover.glsl"
-ivec2 cell;                            // of the blade at hand
+ivec2 cell;  // of the blade at hand
 vec2 cellCorner, mirror, shift;
 #include "lib/blade.glsl"
 #include "lib/blade_light.glsl"
@@ -30,13 +31,13 @@ layout(std140, binding = UBO_TESS) uniform TessBlock { TessGlobals tess; };
 
 struct TessBlade {
     BladePose pose;
-    vec3 root;       // relative to the eye
-    vec2 uv;         // on maps (mapPlace)
-    float width;     // m
+    vec3 root;    // relative to the eye
+    vec2 uv;      // on maps (mapPlace)
+    float width;  // m
     float opacity, density, hue, lightness;
     uint grain;
-    int level;       // quads along it; 0: it is not drawn
-    bool plain;      // so thin that it is one triangle
+    int level;   // quads along it; 0: it is not drawn
+    bool plain;  // so thin that it is one triangle
 };
 
 void takeCell(TessCell c) {
@@ -48,10 +49,12 @@ void takeCell(TessCell c) {
 
 int levelOf(BladePose pose, vec3 root) {
     if (!(tess.level.y > 0.0)) return max(tessLevel(tess.level.x, length(root), tess.range.x), 1);
-    return tessLevelOnScreen(frame.viewProj * vec4(root, 1.0), frame.viewProj * vec4(root + pose.tip, 1.0), frame.viewport.xy, tess.level.z, tess.level.y, tess.level.x);
+    return tessLevelOnScreen(frame.viewProj * vec4(root, 1.0), frame.viewProj * vec4(root + pose.tip, 1.0),
+                             frame.viewport.xy, tess.level.z, tess.level.y, tess.level.x);
 }
 
-// Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of fading.
+// Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of
+// fading.
 TessBlade tessBlade(TessCell c, uint index) {
     takeCell(c);
     TessBlade t;
@@ -60,7 +63,8 @@ TessBlade tessBlade(TessCell c, uint index) {
     Stand s = standAt(b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.range.y);
-    float high = geometryOpacity(s.density * kept, 0.0, b.place.w, species.counts.z) / s.opacity * heightKept(distance, tess.range.x, tess.range.z);
+    float high = geometryOpacity(s.density * kept, 0.0, b.place.w, species.counts.z) / s.opacity *
+                 heightKept(distance, tess.range.x, tess.range.z);
     if (!(high > 0.0)) return t;
     t.pose = poseHere(b, s, t.lightness);
     t.pose.control *= min(high, 1.0);
@@ -89,7 +93,10 @@ vec2 maskOf(TessBlade t, vec3 fromRoot) {
 BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3 shown) {
     vec3 position = t.root + fromRoot;
     shown = dot(normal, position) > 0.0 ? -normal : normal;
-    BladeLight l = lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position, fromRoot, t.pose.facing, t.pose.upright, mix(species.rootColor.w, 1.0, v), t.density), t.uv);
+    BladeLight l =
+        lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position,
+                       fromRoot, t.pose.facing, t.pose.upright, mix(species.rootColor.w, 1.0, v), t.density),
+                   t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;
 }

@@ -7,8 +7,10 @@ uint cellOf(uint slot) {
     uint low = 0u, high = list[LIST_PIECES] - 1u;
     while (low < high) {
         uint middle = (low + high + 1u) / 2u;
-        if (cells[middle].slot <= slot) low = middle;
-        else high = middle - 1u;
+        if (cells[middle].slot <= slot)
+            low = middle;
+        else
+            high = middle - 1u;
     }
     return low;
 }

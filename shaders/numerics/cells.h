@@ -1,5 +1,6 @@
-// Which cells of a field's grid draw blades, and which of their blades: the same bits on CPU and GPU, so that either may choose.
-// Lengths are metres, places are relative to the eye. Every rounding is monotone: what holds a cell's box passes what it passes.
+// Which cells of a field's grid draw blades, and which of their blades: the same bits on CPU and GPU, so that either
+// may choose. Lengths are metres, places are relative to the eye. Every rounding is monotone: what holds a cell's box
+// passes what it passes.
 
 struct CellGrid {
     vec2 eyeCell;  // the cell that the eye is over: whole numbers below 2^24
@@ -37,7 +38,8 @@ FN ivec2 nodeCell(CellGrid g, int x, int z, int i) {
     vec2 middle = cellCorner(g, x + kNodeSide / 2, z + kNodeSide / 2);
     int column = i % kNodeSide;
     int row = i / kNodeSide;
-    return ivec2(x + (middle.x < 0.0f ? kNodeSide - 1 - column : column), z + (middle.y < 0.0f ? kNodeSide - 1 - row : row));
+    return ivec2(x + (middle.x < 0.0f ? kNodeSide - 1 - column : column),
+                 z + (middle.y < 0.0f ? kNodeSide - 1 - row : row));
 }
 
 // Squares of the distances from the eye to the box's nearest point, 0 inside, and to its farthest.
@@ -56,8 +58,8 @@ FN real boxFarthest2(CellBox b) {
     return d;
 }
 
-// Whether any of what reaches `reach` beyond the box and above it is on the inner side of a plane (normal inwards, distance);
-// and whether all of it is.
+// Whether any of what reaches `reach` beyond the box and above it is on the inner side of a plane (normal inwards,
+// distance); and whether all of it is.
 FN real planeSide(vec4 plane, vec3 p) {
     precise real d = plane.x * p.x + plane.y * p.y + plane.z * p.z + plane.w;
     return d;
@@ -73,7 +75,8 @@ FN bool boxWithin(vec4 plane, CellBox b, real reach) {
     return planeSide(plane, p) >= 0.0f;
 }
 
-// The texels of a density map that bilinear samples within a cell read, of `texels` in a row; a little more for rounding.
+// The texels of a density map that bilinear samples within a cell read, of `texels` in a row; a little more for
+// rounding.
 struct CellTexels {
     int first;
     int last;
@@ -89,9 +92,9 @@ FN CellTexels cellTexels(int cell, real texelsPerCell, int texels) {
 
 // How blades of a cell are chosen, by its nearest distance and the least and most density in it.
 struct CellRule {
-    real fade;       // omega of numerics/opacity.h
-    real thinning;   // share of the blades that is missing at each metre
-    real rangeMin;   // as lodRamp takes them
+    real fade;      // omega of numerics/opacity.h
+    real thinning;  // share of the blades that is missing at each metre
+    real rangeMin;  // as lodRamp takes them
     real rangeInv;
 };
 // The thresholds of its blades that may be drawn, as numbers of 0 to 255: above `low`, up to `high`.
@@ -108,8 +111,8 @@ FN CellShare cellShare(CellRule r, real nearest, real least, real most) {
     return s;
 }
 
-// Quads that a strip needs so as to leave its curve by at most half a pixel: a quadratic curve cut into n chords leaves them by
-// its sagitta / n^2. sagittaPixels: of the sagitta at 1 m.
+// Quads that a strip needs so as to leave its curve by at most half a pixel: a quadratic curve cut into n chords leaves
+// them by its sagitta / n^2. sagittaPixels: of the sagitta at 1 m.
 FN int chordQuads(real sagittaPixels, real distance, int most) {
     real pixels = sagittaPixels / max(distance, real(0.05));
     return clamp(int(ceil(sqrt(pixels / real(0.5)))), 1, most);

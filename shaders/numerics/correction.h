@@ -1,7 +1,7 @@
-// Opacity of a layer seen along a longer or shorter path: 1 - (1 - A)^k (Decaudin, Neyret 2004, section 5), A the opacity
-// of the layer's own thickness, k = dl / delta the ratio of path to thickness.
-// Error for A in [1/255, 1], k in [1, 16]: Taylor 0.35, hyperbola 0.19, pow 3e-7 (but 0.4 relative for thin layers), series
-// 3e-7 and 2e-7 relative down to A = 1e-7.
+// Opacity of a layer seen along a longer or shorter path: 1 - (1 - A)^k (Decaudin, Neyret 2004, section 5), A the
+// opacity of the layer's own thickness, k = dl / delta the ratio of path to thickness. Error for A in [1/255, 1], k in
+// [1, 16]: Taylor 0.35, hyperbola 0.19, pow 3e-7 (but 0.4 relative for thin layers), series 3e-7 and 2e-7 relative down
+// to A = 1e-7.
 
 // The paper's series, cut after its first term: opaque voxels stay opaque only for k >= 1.
 FN real correctionTaylor(real a, real k) { return min(k * a, real(1.0)); }
@@ -36,8 +36,8 @@ FN real opacityCorrected(real a, real k) {
     return oneMinusExp(ratio * logOneMinus(a));
 }
 
-// Premultiplied colour of the corrected layer: scaled by A'/A (k where A is 0), so that colour / alpha keeps its hue, where
-// clamping channels one by one would shift it.
+// Premultiplied colour of the corrected layer: scaled by A'/A (k where A is 0), so that colour / alpha keeps its hue,
+// where clamping channels one by one would shift it.
 FN vec4 colorCorrected(vec4 c, real k) {
     real alpha = clamp(c.w, real(0.0), real(1.0));
     real corrected = opacityCorrected(alpha, k);
@@ -48,7 +48,8 @@ FN vec4 colorCorrectedPublished(vec4 c, real k) {
     return vec4(min(c.x * k, real(1.0)), min(c.y * k, real(1.0)), min(c.z * k, real(1.0)), min(c.w * k, real(1.0)));
 }
 
-// k of a slice over ground of unit normal n seen along v (unit, z up): evaluated per fragment, from interpolated n and v.
+// k of a slice over ground of unit normal n seen along v (unit, z up): evaluated per fragment, from interpolated n and
+// v.
 FN real slantFactor(vec3 n, vec3 v) { return abs(n.z) / max(abs(dot(n, v)), real(1e-6)); }
 
 // Front-to-back compositing of premultiplied layers (Habel, Wimmer, Jeschke 2007, eq 3) that carries the transmittance,

@@ -1,7 +1,7 @@
-// Flowers (Jahrmann and Wimmer 2013: instanced billboards): which exist, how they stand and turn to the eye, what they send of light.
-// A flower is two flat pieces: a stem that turns about itself to the eye, and a head that faces half upward, half to the eye. Where it
-// stands and whether follows from an integer hash of (cell, number), as a blade's threshold does: a flower exists where the density
-// reaches its threshold.
+// Flowers (Jahrmann and Wimmer 2013: instanced billboards): which exist, how they stand and turn to the eye, what they
+// send of light. A flower is two flat pieces: a stem that turns about itself to the eye, and a head that faces half
+// upward, half to the eye. Where it stands and whether follows from an integer hash of (cell, number), as a blade's
+// threshold does: a flower exists where the density reaches its threshold.
 
 struct Flower {
     vec2 place;      // in its cell, in cells
@@ -32,14 +32,16 @@ FN Flower flowerOf(int cellX, int cellZ, uint number, real expected, uint seed) 
 FN vec3 flowerStem(Flower f, real height, vec2 lean) {
     real h = max(height, kTiny);
     vec2 own = f.facing * (real(0.05) + real(0.15) * f.second);
-    return poseBlade(vec3(real(0.0), 0.5f * h, real(0.0)), vec3(real(0.0), h, real(0.0)), f.facing, vec2(real(1.0), real(1.0)), own + lean, real(1.0)).tip;
+    return poseBlade(vec3(real(0.0), 0.5f * h, real(0.0)), vec3(real(0.0), h, real(0.0)), f.facing,
+                     vec2(real(1.0), real(1.0)), own + lean, real(1.0))
+        .tip;
 }
 
 // How its pieces lie, seen from `toEye` (unit). stem: root to head.
 struct FlowerFrame {
-    vec3 side;   // unit: across both pieces
-    vec3 up;     // unit: across the head, upward
-    vec3 face;   // unit: the head's normal, towards the eye
+    vec3 side;  // unit: across both pieces
+    vec3 up;    // unit: across the head, upward
+    vec3 face;  // unit: the head's normal, towards the eye
 };
 FN FlowerFrame flowerFrame(vec3 stem, vec2 facing, vec3 toEye) {
     vec3 axis = unitOr(stem, real(1e-6), vec3(0.0f, 1.0f, 0.0f));
@@ -52,8 +54,9 @@ FN FlowerFrame flowerFrame(vec3 stem, vec2 facing, vec3 toEye) {
 // The normal by which a stem is lit: round, seen from the eye's side.
 FN vec3 stemNormal(vec3 toEye) { return unitOr(vec3(toEye.x, real(0.5), toEye.z), real(1e-6), vec3(0.0f, 1.0f, 0.0f)); }
 
-// Share of its size that a flower has where the distance leaves `kept` of all: they shrink one after the other, the highest thresholds
-// first; those left are larger by at most `widest` each way. threshold and density: as they stand, density above 0.
+// Share of its size that a flower has where the distance leaves `kept` of all: they shrink one after the other, the
+// highest thresholds first; those left are larger by at most `widest` each way. threshold and density: as they stand,
+// density above 0.
 FN real flowerSize(real threshold, real density, real kept, real widest) {
     if (!(threshold <= density)) return real(0.0);
     real share = clamp((real(1.25) * kept - threshold / density) * 4.0f, real(0.0), real(1.0));
@@ -68,7 +71,8 @@ FN real flowerSends(vec3 normal, vec3 towards) {
 // Ambient light left at a share of the height.
 FN real flowerOpen(real v) { return mix(real(0.35), real(1.0), v); }
 
-// Reflectance: of the made image, whose channels say how much is petal and how much centre, and how light; or of another, with a factor.
+// Reflectance: of the made image, whose channels say how much is petal and how much centre, and how light; or of
+// another, with a factor.
 FN vec3 flowerColor(vec3 texel, vec3 petal, vec3 center, vec3 stem, bool made) {
     if (!made) return texel * petal;
     return (petal * texel.x + center * texel.y + stem * max(1.0f - texel.x - texel.y, real(0.0))) * (2.0f * texel.z);

@@ -1,11 +1,13 @@
-// What a leaf sends back of light that falls on it, beside the two-sided Lambert reflection of the papers: light that shines
-// through, and a waxy highlight. Factors are of (irradiance on a surface that faces the light) / pi, as lights are given.
+// What a leaf sends back of light that falls on it, beside the two-sided Lambert reflection of the papers: light that
+// shines through, and a waxy highlight. Factors are of (irradiance on a surface that faces the light) / pi, as lights
+// are given.
 
 // Reflectance of normal incidence of leaf wax, refractive index 1.5.
 const real kLeafFresnel = real(0.04);
 
-// Colour of light that has passed a leaf which reflects `color`: about as much, a little yellower, because chlorophyll takes
-// blue and red twice on the longer way (leaves measured by Woolley, "Reflectance and Transmittance of Light by Leaves", 1971).
+// Colour of light that has passed a leaf which reflects `color`: about as much, a little yellower, because chlorophyll
+// takes blue and red twice on the longer way (leaves measured by Woolley, "Reflectance and Transmittance of Light by
+// Leaves", 1971).
 FN vec3 leafThrough(vec3 color) { return vec3(color.x * real(1.1), color.y * real(1.05), color.z * real(0.55)); }
 
 // Fresnel's reflectance by Schlick 1994; cosine: between light and half vector, in [0, 1].
@@ -15,9 +17,10 @@ FN real leafFresnel(real cosine) {
     return kLeafFresnel + (1.0f - kLeafFresnel) * (m2 * m2 * m);
 }
 
-// Highlight of a leaf that faces n, seen along v (unit, towards the eye) in light from l (unit): the GGX lobe of Walter,
-// Marschner, Li and Torrance 2007 (equation 33) with alpha = roughness^2 and Smith's shadowing as approximated by Hammon
-// 2017, times n.l and pi. 0 where light or eye lie behind the leaf. roughness below 0.05 counts as 0.05; at most 3.2e5.
+// Highlight of a leaf that faces n, seen along v (unit, towards the eye) in light from l (unit): the GGX lobe of
+// Walter, Marschner, Li and Torrance 2007 (equation 33) with alpha = roughness^2 and Smith's shadowing as approximated
+// by Hammon 2017, times n.l and pi. 0 where light or eye lie behind the leaf. roughness below 0.05 counts as 0.05; at
+// most 3.2e5.
 FN real waxyLobe(vec3 n, vec3 l, vec3 v, real roughness) {
     real nl = dot(n, l);
     real nv = dot(n, v);
@@ -32,12 +35,12 @@ FN real waxyLobe(vec3 n, vec3 l, vec3 v, real roughness) {
     return peak * peak * leafFresnel(dot(l, h)) * visible * nl;
 }
 
-// Its mean over leaves that face all ways, weighted by how much of each is seen: such leaves are mirrors of every direction,
-// so that only Fresnel's part is left. lv: cosine between light and eye. A grass field far away sends this.
+// Its mean over leaves that face all ways, weighted by how much of each is seen: such leaves are mirrors of every
+// direction, so that only Fresnel's part is left. lv: cosine between light and eye. A grass field far away sends this.
 FN real waxyMean(real lv) { return real(0.25) * leafFresnel(sqrt(max(real(0.5) + real(0.5) * lv, real(0.0)))); }
 
-// All that a leaf of reflectance c sends to the eye of light (irradiance on what faces it, divided by pi, 1) from l: it faces n,
-// the side towards the eye, unit; v: towards the eye. looks: translucency, gloss, roughness; 0 costs nothing.
+// All that a leaf of reflectance c sends to the eye of light (irradiance on what faces it, divided by pi, 1) from l: it
+// faces n, the side towards the eye, unit; v: towards the eye. looks: translucency, gloss, roughness; 0 costs nothing.
 FN vec3 leafSends(vec3 c, vec3 looks, vec3 n, vec3 v, vec3 l) {
     real facing = dot(n, l);
     vec3 sent = c * max(facing, real(0.0));

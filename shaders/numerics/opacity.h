@@ -63,11 +63,12 @@ FN real lowestThresholdDrawn(real densityTimesWs, real omega) {
     return max(densityTimesWs - conservingWidth(densityTimesWs, omega), real(0.0));
 }
 
-// Opacity of a slice's texel that stores `alpha`, the share that blades cover, and thresholdAlpha, the mean of thresholds times
-// what each covers; where blades cover each other, of the least threshold there. The quotient is the blades' own threshold
-// wherever the texel shows one blade, however little of it, so that no outline is left of a hidden one (B-14). Texels of many
-// blades (level: of detail) cannot be compared: there, the mean is what n blades one behind the other leave of the texel,
-// 1 - (1 - density)^n. Their least threshold is 1 / (n + 1) in the mean, which gives n: the surer, the more blades are in it.
+// Opacity of a slice's texel that stores `alpha`, the share that blades cover, and thresholdAlpha, the mean of
+// thresholds times what each covers; where blades cover each other, of the least threshold there. The quotient is the
+// blades' own threshold wherever the texel shows one blade, however little of it, so that no outline is left of a
+// hidden one (B-14). Texels of many blades (level: of detail) cannot be compared: there, the mean is what n blades one
+// behind the other leave of the texel, 1 - (1 - density)^n. Their least threshold is 1 / (n + 1) in the mean, which
+// gives n: the surer, the more blades are in it.
 FN real texelOpacity(real thresholdAlpha, real alpha, real density, real omega, real level) {
     real threshold = thresholdAlpha / max(alpha, real(1.0 / 512.0));
     real least = clamp(mix(real(0.5), threshold, clamp(level / 6.0f, real(0.0), real(1.0))), real(0.05), real(0.75));

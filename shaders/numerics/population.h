@@ -1,10 +1,11 @@
 // What makes one blade of a repeated patch differ from its copies, and what colour it has: the part of the population
 // that is not in the patch. Every technique and the reference pose and colour blades by these lines.
 
-// Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun elsewhere.
-// Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar; these are a hundred.
-// The patch goes on at its far edge with its near one, as its images do. Fifths, whatever a technique's slices: which blades exist
-// must not hang on how they are drawn. Slices by fives stay whole; others are shown up to half their distance aside.
+// Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun
+// elsewhere. Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar;
+// these are a hundred. The patch goes on at its far edge with its near one, as its images do. Fifths, whatever a
+// technique's slices: which blades exist must not hang on how they are drawn. Slices by fives stay whole; others are
+// shown up to half their distance aside.
 const int kPatchStarts = 5;
 struct CellVersion {
     vec2 mirror;  // +1 or -1
@@ -14,7 +15,9 @@ FN CellVersion cellVersion(int cellX, int cellZ, uint seed) {
     uint h = cellHash(cellX, cellZ, seed);
     CellVersion v;
     v.mirror = cellMirror(h);
-    v.shift = vec2(real((((h >> 2) & 0x7FFFu) * uint(kPatchStarts)) >> 15), real(((h >> 17) * uint(kPatchStarts)) >> 15)) / real(kPatchStarts);
+    v.shift =
+        vec2(real((((h >> 2) & 0x7FFFu) * uint(kPatchStarts)) >> 15), real(((h >> 17) * uint(kPatchStarts)) >> 15)) /
+        real(kPatchStarts);
     return v;
 }
 // Where in its cell a blade stands whose root in the patch is `root`, both in [0, cellSize].
@@ -35,9 +38,10 @@ struct BladePose {
     vec3 upright;  // what takes the place's lean off again (stoodUp)
 };
 
-// Where a point relative to the blade's root, or a direction, would be had the place not leant the blade: the linear map that takes its tip
-// back. Neighbours lean as it does, nearly; and a ray meets the same of them when all are sheared together with it. So light among leaning
-// blades is looked up as that among upright ones, in the direction that the map gives.
+// Where a point relative to the blade's root, or a direction, would be had the place not leant the blade: the linear
+// map that takes its tip back. Neighbours lean as it does, nearly; and a ray meets the same of them when all are
+// sheared together with it. So light among leaning blades is looked up as that among upright ones, in the direction
+// that the map gives.
 FN vec3 stoodUp(vec3 p, vec3 upright) { return vec3(p.x - upright.x * p.y, p.y * upright.y, p.z - upright.z * p.y); }
 
 // A patch's blade in a cell: mirrored, scaled, and leant by `lean` (horizontal metres per metre of blade, on top of its
@@ -57,7 +61,8 @@ FN BladePose poseBlade(vec3 control, vec3 tip, vec2 facing, vec2 mirror, vec2 le
     real high = max(height, size * real(0.05) + kTiny);
     p.upright = vec3((reach.x - t.x) / high, t.y / high, (reach.y - t.z) / high);
     vec2 shift = (reach - vec2(t.x, t.z)) * real(0.5);
-    // Lowered in proportion; raised by half, as the middle of a straight one is: in proportion, one that lay almost flat would shoot up.
+    // Lowered in proportion; raised by half, as the middle of a straight one is: in proportion, one that lay almost
+    // flat would shoot up.
     real lowered = c.y * height / max(t.y, size * real(0.05) + kTiny), raised = c.y + (height - t.y) * real(0.5);
     p.control = vec3(c.x + shift.x, min(lowered, raised), c.z + shift.y);
     real across = sqrt(reach2);
@@ -80,12 +85,12 @@ FN vec3 bladeTint(vec3 color, real hue, real lightness) {
 
 // What a place adds to the patch's blade that stands there.
 struct BladePlace {
-    vec2 lean;     // as poseBlade takes it
+    vec2 lean;  // as poseBlade takes it
     real scale;
     real lighter;
 };
-// paint: the painted direction (x, z), its length the strength; leanAtFull: lean (m per m) at strength 1; clump: three values of
-// clumpValues; strengths: lean (m per m), share of height and of lightness that full clump values give.
+// paint: the painted direction (x, z), its length the strength; leanAtFull: lean (m per m) at strength 1; clump: three
+// values of clumpValues; strengths: lean (m per m), share of height and of lightness that full clump values give.
 FN BladePlace bladePlace(vec2 paint, real leanAtFull, vec3 clump, vec3 strengths) {
     BladePlace p;
     p.lean = paint * leanAtFull + vec2(clump.x, clump.y) * strengths.x;
@@ -93,8 +98,8 @@ FN BladePlace bladePlace(vec2 paint, real leanAtFull, vec3 clump, vec3 strengths
     p.lighter = 1.0f + clump.z * strengths.z;
     return p;
 }
-// Painted direction of a texel of the orientation map (0.5 is none), its length the strength in [0, 1]; what is shorter than
-// half a step of eight bits counts as not painted.
+// Painted direction of a texel of the orientation map (0.5 is none), its length the strength in [0, 1]; what is shorter
+// than half a step of eight bits counts as not painted.
 FN vec2 paintOf(real x, real z) {
     vec2 d = vec2(x - 0.5f, z - 0.5f) * real(2.0);
     real size = sqrt(dot(d, d));

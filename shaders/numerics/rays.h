@@ -1,6 +1,6 @@
-// Rays through the slices of a grass shell (Habel, Wimmer, Jeschke 2007, eq 2): in tangent space (u, v, w) slices stand at
-// u = k/nu and v = k/nv, the shell is w in [-h, 0], w is up. Integers step from slice to slice, so that nothing drifts, and
-// a slice through the entry is seen from both sides.
+// Rays through the slices of a grass shell (Habel, Wimmer, Jeschke 2007, eq 2): in tangent space (u, v, w) slices stand
+// at u = k/nu and v = k/nv, the shell is w in [-h, 0], w is up. Integers step from slice to slice, so that nothing
+// drifts, and a slice through the entry is seen from both sides.
 
 const int kRayU = 0;
 const int kRayV = 1;
@@ -29,7 +29,8 @@ struct SliceHit {
     vec3 position;
 };
 
-// 1 / x for any x; zero and subnormal x, whose reciprocal overflows, give +-1e30, so that their family never comes first.
+// 1 / x for any x; zero and subnormal x, whose reciprocal overflows, give +-1e30, so that their family never comes
+// first.
 FN real rayInverse(real x) { return 1.0f / (x < 0.0f ? min(x, -kTiny) : max(x, kTiny)); }
 
 // The first slice at or after coordinate e: closed at the entry for either sign of the direction.
@@ -86,8 +87,8 @@ FN SliceRay sliceAfter(SliceRay r, SliceHit hit) {
     return next;
 }
 
-// Parameter of the first hit by eq 2 as printed, with floor() and the sign of the direction choosing the plane: infinite or
-// NaN wherever the ray is parallel to a family, one slice late where the entry lies on it.
+// Parameter of the first hit by eq 2 as printed, with floor() and the sign of the direction choosing the plane:
+// infinite or NaN wherever the ray is parallel to a family, one slice late where the entry lies on it.
 FN real firstHitPublished(vec3 e, vec3 d, int nu, int nv, real h) {
     real pu = (floor(e.x * real(nu)) + (d.x > 0.0f ? real(1.0) : real(0.0))) / real(nu);
     real pv = (floor(e.y * real(nv)) + (d.y > 0.0f ? real(1.0) : real(0.0))) / real(nv);
@@ -97,8 +98,8 @@ FN real firstHitPublished(vec3 e, vec3 d, int nu, int nv, real h) {
     return e.z + d.z * t < -h ? (-h - e.z) / d.z : t;
 }
 
-// Depth (reversed: 1 near, 0 far) of a hit inside a carrier's shell. clip: the hit's clip position; carrier: the carrier
-// fragment's depth. Hits nearer than the near plane take the carrier's depth; none is nearer than the carrier.
+// Depth (reversed: 1 near, 0 far) of a hit inside a carrier's shell. clip: the hit's clip position; carrier: the
+// carrier fragment's depth. Hits nearer than the near plane take the carrier's depth; none is nearer than the carrier.
 FN real hitDepth(vec4 clip, real carrier, real near) {
     if (!(clip.w >= max(near, kTiny))) return carrier;
     return min(clamp(clip.z / clip.w, real(0.0), real(1.0)), carrier);

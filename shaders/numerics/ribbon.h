@@ -1,6 +1,6 @@
-// A ray against a blade: the surface that a level line of width w, perpendicular to where the blade faces, sweeps along the
-// blade's curve (numerics/blade.h). Along that line nothing bends, so that the ray meets the surface where its shadow on the
-// plane of up and `facing` meets a quadratic Bezier: a quadratic equation in v, exact for any curve.
+// A ray against a blade: the surface that a level line of width w, perpendicular to where the blade faces, sweeps along
+// the blade's curve (numerics/blade.h). Along that line nothing bends, so that the ray meets the surface where its
+// shadow on the plane of up and `facing` meets a quadratic Bezier: a quadratic equation in v, exact for any curve.
 
 struct RibbonHit {
     real t;       // along the ray, in lengths of its direction
@@ -8,8 +8,8 @@ struct RibbonHit {
     real across;  // -1/2 to 1/2 of the width, along the blade frame's side
 };
 
-// The smaller and the larger root of a v^2 + b v + c = 0 without cancellation (the larger in size is found first, the other
-// by their product); 2 and 2, outside every blade, where there is none.
+// The smaller and the larger root of a v^2 + b v + c = 0 without cancellation (the larger in size is found first, the
+// other by their product); 2 and 2, outside every blade, where there is none.
 FN vec2 ribbonRoots(real a, real b, real c) {
     real d = b * b - 4.0f * a * c;
     if (d < 0.0f) return vec2(real(2.0), real(2.0));
@@ -19,7 +19,8 @@ FN vec2 ribbonRoots(real a, real b, real c) {
     return vec2(min(near, far), max(near, far));
 }
 
-// Where the ray o + t d (o relative to the blade's root) is at v of the blade. t is meaningless where d runs along the side.
+// Where the ray o + t d (o relative to the blade's root) is at v of the blade. t is meaningless where d runs along the
+// side.
 FN RibbonHit ribbonAt(vec3 o, vec3 d, vec3 control, vec3 tip, vec2 facing, real width, real v) {
     vec3 p = control * (2.0f * v * (1.0f - v)) + tip * (v * v);
     vec2 flatD = vec2(d.x * facing.x + d.z * facing.y, d.y);

@@ -1,7 +1,7 @@
 // Shadows of blades on the ground and on one another (Boulanger, Pattanaik, Bouatouch 2006, section 3.5). y is up.
 
-// Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. o outside counts
-// as on the cylinder. Rays along the axis get a large finite t, which lies above every mask: unshadowed.
+// Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. o outside
+// counts as on the cylinder. Rays along the axis get a large finite t, which lies above every mask: unshadowed.
 FN real cylinderExit(vec3 o, vec3 d, real radius) {
     real a = d.x * d.x + d.z * d.z;
     real b = o.x * d.x + o.z * d.z;
@@ -24,16 +24,18 @@ FN real maskTurns(real x, real z) {
 // through the mask's seam.
 FN real unwrapTurns(real turn, real reference) { return turn - round(turn - reference); }
 
-// Where the ray from a point of a blade to a light leaves the blade's cylinder, as coordinates of its mask: turns from where
-// the blade faces, within half a turn of the light's own so that a blade's vertices interpolate, and height as a share of the
-// mask's, in [0, 2]. Light from straight above leaves over the top: unshadowed. Light from below comes out at 0.
+// Where the ray from a point of a blade to a light leaves the blade's cylinder, as coordinates of its mask: turns from
+// where the blade faces, within half a turn of the light's own so that a blade's vertices interpolate, and height as a
+// share of the mask's, in [0, 2]. Light from straight above leaves over the top: unshadowed. Light from below comes out
+// at 0.
 struct MaskPoint {
     real turn;
     real height;
 };
 // fromRoot: the point relative to the blade's root; facing: unit, where the blade leans; l: towards the light, unit.
 FN MaskPoint maskPointOf(vec3 fromRoot, vec2 facing, vec3 l, real radius, real top) {
-    vec3 o = vec3(fromRoot.x * facing.x + fromRoot.z * facing.y, fromRoot.y, fromRoot.z * facing.x - fromRoot.x * facing.y);
+    vec3 o =
+        vec3(fromRoot.x * facing.x + fromRoot.z * facing.y, fromRoot.y, fromRoot.z * facing.x - fromRoot.x * facing.y);
     vec3 d = vec3(l.x * facing.x + l.z * facing.y, l.y, l.z * facing.x - l.x * facing.y);
     real t = min(cylinderExit(o, d, radius), real(1e6));
     MaskPoint p;
@@ -70,7 +72,8 @@ FN GroundShadow shadowOfSun(real height, vec3 l, real maxLength) {
     return g;
 }
 
-// Shadow of point p (p.y above the ground) by a point light at `light`; same limits. Nothing from a light at or below p.
+// Shadow of point p (p.y above the ground) by a point light at `light`; same limits. Nothing from a light at or below
+// p.
 FN GroundShadow shadowOfLamp(vec3 p, vec3 light, real maxLength) {
     return shadowOfSun(p.y, vec3(light.x - p.x, light.y - p.y, light.z - p.z), maxLength);
 }

@@ -76,8 +76,9 @@ FN SkyModel skyUniform() {
     return m;
 }
 
-// The sky for a sun in direction sunDir; of turbidity 0 or less: the uniform one. With the sun below the horizon, where the model is silent: the sky of sunset,
-// darkened as measured twilight is, by a factor of about 100 over the first 6 degrees.
+// The sky for a sun in direction sunDir; of turbidity 0 or less: the uniform one. With the sun below the horizon, where
+// the model is silent: the sky of sunset, darkened as measured twilight is, by a factor of about 100 over the first 6
+// degrees.
 FN SkyModel skyModel(vec3 sunDir, real turbidity) {
     if (!(turbidity > 0.0f)) return skyUniform();
     real t = skyTurbidity(turbidity);

@@ -17,8 +17,8 @@ FN vec3 splineTangent(vec3 h, vec3 t, real v, real tiny) {
 
 // The frame at u across (0 left, 1 right) and v along. l and r: left and right root, control and tip; `side`: unit, the
 // blade's rest direction from left to right. All is computed relative to the left root: in world coordinates 90 km out
-// the normal would be off by 2e-2. Vectors shorter than 1e-6 of the blade's size fall back, tangents to tip minus root and then
-// up, the bitangent to side; a tangent along the bitangent gives the normal up x side.
+// the normal would be off by 2e-2. Vectors shorter than 1e-6 of the blade's size fall back, tangents to tip minus root
+// and then up, the bitangent to side; a tangent along the bitangent gives the normal up x side.
 FN SplineFrame splineFrame(vec3 lRoot, vec3 lControl, vec3 lTip, vec3 rRoot, vec3 rControl, vec3 rTip, vec3 side,
                            real u, real v) {
     vec3 up = vec3(0.0f, 1.0f, 0.0f);

@@ -1,8 +1,8 @@
 // Levels: of a blade's tessellation (Jahrmann, Wimmer 2013, eqs 4 and 5) and of the terrain's macro-cells (Boulanger,
 // Pattanaik, Bouatouch 2006, section 4.1).
 
-// Eq 4: s at distance 0, 0 at dmax and beyond, never increasing. s: the smoothness, at least 0; 64 is OpenGL's limit. An
-// exact integer does not land a level high, for which a level may be lost within 1e-4 above an integer.
+// Eq 4: s at distance 0, 0 at dmax and beyond, never increasing. s: the smoothness, at least 0; 64 is OpenGL's limit.
+// An exact integer does not land a level high, for which a level may be lost within 1e-4 above an integer.
 FN int tessLevel(real s, real d, real dmax) {
     if (!(d < dmax)) return 0;
     real level = ceil(s * (dmax - d) / max(dmax, kTiny) - real(1e-4));
@@ -30,22 +30,25 @@ FN real tessLevelOnScreenPublished(vec4 root, vec4 tip, vec2 size, real pixelsPe
     return min((upper - lower) * size.y / pixelsPerQuad, s);
 }
 
-// The level that no blade needs more than whose root is at least so far away. quadsAtOneMetre: of the tallest blade in the middle of
-// the picture at 1 m; 0: the distance decides. reach: of a blade from its root.
+// The level that no blade needs more than whose root is at least so far away. quadsAtOneMetre: of the tallest blade in
+// the middle of the picture at 1 m; 0: the distance decides. reach: of a blade from its root.
 FN int tessMost(real s, real d, real dmax, real quadsAtOneMetre, real reach) {
     if (!(quadsAtOneMetre > 0.0f)) return max(tessLevel(s, d, dmax), 1);
     real nearest = d - reach;
     return nearest > real(0.05) ? int(clamp(ceil(quadsAtOneMetre / nearest), real(1.0), max(s, real(1.0)))) : int(s);
 }
 
-// Of the density at a distance d, what is left where blades are thinned (section 6.3): linear, `missing` of it gone at each metre.
-FN real densityKept(real density, real d, real missing) { return density * clamp(1.0f - d * missing, real(0.0), real(1.0)); }
-// How high a blade stands there, as a share of its height, if blades are low from `dmax` on; inv: 1 over the metres in which they
-// get so, at least kTiny of them.
+// Of the density at a distance d, what is left where blades are thinned (section 6.3): linear, `missing` of it gone at
+// each metre.
+FN real densityKept(real density, real d, real missing) {
+    return density * clamp(1.0f - d * missing, real(0.0), real(1.0));
+}
+// How high a blade stands there, as a share of its height, if blades are low from `dmax` on; inv: 1 over the metres in
+// which they get so, at least kTiny of them.
 FN real heightKept(real d, real dmax, real inv) { return clamp((dmax - d) * inv, real(0.0), real(1.0)); }
 
-// Level of a macro-cell: 0 while the distance to its bounding sphere is below 2 base, one more with each doubling, at most
-// `most` (<= 24). 0 for an eye inside the sphere. Exact comparisons: CPU and GPU agree on every cell.
+// Level of a macro-cell: 0 while the distance to its bounding sphere is below 2 base, one more with each doubling, at
+// most `most` (<= 24). 0 for an eye inside the sphere. Exact comparisons: CPU and GPU agree on every cell.
 FN int macroLevel(real distance, real radius, real base, int most) {
     real q = distance - radius;
     real reach = 2.0f * base;
@@ -59,6 +62,6 @@ FN int macroLevel(real distance, real radius, real base, int most) {
 }
 FN real macroLevelPublished(real distance, real radius, real base) { return floor(log2((distance - radius) / base)); }
 
-// How many blades a texel of `expected` blades grows: the mean over uniform h in [0, 1) is `expected`, where floor alone
-// gives none below 1.
+// How many blades a texel of `expected` blades grows: the mean over uniform h in [0, 1) is `expected`, where floor
+// alone gives none below 1.
 FN int bladeCount(real expected, real h) { return int(floor(max(expected, real(0.0)) + h)); }

@@ -1,5 +1,6 @@
-// Slices of a forest prism tilted towards the eye (Decaudin, Neyret 2004, section 6). z is up here, as in the paper; V is
-// the direction from the eye to the scene, P1..P3 the ground triangle, h the height of the prism, kM the largest slant.
+// Slices of a forest prism tilted towards the eye (Decaudin, Neyret 2004, section 6). z is up here, as in the paper; V
+// is the direction from the eye to the scene, P1..P3 the ground triangle, h the height of the prism, kM the largest
+// slant.
 
 struct Tilt {
     vec3 offset;  // (dh'/dh) (k_i - k_max) of the three corners, in [-kM, 0]
@@ -28,8 +29,8 @@ FN vec3 tiltSlopes(vec3 p1, vec3 p2, vec3 p3, vec3 v) {
     return vec3(dot(a + b, v), dot(c - a, v), dot(-b - c, v)) / real(3.0);
 }
 
-// Slices along the true slice normal: spacing equals the voxel size at every elevation, where the paper's |z.V| thins out
-// below the elevation at which the slant limit starts. Equal to the paper's count above it.
+// Slices along the true slice normal: spacing equals the voxel size at every elevation, where the paper's |z.V| thins
+// out below the elevation at which the slant limit starts. Equal to the paper's count above it.
 FN real tiltCount(vec3 n, vec3 v, real s, real thickness, real voxels) {
     if (!(abs(n.z) > kTiny)) return real(0.0);
     real down = v.z < 0.0f ? real(1.0) : real(-1.0);
@@ -55,9 +56,7 @@ FN Tilt tiltOf(vec3 p1, vec3 p2, vec3 p3, vec3 view, real kM, real h, real voxel
 }
 
 // The number of slices to draw, in [2, most].
-FN int sliceCount(real count, int most) {
-    return int(clamp(ceil(count - real(1.0 / 1024.0)), real(2.0), real(most)));
-}
+FN int sliceCount(real count, int most) { return int(clamp(ceil(count - real(1.0 / 1024.0)), real(2.0), real(most))); }
 
 // The paper's formulas as printed: 0/0 straight down, infinity times 0 in horizontal views, a signed count.
 FN Tilt tiltPublished(vec3 p1, vec3 p2, vec3 p3, vec3 view, real kM, real h, real voxels) {

@@ -1,8 +1,8 @@
 // Light weights of the five images of a slice (Boulanger, Pattanaik, Bouatouch 2006, appendix, eqs 8-13): the areas of
 // the spherical triangles that the light cuts from its octant, over pi/2.
 // Error (full scale 1): eq 13 is NaN with the light on an axis and 2e-4 near a quadrant plane; three atan 1.6e-7; two
-// polynomials of degree 13 / 9 / 7 / 5 / 3: 8e-7 / 3.3e-5 / 2.3e-4 / 1.8e-3 / 1.4e-2. Degree 9 lies below a step of 8 bits
-// and costs a fifth of the atan form.
+// polynomials of degree 13 / 9 / 7 / 5 / 3: 8e-7 / 3.3e-5 / 2.3e-4 / 1.8e-3 / 1.4e-2. Degree 9 lies below a step of 8
+// bits and costs a fifth of the atan form.
 
 const real kFourOverPi = real(1.27323954473516268615);
 
@@ -53,15 +53,16 @@ FN real atanPoly5(real t) {
 }
 FN real atanPoly3(real t) { return t * (real(1.231837029) + t * t * real(-0.2318370295)); }
 
-// The weights (x, y, z) of the octant's three images from those of x and z; they sum to 1 within 6e-8, none is negative.
+// The weights (x, y, z) of the octant's three images from those of x and z; they sum to 1 within 6e-8, none is
+// negative.
 FN vec3 weightsFrom(real x, real z) {
     real wx = min(x, real(1.0));
     real wz = min(z, 1.0f - wx);
     return vec3(wx, (1.0f - wx) - wz, wz);
 }
 
-// Exact: van Oosterom and Strackee's formula for a triangle with two orthonormal corners. Keeps the relative accuracy of
-// small weights, which a remainder loses.
+// Exact: van Oosterom and Strackee's formula for a triangle with two orthonormal corners. Keeps the relative accuracy
+// of small weights, which a remainder loses.
 FN vec3 weightsThreeAtan(LightOctant o) {
     return vec3(kFourOverPi * atan(o.a / (o.n + o.b + o.c)), kFourOverPi * atan(o.b / (o.n + o.a + o.c)),
                 kFourOverPi * atan(o.c / (o.n + o.a + o.b)));
@@ -116,8 +117,8 @@ FN vec3 weightsEq11(vec3 l) {
     return vec3(weightEq11(u.y, c), weightEq11(a, c), weightEq11(a, u.y));
 }
 
-// All five weights. Interpolate these over a triangle, never a signed triple: two vertices lit from opposite sides would
-// meet at weights that sum to 0. At a quadrant's boundary either image has weight 0.
+// All five weights. Interpolate these over a triangle, never a signed triple: two vertices lit from opposite sides
+// would meet at weights that sum to 0. At a quadrant's boundary either image has weight 0.
 struct LightWeights {
     real xPos;
     real yPos;
@@ -141,8 +142,8 @@ FN LightWeights spreadWeights(vec3 l, vec3 w) {
 FN LightWeights lightWeights(vec3 l) { return spreadWeights(l, weightsThreeAtan(lightOctant(l))); }
 FN LightWeights lightWeightsFast(vec3 l) { return spreadWeights(l, weightsPoly9(lightOctant(l))); }
 
-// Diffuse light fades out over the last degrees above the horizon; exactly 0 at and below it. sinElevation: of the light;
-// sinFade: of the elevation where the fade starts, above 0.
+// Diffuse light fades out over the last degrees above the horizon; exactly 0 at and below it. sinElevation: of the
+// light; sinFade: of the elevation where the fade starts, above 0.
 FN real horizonFade(real sinElevation, real sinFade) {
     return clamp(sinElevation / max(sinFade, kTiny), real(0.0), real(1.0));
 }

@@ -1,7 +1,7 @@
 // Waves of wind (Jahrmann, Wimmer 2013, eq 9): w = sin(c1 a) cos(c3 a), a = pi x + t + (pi/4) / (|cos(c2 pi z)| + eps).
-// Phases are in turns, wrapped in double on the CPU once per cell and frame: in float, eq 9 is off by 8e-3 at 1 km, by 0.5
-// at 90 km and after a week, where half the frames stand still. Error here: 2e-6 anywhere, any time.
-// Unit of x and z: metres, of t: seconds. eps of 0.1 or more; below, neighbouring blades move without relation.
+// Phases are in turns, wrapped in double on the CPU once per cell and frame: in float, eq 9 is off by 8e-3 at 1 km, by
+// 0.5 at 90 km and after a week, where half the frames stand still. Error here: 2e-6 anywhere, any time. Unit of x and
+// z: metres, of t: seconds. eps of 0.1 or more; below, neighbouring blades move without relation.
 
 // The part of the phases that depends on the cell's corner and the time; make in double and round to float.
 struct WindPhase {

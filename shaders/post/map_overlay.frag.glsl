@@ -1,5 +1,5 @@
-// A painted map over the scene, looked at from above: what stands on a place takes the place's colour. Over painted forces, also those of
-// what stands and went there. Needs: const bool FORCES, GRASS.
+// A painted map over the scene, looked at from above: what stands on a place takes the place's colour. Over painted
+// forces, also those of what stands and went there. Needs: const bool FORCES, GRASS.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -13,14 +13,13 @@
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
-layout(location = 0) uniform vec4 overlay;  // 1 amounts, 2 directions, 3 forces, 4 colours; tiling, as in shared/frame.h; metres a pixel at 1 m; texels a metre
+layout(location = 0) uniform vec4 overlay;   // 1 amounts, 2 directions, 3 forces, 4 colours; tiling, as in
+                                             // shared/frame.h; metres a pixel at 1 m; texels a metre
 layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
 layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
 out vec4 color;
 
-vec4 mapAt(vec2 place, float level) {
-    return textureLod(map, tiled(mapPlace(place), overlay.y), level);
-}
+vec4 mapAt(vec2 place, float level) { return textureLod(map, tiled(mapPlace(place), overlay.y), level); }
 
 vec3 amountColor(float amount) {
     const vec3 none = vec3(0.24, 0.05, 0.42), half_ = vec3(0.87, 0.30, 0.36), full = vec3(1.0, 0.92, 0.25);
@@ -86,7 +85,9 @@ vec4 directionView(vec3 position, vec2 place, vec2 lean, float metresPerPixel) {
     return withArrows(vec4(directionColor(lean), mix(0.1, 0.5, length(lean))), position, place, metresPerPixel);
 }
 
-vec3 srgb(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308))); }
+vec3 srgb(vec3 c) {
+    return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
 
 void main() {
     float depth = sceneDepth(ivec2(gl_FragCoord.xy));
@@ -99,8 +100,12 @@ void main() {
     float metresPerPixel = length(position) * overlay.z;
     float level = max(0.0, log2(metresPerPixel * overlay.w));
     vec4 texel = painted ? mapAt(place, level) : vec4(0.0);
-    if (overlay.x < 1.5) color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
-    else if (overlay.x < 2.5) color = directionView(position, place, leanOf(texel), metresPerPixel);
-    else if (overlay.x < 3.5) color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
-    else color = vec4(srgb(texel.rgb), texel.a * 0.75);
+    if (overlay.x < 1.5)
+        color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
+    else if (overlay.x < 2.5)
+        color = directionView(position, place, leanOf(texel), metresPerPixel);
+    else if (overlay.x < 3.5)
+        color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
+    else
+        color = vec4(srgb(texel.rgb), texel.a * 0.75);
 }

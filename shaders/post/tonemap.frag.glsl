@@ -1,5 +1,5 @@
-// Linear light to the screen: Khronos PBR Neutral tone mapping (2024), which keeps hues, then sRGB. False-colour views are
-// already in screen colours; depth is shown as the logarithm of the distance.
+// Linear light to the screen: Khronos PBR Neutral tone mapping (2024), which keeps hues, then sRGB. False-colour views
+// are already in screen colours; depth is shown as the logarithm of the distance.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/tonemap.h"
@@ -16,8 +16,12 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 light = texelFetch(scene, pixel, 0).rgb;
     vec3 shown = srgbEncode3(toneMapNeutral(max(light, vec3(0.0))));
-    if (viewMode() == VIEW_DEPTH) shown = depthView(sceneDepth(pixel));
-    else if (viewMode() != VIEW_FINAL) shown = clamp(light, 0.0, 1.0);
-    if (viewMode() == VIEW_OVERDRAW) shown = vec3(clamp(light.r * 2.0, 0.0, 1.0), clamp(light.r * 2.0 - 1.0, 0.0, 1.0), clamp(light.r - 1.0, 0.0, 1.0));
+    if (viewMode() == VIEW_DEPTH)
+        shown = depthView(sceneDepth(pixel));
+    else if (viewMode() != VIEW_FINAL)
+        shown = clamp(light, 0.0, 1.0);
+    if (viewMode() == VIEW_OVERDRAW)
+        shown =
+            vec3(clamp(light.r * 2.0, 0.0, 1.0), clamp(light.r * 2.0 - 1.0, 0.0, 1.0), clamp(light.r - 1.0, 0.0, 1.0));
     color = vec4(shown, 1.0);
 }

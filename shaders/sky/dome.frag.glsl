@@ -1,5 +1,5 @@
-// The sky (Preetham, Shirley and Smits 1999) with the sun's disc; below the horizon the ground beyond the terrain, level with
-// its corner, in the haze.
+// The sky (Preetham, Shirley and Smits 1999) with the sun's disc; below the horizon the ground beyond the terrain,
+// level with its corner, in the haze.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -28,7 +28,11 @@ void main() {
     vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyGain.rgb;
     bool disc = !WATER_REFLECTION || frame.mirror.x < 0.5;  // water shows the sun as its own glint
     if (SUN && disc && d.y > 0.0) light += frame.sunLight.rgb * sunDisc(dot(d, frame.sunDirection.xyz));
-    if (d.y < 0.0) light = plainLight(frame.groundLight.rgb, horizonColor(d.xz), frame.haze.x, plainDistance(frame.eye.xyz, frame.terrain.xy, d));
-    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_OVERDRAW || viewMode() == VIEW_DENSITY || viewMode() == VIEW_NORMALS) light = vec3(0.0);
+    if (d.y < 0.0)
+        light = plainLight(frame.groundLight.rgb, horizonColor(d.xz), frame.haze.x,
+                           plainDistance(frame.eye.xyz, frame.terrain.xy, d));
+    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_OVERDRAW || viewMode() == VIEW_DENSITY ||
+        viewMode() == VIEW_NORMALS)
+        light = vec3(0.0);
     color = vec4(light, 1.0);
 }

@@ -1,4 +1,5 @@
-// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass stands on it.
+// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass
+// stands on it.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -51,7 +52,8 @@ void main() {
     float distance = length(position);
     vec3 n = normalize(normal);
     vec4 density = GRASS ? densities(uv) : vec4(0.0);
-    float shades = GRASS ? lightLeft(density, uv) : 1.0, near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
+    float shades = GRASS ? lightLeft(density, uv) : 1.0,
+          near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
     vec3 light = soilLight(position, uv, n, shades, near) * soil(uv);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);

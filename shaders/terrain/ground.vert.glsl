@@ -7,8 +7,8 @@
 #include "lib/mirror.glsl"
 
 invariant gl_Position;  // the same in all programs that draw these corners
-out vec3 position;   // relative to the eye
-out vec2 place;      // relative to the terrain's corner, metres
+out vec3 position;      // relative to the eye
+out vec2 place;         // relative to the terrain's corner, metres
 out vec3 normal;
 
 void main() {

@@ -1,5 +1,5 @@
-// Water: what it mirrors, what is seen through it, and the sun's glint (numerics/water.h). What lies under it is dimmed where it
-// was drawn, by a factor a colour (the second output); nothing is copied.
+// Water: what it mirrors, what is seen through it, and the sun's glint (numerics/water.h). What lies under it is dimmed
+// where it was drawn, by a factor a colour (the second output); nothing is copied.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
@@ -48,8 +48,8 @@ float depthBelow(float surface) {
     return count > 0.0 ? sum / count : surface;
 }
 
-// Where a thing in that direction lies in the picture of what is mirrored. The picture is the scene seen by the mirrored eye: the
-// image of what lies above the water is where the eye sees it below.
+// Where a thing in that direction lies in the picture of what is mirrored. The picture is the scene seen by the
+// mirrored eye: the image of what lies above the water is where the eye sees it below.
 vec2 inMirror(vec3 towards) {
     vec4 clip = frame.viewProj * vec4(position + vec3(towards.x, -towards.y, towards.z) * water.color.w, 1.0);
     return clip.xy / clip.w * water.place.yz + 0.5;
@@ -63,9 +63,11 @@ vec3 mirroredLight(vec3 toEye, vec3 ripple) {
     if (!WATER_REFLECTION || !(water.place.y > 0.0)) return skyFrom(r);
     vec2 along = normalize(toEye.xz + vec2(1e-6, 0.0)) * sqrt(max(ripple.z - kSmoothest, 0.0));
     vec2 uv = inMirror(r);
-    vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) - inMirror(mirrored(-toEye, rippleNormal(ripple.xy - along)));
+    vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) -
+                 inMirror(mirrored(-toEye, rippleNormal(ripple.xy - along)));
     vec2 texel = 1.0 / vec2(textureSize(reflected, 0));
-    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, vec2(-0.25), vec2(0.25))).rgb;
+    return textureGrad(reflected, uv, vec2(texel.x, 0.0), vec2(0.0, texel.y) + clamp(smear, vec2(-0.25), vec2(0.25)))
+        .rgb;
 }
 
 void main() {
@@ -83,7 +85,8 @@ void main() {
     float haze = hazeShare(distance);
     vec3 through = left * (1.0 - mirror);
     // What is mirrored and what is seen through are in their own haze already.
-    vec3 light = mirroredLight(toEye, ripple) * mirror + body * (1.0 - haze) + horizonColor(position.xz) * haze * (1.0 - mirror - through);
+    vec3 light = mirroredLight(toEye, ripple) * mirror + body * (1.0 - haze) +
+                 horizonColor(position.xz) * haze * (1.0 - mirror - through);
     added = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     factor = vec4(through, 0.0);
 }

@@ -19,7 +19,8 @@ struct Random {
 TEST(Blade, NoPointLiesBelowTheRootPlaneAndFramesAreOrthonormal) {
     Random r;
     for (int i = 0; i < 50000; ++i) {
-        const float height = i % 50 ? r.in(0.01f, 0.6f) : 0, azimuth = r.in(-3.1f, 3.1f), v = i % 3 ? r.in(0, 1) : float(i % 2);
+        const float height = i % 50 ? r.in(0.01f, 0.6f) : 0, azimuth = r.in(-3.1f, 3.1f),
+                    v = i % 3 ? r.in(0, 1) : float(i % 2);
         const BladeShape s = bladeShape(height, i % 7 ? r.in(-2, 2) : 0, i % 4 ? r.in(0, 2) : 0.5f, azimuth);
         const BladeFrame f = bladeFrame(s.control, s.tip, azimuth, v);
         ASSERT_GE(f.position.y, 0.0f);
@@ -101,8 +102,10 @@ TEST(Clump, CellsMeetExactlyEvenWhereClumpsDoNotDivideThem) {
     for (int cell : {-180000, -1, 0, 5, 65535, 180000})
         for (float size : {0.13f, 0.7f, 1.7f, 9.3f, 400.0f})
             for (float z : {0.0f, 0.4f, 1.69f}) {
-                const vec3 a = clumpValues(cell, cell, vec2(1.7f, z), 1.7f, size, 3), b = clumpValues(cell + 1, cell, vec2(0, z), 1.7f, size, 3);
-                const vec3 c = clumpValues(cell, cell, vec2(z, 1.7f), 1.7f, size, 3), d = clumpValues(cell, cell + 1, vec2(z, 0), 1.7f, size, 3);
+                const vec3 a = clumpValues(cell, cell, vec2(1.7f, z), 1.7f, size, 3),
+                           b = clumpValues(cell + 1, cell, vec2(0, z), 1.7f, size, 3);
+                const vec3 c = clumpValues(cell, cell, vec2(z, 1.7f), 1.7f, size, 3),
+                           d = clumpValues(cell, cell + 1, vec2(z, 0), 1.7f, size, 3);
                 EXPECT_EQ(a, b) << cell << ' ' << size;
                 EXPECT_EQ(c, d) << cell << ' ' << size;
             }
@@ -117,7 +120,7 @@ TEST(Clump, IsAsSmoothFarOutAsAtTheOrigin) {
             steepest = std::max(steepest, maxAbs3(now - before) * 4000 / 2);
             before = now;
         }
-        EXPECT_GT(steepest, 0.5f) << cell;                     // it varies,
+        EXPECT_GT(steepest, 0.5f) << cell;                       // it varies,
         EXPECT_LT(steepest, 2 * 1.875f / 0.7f * 1.02f) << cell;  // by no more than the fade's slope between -1 and 1
     }
 }
@@ -194,7 +197,8 @@ TEST(Wind, IsBoundedPeriodicAndSteadyAfterThirtyDays) {
         ASSERT_LE(std::abs(now), 1.000001f);
         const double month = 8 * 3.14159265358979323846 * 103133;  // whole periods of both waves, 30 days
         ASSERT_NEAR(windOf(x, z, t + month), now, 2e-5f);
-        ASSERT_NEAR(windOf(x, z, t + month + 1 / 60.0) - windOf(x, z, t + month), windOf(x, z, t + 1 / 60.0) - now, 4e-5f);
+        ASSERT_NEAR(windOf(x, z, t + month + 1 / 60.0) - windOf(x, z, t + month), windOf(x, z, t + 1 / 60.0) - now,
+                    4e-5f);
     }
 }
 
@@ -218,7 +222,8 @@ TEST(Tessellation, FallsFromTheSmoothnessToZero) {
 
 TEST(Ticks, PhasesRepeatAfterAnyTime) {
     for (uint tick : {0u, 17u, 599u})
-        for (uint periods : {0u, 1u, 1000000u}) EXPECT_EQ(tickPhase(tick + periods * 600u, 600u), tickPhase(tick, 600u));
+        for (uint periods : {0u, 1u, 1000000u})
+            EXPECT_EQ(tickPhase(tick + periods * 600u, 600u), tickPhase(tick, 600u));
     EXPECT_LT(tickPhase(599u, 600u), 1.0f);
 }
 

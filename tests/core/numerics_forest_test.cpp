@@ -155,7 +155,8 @@ TEST(SliceRays, RisingRaysFromTheTopAndRaysWithoutDirectionHitNothing) {
     EXPECT_EQ(sliceHit(sliceRay({0.3f, 0.1f, 0}, {1, 0, 0.5f}, 16, 16, 0.25f)).family, kRayNone);
     EXPECT_EQ(sliceHit(sliceRay({0.25f, 0.1f, 0}, {1, 0, 0.5f}, 16, 16, 0.25f)).family, kRayNone);
     EXPECT_EQ(sliceHit(sliceRay({0.3f, 0.1f, 0}, {0, 0, 0}, 16, 16, 0.25f)).family, kRayNone);
-    EXPECT_EQ(sliceHit(sliceRay({0.3f, 0.1f, -0.2f}, {1, 0, 0.5f}, 16, 16, 0.25f)).family, kRayU);  // an eye in the grass
+    EXPECT_EQ(sliceHit(sliceRay({0.3f, 0.1f, -0.2f}, {1, 0, 0.5f}, 16, 16, 0.25f)).family,
+              kRayU);  // an eye in the grass
 }
 
 TEST(SliceRays, TangentFramesAreOrthonormalForEveryNormal) {

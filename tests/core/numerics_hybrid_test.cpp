@@ -38,7 +38,8 @@ TEST(LightWeights, SymmetryExchangesTheImages) {
     Random r;
     for (int i = 0; i < 1000; ++i) {
         const float x = r.in(0.01f, 1), y = r.in(0, 1), z = r.in(0.01f, 1);
-        const auto a = f32::lightWeights({x, y, z}), b = f32::lightWeights({-x, y, -z}), c = f32::lightWeights({z, y, x});
+        const auto a = f32::lightWeights({x, y, z}), b = f32::lightWeights({-x, y, -z}),
+                   c = f32::lightWeights({z, y, x});
         EXPECT_EQ(a.xPos, b.xNeg);
         EXPECT_EQ(a.zPos, b.zNeg);
         EXPECT_NEAR(a.xPos, c.zPos, 3e-7f);
@@ -134,7 +135,8 @@ TEST(Partition, EveryBladeIsDrawnExactlyOnceWhereItExists) {
 TEST(Partition, FadingSharesTheBladeAndBoundsHoldWhatIsDrawn) {
     Random r;
     for (int i = 0; i < 200000; ++i) {
-        const float density = r.in(0, 1), ws = r.in(0, 1), omega = i % 5 ? r.in(0, 0.5f) : 0, t = thresholdOf(1 + int(r.bits() % 255));
+        const float density = r.in(0, 1), ws = r.in(0, 1), omega = i % 5 ? r.in(0, 0.5f) : 0,
+                    t = thresholdOf(1 + int(r.bits() % 255));
         const float slice = sliceOpacity(density, ws, t, omega), geometry = geometryOpacity(density, ws, t, omega);
         ASSERT_GE(geometry, 0.0f);
         ASSERT_NEAR(slice + geometry, opacityConserving(density, t, omega), 1.2e-7f);

@@ -1,4 +1,5 @@
-// A leaf sends back no more light than falls on it, the same both ways, and its mean over all leaves is the closed form.
+// A leaf sends back no more light than falls on it, the same both ways, and its mean over all leaves is the closed
+// form.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -73,7 +74,8 @@ TEST(Leaf, MeanOverLeavesOfAllDirectionsIsAQuarterOfFresnel) {
             seen += nv;
             sum += waxyLobe(n, l, v, 0.3) * nv;
         }
-        EXPECT_NEAR(sum / seen, waxyMean(dot(l, v)), 0.2 * waxyMean(dot(l, v))) << angle;  // rough lobes are cut where leaves turn away
+        EXPECT_NEAR(sum / seen, waxyMean(dot(l, v)), 0.2 * waxyMean(dot(l, v)))
+            << angle;  // rough lobes are cut where leaves turn away
     }
 }
 

@@ -33,7 +33,7 @@ TEST(Sky, SunLightsLevelGroundFourToTenTimesAsMuchAsTheSky) {
         const double direct = luminance(sunIlluminance(sun, 3)) * sun.y, diffuse = luminance(skyIlluminance(sun, 3));
         EXPECT_GT(direct / diffuse, 4) << elevation;
         EXPECT_LT(direct / diffuse, 10) << elevation;
-        EXPECT_GT(diffuse, 5);   // klx; measured clear skies give 8 to 15
+        EXPECT_GT(diffuse, 5);  // klx; measured clear skies give 8 to 15
         EXPECT_LT(diffuse, 20);
         EXPECT_LT(direct, 110);  // klx; the sun above the air gives 133
     }
@@ -60,7 +60,8 @@ TEST(Sky, IsFiniteAndNotNegativeEverywhere) {
             for (int k = 0; k < 3; ++k) EXPECT_TRUE(direct[k] >= 0 && direct[k] < 140) << elevation;
             for (double view : {90.0, elevation, 0.0, 1e-3, -5.0, -90.0}) {
                 const f32::vec3 sky = f32::skyRadiance(f32::vec3(sunAt(view)), sun, float(turbidity));
-                for (int k = 0; k < 3; ++k) EXPECT_TRUE(sky[k] >= 0 && sky[k] < 200) << elevation << ' ' << view << ' ' << turbidity;
+                for (int k = 0; k < 3; ++k)
+                    EXPECT_TRUE(sky[k] >= 0 && sky[k] < 200) << elevation << ' ' << view << ' ' << turbidity;
             }
         }
 }
@@ -85,7 +86,8 @@ TEST(Sky, AirMassIsOneAtTheZenithAndThirtySixOnTheHorizon) {
 }
 
 TEST(Sky, ZenithColourOfAClearNoonIsTheModels) {
-    // Preetham, Shirley, Smits: x and y of a blue zenith, by their polynomials at turbidity 2 and a sun 30 degrees off it.
+    // Preetham, Shirley, Smits: x and y of a blue zenith, by their polynomials at turbidity 2 and a sun 30 degrees off
+    // it.
     const vec3 zenith = skyZenith(kPiD / 6, 2);
     EXPECT_NEAR(zenith.y, 0.2508, 0.005);
     EXPECT_NEAR(zenith.z, 0.2564, 0.005);

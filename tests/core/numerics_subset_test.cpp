@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 const fs::path kRoot = SWARD_SOURCE_DIR;
 
 std::string withoutComments(const std::string& text) {
-    return std::regex_replace(std::regex_replace(text, std::regex(R"(/\*[^]*?\*/)"), ""), std::regex(R"(//[^\n]*)"), "");
+    return std::regex_replace(std::regex_replace(text, std::regex(R"(/\*[^]*?\*/)"), ""), std::regex(R"(//[^\n]*)"),
+                              "");
 }
 
 struct Rule {
@@ -30,7 +31,9 @@ const std::vector<Rule>& rules() {
         {"stray #", std::regex(R"((^|\n)[ \t]*#)")},
         {"type outside the subset", std::regex(R"(\b(float|double|size_t|unsigned|auto|std::\w+)\b)")},
         {"relies on NaN", std::regex(R"(\b(isnan|isinf|NAN|INFINITY)\b)")},
-        {"name taken by GLSL or C++", std::regex(R"(\b(partition|sample|active|filter|input|output|common|half|flat|new|this|class|union|and|or|not)\b)")},
+        {"name taken by GLSL or C++",
+         std::regex(
+             R"(\b(partition|sample|active|filter|input|output|common|half|flat|new|this|class|union|and|or|not)\b)")},
         {"default argument", std::regex(R"(\bFN\b[^;{]*\([^)]*=[^)]*\)\s*\{)")},
         {"not ASCII", std::regex("[^\\x00-\\x7F]")},
     };
@@ -51,7 +54,8 @@ std::vector<std::string> breaches(const std::string& text) {
     const std::string code = withoutComments(text);
     std::vector<std::string> out;
     for (const Rule& rule : rules())
-        if (std::regex_search(rule.name == std::string("not ASCII") ? text : code, rule.pattern)) out.push_back(rule.name);
+        if (std::regex_search(rule.name == std::string("not ASCII") ? text : code, rule.pattern))
+            out.push_back(rule.name);
     if (hasInexactLiteral(code)) out.push_back("inexact literal");
     return out;
 }
@@ -89,7 +93,8 @@ std::vector<std::string> unused(const std::vector<std::string>& formulas, const 
 std::vector<fs::path> formulaFiles() {
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(kRoot / "shaders/numerics"))
-        if (const auto name = entry.path().filename(); name != "all.h" && name != "glsl.h") files.push_back(entry.path());
+        if (const auto name = entry.path().filename(); name != "all.h" && name != "glsl.h")
+            files.push_back(entry.path());
     return files;
 }
 
@@ -97,14 +102,16 @@ std::vector<std::string> textsUnder(std::initializer_list<const char*> folders, 
     std::vector<std::string> texts;
     for (const char* folder : folders)
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
-            if (entry.is_regular_file() && entry.path().string().find(except) == std::string::npos) texts.push_back(test::readText(entry.path()));
+            if (entry.is_regular_file() && entry.path().string().find(except) == std::string::npos)
+                texts.push_back(test::readText(entry.path()));
     return texts;
 }
 
 TEST(NumericsSubset, EveryFormulaHeaderKeepsTheRules) {
     ASSERT_GT(formulaFiles().size(), 10u);
     for (const fs::path& file : formulaFiles())
-        for (const std::string& breach : breaches(test::readText(file))) ADD_FAILURE() << file.filename() << ": " << breach;
+        for (const std::string& breach : breaches(test::readText(file)))
+            ADD_FAILURE() << file.filename() << ": " << breach;
 }
 
 TEST(NumericsSubset, EveryFormulaHeaderIsInAllOnce) {
@@ -120,7 +127,8 @@ TEST(NumericsSubset, EveryFormulaHeaderIsInAllOnce) {
 TEST(NumericsSubset, EveryFormulaHasACallerOrARow) {
     std::vector<std::string> formulas;
     for (const fs::path& file : formulaFiles()) formulas.push_back(test::readText(file));
-    for (const std::string& name : unused(formulas, textsUnder({"engine", "editor", "shaders"}, "/numerics/"))) ADD_FAILURE() << name;
+    for (const std::string& name : unused(formulas, textsUnder({"engine", "editor", "shaders"}, "/numerics/")))
+        ADD_FAILURE() << name;
 }
 
 TEST(NumericsSubset, PlantedMistakesAreFound) {
@@ -142,11 +150,13 @@ TEST(NumericsSubset, PlantedMistakesAreFound) {
         const auto found = breaches(text);
         EXPECT_NE(std::find(found.begin(), found.end(), name), found.end()) << name << ": " << text;
     }
-    EXPECT_TRUE(breaches("FN real f(vec3 v) { return v.x + m.tip.y * 0.5f + real(0.1); }  // v.xz, 0.1f, float").empty());
+    EXPECT_TRUE(
+        breaches("FN real f(vec3 v) { return v.x + m.tip.y * 0.5f + real(0.1); }  // v.xz, 0.1f, float").empty());
 }
 
 TEST(NumericsSubset, FunctionsWithoutACallerAreFound) {
-    const std::string text = "FN real used(real x) { return x; }\nFN real unusedOne(real x) { return used(x); } // unusedOne(1)";
+    const std::string text =
+        "FN real used(real x) { return x; }\nFN real unusedOne(real x) { return used(x); } // unusedOne(1)";
     EXPECT_EQ(unused({text}, {}), std::vector<std::string>{"unusedOne"});
     EXPECT_TRUE(unused({text}, {"BODY(y[0] = unusedOne(x[0]);)"}).empty());
 }

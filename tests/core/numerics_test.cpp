@@ -92,8 +92,9 @@ TEST(NumericsTable, ExpectedValuesThatCannotBeReadAreAnError) {
 // Zeros, subnormals, neighbours of 1, huge and tiny numbers of both signs.
 std::vector<float> specials() {
     std::vector<float> v = {0.0f};
-    for (float x : {1e-45f, 1e-40f, 1.17549435e-38f, 1e-30f, 1e-23f, 1e-12f, 1e-7f, 0.25f, 0.5f, 0.99999994f, 1.0f, 1.00000012f,
-                    3.0f, 255.0f, 16777216.0f, 1e10f, 1e18f, 1e23f, 1e30f, 3.4e38f})
+    for (float x :
+         {1e-45f,      1e-40f, 1.17549435e-38f, 1e-30f,      1e-23f, 1e-12f, 1e-7f, 0.25f, 0.5f,   0.99999994f, 1.0f,
+          1.00000012f, 3.0f,   255.0f,          16777216.0f, 1e10f,  1e18f,  1e23f, 1e30f, 3.4e38f})
         v.insert(v.end(), {x, -x});
     v.push_back(-0.0f);
     return v;
@@ -108,7 +109,8 @@ TEST(NumericsFuzz, LightWeightsOfAllTriplesAreInUnitRangeAndSumToOne) {
             for (float z : v) {
                 const f32::LightWeights a = f32::lightWeights({x, y, z}), b = f32::lightWeightsFast({x, y, z});
                 for (const auto& w : {a, b}) {
-                    ASSERT_TRUE(unit(w.xPos) && unit(w.yPos) && unit(w.zPos) && unit(w.xNeg) && unit(w.zNeg)) << x << ' ' << y << ' ' << z;
+                    ASSERT_TRUE(unit(w.xPos) && unit(w.yPos) && unit(w.zPos) && unit(w.xNeg) && unit(w.zNeg))
+                        << x << ' ' << y << ' ' << z;
                     ASSERT_NEAR(w.xPos + w.yPos + w.zPos + w.xNeg + w.zNeg, 1.0f, 2.4e-7f) << x << ' ' << y << ' ' << z;
                 }
             }
@@ -147,7 +149,9 @@ TEST(NumericsFuzz, UnitVectorsOfAllTriplesAreUnitOrTheFallback) {
     const auto v = specials();
     for (float x : v)
         for (float y : v)
-            for (float z : v) ASSERT_NEAR(glm::length(f32::unitOr({x, y, z}, 1e-30f, {0, 1, 0})), 1.0f, 4e-7f) << x << ' ' << y << ' ' << z;
+            for (float z : v)
+                ASSERT_NEAR(glm::length(f32::unitOr({x, y, z}, 1e-30f, {0, 1, 0})), 1.0f, 4e-7f)
+                    << x << ' ' << y << ' ' << z;
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ TEST(NumericsWater, FresnelIsThatOfTheAnglesAtEveryDegree) {
     for (int degrees = 0; degrees < 90; ++degrees) {
         const double angle = glm::radians(static_cast<double>(degrees));
         EXPECT_NEAR(f64::waterFresnel(std::cos(angle)), fresnelByAngles(angle), 1e-9) << degrees;
-        EXPECT_NEAR(static_cast<double>(f32::waterFresnel(static_cast<float>(std::cos(angle)))), fresnelByAngles(angle), 2e-6) << degrees;
+        EXPECT_NEAR(static_cast<double>(f32::waterFresnel(static_cast<float>(std::cos(angle)))), fresnelByAngles(angle),
+                    2e-6)
+            << degrees;
     }
     EXPECT_NEAR(f64::waterFresnel(0), 1, 1e-12);
 }
@@ -28,7 +30,8 @@ TEST(NumericsWater, RaysBendBySnellAndAreThrownBackAtTheSameAngle) {
     const glm::dvec3 up(0, 1, 0);
     for (int degrees = 5; degrees < 90; degrees += 5) {
         const double angle = glm::radians(static_cast<double>(degrees));
-        const glm::dvec3 way(std::sin(angle), -std::cos(angle), 0), in = f64::refracted(way, up), back = f64::mirrored(way, up);
+        const glm::dvec3 way(std::sin(angle), -std::cos(angle), 0), in = f64::refracted(way, up),
+                                                                    back = f64::mirrored(way, up);
         EXPECT_NEAR(in.x * 1.333, way.x, 1e-12);
         EXPECT_NEAR(glm::length(in), 1, 1e-12);
         EXPECT_NEAR(back.y, -way.y, 1e-9);
@@ -74,7 +77,8 @@ TEST(NumericsWater, AMonthLaterAndFarAwayRipplesStepAsEvenly) {
         double worst = 0;
         for (int i = 0; i < 200; ++i) {
             const glm::vec2 at(0.37f * static_cast<float>(i), 0);
-            const glm::vec2 a = waterSlope(waterGlobals(w, &wind, eye, from), at, 1), b = waterSlope(waterGlobals(w, &wind, eye, from + 1.0 / 60), at, 1);
+            const glm::vec2 a = waterSlope(waterGlobals(w, &wind, eye, from), at, 1),
+                            b = waterSlope(waterGlobals(w, &wind, eye, from + 1.0 / 60), at, 1);
             worst = std::max(worst, static_cast<double>(glm::length(a - b)));
         }
         return worst;
@@ -90,7 +94,8 @@ TEST(NumericsWater, TheEyeMayMoveWithoutMovingTheRipples) {
     const WaterGlobals here = waterGlobals(w, &wind, {0, 0, 0}, 7), there = waterGlobals(w, &wind, {13.5, 0, -4.25}, 7);
     for (int i = 0; i < 50; ++i) {
         const glm::vec2 at(0.31f * static_cast<float>(i), 0.17f * static_cast<float>(i));
-        EXPECT_NEAR(glm::distance(waterSlope(here, at, 1), waterSlope(there, at - glm::vec2(13.5f, -4.25f), 1)), 0, 1e-4f);
+        EXPECT_NEAR(glm::distance(waterSlope(here, at, 1), waterSlope(there, at - glm::vec2(13.5f, -4.25f), 1)), 0,
+                    1e-4f);
     }
 }
 
@@ -101,7 +106,8 @@ TEST(NumericsWater, TheGlintIsAsBrightAsTheSunItMirrors) {
     for (int i = 0; i < kRows; ++i) {
         const double angle = (i + 0.5) / kRows * glm::radians(40.0);
         const glm::dvec3 toEye(std::sin(angle), std::cos(angle), 0);
-        sum += f64::sunGlint(glm::dvec2(0), 0.004, toEye, glm::dvec3(0, 1, 0)) * std::cos(angle) * 2 * f64::kPi * std::sin(angle) * glm::radians(40.0) / kRows;
+        sum += f64::sunGlint(glm::dvec2(0), 0.004, toEye, glm::dvec3(0, 1, 0)) * std::cos(angle) * 2 * f64::kPi *
+               std::sin(angle) * glm::radians(40.0) / kRows;
     }
     EXPECT_NEAR(sum / f64::kPi, f64::waterFresnel(1), 0.02 * f64::waterFresnel(1));
 }

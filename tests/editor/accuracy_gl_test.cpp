@@ -28,15 +28,19 @@ class EditorAccuracy : public test::EditorFixture {
         EXPECT_TRUE(image);
         return image ? *image : Image{};
     }
-    // Mean distance of two shots over the viewport from share `from` to `to` of its width, away from the line and its labels.
+    // Mean distance of two shots over the viewport from share `from` to `to` of its width, away from the line and its
+    // labels.
     double apart(const Image& a, const Image& b, double from, double to) {
         const Rect& r = app->viewport.rect;
         double sum = 0;
         int n = 0;
         for (int y = static_cast<int>(r.y) + 40; y < static_cast<int>(r.y + r.h) - 40; ++y)
-            for (int x = static_cast<int>(r.x + r.w * static_cast<float>(from)); x < static_cast<int>(r.x + r.w * static_cast<float>(to)); ++x, ++n)
+            for (int x = static_cast<int>(r.x + r.w * static_cast<float>(from));
+                 x < static_cast<int>(r.x + r.w * static_cast<float>(to)); ++x, ++n)
                 for (int c = 0; c < 3; ++c) {
-                    const size_t i = (static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x)) * static_cast<size_t>(a.channels) + static_cast<size_t>(c);
+                    const size_t i = (static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x)) *
+                                         static_cast<size_t>(a.channels) +
+                                     static_cast<size_t>(c);
                     sum += std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
                 }
         return sum / std::max(n, 1);
@@ -123,7 +127,9 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     CostRun run;
     run.project = "meadow", run.width = 320, run.height = 240;
     run.floors.push_back({"camera", {0.004}, {0.006}, {0.1}, 0.01, ""});
-    for (const auto& [technique, settings, ms, error] : {std::tuple{"hybrid", "maxGeom=6 msaa=4", 10.0, 0.02}, {"flat", "msaa=1", 1.0, 0.1}, {"geometry", "detail=1 msaa=4", 90.0, 0.005}}) {
+    for (const auto& [technique, settings, ms, error] : {std::tuple{"hybrid", "maxGeom=6 msaa=4", 10.0, 0.02},
+                                                         {"flat", "msaa=1", 1.0, 0.1},
+                                                         {"geometry", "detail=1 msaa=4", 90.0, 0.005}}) {
         CostRow row;
         row.camera = "camera", row.technique = technique, row.settings = settings;
         row.msMedian = ms, row.metrics.appearance.distance = error;
@@ -182,12 +188,14 @@ TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
     test::writeText(program, "#!/bin/sh\necho $$ > \"$0.part\" && mv \"$0.part\" \"$0.pid\"\nexec sleep 600\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     app->accuracy.program = program.string();
-    for (const auto& [start, stop] : {std::pair{"Accuracy/Measure", "Accuracy/Stop"}, {"Accuracy/Fit to budget", "Accuracy/Stop fit"}}) {
+    for (const auto& [start, stop] :
+         {std::pair{"Accuracy/Measure", "Accuracy/Stop"}, {"Accuracy/Fit to budget", "Accuracy/Stop fit"}}) {
         std::filesystem::remove(dir / "measures.pid");
         ok(ui->click(start));
         ASSERT_TRUE(measuring(*app)) << start;
         for (int i = 0; i < 2000 && !std::filesystem::exists(dir / "measures.pid"); ++i) ok(ui->wait(1));
-        const std::filesystem::path copy = app->accuracy.sweep.copy.empty() ? app->accuracy.fit.copy : app->accuracy.sweep.copy;
+        const std::filesystem::path copy =
+            app->accuracy.sweep.copy.empty() ? app->accuracy.fit.copy : app->accuracy.sweep.copy;
         EXPECT_TRUE(std::filesystem::exists(copy / "project.json")) << "it measures a copy";
         const std::string pid = *readFile(dir / "measures.pid", 64);
         EXPECT_EQ(kill(std::stoi(pid), 0), 0);
@@ -197,7 +205,8 @@ TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
         EXPECT_NE(kill(std::stoi(pid), 0), 0) << "the program still runs";
         EXPECT_TRUE(ui->exists(start));
     }
-    EXPECT_TRUE(app->accuracy.sweep.error.empty() && app->accuracy.fit.error.empty()) << "who stops it needs no message";
+    EXPECT_TRUE(app->accuracy.sweep.error.empty() && app->accuracy.fit.error.empty())
+        << "who stops it needs no message";
     unsetenv("XDG_STATE_HOME");
 }
 

@@ -34,7 +34,8 @@ TEST(Accuracy, PassesSummedAreTheirMeanAndItsStandardError) {
     for (size_t p = 0; p < 18; ++p) {
         double m = 0, squares = 0;
         for (const Truth& t : passes) m += static_cast<double>(t.color[p]) / 24;
-        for (const Truth& t : passes) squares += (static_cast<double>(t.color[p]) - m) * (static_cast<double>(t.color[p]) - m);
+        for (const Truth& t : passes)
+            squares += (static_cast<double>(t.color[p]) - m) * (static_cast<double>(t.color[p]) - m);
         EXPECT_NEAR(mean.color[p], m, 1e-5);
         EXPECT_NEAR(mean.error[p], std::sqrt(squares / 23 / 24), 1e-5);
         errors += std::sqrt(squares / 23 / 24) / 18;
@@ -64,7 +65,9 @@ TEST(Accuracy, AdoptingIsOneUndoStepAndNamesWhatIsTheViews) {
     test::TempDir dir;
     Document doc(tables());
     ASSERT_TRUE(doc.create(dir / "p"));
-    const auto value = [&](const char* name) { return fieldText(*findField(doc.project(), doc.tables().components, std::string("lawn.GrassField.") + name)); };
+    const auto value = [&](const char* name) {
+        return fieldText(*findField(doc.project(), doc.tables().components, std::string("lawn.GrassField.") + name));
+    };
     const std::string before = value("maxGeom");
     const CostSetting wanted = settingOf("slices", "minGeom=3 maxGeom=7 minBTF=9 maxBTF=18 msaa=1");
     EXPECT_FALSE(isPresent(doc, wanted));
@@ -94,7 +97,8 @@ TEST(Accuracy, SettingsThatDoNotExistChangeNothing) {
 }
 
 TEST(Accuracy, AFitIsReadWithWhatItGivesUp) {
-    const auto fit = fitFrom(R"({"budget_ms": 8, "fits": true, "tried": 20, "best": {"ms": 7.5, "appearance": 0.02, "settings": "maxGeom=6"},
+    const auto fit = fitFrom(
+        R"({"budget_ms": 8, "fits": true, "tried": 20, "best": {"ms": 7.5, "appearance": 0.02, "settings": "maxGeom=6"},
         "shipped": {"ms": 12, "appearance": 0.015, "settings": "maxGeom=12"}, "next_better": {"ms": 9, "appearance": 0.018, "settings": "maxGeom=8"}, "grid": null})");
     ASSERT_TRUE(fit) << fit.error().text();
     EXPECT_TRUE(fit->fits);
@@ -112,11 +116,13 @@ TEST(BrushCost, BladesUnderABrushAreThoseOfTheTexelsInItsDisc) {
     for (int y = 0; y < 160; ++y)
         for (int x = 0; x < 200; ++x) density.set(x, y, 0, static_cast<float>(random() % 256) / 255.0f);
     const MapScale scale{50, 40, false};  // texels of a quarter metre
-    for (const auto& [cx, cz, radius] : {std::tuple{20.0, 15.0, 3.0}, {0.5, 39.0, 2.5}, {-1.0, 5.0, 0.5}, {25.1, 20.2, 0.05}}) {
+    for (const auto& [cx, cz, radius] :
+         {std::tuple{20.0, 15.0, 3.0}, {0.5, 39.0, 2.5}, {-1.0, 5.0, 0.5}, {25.1, 20.2, 0.05}}) {
         double hand = 0;
         for (int y = 0; y < 160; ++y)
             for (int x = 0; x < 200; ++x)
-                if (std::hypot((x + 0.5) / 4 - cx, (y + 0.5) / 4 - cz) <= radius) hand += static_cast<double>(density.at(x, y)) * 3000 / 16;
+                if (std::hypot((x + 0.5) / 4 - cx, (y + 0.5) / 4 - cz) <= radius)
+                    hand += static_cast<double>(density.at(x, y)) * 3000 / 16;
         EXPECT_NEAR(bladesInDisc(density, 3000, scale, cx, cz, radius), hand, 1e-6 * hand + 1e-9);
     }
     Map full({2000, 2000, 1, PixelType::U8});
@@ -164,9 +170,13 @@ TEST(Accuracy, AProgramBesideWritesToFilesAndTellsItsEnd) {
 
 TEST(Accuracy, StoppingAProgramEndsWhatItStartedToo) {
     test::TempDir dir;
-    auto child = ChildProcess::start({"/bin/sh", "-c", "(sleep 0.4; echo late > " + (dir / "late").string() + ") & echo up > " + (dir / "up").string() + "; wait"}, dir / "out", dir / "err");
+    auto child = ChildProcess::start(
+        {"/bin/sh", "-c",
+         "(sleep 0.4; echo late > " + (dir / "late").string() + ") & echo up > " + (dir / "up").string() + "; wait"},
+        dir / "out", dir / "err");
     ASSERT_TRUE(child);
-    for (int i = 0; i < 1000 && !std::filesystem::exists(dir / "up"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    for (int i = 0; i < 1000 && !std::filesystem::exists(dir / "up"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     child->stop();
     EXPECT_FALSE(child->running());
     std::this_thread::sleep_for(std::chrono::milliseconds(600));

@@ -48,7 +48,10 @@ TEST(Bakes, AmbientOcclusionIsOneUndoStepAndTheSameEachTime) {
     ASSERT_TRUE(b.doc.setField(b.field + ".GrassField.ambientOcclusionTiling", "3"));
     std::vector<double> told;
     const BakeRow& row = rowOf("ambientOcclusion");
-    ASSERT_TRUE(row.run(b.doc, kSmall, [&](double share) { told.push_back(share); return true; }));
+    ASSERT_TRUE(row.run(b.doc, kSmall, [&](double share) {
+        told.push_back(share);
+        return true;
+    }));
     ASSERT_FALSE(b.map().empty());
     EXPECT_EQ(b.map().info().width, 40);
     EXPECT_EQ(b.map().at(10, 10), 0) << "under the box";
@@ -85,7 +88,8 @@ TEST(Bakes, CancelledOrOvertakenBakesChangeNothing) {
 
 TEST(Bakes, SettingsOutOfRangeAndScenesWithoutAFieldAreRefused) {
     Bench b;
-    for (const BakeSettings& bad : {BakeSettings{0, 0}, BakeSettings{70000, 0}, BakeSettings{16, -1}, BakeSettings{16, 9000}})
+    for (const BakeSettings& bad :
+         {BakeSettings{0, 0}, BakeSettings{70000, 0}, BakeSettings{16, -1}, BakeSettings{16, 9000}})
         EXPECT_EQ(startOcclusion(b.doc, bad).error().code, ExitCode::Usage);
     ASSERT_TRUE(b.doc.removeEntity(b.field));
     EXPECT_EQ(startOcclusion(b.doc, kSmall).error().code, ExitCode::Unsound);
@@ -96,7 +100,9 @@ TEST(Bakes, ScriptsAndTheCommandLineBakeTheSameMap) {
     ASSERT_TRUE(b.doc.save());
     ScriptHost host{b.doc};
     offerBakes(host);
-    test::writeText(b.dir / "bake.lua", "bake.ambientOcclusion{samples=16, size=40}\nexpect.less(map.mean('ambientOcclusion'), 1)\nexpect.truthy(not pcall(bake.ambientOcclusion, {size=1.5}))");
+    test::writeText(b.dir / "bake.lua",
+                    "bake.ambientOcclusion{samples=16, size=40}\nexpect.less(map.mean('ambientOcclusion'), "
+                    "1)\nexpect.truthy(not pcall(bake.ambientOcclusion, {size=1.5}))");
     const Status ran = runScript(b.dir / "bake.lua", host);
     ASSERT_TRUE(ran) << ran.error().text();
     const std::string folder = (b.dir / "p").string();
@@ -105,7 +111,9 @@ TEST(Bakes, ScriptsAndTheCommandLineBakeTheSameMap) {
     EXPECT_EQ(bakeVerb({(b.dir / "none").string(), {}, 16, 0}), 3);
     Document other(tables());
     ASSERT_TRUE(other.open(folder));
-    EXPECT_EQ(other.project().registry.get<GrassField>(findEntity(other.project(), b.field))->ambientOcclusion.map.hash(), b.map().hash());
+    EXPECT_EQ(
+        other.project().registry.get<GrassField>(findEntity(other.project(), b.field))->ambientOcclusion.map.hash(),
+        b.map().hash());
 }
 
 // Ten times fewer texels than a project's own.
@@ -125,7 +133,9 @@ TEST(Bakes, SlicesLieInTheCacheAndThoseThatAreThereAreNotMadeAgain) {
     EXPECT_NE(made->find("MB"), std::string::npos) << *made;
     EXPECT_EQ(made->find("cached"), std::string::npos) << *made;
     const std::filesystem::path folder = b.dir / "cache/sward/slices";
-    const auto files = [&] { return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()); };
+    const auto files = [&] {
+        return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+    };
     EXPECT_EQ(files(), 1);
     const auto again = rowOf("slices").run(b.doc, kSmall, kGoOn);
     ASSERT_TRUE(again);
@@ -141,7 +151,8 @@ TEST(Bakes, CancelledSlicesLeaveNoFile) {
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().code, ExitCode::Interrupted);
     std::error_code none;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(b.dir / "cache", none)) EXPECT_FALSE(file.is_regular_file()) << file.path();
+    for (const auto& file : std::filesystem::recursive_directory_iterator(b.dir / "cache", none))
+        EXPECT_FALSE(file.is_regular_file()) << file.path();
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ TEST(BrushBook, ColoursAreWrittenAsInImagePrograms) {
         ASSERT_TRUE(parseColor(text)) << text;
         EXPECT_EQ(colorText(*parseColor(text)), "#e5c81a");
     }
-    for (const char* text : {"", "#", "#fff", "#e5c81", "#e5c81ag", "#e5c81g", "-e5c81", "#-5c81a", "yellow"}) EXPECT_FALSE(parseColor(text)) << text;
+    for (const char* text : {"", "#", "#fff", "#e5c81", "#e5c81ag", "#e5c81g", "-e5c81", "#-5c81a", "yellow"})
+        EXPECT_FALSE(parseColor(text)) << text;
 }
 
 TEST(BrushBook, ThePresetMakesShiftAnEraser) {

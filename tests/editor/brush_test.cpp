@@ -37,7 +37,8 @@ constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
 TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     std::vector<std::string> names;
     for (const BrushRow& row : brushRows()) names.push_back(row.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction", "press"}));
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction", "press"}));
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
         const bool any = name == "smooth" || name == "subtract", lays = name == "comb" || name == "direction";
@@ -73,13 +74,14 @@ TEST(Brush, ZeroRadiusZeroStrengthAndBrokenNumbersPaintNothing) {
 }
 
 TEST(Brush, MapsOfSeveralChannelsAreLeftAlone) {
-    for (const int channels : {3, 4}) for (const BrushRow& row : brushRows()) {
-        if (channels == 4 && paints(row, MapKind::Forces)) continue;
-        const Map before({64, 64, channels, PixelType::U8});
-        Map map = before;
-        applyStamp(map, row, {32, 32, 20, 20}, brushOf(1));
-        EXPECT_TRUE(map.sameTiles(before)) << row.name;
-    }
+    for (const int channels : {3, 4})
+        for (const BrushRow& row : brushRows()) {
+            if (channels == 4 && paints(row, MapKind::Forces)) continue;
+            const Map before({64, 64, channels, PixelType::U8});
+            Map map = before;
+            applyStamp(map, row, {32, 32, 20, 20}, brushOf(1));
+            EXPECT_TRUE(map.sameTiles(before)) << row.name;
+        }
 }
 
 TEST(Brush, AddAndSubtractChangeTheCoreByTheirStrength) {

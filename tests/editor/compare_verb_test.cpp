@@ -30,7 +30,8 @@ Said run(std::vector<std::string> args) {
 struct CompareVerb : testing::Test {
     TempDir dir;
     std::string png(const std::string& name, int width, int height, uint8_t value, int channels = 3) {
-        EXPECT_TRUE(writeImagePng(dir / name, width, height, channels, std::vector<uint8_t>(static_cast<size_t>(width * height * channels), value)));
+        EXPECT_TRUE(writeImagePng(dir / name, width, height, channels,
+                                  std::vector<uint8_t>(static_cast<size_t>(width * height * channels), value)));
         return (dir / name).string();
     }
     std::string exr(const std::string& name, const std::vector<float>& rgb) {
@@ -46,7 +47,8 @@ TEST_F(CompareVerb, PrintsAllMetricsAsJson) {
     ASSERT_TRUE(j) << said.out;
     EXPECT_NEAR(j->find("rmse")->number, 0.2, 1e-6);
     EXPECT_NEAR(j->find("appearance")->number, 0.2, 1e-6);
-    for (const char* key : {"appearance_sigma", "bias", "contrast", "flip", "ssim", "psnr", "ppd", "non_finite"}) EXPECT_TRUE(j->find(key)) << key;
+    for (const char* key : {"appearance_sigma", "bias", "contrast", "flip", "ssim", "psnr", "ppd", "non_finite"})
+        EXPECT_TRUE(j->find(key)) << key;
 }
 TEST_F(CompareVerb, NamesBothSizesThatDiffer) {
     const Said said = run({"compare", png("a.png", 20, 20, 1), png("b.png", 30, 10, 1)});
@@ -61,7 +63,9 @@ TEST_F(CompareVerb, RefusesOtherKindsAndWhatItCannotRead) {
     EXPECT_EQ(run({"compare", exr("c.exr", std::vector<float>(1200, 1)), png("a.png", 20, 20, 1), "--linear"}).code, 3);
     EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--metric", "taste"}).code, 2);
     EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--ppd", "0"}).code, 2);
-    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--heatmap", (dir / "h.jpg").string()}).code, 2);
+    EXPECT_EQ(
+        run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--heatmap", (dir / "h.jpg").string()}).code,
+        2);
 }
 TEST_F(CompareVerb, IgnoresAlpha) {
     std::vector<uint8_t> rgba;
@@ -80,19 +84,25 @@ TEST_F(CompareVerb, TellsOfPixelsThatAreNotFinite) {
     bad[3 * (5 * 20 + 4)] = std::numeric_limits<float>::quiet_NaN();
     const Said said = run({"compare", exr("a.exr", bad), exr("b.exr", std::vector<float>(1200, 0.25f)), "--json"});
     EXPECT_EQ(said.code, 0);
-    EXPECT_NE(said.log.find("1 pixels are not finite and were left out; the first at 4,5"), std::string::npos) << said.log;
+    EXPECT_NE(said.log.find("1 pixels are not finite and were left out; the first at 4,5"), std::string::npos)
+        << said.log;
     EXPECT_EQ(parseJson(said.out, "")->find("non_finite")->number, 1);
 }
 TEST_F(CompareVerb, WeighsByAMaskAndDrawsTheErrors) {
     std::vector<uint8_t> half(400, 0), image(1200, 100);
     for (size_t i = 0; i < 400; ++i)
-        if (i % 20 < 10) half[i] = 255;
-        else image[3 * i] = image[3 * i + 1] = image[3 * i + 2] = 200;
+        if (i % 20 < 10)
+            half[i] = 255;
+        else
+            image[3 * i] = image[3 * i + 1] = image[3 * i + 2] = 200;
     ASSERT_TRUE(writeImagePng(dir / "mask.png", 20, 20, 1, half));
     ASSERT_TRUE(writeImagePng(dir / "a.png", 20, 20, 3, image));
     const std::string a = (dir / "a.png").string(), b = png("b.png", 20, 20, 100), heat = (dir / "heat.png").string();
     EXPECT_GT(parseJson(run({"compare", a, b, "--json"}).out, "")->find("rmse")->number, 0.2);
-    EXPECT_EQ(parseJson(run({"compare", a, b, "--json", "--mask", (dir / "mask.png").string()}).out, "")->find("rmse")->number, 0);
+    EXPECT_EQ(parseJson(run({"compare", a, b, "--json", "--mask", (dir / "mask.png").string()}).out, "")
+                  ->find("rmse")
+                  ->number,
+              0);
     EXPECT_EQ(run({"compare", a, b, "--heatmap", heat, "--metric", "rmse"}).code, 0);
     auto map = readImage(heat);
     ASSERT_TRUE(map);
@@ -106,7 +116,8 @@ struct CompareFilms : CompareVerb {
     // Pictures of even grey: film(name, {1, 2}) has two.
     std::string film(const std::string& name, const std::vector<uint8_t>& values, int width = 16) {
         std::filesystem::create_directories(dir / name);
-        for (size_t i = 0; i < values.size(); ++i) png(fmt::format("{}/frame_{:04d}.png", name, i), width, 16, values[i]);
+        for (size_t i = 0; i < values.size(); ++i)
+            png(fmt::format("{}/frame_{:04d}.png", name, i), width, 16, values[i]);
         return (dir / name).string();
     }
 };
@@ -126,7 +137,9 @@ TEST_F(CompareFilms, TellWhatPopsAndWhere) {
 }
 TEST_F(CompareFilms, RefuseWhatIsNoPairOfFilms) {
     const std::string four = film("four", {1, 2, 3, 4});
-    EXPECT_NE(run({"compare", four, film("three", {1, 2, 3})}).log.find("frame_0003.png is in one of both folders alone"), std::string::npos);
+    EXPECT_NE(
+        run({"compare", four, film("three", {1, 2, 3})}).log.find("frame_0003.png is in one of both folders alone"),
+        std::string::npos);
     EXPECT_EQ(run({"compare", four, film("wide", {1, 2, 3, 4}, 24)}).code, 1);
     EXPECT_EQ(run({"compare", film("a", {1}), film("b", {1})}).code, 1) << "one picture has no step";
     EXPECT_EQ(run({"compare", four, four, "--heatmap", "h.png"}).code, 2);

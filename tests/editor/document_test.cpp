@@ -255,7 +255,9 @@ TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
 
 TEST(Document, AStrokeOfColourMakesTheMapAndUndoRestoresTheTilesThemselves) {
     Fixture f;
-    const auto map = [&](const char* name) { return static_cast<const MapField*>(findMap(f.doc.project(), tables().components, name)->value)->map; };
+    const auto map = [&](const char* name) {
+        return static_cast<const MapField*>(findMap(f.doc.project(), tables().components, name)->value)->map;
+    };
     for (const char* name : {"terrainMap", "vegetation"}) {
         const Project before = f.copy();
         BrushSettings b;

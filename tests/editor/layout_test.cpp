@@ -64,7 +64,8 @@ TEST(Layout, ATinyWindowHasNoNegativeSizes) {
 TEST(Layout, WhatWasSavedIsLoaded) {
     const test::TempDir dir;
     Layout l;
-    l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"}, l.shiftErases = true;
+    l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"},
+    l.shiftErases = true;
     ASSERT_TRUE(saveLayout(dir / "a/b/layout.txt", l));
     const Layout back = loadLayout(dir / "a/b/layout.txt");
     EXPECT_EQ(back.right, 401);

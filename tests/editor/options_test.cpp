@@ -38,7 +38,8 @@ TEST(Options, SceneTimeIsFinite) {
 }
 
 TEST(Options, SamplesAPixelAreThoseOfTheHelp) {
-    for (const char* samples : {"1", "2", "4", "8"}) EXPECT_EQ(run({"render", "/no/project", "--msaa", samples}).code, kTaken) << samples;
+    for (const char* samples : {"1", "2", "4", "8"})
+        EXPECT_EQ(run({"render", "/no/project", "--msaa", samples}).code, kTaken) << samples;
     for (const char* samples : {"3", "0", "-1", "16", "4.5", "many"}) {
         const Refused r = run({"render", "/no/project", "--msaa", samples});
         EXPECT_EQ(r.code, 2) << samples;

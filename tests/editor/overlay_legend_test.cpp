@@ -9,7 +9,8 @@ TEST(OverlayLegend, SaysOfEachMapWhatItsEndsMean) {
     std::map<std::string, std::string> said;
     const auto visit = [&](std::span<const FieldRow> fields, const auto& again) -> void {
         for (const FieldRow& f : fields) {
-            if (f.type == FieldType::Map && kindOf(f) == MapKind::Amounts) said[f.name] = fmt::format("{} {}", amountEnds(f).least, amountEnds(f).most);
+            if (f.type == FieldType::Map && kindOf(f) == MapKind::Amounts)
+                said[f.name] = fmt::format("{} {}", amountEnds(f).least, amountEnds(f).most);
             if (f.list) again(f.list->fields, again);
         }
     };
@@ -18,7 +19,9 @@ TEST(OverlayLegend, SaysOfEachMapWhatItsEndsMean) {
     EXPECT_EQ(said["ambientOcclusion"], "0 closed 1 open");
     EXPECT_EQ(said["bladeHeight"], "0 no height 1 full height");
     EXPECT_EQ(said["gusts"], "0 calm 1 gust");
-    for (const auto& [name, ends] : said) EXPECT_TRUE(ends != "0 bare 1 full" || name == "density" || name == "height") << name << " needs words of its own";
+    for (const auto& [name, ends] : said)
+        EXPECT_TRUE(ends != "0 bare 1 full" || name == "density" || name == "height")
+            << name << " needs words of its own";
 }
 
 }  // namespace

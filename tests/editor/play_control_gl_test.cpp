@@ -78,7 +78,8 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
     ok(ui->click("Outliner/sun"));
     const uint64_t before = hash(), revision = doc.revision();
     const ViewCamera view = viewOf(app->viewport.camera);
-    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = app->selected, tool = app->brushes.tool;
+    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = app->selected,
+                      tool = app->brushes.tool;
     ok(ui->key("f5"));
     key(GLFW_KEY_W, true);
     ok(ui->wait(40));
@@ -104,7 +105,8 @@ TEST_F(EditorPlay, NothingIsSavedTakenBackOrPaintedMeanwhileAndItIsSaid) {
     ok(ui->set("Brush/Mode", "Subtract"));
     const uint64_t before = hash();
     ok(ui->key("f5"));
-    for (const auto& [chord, label] : {std::pair("ctrl+s", "Save"), std::pair("ctrl+z", "Undo"), std::pair("ctrl+o", "Open")}) {
+    for (const auto& [chord, label] :
+         {std::pair("ctrl+s", "Save"), std::pair("ctrl+z", "Undo"), std::pair("ctrl+o", "Open")}) {
         ok(ui->key(chord));
         EXPECT_NE(get("Status/Message").find(label), std::string::npos) << get("Status/Message");
         EXPECT_NE(get("Status/Message").find("not while playing"), std::string::npos);

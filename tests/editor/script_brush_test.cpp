@@ -53,7 +53,8 @@ TEST(ScriptBrush, ColoursAreLaidErasedAndSmoothed) {
         end)"),
               "");
     const std::string begin = "project.new() map.create{path = 'vegetation', width = 8, height = 8} ";
-    EXPECT_FAULT(Stage(), begin + "brush.select{map = 'vegetation', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}", "use add, subtract, set, smooth or noise");
+    EXPECT_FAULT(Stage(), begin + "brush.select{map = 'vegetation', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+                 "use add, subtract, set, smooth or noise");
     EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5}}", "three numbers");
     EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, 2}}", "three numbers");
     EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, -0.5}}", "not between 0 and 1");
@@ -80,9 +81,12 @@ TEST(ScriptBrush, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
         x = map.at('forces', 19, 20) expect.less(x, 0.2)
         edit.undo() expect.equal(map.hash('forces'), empty))"),
               "");
-    EXPECT_FAULT(Stage(), "project.new() map.create{path = 'forces', width = 8, height = 8} brush.select{map = 'forces', mode = 'comb'} brush.stroke{{1, 1}, {2, 2}}",
+    EXPECT_FAULT(Stage(),
+                 "project.new() map.create{path = 'forces', width = 8, height = 8} brush.select{map = 'forces', mode = "
+                 "'comb'} brush.stroke{{1, 1}, {2, 2}}",
                  "does not paint forces");
-    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}", "no map to paint on");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'forces', mode = 'press'} brush.stroke{{1, 1}}",
+                 "no map to paint on");
 }
 
 TEST(ScriptBrush, EraseTakesEverySpeciesInOneStep) {

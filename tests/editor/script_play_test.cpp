@@ -34,7 +34,8 @@ TEST(ScriptPlay, StartsStepsHashesAndStops) {
         play.start { at = { 20, 20 }, time = 100 }
         play.input { move = { 0, 1 }, look = { 90, -5 } }
         for i = 1, 60 do play.step() end
-        expect.equal(play.hash(), hash, "one by one as all at once"))"), "");
+        expect.equal(play.hash(), hash, "one by one as all at once"))"),
+              "");
     EXPECT_NE(r.doc.play(), nullptr);
 }
 
@@ -53,18 +54,25 @@ TEST(ScriptPlay, CallsThatMakeNoSenseAreRefused) {
     EXPECT_FAULT(r, "project.new() play.start() play.input { look = 3 }", "look must be {yaw, pitch}");
     r.doc.stopPlay();
     EXPECT_FAULT(r, "project.new() play.start { at = { 1 } }", "at must be {x, z}");
-    for (const char* off : {"{ 500, -500 }", "{ -0.1, 20 }", "{ 20, 40.1 }"}) EXPECT_FAULT(r, fmt::format("project.new() play.start {{ at = {} }}", off), "x goes from 0 to 40, z from 0 to 40");
-    for (const char* on : {"{ 0, 0 }", "{ 40, 40 }"}) EXPECT_EQ(r.fault(fmt::format("project.new() play.start {{ at = {} }} play.stop()", on)), "");
-    EXPECT_FAULT(r, "project.new() entity.remove('ground') entity.add('ground', {Terrain = {}, Transform = {position = {100, 0, 200}}}) play.start { at = { 20, 20 } }", "x goes from 100 to 140, z from 200 to 240");
+    for (const char* off : {"{ 500, -500 }", "{ -0.1, 20 }", "{ 20, 40.1 }"})
+        EXPECT_FAULT(r, fmt::format("project.new() play.start {{ at = {} }}", off),
+                     "x goes from 0 to 40, z from 0 to 40");
+    for (const char* on : {"{ 0, 0 }", "{ 40, 40 }"})
+        EXPECT_EQ(r.fault(fmt::format("project.new() play.start {{ at = {} }} play.stop()", on)), "");
+    EXPECT_FAULT(r,
+                 "project.new() entity.remove('ground') entity.add('ground', {Terrain = {}, Transform = {position = "
+                 "{100, 0, 200}}}) play.start { at = { 20, 20 } }",
+                 "x goes from 100 to 140, z from 200 to 240");
     EXPECT_FAULT(r, "project.new() play.start() while true do play.step(10000000) end", "instructions");
 }
 
 TEST(ScriptPlay, WhileItIsPlayedEveryChangeSaysWhyNot) {
     Stage r;
     ASSERT_EQ(r.fault("project.new() entity.set('sun.Light.elevationDeg', 10) play.start()"), "");
-    for (const char* call : {"project.save()", "project.new()", "project.saveAs('q')", "edit.undo()", "edit.redo()", "entity.add('x', {})",
-                             "entity.remove('sun')", "entity.set('sun.Light.elevationDeg', 1)", "map.fill('density', 0)",
-                             "brush.select{map = 'density', radius = 2} brush.stroke{{1, 1}}"})
+    for (const char* call :
+         {"project.save()", "project.new()", "project.saveAs('q')", "edit.undo()", "edit.redo()", "entity.add('x', {})",
+          "entity.remove('sun')", "entity.set('sun.Light.elevationDeg', 1)", "map.fill('density', 0)",
+          "brush.select{map = 'density', radius = 2} brush.stroke{{1, 1}}"})
         EXPECT_FAULT(r, call, "play.stop()");
     r.doc.stopPlay();
     EXPECT_EQ(r.fault("expect.truthy(edit.undo())"), "");

@@ -31,7 +31,8 @@ TEST(Script, MeshWriteMakesAnObjectOfSolids) {
     Stage r;
     EXPECT_EQ(r.fault(R"(
         expect.equal(mesh.write("models/a.glb", {{shape = "box", size = {1, 2, 3}}, {shape = "cylinder", radius = 0.5, height = 1, top = 0, sides = 4, at = {2, 0, 0}}}), 12 + 8 + 4)
-        expect.equal(mesh.write("b.glb", {{shape = "leaves", size = {1, 1, 1}, count = 10, leaf = 0.2}}), 20))"), "");
+        expect.equal(mesh.write("b.glb", {{shape = "leaves", size = {1, 1, 1}, count = 10, leaf = 0.2}}), 20))"),
+              "");
     EXPECT_TRUE(readMesh(r.dir.path, "models/a.glb"));
     EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "cone"}}))", "there are box, cylinder");
     EXPECT_FAULT(r, R"(mesh.write("c.glb", {{shape = "box", size = {1, 0, 1}}}))", "size must be above 0");
@@ -482,13 +483,16 @@ TEST(Script, AStiffnessThatIsNoneIsRefusedAndTheOldOneKept) {
             local done, why = pcall(entity.set, 'lawn.GrassField.species[lawn].stiffness', {})
             expect.truthy(not done)
             expect.truthy(why:find('lawn.GrassField.species[lawn].stiffness', 1, true))
-            expect.equal(entity.get('lawn.GrassField.species[lawn].stiffness'), 2))", value));
+            expect.equal(entity.get('lawn.GrassField.species[lawn].stiffness'), 2))",
+                                value));
 }
 
 TEST(Script, TilingsThatAreNoneAreRefused) {
-    for (const char* field : {"ground.Terrain.heightTiling", "ground.Terrain.terrainMapTiling", "lawn.GrassField.species[lawn].densityTiling", "lawn.GrassField.bladeHeightTiling"})
+    for (const char* field : {"ground.Terrain.heightTiling", "ground.Terrain.terrainMapTiling",
+                              "lawn.GrassField.species[lawn].densityTiling", "lawn.GrassField.bladeHeightTiling"})
         for (const char* value : {"0", "-1", "1e9", "0/0", "-math.huge", "math.huge", "'x'"})
-            EXPECT_NE(Stage().fault(fmt::format("project.new()\nentity.set('{}', {})", field, value)), "") << field << " = " << value;
+            EXPECT_NE(Stage().fault(fmt::format("project.new()\nentity.set('{}', {})", field, value)), "")
+                << field << " = " << value;
 }
 
 }  // namespace

@@ -235,8 +235,8 @@ TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) 
     ASSERT_TRUE(mapOf(kForces).present());
     EXPECT_EQ(overlayOf(*app).map, kForces);
     const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w), static_cast<int>(r.h), static_cast<double>(r.w) * 0.45,
-                               static_cast<double>(r.h) * 0.8);
+    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
+                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     const glm::dvec2 size = findGround(doc.project()).terrain->size;
     const Map& map = mapOf(kForces).map;
@@ -264,8 +264,8 @@ TEST_F(EditorTools, TheOverlayOfForcesShowsWhatStandsThereToo) {
     EXPECT_EQ(app->brushes.tool, "press");
     EXPECT_EQ(overlayOf(*app).map, "") << "nothing presses";
     const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w), static_cast<int>(r.h), static_cast<double>(r.w) * 0.5,
-                               static_cast<double>(r.h) * 0.8);
+    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
+                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.5, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     ASSERT_TRUE(doc.addEntity("stone"));
     ASSERT_TRUE(doc.addComponent("stone", "ForceSource"));

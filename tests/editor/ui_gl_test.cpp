@@ -202,7 +202,8 @@ TEST_F(EditorUi, AnErrorStandsOverTheViewportUntilDismissed) {
 TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
     ok(doc.setField("lawn.GrassField.population", "unique"));
     ok(ui->wait(3));
-    EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 3200000 blades"), std::string::npos) << get("Viewport/Error");
+    EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 3200000 blades"), std::string::npos)
+        << get("Viewport/Error");
     ok(doc.setField("lawn.GrassField.species[lawn].bladesPerM2", "1500"));
     ok(ui->wait(3));
     EXPECT_NE(get("Viewport/Error").find("2400000 blades"), std::string::npos) << get("Viewport/Error");

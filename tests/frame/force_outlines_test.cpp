@@ -21,7 +21,9 @@ struct Scene {
         GrassField f;
         f.species[0].height = 0.3f;
         put(p, "grass", f);
-        putObject(p, "block", {{.size = {3, 0.5f, 1}, .at = {1.5f, 0, 0.5f}}, {.size = {1, 0.5f, 2}, .at = {0.5f, 0, 1}}}, {10, 0, 10});
+        putObject(p, "block",
+                  {{.size = {3, 0.5f, 1}, .at = {1.5f, 0, 0.5f}}, {.size = {1, 0.5f, 2}, .at = {0.5f, 0, 1}}},
+                  {10, 0, 10});
         ForceSource s;
         s.shape = static_cast<int>(ForceShape::Outline), s.radius = 0.3f, s.reach = 2;
         put(p, "block", s);
@@ -36,7 +38,8 @@ TEST(ForceOutlines, PressInsidePushAtTheRimAndLeaveTheNotchAlone) {
     Scene s;
     EXPECT_EQ(s.at(12.5, 10.5).z, 1);
     EXPECT_EQ(s.at(10.5, 11.6).z, 1);
-    for (const double x : {10.02, 10.5, 12.98}) EXPECT_EQ(glm::vec2(s.at(x, 10.5)), glm::vec2(0)) << "under it nothing pushes blades upright again";
+    for (const double x : {10.02, 10.5, 12.98})
+        EXPECT_EQ(glm::vec2(s.at(x, 10.5)), glm::vec2(0)) << "under it nothing pushes blades upright again";
     EXPECT_EQ(s.at(12, 11.6), glm::vec3(0)) << "the notch";
     EXPECT_EQ(s.at(14, 10.5), glm::vec3(0));
     const glm::vec3 rim = s.at(13.12, 10.5);
@@ -96,7 +99,8 @@ TEST(ForceOutlines, AreMadeOnceAMeshAndForgottenWithIt) {
     s.mesh().rotationDeg.x = 20;
     forcesOf(s.p, 0, &s.outlines);
     EXPECT_EQ(s.outlines.count(), 2u) << "tilted it stands otherwise";
-    for (const char* name : {"block", "second"}) s.p.registry.get<ForceSource>(findEntity(s.p, name))->shape = static_cast<int>(ForceShape::Object);
+    for (const char* name : {"block", "second"})
+        s.p.registry.get<ForceSource>(findEntity(s.p, name))->shape = static_cast<int>(ForceShape::Object);
     EXPECT_EQ(forcesOf(s.p, 0, &s.outlines).size(), 2u);
     EXPECT_EQ(s.outlines.count(), 0u);
 }
@@ -110,7 +114,9 @@ TEST(ForceOutlines, ExtremeNumbersStayFinite) {
                 source.radius = radius, source.reach = reach, s.mesh().scale = scale;
                 for (const double x : {-1e6, 0.0, 10.0, 10.001, 12.5, 1e6}) {
                     const glm::vec3 f = s.at(x, 10.0005);
-                    EXPECT_TRUE(std::isfinite(f.x + f.y + f.z) && f.z >= 0 && f.z <= 1 && glm::length(glm::vec2(f)) <= 1.00001f) << radius << ' ' << reach << ' ' << scale << ' ' << x;
+                    EXPECT_TRUE(std::isfinite(f.x + f.y + f.z) && f.z >= 0 && f.z <= 1 &&
+                                glm::length(glm::vec2(f)) <= 1.00001f)
+                        << radius << ' ' << reach << ' ' << scale << ' ' << x;
                 }
             }
     EXPECT_EQ(s.at(std::numeric_limits<double>::quiet_NaN(), 10), glm::vec3(0));

@@ -45,7 +45,9 @@ TEST(Forces, SeveralAddUpToNoMoreThanOneAndNaNIsNone) {
         EXPECT_LE(f.z, 1);
     }
     const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
-    for (const glm::vec3 bad : {glm::vec3(nan, 0, 0), glm::vec3(0, nan, 0), glm::vec3(0, 0, nan), glm::vec3(inf, 0, 0), glm::vec3(0, 0, inf), glm::vec3(1e30f, 1e30f, 0)}) EXPECT_EQ(f32::forceOf(bad), glm::vec3(0));
+    for (const glm::vec3 bad : {glm::vec3(nan, 0, 0), glm::vec3(0, nan, 0), glm::vec3(0, 0, nan), glm::vec3(inf, 0, 0),
+                                glm::vec3(0, 0, inf), glm::vec3(1e30f, 1e30f, 0)})
+        EXPECT_EQ(f32::forceOf(bad), glm::vec3(0));
     EXPECT_EQ(forceAt(std::span(all, 1), {std::numeric_limits<double>::quiet_NaN(), 0}), glm::vec3(0));
 }
 
@@ -53,7 +55,8 @@ TEST(Forces, SeveralAddUpToNoMoreThanOneAndNaNIsNone) {
 TEST(Forces, ABladeStaysAboveItsRootAndAsLongAsItIs) {
     for (uint32_t i = 0; i < 5000; ++i) {
         const auto number = [&](uint32_t k) { return 2 * f32::hashUnit(f32::hash3(i, k, 6)) - 1; };
-        const glm::vec3 tip(0.1f * number(0), 0.3f + 0.2f * number(1), 0.1f * number(2)), control(0.3f * tip.x, 0.6f * tip.y, 0.3f * tip.z);
+        const glm::vec3 tip(0.1f * number(0), 0.3f + 0.2f * number(1), 0.1f * number(2)),
+            control(0.3f * tip.x, 0.6f * tip.y, 0.3f * tip.z);
         const glm::vec2 facing(std::cos(3 * number(3)), std::sin(3 * number(3)));
         const glm::vec3 force = f32::forceOf({100 * number(4), 100 * number(5), 50 * number(6)});
         const glm::vec2 lean = f32::forcedLean({number(7), number(8)}, {force.x, force.y}, force.z, facing);

@@ -39,7 +39,8 @@ TEST(Jitter, FramesOfOnePixelAddUpToOneThatManySamplesGive) {
     p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(Technique::Geometry);
     std::vector<float> all(160 * 120 * 3, 0), half = all;
     for (int i = 0; i < 16; ++i) {
-        const auto frame = drawn(r, p, {static_cast<float>(i % 4) / 4 - 0.375f, static_cast<float>(i / 4) / 4 - 0.375f});
+        const auto frame =
+            drawn(r, p, {static_cast<float>(i % 4) / 4 - 0.375f, static_cast<float>(i / 4) / 4 - 0.375f});
         for (size_t k = 0; k < all.size(); ++k) {
             all[k] += frame[k] / 16;
             if ((i + i / 4) % 2 == 0) half[k] += frame[k] / 8;

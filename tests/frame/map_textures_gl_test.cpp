@@ -11,25 +11,30 @@ Map noisy(const MapInfo& info) {
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x)
             for (int c = 0; c < info.channels; ++c)
-                m.set(x, y, c, f32::hashUnit(f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(c))));
+                m.set(x, y, c,
+                      f32::hashUnit(
+                          f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), static_cast<uint32_t>(c))));
     return m;
 }
 
 std::vector<float> level(GLuint texture, int l, int width, int height) {
-    std::vector<float> out(static_cast<size_t>(std::max(width >> l, 1)) * static_cast<size_t>(std::max(height >> l, 1)));
+    std::vector<float> out(static_cast<size_t>(std::max(width >> l, 1)) *
+                           static_cast<size_t>(std::max(height >> l, 1)));
     glGetTextureImage(texture, l, GL_RED, GL_FLOAT, static_cast<GLsizei>(out.size() * sizeof(float)), out.data());
     return out;
 }
 
 TEST(MapTextures, HoldTheMapsTexels) {
     NoGlErrors errors;
-    for (const MapInfo info : {MapInfo{300, 170, 1, PixelType::U16}, MapInfo{5, 3, 1, PixelType::F32}, MapInfo{128, 256, 1, PixelType::U8}}) {
+    for (const MapInfo info : {MapInfo{300, 170, 1, PixelType::U16}, MapInfo{5, 3, 1, PixelType::F32},
+                               MapInfo{128, 256, 1, PixelType::U8}}) {
         MapTextures textures(gpu());
         const Map m = noisy(info);
         textures.beginFrame();
         const auto texels = level(textures.get("test", "m", m), 0, info.width, info.height);
         for (int y = 0; y < info.height; ++y)
-            for (int x = 0; x < info.width; ++x) ASSERT_NEAR(texels[static_cast<size_t>(y * info.width + x)], m.at(x, y), 1e-6f) << x << " " << y;
+            for (int x = 0; x < info.width; ++x)
+                ASSERT_NEAR(texels[static_cast<size_t>(y * info.width + x)], m.at(x, y), 1e-6f) << x << " " << y;
     }
 }
 
@@ -41,11 +46,13 @@ TEST(MapTextures, ColoursOfMoreThanEightBitsAreUploadedAsLinearLight) {
         const Map m = noisy({140, 130, 4, type});
         textures.beginFrame();
         std::vector<glm::vec4> texels(140 * 130);
-        glGetTextureImage(textures.get("test", "m", m, true), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)), texels.data());
+        glGetTextureImage(textures.get("test", "m", m, true), 0, GL_RGBA, GL_FLOAT,
+                          static_cast<GLsizei>(texels.size() * sizeof(glm::vec4)), texels.data());
         for (int y = 0; y < 130; ++y)
             for (int x = 0; x < 140; ++x)
                 for (int c = 0; c < 4; ++c)
-                    ASSERT_NEAR(texels[static_cast<size_t>(y * 140 + x)][c], c < 3 ? f32::srgbDecode(m.at(x, y, c)) : m.at(x, y, c), 1e-5f);
+                    ASSERT_NEAR(texels[static_cast<size_t>(y * 140 + x)][c],
+                                c < 3 ? f32::srgbDecode(m.at(x, y, c)) : m.at(x, y, c), 1e-5f);
     }
 }
 

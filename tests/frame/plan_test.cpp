@@ -28,7 +28,8 @@ std::vector<std::string> passNames(const FramePlan& plan) {
 
 TEST(Plan, AnEffectRunsOnlyIfAllItsFeaturesAreThere) {
     EXPECT_EQ(passNames(planFrame({}, kViewMain, kEffects)), (std::vector<std::string>{"test/writer"}));
-    EXPECT_EQ(passNames(planFrame(featureSet(Feature::Sun), kViewMain, kEffects)), (std::vector<std::string>{"test/writer"}));
+    EXPECT_EQ(passNames(planFrame(featureSet(Feature::Sun), kViewMain, kEffects)),
+              (std::vector<std::string>{"test/writer"}));
     EXPECT_EQ(planFrame(featureSet(Feature::Sun, Feature::Sky), kViewMain, kEffects).effects.size(), 4u);
 }
 
@@ -37,7 +38,8 @@ TEST(Plan, PassesAreSortedByStageAndThenWritersBeforeReaders) {
     EXPECT_EQ(passNames(plan), (std::vector<std::string>{"test/early", "test/writer", "test/reader"}))
         << "by stage; within one, who writes the image before who reads it, against the table's order";
     const Pass pure[] = {{"test/use", Stage::Post, kViewMain, kSkyLight, 0, {}, nothing}};
-    const EffectRow effects[] = {{"test/use", {}, {}, pure, nullptr, ""}, {"test/writer", {}, {}, kWriter, nullptr, ""}};
+    const EffectRow effects[] = {{"test/use", {}, {}, pure, nullptr, ""},
+                                 {"test/writer", {}, {}, kWriter, nullptr, ""}};
     EXPECT_EQ(passNames(planFrame({}, kViewMain, effects)), (std::vector<std::string>{"test/writer", "test/use"}));
 }
 

@@ -35,7 +35,8 @@ TEST(Tiles, TheMadeBladeIsPointedAndHasNoDarkRim) {
     };
     EXPECT_GT(alphaOfRow(40), 20) << "wide below";
     EXPECT_LT(alphaOfRow(127), 3) << "pointed at the tip";
-    for (size_t i = 0; i < blade.pixels.size(); i += 4) ASSERT_GT(blade.pixels[i], 60) << "a dark texel under transparency makes a halo";
+    for (size_t i = 0; i < blade.pixels.size(); i += 4)
+        ASSERT_GT(blade.pixels[i], 60) << "a dark texel under transparency makes a halo";
 }
 
 TEST(Tiles, TheMadeSoilHasTheMeanThatTheShaderDoubles) {

@@ -1,5 +1,5 @@
-// What a scene lacks is not run, not compiled, not in memory: adding and removing each component and each map leaves plan,
-// programs and bytes as before.
+// What a scene lacks is not run, not compiled, not in memory: adding and removing each component and each map leaves
+// plan, programs and bytes as before.
 #include "core/json.h"
 #include "objects.h"
 
@@ -62,7 +62,8 @@ Project everything() {
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     put<Water>(p, "lake", {.level = 0.56f});  // ground lies at 0.5
-    put<Flowers>(p, "flowers", {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
+    put<Flowers>(p, "flowers",
+                 {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
@@ -91,8 +92,8 @@ struct Removal {
     std::function<void(Project&)> change;
     Trace with = {}, never = {};
 };
-// One renderer meets all changes, so that nothing may be left of those before either; the ledger is the context's, so what never was
-// is drawn first, by renderers of its own.
+// One renderer meets all changes, so that nothing may be left of those before either; the ledger is the context's, so
+// what never was is drawn first, by renderers of its own.
 void expectNoTraces(std::vector<Removal>& removals) {
     NoGlErrors errors;
     for (Removal& r : removals) {
@@ -119,7 +120,9 @@ TEST(Trace, RemovingEachComponentLeavesTheSceneThatNeverHadIt) {
     expectNoTraces(removals);
     for (size_t i = 0; i < removals.size(); ++i) {
         const ComponentRow& row = tables().components[i];
-        if (row.features(row.defaults()).any()) EXPECT_TRUE(removals[i].with.plan != removals[i].never.plan) << row.name << " makes no difference to the plan";
+        if (row.features(row.defaults()).any())
+            EXPECT_TRUE(removals[i].with.plan != removals[i].never.plan)
+                << row.name << " makes no difference to the plan";
     }
 }
 
@@ -127,7 +130,9 @@ TEST(TraceMaps, RemovingEachLeavesTheSceneThatNeverHadIt) {
     Project all = everything();
     std::vector<Removal> removals;
     for (const FieldRef& map : allMaps(all, tables().components))
-        removals.push_back({"without " + map.path, [path = map.path](Project& p) { *static_cast<MapField*>(findField(p, tables().components, path)->value) = {}; }});
+        removals.push_back({"without " + map.path, [path = map.path](Project& p) {
+                                *static_cast<MapField*>(findField(p, tables().components, path)->value) = {};
+                            }});
     expectNoTraces(removals);
     for (const Removal& r : removals) {
         EXPECT_TRUE(r.with.plan != r.never.plan) << r.what;
@@ -138,26 +143,46 @@ TEST(TraceMaps, RemovingEachLeavesTheSceneThatNeverHadIt) {
 // What ends a tier or a kind of shadow without any component or map going.
 TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
     const auto grass = [](Project& p) -> GrassField& { return *p.registry.get<GrassField>(findEntity(p, "grass")); };
-    const auto technique = [&](Technique t) { return [&grass, t](Project& p) { grass(p).technique = static_cast<int>(t); }; };
+    const auto technique = [&](Technique t) {
+        return [&grass, t](Project& p) { grass(p).technique = static_cast<int>(t); };
+    };
     std::vector<Removal> removals = {
         {"blades alone", technique(Technique::Geometry)},
         {"slices alone", technique(Technique::Slices)},
         {"the horizontal slice alone", technique(Technique::Flat)},
         {"tessellated blades", technique(Technique::Tessellated)},
         {"no vertical slices", [&](Project& p) { grass(p).minBTF = grass(p).maxBTF = 0; }},
-        {"no slices at all", [&](Project& p) { grass(p).minGeom = grass(p).maxGeom = std::numeric_limits<float>::infinity(); }},
+        {"no slices at all",
+         [&](Project& p) { grass(p).minGeom = grass(p).maxGeom = std::numeric_limits<float>::infinity(); }},
         {"blades that do not shade blades", [&](Project& p) { grass(p).shadowMask = 0; }},
         {"blades that do not shade the ground", [&](Project& p) { grass(p).groundShadows = false; }},
-        {"lights that cast no shadows", [](Project& p) { for (const auto& [name, e] : p.entities) if (Light* l = p.registry.get<Light>(e)) l->castShadows = false; }},
+        {"lights that cast no shadows",
+         [](Project& p) {
+             for (const auto& [name, e] : p.entities)
+                 if (Light* l = p.registry.get<Light>(e)) l->castShadows = false;
+         }},
         {"a calm", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->strength = 0; }},
-        {"wind in waves", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = static_cast<int>(WindModel::Waves); }},
-        {"forces without strength", [](Project& p) { for (const char* name : {"stone", "cube"}) p.registry.get<ForceSource>(findEntity(p, name))->strength = 0; }},
-        {"no force of an outline", [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = static_cast<int>(ForceShape::Object); }},
+        {"wind in waves",
+         [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = static_cast<int>(WindModel::Waves); }},
+        {"forces without strength",
+         [](Project& p) {
+             for (const char* name : {"stone", "cube"}) p.registry.get<ForceSource>(findEntity(p, name))->strength = 0;
+         }},
+        {"no force of an outline",
+         [](Project& p) {
+             p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = static_cast<int>(ForceShape::Object);
+         }},
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
-        {"bare ground beyond tessellated blades", [&](Project& p) { grass(p).technique = static_cast<int>(Technique::Tessellated), grass(p).beyond = static_cast<int>(Beyond::Nothing); }},
-        {"water that mirrors the sky alone", [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
-        {"flowers of which there are none", [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
+        {"bare ground beyond tessellated blades",
+         [&](Project& p) {
+             grass(p).technique = static_cast<int>(Technique::Tessellated),
+             grass(p).beyond = static_cast<int>(Beyond::Nothing);
+         }},
+        {"water that mirrors the sky alone",
+         [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
+        {"flowers of which there are none",
+         [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
     expectNoTraces(removals);
@@ -167,7 +192,9 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
 TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
     NoGlErrors errors;
     for (const Technique other : {Technique::Hybrid, Technique::Geometry, Technique::Flat}) {
-        const auto become = [](Project& p, Technique t) { p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(t); };
+        const auto become = [](Project& p, Technique t) {
+            p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(t);
+        };
         Project p = everything();
         become(p, other);
         Trace never;
@@ -175,7 +202,8 @@ TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
             Renderer fresh(gpu(), tables());
             never = traceOf(fresh, p);
         }
-        for (const std::string& program : never.programs) EXPECT_EQ(program.find("tessellated"), std::string::npos) << program;
+        for (const std::string& program : never.programs)
+            EXPECT_EQ(program.find("tessellated"), std::string::npos) << program;
         Renderer renderer(gpu(), tables());
         become(p, Technique::Tessellated);
         EXPECT_GT(traceOf(renderer, p).ledger.count("grass/tessellated"), 0u);
@@ -227,7 +255,8 @@ TEST(Trace, ExplainNamesTheEntityAndWhatIsAbsent) {
     EXPECT_NE(text.find("terrain-heights: no Terrain has a height map"), std::string::npos) << text;
     const auto parsed = parseJson(json, "explain");
     ASSERT_TRUE(parsed);
-    EXPECT_EQ(parsed->find("features")->array.size() + parsed->find("absent")->array.size(), static_cast<size_t>(Feature::Count));
+    EXPECT_EQ(parsed->find("features")->array.size() + parsed->find("absent")->array.size(),
+              static_cast<size_t>(Feature::Count));
 }
 
 TEST(Trace, ExplainSaysHowFarTheTechniqueFollowsWhatMovesGrass) {
@@ -243,12 +272,16 @@ TEST(Trace, ExplainSaysHowFarTheTechniqueFollowsWhatMovesGrass) {
     };
     const auto holds = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
     f.beyond = static_cast<int>(Beyond::Nothing);
-    const std::string blades = told(Technique::Tessellated), flat = told(Technique::Flat), hybrid = told(Technique::Hybrid);
+    const std::string blades = told(Technique::Tessellated), flat = told(Technique::Flat),
+                      hybrid = told(Technique::Hybrid);
     EXPECT_TRUE(holds(blades, "note      blades bend and quiver each by itself\n")) << blades;
     EXPECT_TRUE(holds(blades, "note      blades are laid down each its own way\n")) << blades;
     EXPECT_TRUE(holds(flat, "note      the horizontal slice brightens and darkens with the gust\n")) << flat;
     EXPECT_FALSE(holds(flat, "blades bend")) << flat;
-    EXPECT_TRUE(holds(hybrid, "note      blades bend and quiver each by itself, slices lean with the gust, the horizontal slice brightens")) << hybrid;
+    EXPECT_TRUE(holds(
+        hybrid,
+        "note      blades bend and quiver each by itself, slices lean with the gust, the horizontal slice brightens"))
+        << hybrid;
 }
 
 TEST(Trace, ExplainHasALineForWhatDarkensFarGrass) {

@@ -14,7 +14,8 @@ struct Shaders {
     TempDir dir;
     ProgramSources sources{"test/program", "a.vert.glsl", "a.frag.glsl", nullptr};
     Shaders() {
-        writeText(dir / "a.vert.glsl", fmt::format("#include \"lib/value.glsl\"\n#include \"lib/value.glsl\"\n{}", kVertex));
+        writeText(dir / "a.vert.glsl",
+                  fmt::format("#include \"lib/value.glsl\"\n#include \"lib/value.glsl\"\n{}", kVertex));
         writeText(dir / "a.frag.glsl", "#include \"lib/value.glsl\"\nout vec4 c;\nvoid main() { c = vec4(VALUE); }\n");
         writeText(dir / "lib/value.glsl", "const float VALUE = 1.0;\n");
     }
@@ -22,7 +23,8 @@ struct Shaders {
     void rewrite(const std::string& name, const std::string& text) {
         static int later = 0;
         writeText(dir / name, text);
-        std::filesystem::last_write_time(dir / name, std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++later));
+        std::filesystem::last_write_time(dir / name,
+                                         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++later));
     }
 };
 
@@ -110,7 +112,8 @@ TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
 void expectCompiles(Programs& programs, const ProgramRow& p, const FeatureSet& scene) {
     const std::vector<std::string> variants = p.variants ? p.variants() : std::vector<std::string>{""};
     for (const std::string& constants : variants) {
-        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation}, featureConstants(p.features, scene) + constants);
+        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
+                                          featureConstants(p.features, scene) + constants);
         EXPECT_TRUE(program) << (program ? "" : program.error().text()) << " with " << constants;
     }
 }

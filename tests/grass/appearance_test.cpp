@@ -38,10 +38,26 @@ FieldLight lit(const glm::vec3& direction, LightWeighting weighting, const glm::
     l.weighting = static_cast<int>(weighting);
     return l;
 }
-constexpr LightWeighting kForms[] = {LightWeighting::Cosine, LightWeighting::Atan, LightWeighting::Poly9, LightWeighting::Poly7, LightWeighting::Poly5,
-                                     LightWeighting::Poly3, LightWeighting::Linear, LightWeighting::Squares, LightWeighting::Published};
-const glm::vec3 kHard[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 0}, {0, 1, -1}, {-1, 0, 1}, {1, -1, 1},
-                           {0.6f, -0.1f, 0.3f}, {1e-7f, 1, 0}, {1, 1e-7f, 0}, {1e-20f, 1, -1e-20f}, {-0.0f, 1, 0.0f}, {0, 0, 0}, {3e-19f, 4e-19f, 1e-19f}};
+constexpr LightWeighting kForms[] = {LightWeighting::Cosine, LightWeighting::Atan,    LightWeighting::Poly9,
+                                     LightWeighting::Poly7,  LightWeighting::Poly5,   LightWeighting::Poly3,
+                                     LightWeighting::Linear, LightWeighting::Squares, LightWeighting::Published};
+const glm::vec3 kHard[] = {{1, 0, 0},
+                           {-1, 0, 0},
+                           {0, 1, 0},
+                           {0, -1, 0},
+                           {0, 0, 1},
+                           {0, 0, -1},
+                           {1, 1, 0},
+                           {0, 1, -1},
+                           {-1, 0, 1},
+                           {1, -1, 1},
+                           {0.6f, -0.1f, 0.3f},
+                           {1e-7f, 1, 0},
+                           {1, 1e-7f, 0},
+                           {1e-20f, 1, -1e-20f},
+                           {-0.0f, 1, 0.0f},
+                           {0, 0, 0},
+                           {3e-19f, 4e-19f, 1e-19f}};
 
 TEST(Appearance, GainsAreOneWhereSlicesAreExact) {
     const Look look = facingX();
@@ -64,7 +80,8 @@ TEST(Appearance, CosineFormIsExactForLightFromAnywhereOnOneBlade) {
     const Look look = facingX();
     for (const glm::vec3& light : {glm::vec3(1, 0.5f, 0), glm::vec3(1, 2, 0.5f), glm::vec3(0.3f, 0.4f, -1)}) {
         EXPECT_NEAR(gainsOf(look, lit(light, LightWeighting::Cosine)).slices[0].y, 1, 0.03f) << light.y;
-        EXPECT_GT(gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices[0].y, 1.2f) << "interpolated, it is too dark between the images";
+        EXPECT_GT(gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices[0].y, 1.2f)
+            << "interpolated, it is too dark between the images";
     }
 }
 
@@ -81,7 +98,8 @@ TEST(Appearance, GainsAreFiniteForLightsAnywhere) {
             for (const auto* gains : {&g.slices, &g.far})
                 for (const glm::vec4& v : *gains)
                     for (int c = 0; c < 4; ++c) {
-                        ASSERT_TRUE(std::isfinite(v[c])) << "form " << static_cast<int>(form) << ", light " << direction.x << " " << direction.y << " " << direction.z;
+                        ASSERT_TRUE(std::isfinite(v[c])) << "form " << static_cast<int>(form) << ", light "
+                                                         << direction.x << " " << direction.y << " " << direction.z;
                         if (c < 3) ASSERT_GT(v[c], 0);
                     }
         }
@@ -93,7 +111,8 @@ TEST(Appearance, ASpeciesWithoutBladesHasASoundLook) {
     const Look look = lookOf(s);
     EXPECT_EQ(look.across, 0);
     EXPECT_FLOAT_EQ(lightLeft(look, 0.5f), 1);
-    for (const glm::vec4& v : gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices) EXPECT_TRUE(std::isfinite(v.x));
+    for (const glm::vec4& v : gainsOf(look, lit({1, 1, 0}, LightWeighting::Atan)).slices)
+        EXPECT_TRUE(std::isfinite(v.x));
 }
 
 TEST(Appearance, PaintTowardsTheLightAndAwayFromItChangesBrightnessOppositely) {
@@ -153,23 +172,29 @@ TEST(LightWeighting, EveryFormIsFiniteAndSharesOutOneAtHardPoints) {
             const float noise = form == LightWeighting::Published ? 5e-4f : 3e-7f;
             const glm::vec4 w = imageWeights(light, static_cast<int>(form));
             for (const float share : {w.x, w.y, w.z, w.w, fifth(w)}) {
-                EXPECT_GE(share, -noise) << static_cast<int>(form) << ": " << light.x << " " << light.y << " " << light.z;
+                EXPECT_GE(share, -noise) << static_cast<int>(form) << ": " << light.x << " " << light.y << " "
+                                         << light.z;
                 EXPECT_LE(share, 1 + noise);
             }
         }
 }
 
 TEST(LightWeighting, FormsAgreeWithinWhatTheyCost) {
-    const std::pair<LightWeighting, float> errors[] = {{LightWeighting::Cosine, 1e-6f}, {LightWeighting::Poly9, 4e-5f}, {LightWeighting::Poly7, 3e-4f}, {LightWeighting::Poly5, 2e-3f},
-                                                       {LightWeighting::Poly3, 1.7e-2f}, {LightWeighting::Linear, 6e-2f}, {LightWeighting::Squares, 0.18f}, {LightWeighting::Published, 4e-4f}};
+    const std::pair<LightWeighting, float> errors[] = {
+        {LightWeighting::Cosine, 1e-6f},  {LightWeighting::Poly9, 4e-5f},    {LightWeighting::Poly7, 3e-4f},
+        {LightWeighting::Poly5, 2e-3f},   {LightWeighting::Poly3, 1.7e-2f},  {LightWeighting::Linear, 6e-2f},
+        {LightWeighting::Squares, 0.18f}, {LightWeighting::Published, 4e-4f}};
     for (int i = 0; i < 600; ++i) {
-        const float turn = 2.399963f * static_cast<float>(i), y = (static_cast<float>(i) + 0.5f) / 600, r = std::sqrt(1 - y * y);
+        const float turn = 2.399963f * static_cast<float>(i), y = (static_cast<float>(i) + 0.5f) / 600,
+                    r = std::sqrt(1 - y * y);
         const glm::vec3 light(r * std::cos(turn), y, r * std::sin(turn));
         if (std::min(std::abs(light.x), std::abs(light.z)) < 1e-2f) continue;
         const glm::vec4 exact = imageWeights(light, static_cast<int>(LightWeighting::Atan));
         for (const auto& [form, most] : errors) {
             const glm::vec4 w = imageWeights(light, static_cast<int>(form));
-            for (int c = 0; c < 4; ++c) EXPECT_NEAR(w[c], exact[c], most) << static_cast<int>(form) << " light " << light.x << " " << light.y << " " << light.z;
+            for (int c = 0; c < 4; ++c)
+                EXPECT_NEAR(w[c], exact[c], most)
+                    << static_cast<int>(form) << " light " << light.x << " " << light.y << " " << light.z;
         }
     }
 }

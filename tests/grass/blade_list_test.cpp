@@ -25,7 +25,9 @@ struct Field {
         patch = makePatch(s, grass.cellSize, 1);
         Map m({40, 40, 1, PixelType::U16});
         for (int y = 0; y < 40; ++y)
-            for (int x = 0; x < 40; ++x) m.set(x, y, 0, 0.4f + 0.6f * f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
+            for (int x = 0; x < 40; ++x)
+                m.set(x, y, 0,
+                      0.4f + 0.6f * f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
         s.density = {"maps/d.png", m};
     }
     CellQuery query() const { return cellQuery(terrain, bounds, grass, grass.species[0], patch, eye, frustum, 400); }
@@ -40,16 +42,21 @@ Seen mustBeListed(const CellQuery& q, const std::vector<float>& least, const std
             const Blade& b = q.patch.blades[i];
             const glm::vec2 root = f32::rootInCell(b.root, cells[c].mirror, cells[c].shift, 0.5f);
             const glm::vec3 at(cells[c].x + root.x, -q.eye.y, cells[c].z + root.y);
-            const float density = q.density->sample((cells[c].cellX * 0.5 + root.x) / 20, (cells[c].cellZ * 0.5 + root.y) / 20);
-            const float opacity = f32::geometryOpacity(density, f32::lodRamp(glm::length(at), q.range.min, q.range.inv), b.threshold, q.fade);
-            if (opacity > 0 && opacity >= least[i] && q.frustum.touches(at - glm::vec3(q.reach, 0, q.reach), at + q.reach)) out.emplace(c, i);
+            const float density =
+                q.density->sample((cells[c].cellX * 0.5 + root.x) / 20, (cells[c].cellZ * 0.5 + root.y) / 20);
+            const float opacity = f32::geometryOpacity(density, f32::lodRamp(glm::length(at), q.range.min, q.range.inv),
+                                                       b.threshold, q.fade);
+            if (opacity > 0 && opacity >= least[i] &&
+                q.frustum.touches(at - glm::vec3(q.reach, 0, q.reach), at + q.reach))
+                out.emplace(c, i);
         }
     return out;
 }
 Seen listed(const BladeList& list, int segments) {
     Seen out;
     for (const DrawCommand& c : list.commands)
-        for (uint32_t i = 0; i < c.count; ++i) out.emplace(c.baseInstance, list.indices[c.firstIndex + i] / (2 * static_cast<uint32_t>(segments + 1)));
+        for (uint32_t i = 0; i < c.count; ++i)
+            out.emplace(c.baseInstance, list.indices[c.firstIndex + i] / (2 * static_cast<uint32_t>(segments + 1)));
     return out;
 }
 
@@ -78,7 +85,8 @@ TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
         for (const float l : leastShown(f.patch, way, samples)) sum += l;
         return sum / static_cast<double>(f.patch.blades.size());
     };
-    EXPECT_NEAR(least(Transparency::Coverage, 1), 1.0 / 2, 0.05) << "the mean of the least of n random numbers is 1 / (n + 1)";
+    EXPECT_NEAR(least(Transparency::Coverage, 1), 1.0 / 2, 0.05)
+        << "the mean of the least of n random numbers is 1 / (n + 1)";
     EXPECT_NEAR(least(Transparency::Coverage, 4), 1.0 / 5, 0.03);
     EXPECT_NEAR(least(Transparency::Coverage, 8), 1.0 / 9, 0.03);
     EXPECT_LT(least(Transparency::Blend, 1), 0.005);

@@ -73,7 +73,8 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
                 const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, 0.5f);
                 const double x = cx * 0.5 + in.x, z = cz * 0.5 + in.y;
                 const float d = static_cast<float>(glm::length(glm::dvec3(x, 0, z) - f.eye));
-                const float opacity = f32::geometryOpacity(q.density->sample(x / 20, z / 20), f32::lodRamp(d, q.range.min, q.range.inv), b.threshold, q.fade);
+                const float opacity = f32::geometryOpacity(
+                    q.density->sample(x / 20, z / 20), f32::lodRamp(d, q.range.min, q.range.inv), b.threshold, q.fade);
                 const bool inRange = cell != drawn.end() && i >= cell->second.first && i < cell->second.last;
                 seen += opacity > 0;
                 missing += opacity > 0 && !inRange;
@@ -89,7 +90,8 @@ TEST(Cells, NothingBeyondMaxGeomIsSubmittedAndFlatSubmitsNothing) {
     Field f;
     f.grass.technique = static_cast<int>(Technique::Hybrid);
     f.grass.minGeom = 2, f.grass.maxGeom = 4;
-    for (const CellDraw& c : selectCells(f.query())) EXPECT_LT(std::hypot(c.cellX * 0.5 + 0.25 - 10, c.cellZ * 0.5 + 0.25 - 10), 4.4);
+    for (const CellDraw& c : selectCells(f.query()))
+        EXPECT_LT(std::hypot(c.cellX * 0.5 + 0.25 - 10, c.cellZ * 0.5 + 0.25 - 10), 4.4);
     f.grass.technique = static_cast<int>(Technique::Flat);
     EXPECT_TRUE(selectCells(f.query()).empty());
 }
@@ -134,14 +136,16 @@ TEST(Cells, OfCellsThatOnlyShadeWhatIsSeenNoBladesAreSeen) {
     for (const CellDraw& c : all)
         if (c.seen) seen.emplace(c.cellX, c.cellZ);
     EXPECT_EQ(seen.size(), blades.size());
-    for (const CellDraw& c : blades) EXPECT_TRUE(c.seen && seen.contains({c.cellX, c.cellZ})) << c.cellX << " " << c.cellZ;
+    for (const CellDraw& c : blades)
+        EXPECT_TRUE(c.seen && seen.contains({c.cellX, c.cellZ})) << c.cellX << " " << c.cellZ;
     EXPECT_GT(all.size(), blades.size());
 }
 
 TEST(Cells, DensityRangesContainEveryBilinearSample) {
     Map m({13, 9, 1, PixelType::U16});
     for (int y = 0; y < 9; ++y)
-        for (int x = 0; x < 13; ++x) m.set(x, y, 0, f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
+        for (int x = 0; x < 13; ++x)
+            m.set(x, y, 0, f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
     for (double x = 0; x < 10; x += 0.5)
         for (double z = 0; z < 8; z += 0.5) {
             const auto [least, most] = densityRange(m, {{10, 8}, false}, x, z, x + 0.5, z + 0.5);

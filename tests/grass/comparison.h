@@ -1,5 +1,5 @@
-// The hybrid field held against all its blades drawn as geometry: three fields as a designer would set them up, and measures
-// of pictures. Shared by tests (counts, pictures) and bench (times).
+// The hybrid field held against all its blades drawn as geometry: three fields as a designer would set them up, and
+// measures of pictures. Shared by tests (counts, pictures) and bench (times).
 #pragma once
 #include <array>
 #include <cmath>
@@ -67,7 +67,8 @@ struct Block {
     std::array<double, 3> mean{};
     double deviation = 0;  // RMS over channels
 };
-inline Block blockAt(const std::vector<uint8_t>& rgb, int width, const std::vector<bool>& chosen, int x0, int y0, int side) {
+inline Block blockAt(const std::vector<uint8_t>& rgb, int width, const std::vector<bool>& chosen, int x0, int y0,
+                     int side) {
     Block b;
     std::array<double, 3> squares{};
     for (int y = y0; y < y0 + side; ++y)
@@ -111,24 +112,27 @@ inline double blockContrast(const std::vector<Block>& a) {
     return sum / static_cast<double>(std::max<size_t>(a.size(), 1));
 }
 
-// By tile of 16 x 16 pixels (sRGB, 0 to 1): the mean over its pixels of how much they change from one picture to the next; and
-// how much its own mean colour does, which sees a tile that fades or pops where thin blades flicker anyway.
+// By tile of 16 x 16 pixels (sRGB, 0 to 1): the mean over its pixels of how much they change from one picture to the
+// next; and how much its own mean colour does, which sees a tile that fades or pops where thin blades flicker anyway.
 struct TileChanges {
     std::vector<double> pixels, means;
 };
 inline TileChanges tileChanges(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width) {
     const int height = static_cast<int>(a.size()) / 3 / width, across = width / 16, down = height / 16;
-    TileChanges out{std::vector<double>(static_cast<size_t>(across * down)), std::vector<double>(static_cast<size_t>(across * down))};
+    TileChanges out{std::vector<double>(static_cast<size_t>(across * down)),
+                    std::vector<double>(static_cast<size_t>(across * down))};
     std::vector<std::array<int, 3>> sums(out.means.size());
     for (int y = 0; y < 16 * down; ++y)
         for (int x = 0; x < 16 * across; ++x) {
-            const size_t i = 3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)), tile = static_cast<size_t>(y / 16 * across + x / 16);
+            const size_t i = 3 * (static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)),
+                         tile = static_cast<size_t>(y / 16 * across + x / 16);
             for (size_t c = 0; c < 3; ++c) {
                 out.pixels[tile] += std::abs(a[i + c] - b[i + c]) / (3.0 * 255 * 256);
                 sums[tile][c] += b[i + c] - a[i + c];
             }
         }
-    for (size_t t = 0; t < sums.size(); ++t) out.means[t] = (std::abs(sums[t][0]) + std::abs(sums[t][1]) + std::abs(sums[t][2])) / (3.0 * 255 * 256);
+    for (size_t t = 0; t < sums.size(); ++t)
+        out.means[t] = (std::abs(sums[t][0]) + std::abs(sums[t][1]) + std::abs(sums[t][2])) / (3.0 * 255 * 256);
     return out;
 }
 // The value that a share of the values does not exceed.
@@ -154,8 +158,8 @@ inline TileChanges walk(Renderer& r, Project& p, ViewCamera c, int steps, const 
     }
     return out;
 }
-// How much more (or less) the tiers change than blades do, as a share of how much blades do; 99.9th percentiles over tiles
-// and steps.
+// How much more (or less) the tiers change than blades do, as a share of how much blades do; 99.9th percentiles over
+// tiles and steps.
 struct Restless {
     double pixels, means;
 };

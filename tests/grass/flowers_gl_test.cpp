@@ -1,4 +1,5 @@
-// Flowers: how many are drawn, that they cover what the ray-traced truth says, and that nothing sound or unsound breaks them.
+// Flowers: how many are drawn, that they cover what the ray-traced truth says, and that nothing sound or unsound breaks
+// them.
 #include "core/numerics.h"
 #include "frame/flower_image.h"
 #include "objects.h"
@@ -17,7 +18,13 @@ Project bed() {
     t.size = {12, 12};
     t.groundColor = {0, 0, 0};
     put(p, "ground", t);
-    put<Flowers>(p, "bed", {.flowersPerM2 = 20, .headSize = 0.12f, .color = {0.9f, 0, 0}, .secondColor = {0.9f, 0, 0}, .centerColor = {0.9f, 0, 0}, .stemColor = {0.9f, 0, 0}});
+    put<Flowers>(p, "bed",
+                 {.flowersPerM2 = 20,
+                  .headSize = 0.12f,
+                  .color = {0.9f, 0, 0},
+                  .secondColor = {0.9f, 0, 0},
+                  .centerColor = {0.9f, 0, 0},
+                  .stemColor = {0.9f, 0, 0}});
     put<Sky>(p, "sky", {.model = static_cast<int>(SkyModel::Uniform)});
     return p;
 }
@@ -87,7 +94,7 @@ TEST(Flowers, GrowWhereTheMapSays) {
     Map stripes(info);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) stripes.set(x, y, 0, y < 32 ? 1.0f : 0.0f);
-    EXPECT_LT(with(field(stripes), 1), all);  // the far half is bare
+    EXPECT_LT(with(field(stripes), 1), all);                                  // the far half is bare
     EXPECT_NEAR((with(field(stripes), 16) - none) / (half - none), 1, 0.15);  // stripes of 0.4 m
 }
 
@@ -130,7 +137,9 @@ TEST(Flowers, AnImageOfOnesOwnIsShownHeadUp) {
     const TempDir folder;
     std::vector<uint8_t> pixels;
     for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 8; ++x) pixels.insert(pixels.end(), {static_cast<uint8_t>(y < 8 ? 255 : 0), 0, static_cast<uint8_t>(y < 8 ? 0 : 255), 255});
+        for (int x = 0; x < 8; ++x)
+            pixels.insert(pixels.end(),
+                          {static_cast<uint8_t>(y < 8 ? 255 : 0), 0, static_cast<uint8_t>(y < 8 ? 0 : 255), 255});
     ASSERT_TRUE(writeImagePng(folder / "two.png", 8, 16, 4, pixels));
     Project p = bed();
     p.dir = folder.path;
@@ -141,14 +150,17 @@ TEST(Flowers, AnImageOfOnesOwnIsShownHeadUp) {
     EXPECT_EQ(image.headShare, 0.5f);
     const std::vector<float> picture = drawn(p);
     double red = 0, blue = 0;
-    for (size_t i = 0; i < picture.size(); i += 3) red += static_cast<double>(picture[i]), blue += static_cast<double>(picture[i + 2]);
+    for (size_t i = 0; i < picture.size(); i += 3)
+        red += static_cast<double>(picture[i]), blue += static_cast<double>(picture[i + 2]);
     EXPECT_GT(red, 0);
     EXPECT_GT(blue, 0);
 }
 
 TEST(Flowers, TheMadeImageHasAHeadAStemAndNothingAtItsSides) {
     const Rgba8 i = makeFlowerImage(64, 160);
-    const auto alpha = [&](int x, int y) { return static_cast<int>(i.pixels[(static_cast<size_t>(y) * 64 + static_cast<size_t>(x)) * 4 + 3]); };
+    const auto alpha = [&](int x, int y) {
+        return static_cast<int>(i.pixels[(static_cast<size_t>(y) * 64 + static_cast<size_t>(x)) * 4 + 3]);
+    };
     EXPECT_EQ(alpha(32, 32), 255);
     EXPECT_EQ(alpha(0, 0), 0);
     EXPECT_EQ(alpha(63, 90), 0);

@@ -24,14 +24,16 @@ ForceTexture readForces() {
     glGetNamedBufferSubData(static_cast<GLuint>(buffer), 0, sizeof(t.at), &t.at);
     glGetTextureLevelParameteriv(static_cast<GLuint>(texture), 0, GL_TEXTURE_WIDTH, &t.side);
     t.texels.resize(static_cast<size_t>(t.side) * static_cast<size_t>(t.side) * 4);
-    glGetTextureImage(static_cast<GLuint>(texture), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(t.texels.size() * sizeof(float)), t.texels.data());
+    glGetTextureImage(static_cast<GLuint>(texture), 0, GL_RGBA, GL_FLOAT,
+                      static_cast<GLsizei>(t.texels.size() * sizeof(float)), t.texels.data());
     return t;
 }
 
 Project blockOnLawn(const std::filesystem::path& dir) {
     Project p = lawn();
     p.dir = dir;
-    putObject(p, "block", {{.size = {3, 0.5f, 1}, .at = {1.5f, 0, 0.5f}}, {.size = {1, 0.5f, 2}, .at = {0.5f, 0, 1}}}, {8, 0, 9});
+    putObject(p, "block", {{.size = {3, 0.5f, 1}, .at = {1.5f, 0, 0.5f}}, {.size = {1, 0.5f, 2}, .at = {0.5f, 0, 1}}},
+              {8, 0, 9});
     p.registry.get<StaticMesh>(findEntity(p, "block"))->rotationDeg.y = 33;
     ForceSource source;
     source.radius = 0.6f;
@@ -57,8 +59,10 @@ TEST(ForceOutlinesGl, TheMapAroundTheEyeAndTheListOfTheReferenceAgree) {
     for (int y = 0; y < map.side; ++y)
         for (int x = 0; x < map.side; ++x) {
             const double texel = 1.0 / (static_cast<double>(map.at.square.z) * map.side);
-            const glm::dvec2 place = eye + glm::dvec2(map.at.square.x, map.at.square.y) + texel * (glm::dvec2(x, y) + 0.5);
-            const float* t = &map.texels[(static_cast<size_t>(y) * static_cast<size_t>(map.side) + static_cast<size_t>(x)) * 4];
+            const glm::dvec2 place =
+                eye + glm::dvec2(map.at.square.x, map.at.square.y) + texel * (glm::dvec2(x, y) + 0.5);
+            const float* t =
+                &map.texels[(static_cast<size_t>(y) * static_cast<size_t>(map.side) + static_cast<size_t>(x)) * 4];
             const glm::vec3 drawn = f32::forceOf({t[0], t[1], t[3]}), listed = forceAt(forces, place);
             const double off = static_cast<double>(glm::length(drawn - listed));
             worst = std::max(worst, off), sum += off;

@@ -71,7 +71,8 @@ TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
     EXPECT_DOUBLE_EQ(r.stats().bladesVirtual, 200.0 * 400 * f.species[0].density.map.mean());
     const uint64_t seen = visibleBlades(p, c, s.width, s.height);
     EXPECT_NEAR(static_cast<double>(seen), 200.0 * 400 / 2, 200.0 * 400 / 255);
-    EXPECT_EQ(r.stats().bladesGeometry, seen) << "constant density: the contiguous range is exactly the blades that exist";
+    EXPECT_EQ(r.stats().bladesGeometry, seen)
+        << "constant density: the contiguous range is exactly the blades that exist";
     const PassStats& pass = passOf(r, "grass/geometry");
     EXPECT_GE(pass.vertices, 4 * seen) << "two rows of two vertices a blade";
     EXPECT_FALSE(r.stats().features.empty());
@@ -214,8 +215,10 @@ TEST(GrassPicture, BladesShadeBladesByDensityAndOnlyInLightThatCasts) {
         return r.readLinear();
     };
     const auto sum = [](const std::vector<float>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
-    EXPECT_EQ(light(2000, false, 64), light(2000, true, 0)) << "without a mask, and without light that casts, the picture is the same";
-    const double sparse = sum(light(50, true, 64)) / sum(light(50, true, 0)), dense = sum(light(2000, true, 64)) / sum(light(2000, true, 0));
+    EXPECT_EQ(light(2000, false, 64), light(2000, true, 0))
+        << "without a mask, and without light that casts, the picture is the same";
+    const double sparse = sum(light(50, true, 64)) / sum(light(50, true, 0)),
+                 dense = sum(light(2000, true, 64)) / sum(light(2000, true, 0));
     EXPECT_LT(dense, 0.9);
     EXPECT_LT(dense, sparse - 0.05);
     EXPECT_LE(sparse, 1.0);
@@ -225,7 +228,8 @@ TEST(GrassPicture, OverdrawCountsFragments) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->transparency = static_cast<int>(Transparency::Blend);  // else the ground is not lit under blades
+    p.registry.get<GrassField>(findEntity(p, "grass"))->transparency =
+        static_cast<int>(Transparency::Blend);  // else the ground is not lit under blades
     ViewSettings s = small();
     s.mode = ViewMode::Overdraw;
     ASSERT_TRUE(r.draw(p, above(), s));

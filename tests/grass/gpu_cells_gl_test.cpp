@@ -1,4 +1,5 @@
-// Cells chosen by the GPU: the CPU's, cell for cell and in the same order; the same pictures; and what a frame hands over.
+// Cells chosen by the GPU: the CPU's, cell for cell and in the same order; the same pictures; and what a frame hands
+// over.
 #include "grass/gpu_cells.h"
 
 #include <regex>
@@ -15,13 +16,18 @@ namespace {
 Map waves(int side) {
     Map m({side, side, 1, PixelType::U16});
     for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) m.set(x, y, 0, std::clamp(0.6f * std::sin(static_cast<float>(x) * 0.31f) * std::cos(static_cast<float>(y) * 0.23f) + 0.4f, 0.0f, 1.0f));
+        for (int x = 0; x < side; ++x)
+            m.set(x, y, 0,
+                  std::clamp(
+                      0.6f * std::sin(static_cast<float>(x) * 0.31f) * std::cos(static_cast<float>(y) * 0.23f) + 0.4f,
+                      0.0f, 1.0f));
     return m;
 }
 Map hills() {
     Map m({64, 64, 1, PixelType::F32});
     for (int y = 0; y < 64; ++y)
-        for (int x = 0; x < 64; ++x) m.set(x, y, 0, 3 * std::sin(static_cast<float>(x) * 0.2f) * std::cos(static_cast<float>(y) * 0.15f));
+        for (int x = 0; x < 64; ++x)
+            m.set(x, y, 0, 3 * std::sin(static_cast<float>(x) * 0.2f) * std::cos(static_cast<float>(y) * 0.15f));
     return m;
 }
 
@@ -57,7 +63,8 @@ TEST(GpuCells, PicturesAndCountsAreTheCpus) {
             Renderer cpu(gpu(), tables()), own(gpu(), tables());
             Project p = meadow(technique, painted);
             for (const ViewCamera& view : views) {
-                const auto expected = pictureOf(cpu, p, Culling::Cpu, view), found = pictureOf(own, p, Culling::Gpu, view);
+                const auto expected = pictureOf(cpu, p, Culling::Cpu, view),
+                           found = pictureOf(own, p, Culling::Gpu, view);
                 EXPECT_TRUE(expected == found) << kTechniques[static_cast<size_t>(technique)] << " painted " << painted;
                 if (technique != Technique::Tessellated) continue;  // elsewhere the CPU lists blades
                 EXPECT_EQ(cpu.stats().cells, own.stats().cells);
@@ -82,7 +89,9 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
             const auto expected = pictureOf(painted, p, culling, eyeHeight());
             f.species[1].density = {};
             for (int frame = 0; frame < 2; ++frame)
-                EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight())) << kTechniques[static_cast<size_t>(technique)] << " " << kCullings[static_cast<size_t>(culling)] << " frame " << frame;
+                EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight()))
+                    << kTechniques[static_cast<size_t>(technique)] << " " << kCullings[static_cast<size_t>(culling)]
+                    << " frame " << frame;
             EXPECT_EQ(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
         }
 }
@@ -124,7 +133,9 @@ class Chosen : public ::testing::Test {
         c.chosen = makeBuffer(gpu(), "test", c.count * sizeof(ChosenCell), nullptr);
         c.upTo = makeBuffer(gpu(), "test", sizeof(patch.upTo), patch.upTo.data());
         c.counts = makeBuffer(gpu(), "test", sizeof(ChosenCounts), nullptr);
-        const auto program = programs.get({.name = "test/choice", .compute = "grass/cells.comp.glsl"}, q.density ? "const bool GRASS_DENSITY = true;\n" : "const bool GRASS_DENSITY = false;\n");
+        const auto program =
+            programs.get({.name = "test/choice", .compute = "grass/cells.comp.glsl"},
+                         q.density ? "const bool GRASS_DENSITY = true;\n" : "const bool GRASS_DENSITY = false;\n");
         EXPECT_TRUE(program) << (program ? "" : program.error().text());
         if (!program) return {};
         glUseProgram(*program);
@@ -137,7 +148,9 @@ class Chosen : public ::testing::Test {
             if (blades == 0) continue;
             CellDraw d{};
             d.cellX = cell.cell.x, d.cellZ = cell.cell.y, d.first = cell.first, d.last = cell.first + blades;
-            d.segments = static_cast<int>(cell.look >> CHOSEN_LEVEL & 127), d.whole = static_cast<int>(cell.look >> CHOSEN_WHOLE & 1), d.seen = static_cast<int>(cell.look >> CHOSEN_SEEN & 1);
+            d.segments = static_cast<int>(cell.look >> CHOSEN_LEVEL & 127),
+            d.whole = static_cast<int>(cell.look >> CHOSEN_WHOLE & 1),
+            d.seen = static_cast<int>(cell.look >> CHOSEN_SEEN & 1);
             out.push_back(d);
         }
         return out;
@@ -146,8 +159,11 @@ class Chosen : public ::testing::Test {
         const std::vector<CellDraw> a = selectCells(q), b = byGpu(q);
         ASSERT_EQ(a.size(), b.size()) << what;
         for (size_t i = 0; i < a.size(); ++i) {
-            const auto look = [](const CellDraw& c) { return std::tuple(c.cellX, c.cellZ, c.first, c.last, c.segments, c.whole, c.seen); };
-            ASSERT_TRUE(look(a[i]) == look(b[i])) << what << ", cell " << a[i].cellX << " " << a[i].cellZ << " and " << b[i].cellX << " " << b[i].cellZ;
+            const auto look = [](const CellDraw& c) {
+                return std::tuple(c.cellX, c.cellZ, c.first, c.last, c.segments, c.whole, c.seen);
+            };
+            ASSERT_TRUE(look(a[i]) == look(b[i]))
+                << what << ", cell " << a[i].cellX << " " << a[i].cellZ << " and " << b[i].cellX << " " << b[i].cellZ;
         }
     }
 };
@@ -155,7 +171,9 @@ class Chosen : public ::testing::Test {
 TEST_F(Chosen, CellsAreTheCpusInTheSameOrderFromAnywhere) {
     NoGlErrors errors;
     uint32_t h = 7;
-    const auto random = [&](double low, double high) { return low + (high - low) * f32::hashUnit(h = f32::hashMix(h)); };
+    const auto random = [&](double low, double high) {
+        return low + (high - low) * f32::hashUnit(h = f32::hashMix(h));
+    };
     uint64_t cells = 0;
     for (int i = 0; i < 60; ++i) {
         const bool painted = i % 2 == 1, tessellated = i % 3 == 0;
@@ -165,15 +183,19 @@ TEST_F(Chosen, CellsAreTheCpusInTheSameOrderFromAnywhere) {
         updateHeightBounds(bounds, terrain);
         field.cellSize = static_cast<float>(random(0.2, 2));
         field.technique = static_cast<int>(tessellated ? Technique::Tessellated : Technique::Hybrid);
-        field.maxDistance = static_cast<float>(range), field.minGeom = static_cast<float>(range / 3), field.maxGeom = static_cast<float>(range);
+        field.maxDistance = static_cast<float>(range), field.minGeom = static_cast<float>(range / 3),
+        field.maxGeom = static_cast<float>(range);
         field.species[0].bladesPerM2 = 40;
         field.species[0].density = painted ? MapField{"maps/d.png", waves(50 + i)} : MapField{};
         patch = makePatch(field.species[0], field.cellSize, 1);
         const glm::dvec3 eye(random(0, terrain.size.x), random(0.3, 12), random(0, terrain.size.y));
-        const Frustum frustum = frustumOf(viewProjection({eye, eye + glm::dvec3(random(-1, 1), random(-0.8, 0.2), random(-1, 1)), 60, 0}, 320, 240));
+        const Frustum frustum = frustumOf(
+            viewProjection({eye, eye + glm::dvec3(random(-1, 1), random(-0.8, 0.2), random(-1, 1)), 60, 0}, 320, 240));
         CellQuery q = cellQuery(terrain, bounds, field, field.species[0], patch, eye, frustum, 300);
-        if (tessellated) q.levels = {6, field.maxDistance, i % 2 ? 40.0f : 0.0f, q.reach}, q.thinning = 0.5f / field.maxDistance;
-        else q.shadow = static_cast<float>(random(0, 2));
+        if (tessellated)
+            q.levels = {6, field.maxDistance, i % 2 ? 40.0f : 0.0f, q.reach}, q.thinning = 0.5f / field.maxDistance;
+        else
+            q.shadow = static_cast<float>(random(0, 2));
         expectSame(q, "view " + std::to_string(i));
         if (HasFatalFailure()) return;
         cells += selectCells(q).size();
@@ -211,18 +233,21 @@ TEST(GpuCells, AMillionBladesAreFewCallsAndLittleUpload) {
         s.time = 0.5;
         CountGlCalls count;
         ASSERT_TRUE(r.draw(p, edge, s));
-        EXPECT_LE(glCalls.calls, 97u) << "with three more where the chosen cells are counted, at most 100\n" << glCallsByName();
+        EXPECT_LE(glCalls.calls, 97u) << "with three more where the chosen cells are counted, at most 100\n"
+                                      << glCallsByName();
         EXPECT_LE(glCalls.bytes, culling == Culling::Gpu ? 4096u : 65536u);
         EXPECT_EQ(glCalls.textureUploads, 0u);
         EXPECT_EQ(glCalls.reads, 0u) << "nothing is read back";
-        std::printf("%s: %lu calls, %lu bytes\n", kCullings[static_cast<size_t>(culling)], static_cast<unsigned long>(glCalls.calls), static_cast<unsigned long>(glCalls.bytes));
+        std::printf("%s: %lu calls, %lu bytes\n", kCullings[static_cast<size_t>(culling)],
+                    static_cast<unsigned long>(glCalls.calls), static_cast<unsigned long>(glCalls.bytes));
     }
 }
 
 TEST(GpuCells, EveryGlFunctionOfTheEngineIsCounted) {
     const std::set<std::string> counted(std::begin(kCountedGlCalls), std::end(kCountedGlCalls));
     const std::regex call(R"(\bgl[A-Z]\w*(?=\())");
-    for (const auto& file : std::filesystem::recursive_directory_iterator(std::filesystem::path(SWARD_SOURCE_DIR) / "engine")) {
+    for (const auto& file :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(SWARD_SOURCE_DIR) / "engine")) {
         if (!file.is_regular_file()) continue;
         const std::string text = readText(file.path());
         for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it)

@@ -22,7 +22,9 @@ Project oneBlade(float azimuthDeg) {
     s.height = 1;
     s.width = 0.3f;
     s.heightVariation = s.bend = s.leanDeg = s.leanVariationDeg = s.clumpSize = 0;
-    const auto suits = [&](const Blade& b) { return std::abs(b.facing.x) > 0.9f && std::abs(b.root.x - 2) < 0.3f; };  // its broad side to the light
+    const auto suits = [&](const Blade& b) {
+        return std::abs(b.facing.x) > 0.9f && std::abs(b.root.x - 2) < 0.3f;
+    };  // its broad side to the light
     while (!suits(makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed)).blades[0])) ++f.seed;
     put(p, "grass", f);
     put(p, "sky", Sky{});
@@ -43,7 +45,7 @@ void slope(Project& p) {
 struct Shadow {
     double from = 1e9, to = -1e9;  // extent along x, metres, from the picture's middle
     int pixels = 0;
-    float darkest = 1;             // what is left of the ground's light
+    float darkest = 1;  // what is left of the ground's light
 };
 constexpr double kPixel = 2 * 60 * 0.0349208 / 240;  // metres: seen 4 degrees wide from 60 m
 // What ground shadows change in the picture.

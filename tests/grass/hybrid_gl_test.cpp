@@ -21,7 +21,8 @@ std::vector<uint8_t> picture(Renderer& r, Project& p, const ViewCamera& c, const
     return r.readImage();
 }
 
-// --- cost by the size of the field -------------------------------------------------------------------------------------
+// --- cost by the size of the field
+// -------------------------------------------------------------------------------------
 
 struct Cost {
     double vertices = 0, fragments = 0, bytes = 0, nodes = 0;
@@ -50,7 +51,8 @@ Cost growth(Renderer& r, Technique t, const ViewCamera& c, float bladesPerM2) {
     }
     const auto times = [&](double Cost::*what) { return cost[1].*what / cost[0].*what; };
     const Cost g{times(&Cost::vertices), times(&Cost::fragments), times(&Cost::bytes), times(&Cost::nodes)};
-    std::printf("  growth: vertices %.4f fragments %.4f bytes %.4f nodes %.4f\n", g.vertices, g.fragments, g.bytes, g.nodes);
+    std::printf("  growth: vertices %.4f fragments %.4f bytes %.4f nodes %.4f\n", g.vertices, g.fragments, g.bytes,
+                g.nodes);
     return g;
 }
 
@@ -65,8 +67,8 @@ TEST(HybridCost, OfGroundThatBothFieldsHoldIsTheSame) {
     }
 }
 
-// The horizon is in view: what lies beyond the smaller field's edge is seen as a strip of pixels below it, which is nearly all
-// that may be added.
+// The horizon is in view: what lies beyond the smaller field's edge is seen as a strip of pixels below it, which is
+// nearly all that may be added.
 TEST(HybridCost, UpToTheHorizonIsTheSame) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
@@ -74,10 +76,12 @@ TEST(HybridCost, UpToTheHorizonIsTheSame) {
         const Cost g = growth(r, Technique::Hybrid, {{12, eye, 12}, {20, 0, 20}, 55, 0}, 1000);
         EXPECT_LE(std::max({g.vertices, g.fragments, g.bytes, g.nodes}), 1.01) << eye;
     }
-    EXPECT_GT(growth(r, Technique::Geometry, {{12, 1.7, 12}, {20, 0, 20}, 55, 0}, 20).vertices, 3) << "all blades as geometry grow with the field";
+    EXPECT_GT(growth(r, Technique::Geometry, {{12, 1.7, 12}, {20, 0, 20}, 55, 0}, 20).vertices, 3)
+        << "all blades as geometry grow with the field";
 }
 
-// --- the look of blades ------------------------------------------------------------------------------------------------
+// --- the look of blades
+// ------------------------------------------------------------------------------------------------
 
 struct Likeness {
     double distance = 0, contrast = 0;  // as shares of another field of blades' distance, and of the blades' contrast
@@ -109,7 +113,8 @@ Likeness likeness(Renderer& r, const Design& d, double side, float sunAzimuthDeg
     const auto blocks = [&](const std::vector<uint8_t>& rgb) { return blocksOf(rgb, 320, chosen); };
     const auto blades = blocks(geometry), tiers = blocks(hybrid), flat = blocks(flatGreen(geometry, chosen));
     const double apart = blockDistance(blades, blocks(other)), contrast = blockContrast(blades);
-    return {blockDistance(blades, tiers) / apart, blockContrast(tiers) / contrast, blockDistance(blades, flat) / apart, blockContrast(flat) / contrast};
+    return {blockDistance(blades, tiers) / apart, blockContrast(tiers) / contrast, blockDistance(blades, flat) / apart,
+            blockContrast(flat) / contrast};
 }
 
 std::vector<bool> bladesOf(Renderer& r, const Design& d, double side) {
@@ -125,7 +130,8 @@ struct LookCase {
     double side;
     float sunAzimuthDeg;  // 315: behind the eye, 45: to its side, 135: ahead
 };
-const LookCase kLooks[] = {{kMeadow, 18, 315}, {kMeadow, 18, 45}, {kMeadow, 18, 135}, {kLawn, 10, 315}, {kLawn, 10, 45}, {kLawn, 10, 135}};
+const LookCase kLooks[] = {{kMeadow, 18, 315}, {kMeadow, 18, 45}, {kMeadow, 18, 135},
+                           {kLawn, 10, 315},   {kLawn, 10, 45},   {kLawn, 10, 135}};
 
 TEST(HybridLook, IsAsNearToTheBladesAsOtherBladesAre) {
     NoGlErrors errors;
@@ -134,7 +140,9 @@ TEST(HybridLook, IsAsNearToTheBladesAsOtherBladesAre) {
     for (const LookCase& c : kLooks) {
         if (!chosen.contains(c.side)) chosen[c.side] = bladesOf(r, c.design, c.side);
         const Likeness l = likeness(r, c.design, c.side, c.sunAzimuthDeg, chosen[c.side]);
-        const std::string what = fmt::format("{}, sun at {}: distance {:.3f} contrast {:.3f}; flat green {:.3f} {:.3f}", c.design.name, c.sunAzimuthDeg, l.distance, l.contrast, l.flatDistance, l.flatContrast);
+        const std::string what =
+            fmt::format("{}, sun at {}: distance {:.3f} contrast {:.3f}; flat green {:.3f} {:.3f}", c.design.name,
+                        c.sunAzimuthDeg, l.distance, l.contrast, l.flatDistance, l.flatContrast);
         std::printf("%s\n", what.c_str());
         EXPECT_LE(l.distance, 1.25) << what;
         EXPECT_GE(l.contrast, 0.8) << what;
@@ -143,7 +151,8 @@ TEST(HybridLook, IsAsNearToTheBladesAsOtherBladesAre) {
     }
 }
 
-// --- walking -----------------------------------------------------------------------------------------------------------
+// --- walking
+// -----------------------------------------------------------------------------------------------------------
 
 TEST(HybridWalk, ChangesNoMoreThanBladesDoWhereTiersMeet) {
     NoGlErrors errors;
@@ -151,19 +160,25 @@ TEST(HybridWalk, ChangesNoMoreThanBladesDoWhereTiersMeet) {
     const ViewSettings s = sized(160, 112);
     for (const auto& [name, distance] : {std::pair{"blades to slices", 6.0}, std::pair{"slices to far", 16.0}}) {
         Project p = designed(kMeadow, 24);
-        const TileChanges hybrid = walk(r, p, lookingAt(distance), 5, s), blades = bladesWalk(r, p, lookingAt(distance), 5, s);
+        const TileChanges hybrid = walk(r, p, lookingAt(distance), 5, s),
+                          blades = bladesWalk(r, p, lookingAt(distance), 5, s);
         technique(p, Technique::Geometry);
         const auto before = picture(r, p, lookingAt(distance), s);
         grassIn(p).species[0].bladesPerM2 *= 0.4f;
-        const double thinned = quantile(tileChanges(before, picture(r, p, lookingAt(distance), s), s.width).means, 0.999) / quantile(blades.means, 0.999) - 1;
-        std::printf("%s: pixels %.2f means %.2f, thinned at once %.2f\n", name, restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means), thinned);
+        const double thinned =
+            quantile(tileChanges(before, picture(r, p, lookingAt(distance), s), s.width).means, 0.999) /
+                quantile(blades.means, 0.999) -
+            1;
+        std::printf("%s: pixels %.2f means %.2f, thinned at once %.2f\n", name,
+                    restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means), thinned);
         EXPECT_LE(restlessness(hybrid.pixels, blades.pixels), 1.25) << name;
         EXPECT_LE(restlessness(hybrid.means, blades.means), 1.25) << name;
         EXPECT_GT(thinned, 1.25) << "the measure would accept a field that pops";
     }
 }
 
-// --- how slices are stored ---------------------------------------------------------------------------------------------
+// --- how slices are stored
+// ---------------------------------------------------------------------------------------------
 
 double rmse(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
     double sum = 0;
@@ -200,15 +215,18 @@ TEST(HybridStorage, KeepsToItsMegabytesAtThePapersResolutions) {
     };
     images.vertical = levels(512, 64, 20);
     images.far = levels(512, 512, 1);
-    const double factored = static_cast<double>(uploadSlices(gpu(), "test", "test", images, Storage::Factored).bytes()) / 1e6;
-    const double compressed = static_cast<double>(uploadSlices(gpu(), "test", "test", images, Storage::Compressed).bytes()) / 1e6;
+    const double factored =
+        static_cast<double>(uploadSlices(gpu(), "test", "test", images, Storage::Factored).bytes()) / 1e6;
+    const double compressed =
+        static_cast<double>(uploadSlices(gpu(), "test", "test", images, Storage::Compressed).bytes()) / 1e6;
     const double full = static_cast<double>(uploadSlices(gpu(), "test", "test", images, Storage::Full).bytes()) / 1e6;
     EXPECT_LE(factored, 25);
     EXPECT_LE(compressed, 9);
     EXPECT_GT(full, 25) << "the paper's own form would not do";
 }
 
-// --- bad input ---------------------------------------------------------------------------------------------------------
+// --- bad input
+// ---------------------------------------------------------------------------------------------------------
 
 // Finite everywhere, not burnt out, not black where there is light, without GL errors.
 void expectSane(Renderer& r, Project& p, const ViewCamera& c, const std::string& what, bool lit = true) {
@@ -238,7 +256,8 @@ TEST(HybridBadInput, TiersMeetInAnyOrder) {
     Project p = quickLawn();
     GrassField& f = grassIn(p);
     const float inf = std::numeric_limits<float>::infinity();
-    for (const auto& [a, b] : {std::pair{5.0f, 5.0f}, std::pair{8.0f, 4.0f}, std::pair{0.0f, 0.0f}, std::pair{5.0f, inf}, std::pair{inf, inf}, std::pair{30.0f, 40.0f}}) {
+    for (const auto& [a, b] : {std::pair{5.0f, 5.0f}, std::pair{8.0f, 4.0f}, std::pair{0.0f, 0.0f},
+                               std::pair{5.0f, inf}, std::pair{inf, inf}, std::pair{30.0f, 40.0f}}) {
         f.minGeom = a, f.maxGeom = b, f.minBTF = 9, f.maxBTF = 12;
         expectSane(r, p, eyeHeight(), "blades from " + std::to_string(a) + " to " + std::to_string(b));
         f.minGeom = 3, f.maxGeom = 6, f.minBTF = a, f.maxBTF = b;
@@ -268,19 +287,22 @@ TEST(HybridBadInput, LightsMayStandAnywhere) {
     for (const float elevation : {90.0f, 0.0f, 0.01f, -0.01f, -20.0f, -90.0f})
         for (const float azimuth : {0.0f, 90.0f, 180.0f, 270.0f}) {
             sunIn(p).elevationDeg = elevation, sunIn(p).azimuthDeg = azimuth;
-            expectSane(r, p, eyeHeight(), "sun at " + std::to_string(elevation) + ", " + std::to_string(azimuth), elevation > -1);
+            expectSane(r, p, eyeHeight(), "sun at " + std::to_string(elevation) + ", " + std::to_string(azimuth),
+                       elevation > -1);
         }
     sunIn(p) = Light{};
     Light lamp;
     lamp.type = static_cast<int>(LightType::Point);
     put(p, "lamp", lamp);
-    for (const glm::dvec3 at : {glm::dvec3(5, 0, 5), glm::dvec3(5, 0.05, 5), glm::dvec3(5, -1, 5), glm::dvec3(10, 0.15, 10), glm::dvec3(2, 1.7, 2), glm::dvec3(10, 1e6, 10)}) {
+    for (const glm::dvec3 at : {glm::dvec3(5, 0, 5), glm::dvec3(5, 0.05, 5), glm::dvec3(5, -1, 5),
+                                glm::dvec3(10, 0.15, 10), glm::dvec3(2, 1.7, 2), glm::dvec3(10, 1e6, 10)}) {
         put(p, "lamp", Transform{at});
         expectSane(r, p, eyeHeight(), fmt::format("lamp at {}, {}, {}", at.x, at.y, at.z));
     }
 }
 
-// --- repetition --------------------------------------------------------------------------------------------------------
+// --- repetition
+// --------------------------------------------------------------------------------------------------------
 
 constexpr int kCell = 16, kCells = 32, kSideTexels = kCell * kCells;
 
@@ -297,18 +319,23 @@ std::vector<double> tiled(const SliceImages& images, Tiling how) {
             f32::CellVersion version = f32::cellVersion(x / kCell, y / kCell, 1);
             if (how == Tiling::Periodic) version.mirror = glm::vec2(1);
             if (how != Tiling::Ours) version.shift = glm::vec2(0);
-            const glm::vec2 place = f32::placeInPatch((glm::vec2(x % kCell, y % kCell) + 0.5f) / float(kCell), version.mirror, version.shift);
-            const int u = static_cast<int>(std::floor(place.x * kCell)) & (kCell - 1), v = static_cast<int>(std::floor(place.y * kCell)) & (kCell - 1);
-            out[static_cast<size_t>(y * kSideTexels + x)] = level->reflectance[static_cast<size_t>(4 * (v * kCell + u) + 1)] * level->threshold[static_cast<size_t>(4 * (v * kCell + u) + 1)] / 65025.0;
+            const glm::vec2 place = f32::placeInPatch((glm::vec2(x % kCell, y % kCell) + 0.5f) / float(kCell),
+                                                      version.mirror, version.shift);
+            const int u = static_cast<int>(std::floor(place.x * kCell)) & (kCell - 1),
+                      v = static_cast<int>(std::floor(place.y * kCell)) & (kCell - 1);
+            out[static_cast<size_t>(y * kSideTexels + x)] =
+                level->reflectance[static_cast<size_t>(4 * (v * kCell + u) + 1)] *
+                level->threshold[static_cast<size_t>(4 * (v * kCell + u) + 1)] / 65025.0;
         }
     return out;
 }
 
-// The far tier of a field as the renderer draws it, seen from straight above with `kCell` pixels a cell; green, less the mean of
-// 64 x 64 pixels, since the view's angle changes over the picture.
+// The far tier of a field as the renderer draws it, seen from straight above with `kCell` pixels a cell; green, less
+// the mean of 64 x 64 pixels, since the view's angle changes over the picture.
 std::vector<double> drawn(Renderer& r) {
     Project p = designed(kLawn, 24);
-    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = glm::vec3(0);  // the soil's own tile repeats at four cells
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor =
+        glm::vec3(0);  // the soil's own tile repeats at four cells
     technique(p, Technique::Flat);
     const double side = kCells * double(grassIn(p).cellSize), up = 0.5 * side / std::tan(glm::radians(27.5)) + 0.03;
     const auto rgb = picture(r, p, {{12, up, 12}, {12, 0, 12.0001}, 55, 0}, sized(kSideTexels, kSideTexels, 1));
@@ -320,7 +347,9 @@ std::vector<double> withoutSlowChanges(std::vector<double> v) {
     for (int y0 = 0; y0 < kSideTexels; y0 += 64)
         for (int x0 = 0; x0 < kSideTexels; x0 += 64) {
             double mean = 0;
-            const auto at = [&](int k) -> double& { return v[static_cast<size_t>((y0 + k / 64) * kSideTexels + x0 + k % 64)]; };
+            const auto at = [&](int k) -> double& {
+                return v[static_cast<size_t>((y0 + k / 64) * kSideTexels + x0 + k % 64)];
+            };
             for (int k = 0; k < 4096; ++k) mean += at(k) / 4096;
             for (int k = 0; k < 4096; ++k) at(k) -= mean;
         }
@@ -332,12 +361,15 @@ double correlation(const std::vector<double>& v, int dx, int dy) {
     double sum = 0, squares = 0;
     int n = 0;
     for (int y = 0; y + dy < kSideTexels; ++y)
-        for (int x = 0; x + dx < kSideTexels; ++x, ++n) sum += v[static_cast<size_t>(y * kSideTexels + x)] * v[static_cast<size_t>((y + dy) * kSideTexels + x + dx)];
+        for (int x = 0; x + dx < kSideTexels; ++x, ++n)
+            sum +=
+                v[static_cast<size_t>(y * kSideTexels + x)] * v[static_cast<size_t>((y + dy) * kSideTexels + x + dx)];
     for (const double a : v) squares += a * a;
     return sum / n / (squares / static_cast<double>(v.size()));
 }
 
-// Of the correlations at shifts by up to 8 whole cells: the greatest and the mean; and the deviation of those at other shifts.
+// Of the correlations at shifts by up to 8 whole cells: the greatest and the mean; and the deviation of those at other
+// shifts.
 struct Lattice {
     double most = 0, mean = 0, sigma = 0;
     double peak() const { return most / sigma; }
@@ -348,7 +380,9 @@ Lattice lattice(const std::vector<double>& picture) {
     int n = 0;
     for (int i = 0; i <= 8; ++i)
         for (int j = 0; j <= 8; ++j) {
-            if (i + j > 0) l.most = std::max(l.most, correlation(v, i * kCell, j * kCell)), l.mean += correlation(v, i * kCell, j * kCell) / 80;
+            if (i + j > 0)
+                l.most = std::max(l.most, correlation(v, i * kCell, j * kCell)),
+                l.mean += correlation(v, i * kCell, j * kCell) / 80;
             for (const int off : {4, 6, 8, 10, 12}) {
                 const double between = correlation(v, i * kCell + off, j * kCell + 16 - off);
                 l.sigma += between * between, ++n;
@@ -364,11 +398,15 @@ TEST(HybridRepetition, ShowsNoPeakAtTheLatticeOfCells) {
     const Project p = designed(kLawn, 14);
     JobControl control;
     const GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
-    const SliceImages images = std::move(*bakeSlices(sliceSpec(f, f.species[0], makeBladeImage(32, 128), true), control));
+    const SliceImages images =
+        std::move(*bakeSlices(sliceSpec(f, f.species[0], makeBladeImage(32, 128), true), control));
     Renderer r(gpu(), tables());
-    const Lattice periodic = lattice(tiled(images, Tiling::Periodic)), mirrored = lattice(tiled(images, Tiling::Mirrored));
+    const Lattice periodic = lattice(tiled(images, Tiling::Periodic)),
+                  mirrored = lattice(tiled(images, Tiling::Mirrored));
     const Lattice ours = lattice(tiled(images, Tiling::Ours)), seen = lattice(drawn(r));
-    for (const Lattice& l : {periodic, mirrored, ours, seen}) std::printf("lattice: most %.4f mean %.4f, others' deviation %.5f: %.1f sigma\n", l.most, l.mean, l.sigma, l.peak());
+    for (const Lattice& l : {periodic, mirrored, ours, seen})
+        std::printf("lattice: most %.4f mean %.4f, others' deviation %.5f: %.1f sigma\n", l.most, l.mean, l.sigma,
+                    l.peak());
     EXPECT_GT(periodic.most, 0.99) << "the measure sees repetition";
     EXPECT_GT(periodic.peak(), 4);
     EXPECT_GT(mirrored.peak(), 4) << "and that of mirrored cells";

@@ -56,7 +56,8 @@ TEST(BladeMask, HidesByOneBladeWhatItsWidthSays) {
 
 TEST(BladeMask, IsTheSameEveryTimeAndSoundForSpeciesWithoutBladesOrSize) {
     const Species s = dense();
-    EXPECT_EQ(makeBladeMask(s, makePatch(s, 0.5f, 1), 0.5f, 64).pixels, makeBladeMask(s, makePatch(s, 0.5f, 1), 0.5f, 64).pixels);
+    EXPECT_EQ(makeBladeMask(s, makePatch(s, 0.5f, 1), 0.5f, 64).pixels,
+              makeBladeMask(s, makePatch(s, 0.5f, 1), 0.5f, 64).pixels);
     Species none, flat = dense(), giant = dense();
     none.bladesPerM2 = 0;
     flat.height = 0;

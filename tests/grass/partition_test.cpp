@@ -79,8 +79,9 @@ Counts countField(float density, bool published) {
                 const Blade& b = patch.blades[i];
                 const float weight = f32::lodRamp(distanceOf(b, x, z, f), f.minGeom, inv);
                 const bool submitted = draw != chosen.blades.end() && i >= draw->second.first && i < draw->second.last;
-                const bool geometry = published ? f32::geometryHoldsPublished(density, 1 - weight, b.threshold)
-                                                : submitted && f32::geometryOpacity(density, weight, b.threshold, 0) > 0;
+                const bool geometry = published
+                                          ? f32::geometryHoldsPublished(density, 1 - weight, b.threshold)
+                                          : submitted && f32::geometryOpacity(density, weight, b.threshold, 0) > 0;
                 const bool slices = sliced && f32::sliceOpacity(density, weight, b.threshold, 0) > 0;
                 const bool exists = b.threshold <= density;
                 n.exist += exists, n.geometry += geometry, n.slices += slices;
@@ -111,15 +112,18 @@ TEST(Partition, FadingOpacitiesSumToEquationFive) {
             for (int w = 0; w <= 16; ++w)
                 for (const Blade& b : patch.blades) {
                     const float weight = static_cast<float>(w) / 16;
-                    const float sum = f32::geometryOpacity(density, weight, b.threshold, omega) + f32::sliceOpacity(density, weight, b.threshold, omega);
+                    const float sum = f32::geometryOpacity(density, weight, b.threshold, omega) +
+                                      f32::sliceOpacity(density, weight, b.threshold, omega);
                     ASSERT_NEAR(sum, f32::opacityConserving(density, b.threshold, omega), 1.2e-7f);
-                    if (omega <= density && density <= 1 - omega) ASSERT_NEAR(sum, f32::opacityPublished(density, b.threshold, omega), 1e-6f);
+                    if (omega <= density && density <= 1 - omega)
+                        ASSERT_NEAR(sum, f32::opacityPublished(density, b.threshold, omega), 1e-6f);
                 }
 }
 
 TEST(Partition, ThresholdsAreTheSameAsTheTexelsOfSlicesHoldThem) {
     for (int k = 1; k <= 255; ++k) EXPECT_EQ(std::round(f32::thresholdOf(k) * 255.0f) / 255.0f, f32::thresholdOf(k));
-    for (const Blade& b : makePatch(halfWay().species[0], 0.5f, 1).blades) ASSERT_EQ(f32::thresholdOf(static_cast<int>(std::lround(b.threshold * 255))), b.threshold);
+    for (const Blade& b : makePatch(halfWay().species[0], 0.5f, 1).blades)
+        ASSERT_EQ(f32::thresholdOf(static_cast<int>(std::lround(b.threshold * 255))), b.threshold);
 }
 
 }  // namespace

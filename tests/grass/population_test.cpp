@@ -58,7 +58,8 @@ TEST(Population, RootsAreStratifiedAndInsideTheirCell) {
 TEST(Population, ThinnedGrassStaysSpreadOverTheCell) {
     const Patch p = makePatch(species(16000), 0.5f, 5);
     int quarter[4] = {0, 0, 0, 0};
-    for (uint32_t i = 0; i < p.upTo[51]; ++i) ++quarter[(p.blades[i].root.x > 0.25f) + 2 * (p.blades[i].root.y > 0.25f)];
+    for (uint32_t i = 0; i < p.upTo[51]; ++i)
+        ++quarter[(p.blades[i].root.x > 0.25f) + 2 * (p.blades[i].root.y > 0.25f)];
     for (int n : quarter) EXPECT_NEAR(n, p.upTo[51] / 4.0, 4 * std::sqrt(p.upTo[51] / 4.0));
 }
 
@@ -79,7 +80,8 @@ TEST(Population, NoBladeGoesUnderTheGroundAndAllAreFinite) {
 }
 
 TEST(Population, TheSameSeedGivesTheSamePatchAndAnotherAnother) {
-    const Patch a = makePatch(species(2000), 0.5f, 1), b = makePatch(species(2000), 0.5f, 1), c = makePatch(species(2000), 0.5f, 2);
+    const Patch a = makePatch(species(2000), 0.5f, 1), b = makePatch(species(2000), 0.5f, 1),
+                c = makePatch(species(2000), 0.5f, 2);
     EXPECT_EQ(std::memcmp(a.blades.data(), b.blades.data(), a.blades.size() * sizeof(Blade)), 0);
     EXPECT_NE(std::memcmp(a.blades.data(), c.blades.data(), a.blades.size() * sizeof(Blade)), 0);
 }
@@ -89,8 +91,9 @@ TEST(Population, ThePatchKeyChangesWithEveryFieldThatShapesIt) {
     const uint64_t key = patchKey(base, 0.5f, 1);
     EXPECT_NE(patchKey(base, 0.25f, 1), key);
     EXPECT_NE(patchKey(base, 0.5f, 2), key);
-    for (float Species::* f : {&Species::bladesPerM2, &Species::height, &Species::heightVariation, &Species::width, &Species::bend,
-                               &Species::leanVariationDeg, &Species::hueVariationDeg, &Species::lightnessVariation}) {
+    for (float Species::*f :
+         {&Species::bladesPerM2, &Species::height, &Species::heightVariation, &Species::width, &Species::bend,
+          &Species::leanVariationDeg, &Species::hueVariationDeg, &Species::lightnessVariation}) {
         Species s = base;
         s.*f += 0.01f;
         EXPECT_NE(patchKey(s, 0.5f, 1), key);
@@ -101,8 +104,10 @@ TEST(CellVersions, ABladeStandsInItsCellWhereTheCellsImageShowsIt) {
     const float size = 0.5f;
     for (int cell = 0; cell < 200; ++cell) {
         const f32::CellVersion v = f32::cellVersion(cell, 7 - cell, 3);
-        for (const glm::vec2 root : {glm::vec2(0), glm::vec2(0.1f, 0.37f), glm::vec2(std::nextafter(size, 0.0f), 0.25f)}) {
-            const glm::vec2 at = f32::rootInCell(root, v.mirror, v.shift, size), back = f32::placeInPatch(at / size, v.mirror, v.shift) * size;
+        for (const glm::vec2 root :
+             {glm::vec2(0), glm::vec2(0.1f, 0.37f), glm::vec2(std::nextafter(size, 0.0f), 0.25f)}) {
+            const glm::vec2 at = f32::rootInCell(root, v.mirror, v.shift, size),
+                            back = f32::placeInPatch(at / size, v.mirror, v.shift) * size;
             ASSERT_EQ(glm::clamp(at, glm::vec2(0), glm::vec2(size)), at);
             const glm::vec2 apart = glm::abs(back - root) / size;  // but for whole cells
             EXPECT_LT(glm::length(apart - glm::round(apart)), 1e-5f);
@@ -141,7 +146,9 @@ TEST(Pose, StoodUpTakesThePlacesLeanOffAgain) {
     for (const Blade& b : p.blades)
         for (const glm::vec2 lean : {glm::vec2(0), glm::vec2(0.4f, 0.1f), glm::vec2(-0.3f, 0.5f)}) {
             const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, lean, 1.0f);
-            EXPECT_LT(glm::length(f32::stoodUp(pose.tip, pose.upright) - b.tip), 1e-4f * glm::length(b.tip) / std::max(pose.tip.y / glm::length(b.tip), 0.05f)) << lean.x;
+            EXPECT_LT(glm::length(f32::stoodUp(pose.tip, pose.upright) - b.tip),
+                      1e-4f * glm::length(b.tip) / std::max(pose.tip.y / glm::length(b.tip), 0.05f))
+                << lean.x;
             if (lean.x == 0) EXPECT_LT(glm::length(f32::stoodUp({1, 1, 1}, pose.upright) - glm::vec3(1)), 1e-4f);
         }
 }
@@ -153,7 +160,9 @@ TEST(Pose, ARaisedBladeIsHardlyHigherThanItIsLong) {
             const glm::vec3 tip(0.3f * std::cos(flat), 0.3f * std::sin(flat), 0), control(0.05f, 0.3f * bent, 0.02f);
             for (const float lean : {-2.0f, -0.9f, -0.4f, -0.1f, 0.0f, 0.2f}) {
                 const f32::BladePose pose = f32::poseBlade(control, tip, {1, 0}, {1, 1}, {lean, 0.1f}, 1.0f);
-                for (int i = 0; i <= 16; ++i) EXPECT_LE(f32::bladePosition(pose.control, pose.tip, static_cast<float>(i) / 16).y, 1.15f * 0.3f) << flat << " " << bent << " " << lean;
+                for (int i = 0; i <= 16; ++i)
+                    EXPECT_LE(f32::bladePosition(pose.control, pose.tip, static_cast<float>(i) / 16).y, 1.15f * 0.3f)
+                        << flat << " " << bent << " " << lean;
             }
         }
 }

@@ -45,7 +45,8 @@ const Blade blade(const SliceSpec& s) { return makePatch(s.species, s.cellSize, 
 int samplesIn(const SliceLevel& l, size_t first, size_t layers) {
     const size_t n = static_cast<size_t>(l.width) * static_cast<size_t>(l.height);
     int sum = 0;
-    for (size_t i = first * n; i < (first + layers) * n; ++i) sum += static_cast<int>(std::lround(l.threshold[4 * i + 1] * 16 / 255.0));
+    for (size_t i = first * n; i < (first + layers) * n; ++i)
+        sum += static_cast<int>(std::lround(l.threshold[4 * i + 1] * 16 / 255.0));
     return sum;
 }
 double meanOpacity(const SliceLevel& l) {
@@ -74,7 +75,8 @@ TEST(SliceBake, SlabsBeginAtTheirOwnBoundaryAndEndBeforeTheNext) {
         for (int k = 0; k < n; ++k) {
             const float at = static_cast<float>(static_cast<double>(k) / n);
             const int slab = f32::captureSlice(at, n), next = f32::captureSlice(std::nextafter(at, 1.0f), n);
-            EXPECT_LE(std::abs(slab - k), at * static_cast<float>(n) < static_cast<float>(k) ? 1 : 0) << k << " of " << n;
+            EXPECT_LE(std::abs(slab - k), at * static_cast<float>(n) < static_cast<float>(k) ? 1 : 0)
+                << k << " of " << n;
             EXPECT_TRUE(next == slab || next == slab + 1);
         }
 }
@@ -91,7 +93,8 @@ TEST(SliceBake, BladesThatReachOverTheSeamComeInAtTheOtherSide) {
         for (int axis = 0; axis < 2; ++axis) {
             const float across = std::abs(axis == 0 ? f.side.z : f.side.x) * b.width;
             const float area = static_cast<float>(samplesIn(l, axis == 0 ? 0 : 5, 5)) / 16 * texel;
-            EXPECT_NEAR(area, across * b.tip.y, 0.0006f) << "seed " << seed << ", axis " << axis << ", root " << b.root.x << " " << b.root.y;
+            EXPECT_NEAR(area, across * b.tip.y, 0.0006f)
+                << "seed " << seed << ", axis " << axis << ", root " << b.root.x << " " << b.root.y;
             const float at = axis == 0 ? b.root.y : b.root.x;
             crossing += at < across / 2 || at + across / 2 > s.cellSize;
         }
@@ -117,18 +120,20 @@ TEST(SliceBake, MeanOpacityIsTheSameOnEveryMip) {
     for (const auto* levels : {&images.vertical, &images.far}) {
         ASSERT_GE(levels->size(), 7u);
         EXPECT_GT(meanOpacity(levels->front()), 0.05);
-        for (const SliceLevel& l : *levels) EXPECT_NEAR(meanOpacity(l), meanOpacity(levels->front()), 0.01) << l.width << " x " << l.height;
+        for (const SliceLevel& l : *levels)
+            EXPECT_NEAR(meanOpacity(l), meanOpacity(levels->front()), 0.01) << l.width << " x " << l.height;
     }
 }
 
 // Mean opacity that a level shows at a density.
 double shown(const SliceLevel& l, int level, double density, double fade) {
     double sum = 0;
-    for (size_t i = 0; i < l.threshold.size(); i += 4) sum += f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, density, fade, level);
+    for (size_t i = 0; i < l.threshold.size(); i += 4)
+        sum += f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, density, fade, level);
     return 4 * sum / static_cast<double>(l.threshold.size());
 }
-// The greatest error over levels and densities, held against images so fine that a texel is a part of one blade. `mere`: the
-// error of an opacity that is as much less as the density is.
+// The greatest error over levels and densities, held against images so fine that a texel is a part of one blade.
+// `mere`: the error of an opacity that is as much less as the density is.
 struct CoverError {
     double ours = 0, mere = 0;
 };
@@ -145,14 +150,17 @@ CoverError coverError(float bladesPerM2, float width) {
         for (const auto levels : {&SliceImages::vertical, &SliceImages::far}) {
             const double blades = shown((fine.*levels)[0], 0, density, 0);
             worst.mere = std::max(worst.mere, std::abs(density * meanOpacity((fine.*levels)[0]) - blades));
-            for (int l = 0; l <= 6; ++l) worst.ours = std::max(worst.ours, std::abs(shown((images.*levels)[static_cast<size_t>(l)], l, density, 0.4) - blades));
+            for (int l = 0; l <= 6; ++l)
+                worst.ours = std::max(
+                    worst.ours, std::abs(shown((images.*levels)[static_cast<size_t>(l)], l, density, 0.4) - blades));
         }
     return worst;
 }
 
 TEST(SliceBake, EachLevelShowsAtADensityWhatTheBladesThatAreThenThereCover) {
     EXPECT_LE(coverError(4000, 0.004f).ours, 0.02);
-    const CoverError crowded = coverError(8000, 0.012f);  // six blades one behind the other: those behind a hidden one are seen
+    const CoverError crowded =
+        coverError(8000, 0.012f);  // six blades one behind the other: those behind a hidden one are seen
     EXPECT_GT(crowded.mere, 0.1);
     EXPECT_LE(crowded.ours, 0.08);
 }
@@ -164,7 +172,8 @@ TEST(SliceBake, HiddenBladesLeaveNoOutline) {
         if (below <= 0) continue;
         const SliceLevel l = baked(s).vertical[0];
         for (size_t i = 0; i < l.threshold.size(); i += 4)
-            EXPECT_LT(f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, below, 0, 0), 1e-9) << "opacity " << int(l.threshold[i + 1]);
+            EXPECT_LT(f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, below, 0, 0), 1e-9)
+                << "opacity " << int(l.threshold[i + 1]);
     }
 }
 
@@ -191,7 +200,8 @@ TEST(SliceBake, NumbersOfLightGiveBackTheNormalOfALoneBlade) {
         const size_t n = static_cast<size_t>(l.width) * static_cast<size_t>(l.height), half = 5 * n;
         for (size_t i = 0; i < 2 * half; ++i) {
             if (l.threshold[4 * i + 1] != 255) continue;
-            const float along = i < half ? facing.x : facing.y, across = i < half ? facing.y : facing.x, turn = along < 0 ? -1.0f : 1.0f;
+            const float along = i < half ? facing.x : facing.y, across = i < half ? facing.y : facing.x,
+                        turn = along < 0 ? -1.0f : 1.0f;
             const auto light = [](const std::vector<uint8_t>& image, size_t at) { return image[at] / 255.0f; };
             EXPECT_NEAR(light(l.front, 4 * i), std::abs(along), 0.01f);
             EXPECT_NEAR(light(l.front, 4 * i + 2) - light(l.front, 4 * i + 3), across * turn, 0.01f);
@@ -212,14 +222,16 @@ TEST(SliceBake, ReflectanceNeverSaturates) {
         EXPECT_GT(images.reflectScale, 0);
         for (const auto* levels : {&images.vertical, &images.far})
             for (size_t i = 0; i < levels->front().reflectance.size(); ++i)
-                if (i % 4 != 3) ASSERT_LT(levels->front().reflectance[i], 255) << color.x << " " << color.y << " " << color.z;
+                if (i % 4 != 3)
+                    ASSERT_LT(levels->front().reflectance[i], 255) << color.x << " " << color.y << " " << color.z;
     }
 }
 
 TEST(SliceBake, IsTheSameEachTimeAndReadsOnlyWhatItsKeySays) {
     SliceSpec s = meadow();
     const SliceImages a = baked(s);
-    s.species.translucency = 1, s.species.gloss = 2, s.species.roughness = 0.1f, s.species.name = "other", s.species.leanDeg = 30, s.species.clumpSize = 1;
+    s.species.translucency = 1, s.species.gloss = 2, s.species.roughness = 0.1f, s.species.name = "other",
+    s.species.leanDeg = 30, s.species.clumpSize = 1;
     const SliceImages b = baked(s);
     EXPECT_EQ(sliceKey(meadow()), sliceKey(s));
     for (size_t l = 0; l < a.vertical.size(); ++l) {
@@ -231,14 +243,27 @@ TEST(SliceBake, IsTheSameEachTimeAndReadsOnlyWhatItsKeySays) {
 }
 
 TEST(SliceBake, TheKeyIsAnotherForEachInput) {
-    const std::function<void(SliceSpec&)> changes[] = {
-        [](SliceSpec& s) { s.species.bladesPerM2 *= 2; }, [](SliceSpec& s) { s.species.height *= 2; }, [](SliceSpec& s) { s.species.heightVariation += 0.1f; },
-        [](SliceSpec& s) { s.species.width *= 2; }, [](SliceSpec& s) { s.species.bend += 0.1f; },
-        [](SliceSpec& s) { s.species.leanVariationDeg += 1; }, [](SliceSpec& s) { s.species.hueVariationDeg += 1; }, [](SliceSpec& s) { s.species.lightnessVariation += 0.1f; },
-        [](SliceSpec& s) { s.species.rootColor.x += 0.1f; }, [](SliceSpec& s) { s.species.midColor.y += 0.1f; }, [](SliceSpec& s) { s.species.tipColor.z += 0.1f; },
-        [](SliceSpec& s) { s.species.rootOcclusion += 0.1f; }, [](SliceSpec& s) { s.cellSize *= 2; }, [](SliceSpec& s) { s.seed += 1; }, [](SliceSpec& s) { s.slices += 1; },
-        [](SliceSpec& s) { s.width *= 2; }, [](SliceSpec& s) { s.height *= 2; }, [](SliceSpec& s) { s.farSize *= 2; }, [](SliceSpec& s) { s.shadowMask = 32; },
-        [](SliceSpec& s) { s.blade.pixels[5] ^= 1; }, [](SliceSpec& s) { std::swap(s.blade.width, s.blade.height); }};
+    const std::function<void(SliceSpec&)> changes[] = {[](SliceSpec& s) { s.species.bladesPerM2 *= 2; },
+                                                       [](SliceSpec& s) { s.species.height *= 2; },
+                                                       [](SliceSpec& s) { s.species.heightVariation += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.width *= 2; },
+                                                       [](SliceSpec& s) { s.species.bend += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.leanVariationDeg += 1; },
+                                                       [](SliceSpec& s) { s.species.hueVariationDeg += 1; },
+                                                       [](SliceSpec& s) { s.species.lightnessVariation += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.rootColor.x += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.midColor.y += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.tipColor.z += 0.1f; },
+                                                       [](SliceSpec& s) { s.species.rootOcclusion += 0.1f; },
+                                                       [](SliceSpec& s) { s.cellSize *= 2; },
+                                                       [](SliceSpec& s) { s.seed += 1; },
+                                                       [](SliceSpec& s) { s.slices += 1; },
+                                                       [](SliceSpec& s) { s.width *= 2; },
+                                                       [](SliceSpec& s) { s.height *= 2; },
+                                                       [](SliceSpec& s) { s.farSize *= 2; },
+                                                       [](SliceSpec& s) { s.shadowMask = 32; },
+                                                       [](SliceSpec& s) { s.blade.pixels[5] ^= 1; },
+                                                       [](SliceSpec& s) { std::swap(s.blade.width, s.blade.height); }};
     std::set<uint64_t> keys{sliceKey(meadow())};
     for (size_t i = 0; i < std::size(changes); ++i) {
         SliceSpec s = meadow();

@@ -16,7 +16,8 @@ std::vector<SliceLevel> levels(int width, int height, size_t layers, uint32_t se
     for (int w = width, h = height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
         SliceLevel l{w, h, {}, {}, {}, {}};
         for (auto* channel : {&l.reflectance, &l.threshold, &l.front, &l.back})
-            for (size_t i = 0; i < 4 * layers * static_cast<size_t>(w * h); ++i) channel->push_back(static_cast<uint8_t>((seed = seed * 1664525 + 1013904223) >> 24));
+            for (size_t i = 0; i < 4 * layers * static_cast<size_t>(w * h); ++i)
+                channel->push_back(static_cast<uint8_t>((seed = seed * 1664525 + 1013904223) >> 24));
         out.push_back(std::move(l));
         if (w == 1 && h == 1) return out;
     }
@@ -25,7 +26,8 @@ SliceImages images() { return {3, 0.31f, 0.7f, levels(16, 8, 6, 1), levels(8, 8,
 
 bool equal(const std::vector<SliceLevel>& a, const std::vector<SliceLevel>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const SliceLevel& x, const SliceLevel& y) {
-        return x.width == y.width && x.height == y.height && x.reflectance == y.reflectance && x.threshold == y.threshold && x.front == y.front && x.back == y.back;
+        return x.width == y.width && x.height == y.height && x.reflectance == y.reflectance &&
+               x.threshold == y.threshold && x.front == y.front && x.back == y.back;
     });
 }
 

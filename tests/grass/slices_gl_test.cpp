@@ -36,8 +36,12 @@ std::vector<float> picture(Project& p, const ViewCamera& camera = across(), cons
     EXPECT_TRUE(drawn) << drawn.error().text();
     return r.readLinear();
 }
-std::vector<float> picture(Project&& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) { return picture(p, camera, settings); }
-double luminance(const std::vector<float>& pixels, size_t i) { return 0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]; }
+std::vector<float> picture(Project&& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) {
+    return picture(p, camera, settings);
+}
+double luminance(const std::vector<float>& pixels, size_t i) {
+    return 0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2];
+}
 double brightness(const std::vector<float>& pixels) {
     double sum = 0;
     for (size_t i = 0; i < pixels.size(); i += 3) sum += luminance(pixels, i);
@@ -64,8 +68,10 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
         for (const Storage storage : {Storage::Full, Storage::Compressed}) {
             grassOf(p).storage = static_cast<int>(storage);
             const auto other = picture(p);
-            EXPECT_LT(rmse(other, factored), 0.015) << kStorages[static_cast<int>(storage)] << ", technique " << static_cast<int>(technique);
-            EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored)) << kStorages[static_cast<int>(storage)];
+            EXPECT_LT(rmse(other, factored), 0.015)
+                << kStorages[static_cast<int>(storage)] << ", technique " << static_cast<int>(technique);
+            EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored))
+                << kStorages[static_cast<int>(storage)];
         }
     }
 }
@@ -90,7 +96,8 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
         Project p = meadow(Technique::Slices);
         grassOf(p).transparency = static_cast<int>(way);
-        grassOf(p).sharpness = 3;  // of layers that are blended, each half transparent, smoother ones let more soil through: 0.26 at 2
+        grassOf(p).sharpness =
+            3;  // of layers that are blended, each half transparent, smoother ones let more soil through: 0.26 at 2
         const auto drawn = picture(p);
         EXPECT_GT(covered(drawn), 0.35 * covered(blades)) << kTransparencies[way];
         EXPECT_NEAR(brightness(drawn), brightness(blades), 0.45 * brightness(blades)) << kTransparencies[way];
@@ -100,7 +107,9 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
 TEST(Slices, AreAsBrightWithAnyNumberOfSamples) {
     NoGlErrors errors;
     const double four = brightness(picture(meadow(Technique::Slices), across(), sized(4)));
-    for (const int samples : {1, 2}) EXPECT_NEAR(brightness(picture(meadow(Technique::Slices), across(), sized(samples))), four, 0.03 * four) << samples;
+    for (const int samples : {1, 2})
+        EXPECT_NEAR(brightness(picture(meadow(Technique::Slices), across(), sized(samples))), four, 0.03 * four)
+            << samples;
 }
 
 TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
@@ -109,15 +118,19 @@ TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
         Project p = meadow(technique);
         Map m({64, 64, 1, PixelType::F32});
         for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 64; ++x) m.set(x, y, 0, 0.4f * std::sin(0.3f * static_cast<float>(x)) + 0.05f * static_cast<float>(y));
+            for (int x = 0; x < 64; ++x)
+                m.set(x, y, 0, 0.4f * std::sin(0.3f * static_cast<float>(x)) + 0.05f * static_cast<float>(y));
         p.registry.get<Terrain>(findEntity(p, "ground"))->height = field(m);
         return p;
     };
     const ViewCamera camera{{10, 4, 1}, {10, 0.5, 5}, 40, 0};
-    const double flat = covered(picture(meadow(Technique::Slices), camera)) / covered(picture(meadow(Technique::Geometry), camera));
-    const double hilly = covered(picture(hill(Technique::Slices), camera)) / covered(picture(hill(Technique::Geometry), camera));
+    const double flat =
+        covered(picture(meadow(Technique::Slices), camera)) / covered(picture(meadow(Technique::Geometry), camera));
+    const double hilly =
+        covered(picture(hill(Technique::Slices), camera)) / covered(picture(hill(Technique::Geometry), camera));
     EXPECT_NEAR(hilly, flat, 0.15);
-    EXPECT_GT(covered(picture(hill(Technique::Flat), camera)), 0.8 * covered(picture(hill(Technique::Geometry), camera)));
+    EXPECT_GT(covered(picture(hill(Technique::Flat), camera)),
+              0.8 * covered(picture(hill(Technique::Geometry), camera)));
 }
 
 TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
@@ -140,7 +153,8 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     EXPECT_GT(std::abs(blades), 0.01);
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const double slices = change(technique);
-        EXPECT_GT(slices * blades, 0) << "technique " << static_cast<int>(technique) << ": " << slices << ", blades: " << blades;
+        EXPECT_GT(slices * blades, 0) << "technique " << static_cast<int>(technique) << ": " << slices
+                                      << ", blades: " << blades;
     }
 }
 
@@ -153,7 +167,10 @@ glm::dvec3 pressedColor(Technique technique, const Light& sun, double distance) 
     disc.radius = 3;
     put(p, "disc", disc);
     put<Transform>(p, "disc", {{10, 0, 10}});
-    const auto pixels = picture(p, {{10, 1.7, 9.6 + std::sqrt(distance * distance - 1.7 * 1.7)}, {10, 0, 9.6}, static_cast<float>(40 / distance), 0});
+    const auto pixels = picture(p, {{10, 1.7, 9.6 + std::sqrt(distance * distance - 1.7 * 1.7)},
+                                    {10, 0, 9.6},
+                                    static_cast<float>(40 / distance),
+                                    0});
     glm::dvec3 sum(0);
     for (size_t i = 0; i < pixels.size(); i += 3) sum += glm::dvec3(pixels[i], pixels[i + 1], pixels[i + 2]);
     return sum * (3.0 / static_cast<double>(pixels.size()));
@@ -167,7 +184,9 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
             const glm::dvec3 blades = pressedColor(Technique::Geometry, sun, distance);
             for (const Technique technique : {Technique::Slices, Technique::Flat}) {
                 const glm::dvec3 share = pressedColor(technique, sun, distance) / blades;
-                const std::string which = fmt::format("{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green", kTechniques[static_cast<size_t>(technique)], distance, sun.elevationDeg, share.x, share.y);
+                const std::string which = fmt::format(
+                    "{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green",
+                    kTechniques[static_cast<size_t>(technique)], distance, sun.elevationDeg, share.x, share.y);
                 std::printf("  %s\n", which.c_str());
                 EXPECT_NEAR(share.y, 1, 0.5) << which;
                 EXPECT_GT(share.y / share.x, 0.8) << which << "; soil is red";
@@ -221,22 +240,29 @@ TEST(Slices, ABakeForOtherBladesIsCancelledAndCachedOnesComeAtOnce) {
 class Layers {
   public:
     Layers() {
-        std::filesystem::copy(std::filesystem::path(SWARD_SOURCE_DIR) / "shaders", dir.path, std::filesystem::copy_options::recursive);
-        writeText(dir / "test/layers.vert.glsl", "flat out int layer;\nvoid main() {\n    layer = gl_InstanceID;\n    gl_Position = vec4(gl_VertexID % 2 * 4 - 1, gl_VertexID / 2 * 4 - 1, 0.5, 1.0);\n}\n");
+        std::filesystem::copy(std::filesystem::path(SWARD_SOURCE_DIR) / "shaders", dir.path,
+                              std::filesystem::copy_options::recursive);
+        writeText(dir / "test/layers.vert.glsl",
+                  "flat out int layer;\nvoid main() {\n    layer = gl_InstanceID;\n    gl_Position = vec4(gl_VertexID "
+                  "% 2 * 4 - 1, gl_VertexID / 2 * 4 - 1, 0.5, 1.0);\n}\n");
         writeText(dir / "test/layers.frag.glsl",
-                  "#include \"lib/frame.glsl\"\n#include \"numerics/glsl.h\"\n#include \"numerics/hash.h\"\n#include \"lib/transparency.glsl\"\n"
+                  "#include \"lib/frame.glsl\"\n#include \"numerics/glsl.h\"\n#include \"numerics/hash.h\"\n#include "
+                  "\"lib/transparency.glsl\"\n"
                   "layout(location = 0) uniform float alpha;\nflat in int layer;\nout vec4 color;\nvoid main() {\n"
                   "    float a = coveredAlpha(alpha, hash3(uint(gl_FragCoord.x), uint(gl_FragCoord.y), uint(layer)));\n"
                   "    if (!(a > 0.0)) discard;\n    color = vec4(1.0, 1.0, 1.0, a);\n}\n");
     }
     // Share of a black picture that n layers hide.
     double hidden(float alpha, int n, int samples) {
-        const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr}, "const int TRANSPARENCY = 0;\n");
+        const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr},
+                                             "const int TRANSPARENCY = 0;\n");
         FrameGlobals globals{};
         globals.mode.z = static_cast<float>(samples);
         const Buffer frame = makeBuffer(gpu(), "test", sizeof(globals), &globals);
-        const Texture color = makeTexture2DMultisample(gpu(), "test", GL_RGBA16F, kSide, kSide, samples), plain = makeTexture2D(gpu(), "test", GL_RGBA16F, kSide, kSide);
-        const Framebuffer target = makeFramebuffer(color.id(), 0, "test"), resolved = makeFramebuffer(plain.id(), 0, "test");
+        const Texture color = makeTexture2DMultisample(gpu(), "test", GL_RGBA16F, kSide, kSide, samples),
+                      plain = makeTexture2D(gpu(), "test", GL_RGBA16F, kSide, kSide);
+        const Framebuffer target = makeFramebuffer(color.id(), 0, "test"),
+                          resolved = makeFramebuffer(plain.id(), 0, "test");
         const VertexArray none = makeVertexArray("test");
         glBindFramebuffer(GL_FRAMEBUFFER, target.id());
         glViewport(0, 0, kSide, kSide);
@@ -250,9 +276,11 @@ class Layers {
         glUniform1f(0, alpha);
         glBindVertexArray(none.id());
         glDrawArraysInstanced(GL_TRIANGLES, 0, 3, n);
-        glBlitNamedFramebuffer(target.id(), resolved.id(), 0, 0, kSide, kSide, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitNamedFramebuffer(target.id(), resolved.id(), 0, 0, kSide, kSide, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT,
+                               GL_NEAREST);
         std::vector<float> pixels(kSide * kSide);
-        glGetTextureImage(plain.id(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)), pixels.data());
+        glGetTextureImage(plain.id(), 0, GL_RED, GL_FLOAT, static_cast<GLsizei>(pixels.size() * sizeof(float)),
+                          pixels.data());
         glBindVertexArray(0);
         glUseProgram(0);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -272,10 +300,12 @@ TEST(Transparency, LayersOfSamplesHideWhatTheirOpacitySays) {
     for (const int samples : {1, 2, 4})
         for (const float alpha : {0.05f, 0.1f, 0.3f, 0.5f, 0.9f, 1.0f})
             for (const int n : {1, 4, 16})
-                EXPECT_NEAR(layers.hidden(alpha, n, samples), 1 - std::pow(1 - alpha, n), 0.02) << n << " layers of " << alpha << ", " << samples << " samples";
+                EXPECT_NEAR(layers.hidden(alpha, n, samples), 1 - std::pow(1 - alpha, n), 0.02)
+                    << n << " layers of " << alpha << ", " << samples << " samples";
 }
 
-// The horizontal slices of several species lie over each other: which is listed first must not decide which hides the other.
+// The horizontal slices of several species lie over each other: which is listed first must not decide which hides the
+// other.
 TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
     NoGlErrors errors;
     const auto redness = [](bool tallFirst) {

@@ -21,7 +21,8 @@ Project lawnBy(Technique technique) {
     f.beyond = static_cast<int>(Beyond::Nothing);
     return p;
 }
-std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& c = eyeHeight(), const ViewSettings& s = small()) {
+std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& c = eyeHeight(),
+                               const ViewSettings& s = small()) {
     const Status drawn = r.draw(p, c, s);
     EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
     return r.readImage();
@@ -29,7 +30,8 @@ std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& c = ey
 // Share of pixels of which a channel differs by more than 8 of 255.
 double differing(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
     size_t n = 0;
-    for (size_t i = 0; i < a.size(); i += 3) n += std::abs(a[i] - b[i]) > 8 || std::abs(a[i + 1] - b[i + 1]) > 8 || std::abs(a[i + 2] - b[i + 2]) > 8;
+    for (size_t i = 0; i < a.size(); i += 3)
+        n += std::abs(a[i] - b[i]) > 8 || std::abs(a[i + 1] - b[i + 1]) > 8 || std::abs(a[i + 2] - b[i + 2]) > 8;
     return 3.0 * static_cast<double>(n) / static_cast<double>(a.size());
 }
 double meanOf(const std::vector<uint8_t>& a) {
@@ -49,7 +51,8 @@ Map waves(const MapInfo& info) {
     Map m(info);
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x)
-            for (int c = 0; c < info.channels; ++c) m.set(x, y, c, 0.5f + 0.4f * std::sin(static_cast<float>(x + 2 * y + 3 * c) * 0.7f));
+            for (int c = 0; c < info.channels; ++c)
+                m.set(x, y, c, 0.5f + 0.4f * std::sin(static_cast<float>(x + 2 * y + 3 * c) * 0.7f));
     return m;
 }
 // Every map that the population or its look follows.
@@ -80,8 +83,10 @@ TEST(Tessellated, StripsAndStagesDrawTheSamePicture) {
                 const auto stages = pictureOf(r, p, eyeHeight(), view);
                 f.tessellation = static_cast<int>(Tessellation::Strips);
                 const double share = differing(pictureOf(r, p, eyeHeight(), view), stages);
-                RecordProperty(fmt::format("{}-{}-{}", painted ? "painted" : "plain", kLevelsBy[f.levelBy], samples), fmt::format("{:.5f}", share));
-                EXPECT_LE(share, 0.001) << samples << " samples, " << (painted ? "painted, by " : "by ") << " " << kLevelsBy[f.levelBy];
+                RecordProperty(fmt::format("{}-{}-{}", painted ? "painted" : "plain", kLevelsBy[f.levelBy], samples),
+                               fmt::format("{:.5f}", share));
+                EXPECT_LE(share, 0.001) << samples << " samples, " << (painted ? "painted, by " : "by ") << " "
+                                        << kLevelsBy[f.levelBy];
             }
         }
 }
@@ -108,7 +113,7 @@ TEST(Tessellated, BladesAreAsFineAsTheirDistanceAsks) {
     Project p = lawnBy(Technique::Tessellated);
     GrassField& f = grassOf(p);
     f.tessellation = static_cast<int>(Tessellation::Strips);
-    f.maxDistance = 1e5f;  // so that all are near
+    f.maxDistance = 1e5f;       // so that all are near
     f.species[0].width = 0.2f;  // and none is plain
     uint64_t one = 0;
     for (const int level : {1, 3, 5}) {
@@ -180,10 +185,12 @@ TEST(Tessellated, EveryViewShowsBlades) {
             grassOf(p).tessellation = static_cast<int>(way);
             grassOf(bare).maxDistance = 0.1f;
             // Blended blades lie over the ground; others hide it, so that a pixel counts one of both.
-            if (mode == ViewMode::Overdraw) grassOf(p).transparency = grassOf(bare).transparency = static_cast<int>(Transparency::Blend);
+            if (mode == ViewMode::Overdraw)
+                grassOf(p).transparency = grassOf(bare).transparency = static_cast<int>(Transparency::Blend);
             ViewSettings s = small();
             s.mode = mode;
-            EXPECT_GT(differing(pictureOf(r, p, eyeHeight(), s), pictureOf(r, bare, eyeHeight(), s)), 0.05) << kViewModes[static_cast<int>(mode)];
+            EXPECT_GT(differing(pictureOf(r, p, eyeHeight(), s), pictureOf(r, bare, eyeHeight(), s)), 0.05)
+                << kViewModes[static_cast<int>(mode)];
         }
 }
 
@@ -197,7 +204,10 @@ TEST(Tessellated, IsFiniteForBladesOfNoSizeAndExtremeSettings) {
         [](GrassField& f) { f.thinning = 1, f.lowerFrom = 0; },
         [](GrassField& f) { f.maxDistance = 0.1f; },
         [](GrassField& f) { f.maxDistance = 1e6f, f.species[0].smoothness = 64, f.species[0].bladesPerM2 = 20; },
-        [](GrassField& f) { f.levelBy = static_cast<int>(LevelBy::Pixels), f.pixelsPerQuad = 0.5f, f.species[0].smoothness = 16, f.species[0].bladesPerM2 = 20; },
+        [](GrassField& f) {
+            f.levelBy = static_cast<int>(LevelBy::Pixels), f.pixelsPerQuad = 0.5f, f.species[0].smoothness = 16,
+            f.species[0].bladesPerM2 = 20;
+        },
     };
     for (const auto& extreme : extremes)
         for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips}) {

@@ -7,13 +7,16 @@
 namespace sward {
 namespace {
 
-int most(const BladeLevels& l, float distance) { return f32::tessMost(static_cast<float>(l.smoothness), distance, l.maxDistance, l.quadsAtOneMetre, l.reach); }
+int most(const BladeLevels& l, float distance) {
+    return f32::tessMost(static_cast<float>(l.smoothness), distance, l.maxDistance, l.quadsAtOneMetre, l.reach);
+}
 
 TEST(TessellatedLevels, ACellsLevelIsItsNearestBlades) {
     const BladeLevels l{6, 40, 0, 0.3f};
     EXPECT_EQ(most(l, 0), 6);
     for (float d = 0; d < 40; d += 0.37f)
-        for (float farther = 0; farther < 2; farther += 0.21f) EXPECT_GE(most(l, d), f32::tessLevel(6, d + farther, 40)) << d;
+        for (float farther = 0; farther < 2; farther += 0.21f)
+            EXPECT_GE(most(l, d), f32::tessLevel(6, d + farther, 40)) << d;
     EXPECT_EQ(most(l, 50), 1) << "a cell that is drawn has a level";
 }
 
@@ -60,7 +63,8 @@ TEST(TessellatedLevels, ThinnedCellsSendEveryBladeThatIsLeft) {
         for (uint32_t i = 0; i < patch.blades.size(); ++i) {
             const glm::vec2 root = f32::rootInCell(patch.blades[i].root, c.mirror, c.shift, 0.5f);
             const float d = glm::length(glm::vec3(c.x + root.x, -1, c.z + root.y));
-            const bool drawn = d < 20 && f32::geometryOpacity(f32::densityKept(1, d, q.thinning), 0, patch.blades[i].threshold, field.fade) > 0;
+            const bool drawn = d < 20 && f32::geometryOpacity(f32::densityKept(1, d, q.thinning), 0,
+                                                              patch.blades[i].threshold, field.fade) > 0;
             left += drawn;
             if (drawn) {
                 EXPECT_TRUE(i >= c.first && i < c.last) << d;

@@ -25,7 +25,8 @@ Map laidOut(const Map& m, int n, bool mirrored) {
     const auto inside = [&](int i, int side) { return mirrored && (i / side) % 2 ? side - 1 - i % side : i % side; };
     for (int y = 0; y < info.height * n; ++y)
         for (int x = 0; x < info.width * n; ++x)
-            for (int c = 0; c < info.channels; ++c) out.set(x, y, c, m.at(inside(x, info.width), inside(y, info.height), c));
+            for (int c = 0; c < info.channels; ++c)
+                out.set(x, y, c, m.at(inside(x, info.width), inside(y, info.height), c));
     return out;
 }
 
@@ -51,7 +52,8 @@ double differs(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
     for (size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
     return a.size() == b.size() ? sum / static_cast<double>(a.size()) : 255;
 }
-constexpr Technique kAll[] = {Technique::Hybrid, Technique::Geometry, Technique::Slices, Technique::Flat, Technique::Tessellated};
+constexpr Technique kAll[] = {Technique::Hybrid, Technique::Geometry, Technique::Slices, Technique::Flat,
+                              Technique::Tessellated};
 
 // The same maps, repeated by their tiling or texel by texel; edges of the terrain are out of the picture.
 TEST(MapTiling, ARepeatedMapIsThePictureOfTheMapLaidOut) {
@@ -127,7 +129,9 @@ TEST(BladeHeight, AFullMapChangesNothing) {
 TEST(BladeHeight, HalfTheHeightIsASpeciesOfHalfTheHeight) {
     for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
         Project mapped = fieldOf(technique), low = fieldOf(technique), high = fieldOf(technique);
-        for (Project* p : {&mapped, &low, &high}) grassIn(*p).beyond = static_cast<int>(Beyond::Nothing), grassIn(*p).shadowMask = 0, grassIn(*p).groundShadows = false;
+        for (Project* p : {&mapped, &low, &high})
+            grassIn(*p).beyond = static_cast<int>(Beyond::Nothing), grassIn(*p).shadowMask = 0,
+            grassIn(*p).groundShadows = false;
         grassIn(mapped).bladeHeight = field(filled({4, 4, 1, PixelType::F32}, 0.5f), "maps/b.exr");
         grassIn(low).species[0].height *= 0.5f;
         const auto want = drawn(low);

@@ -17,7 +17,8 @@ std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& camera
     return r.readImage();
 }
 
-// --- every technique ---------------------------------------------------------------------------------------------------
+// --- every technique
+// ---------------------------------------------------------------------------------------------------
 
 struct Way {
     const char* name;
@@ -38,7 +39,8 @@ const Way kWays[] = {{"hybrid", Technique::Hybrid},
 Project windy(const Way& way) {
     Project p = lawn();
     GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(way.technique), f.tessellation = static_cast<int>(way.tessellation), f.population = static_cast<int>(way.population);
+    f.technique = static_cast<int>(way.technique), f.tessellation = static_cast<int>(way.tessellation),
+    f.population = static_cast<int>(way.population);
     f.minGeom = 2, f.maxGeom = 4, f.minBTF = 6, f.maxBTF = 9, f.maxDistance = 15;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     f.species.push_back(f.species[0]);
@@ -61,16 +63,22 @@ TEST(Stiffness, OfTwoHalvesTheWindInEveryTechniqueForItsOwnSpecies) {
     NoGlErrors errors;
     for (const Way& way : kWays) {
         Renderer r(gpu(), tables());
-        const auto picture = [&](float strength, float first, float second) { return windyPicture(r, way, strength, first, second); };
-        const auto half = picture(0.3f, 1, 1), whole = picture(0.6f, 1, 1), first = picture(0.6f, 2, 1), second = picture(0.6f, 1, 2);
+        const auto picture = [&](float strength, float first, float second) {
+            return windyPicture(r, way, strength, first, second);
+        };
+        const auto half = picture(0.3f, 1, 1), whole = picture(0.6f, 1, 1), first = picture(0.6f, 2, 1),
+                   second = picture(0.6f, 1, 2);
         EXPECT_TRUE(half == picture(0.6f, 2, 2)) << way.name;
         EXPECT_TRUE(whole == picture(0.3f, 0.5f, 0.5f)) << way.name;
-        EXPECT_TRUE(half != whole && first != half && first != whole && second != half && second != whole && first != second) << way.name;
+        EXPECT_TRUE(half != whole && first != half && first != whole && second != half && second != whole &&
+                    first != second)
+            << way.name;
         EXPECT_TRUE(picture(0, 1, 1) == picture(0, 0.05f, 100)) << way.name << ", in a calm";
     }
 }
 
-// --- by how far they are blown aside --------------------------------------------------------------------------------------
+// --- by how far they are blown aside
+// --------------------------------------------------------------------------------------
 
 constexpr int kWidth = 192, kHeight = 72;
 
@@ -83,7 +91,8 @@ Project strip(Technique technique, float stiffness) {
     f.maxDistance = 400, f.thinning = 0, f.lowerFrom = 1, f.beyond = static_cast<int>(Beyond::Nothing);
     f.sliceWidth = 128, f.sliceHeight = 64, f.farSize = 32, f.farHeight = 0, f.shadowMask = 0, f.groundShadows = false;
     Species& s = f.species[0];
-    s.bladesPerM2 = 1500, s.height = 1, s.heightVariation = 0, s.bend = s.leanDeg = s.leanVariationDeg = 0, s.clumpStrength = 0, s.width = 0.03f;
+    s.bladesPerM2 = 1500, s.height = 1, s.heightVariation = 0, s.bend = s.leanDeg = s.leanVariationDeg = 0,
+    s.clumpStrength = 0, s.width = 0.03f;
     s.stiffness = stiffness;
     Map density({40, 40, 1, PixelType::U8});
     for (int y = 10; y < 30; ++y)
@@ -97,8 +106,9 @@ Project strip(Technique technique, float stiffness) {
 }
 ViewCamera along() { return {{10, 0.5, 40}, {10, 0.5, 10}, 3, 0}; }
 
-// How far the grass leans to the right, metres a metre of blade: the slope of the line through the means of its rows. A blade's facing turns
-// with it, so that its rows are not equally covered, but each is the strip's width. weight: how much of pixel i is grass.
+// How far the grass leans to the right, metres a metre of blade: the slope of the line through the means of its rows. A
+// blade's facing turns with it, so that its rows are not equally covered, but each is the strip's width. weight: how
+// much of pixel i is grass.
 template <class Weight>
 double leanOf(Weight weight) {
     double n = 0, x = 0, y = 0, xy = 0, yy = 0;
@@ -123,7 +133,13 @@ double drawnLean(Renderer& r, Technique technique, float stiffness) {
     const auto with = pictureOf(r, p, along(), s);
     p.registry.remove<GrassField>(findEntity(p, "grass"));
     const auto without = pictureOf(r, p, along(), s);
-    return leanOf([&](size_t i) { return std::abs(with[3 * i] - without[3 * i]) + std::abs(with[3 * i + 1] - without[3 * i + 1]) + std::abs(with[3 * i + 2] - without[3 * i + 2]) > 24 ? 1.0 : 0.0; });
+    return leanOf([&](size_t i) {
+        return std::abs(with[3 * i] - without[3 * i]) + std::abs(with[3 * i + 1] - without[3 * i + 1]) +
+                           std::abs(with[3 * i + 2] - without[3 * i + 2]) >
+                       24
+                   ? 1.0
+                   : 0.0;
+    });
 }
 double tracedLean(float stiffness) {
     const Project p = strip(Technique::Geometry, stiffness);
@@ -152,7 +168,8 @@ TEST(Stiffness, DividesTheLeanOfBladesAsOfSlicesAndInTheTruth) {
     check("blades of the truth", tracedLean);
 }
 
-// --- what presses ----------------------------------------------------------------------------------------------------------
+// --- what presses
+// ----------------------------------------------------------------------------------------------------------
 
 TEST(Stiffness, DoesNotHoldUpWhatAFootPresses) {
     NoGlErrors errors;

@@ -1,6 +1,6 @@
-// Which metric ranks pictures of grass as one sees them? Converged pictures of all blades, without noise of sampling: a field, the
-// same blades moved by 2.5 cm, other blades of the same field, 0.7 of them, the picture blurred by a pixel, and each of its rows at
-// its mean colour.
+// Which metric ranks pictures of grass as one sees them? Converged pictures of all blades, without noise of sampling: a
+// field, the same blades moved by 2.5 cm, other blades of the same field, 0.7 of them, the picture blurred by a pixel,
+// and each of its rows at its mean colour.
 #include "core/numerics.h"
 #include "grass/comparison.h"
 #include "measure/metrics.h"
@@ -29,7 +29,8 @@ Linear converged(Renderer& r, Project& p, const ViewCamera& c) {
     Linear out(static_cast<size_t>(kWidth * kHeight), glm::vec3(0));
     for (size_t i = 0; i < fine.size() / 3; ++i) {
         const size_t x = i % (kWidth * kFiner) / kFiner, y = i / (kWidth * kFiner) / kFiner;
-        out[y * kWidth + x] += glm::vec3(fine[3 * i], fine[3 * i + 1], fine[3 * i + 2]) / static_cast<float>(kFiner * kFiner);
+        out[y * kWidth + x] +=
+            glm::vec3(fine[3 * i], fine[3 * i + 1], fine[3 * i + 2]) / static_cast<float>(kFiner * kFiner);
     }
     return out;
 }
@@ -50,7 +51,8 @@ Linear blurred(const Linear& in) {
                 float weights = 0;
                 for (int k = -3; k <= 3; ++k) {
                     const float w = std::exp(-static_cast<float>(k * k) / 2);
-                    const int u = pass == 0 ? std::clamp(x + k, 0, kWidth - 1) : x, v = pass == 1 ? std::clamp(y + k, 0, kHeight - 1) : y;
+                    const int u = pass == 0 ? std::clamp(x + k, 0, kWidth - 1) : x,
+                              v = pass == 1 ? std::clamp(y + k, 0, kHeight - 1) : y;
                     sum += w * from[static_cast<size_t>(v * kWidth + u)], weights += w;
                 }
                 out[static_cast<size_t>(y * kWidth + x)] = sum / weights;
@@ -68,9 +70,9 @@ Linear flatRows(const Linear& in) {
     return out;
 }
 
-// Blades of a leaf area index of about 3.5, as dense meadows and lawns have, whichever their number: they hide the soil at these
-// distances. Where soil shows, fewer blades change the mean colour more than a blur changes anything; where blades are denser still, or
-// farther away, fewer of them look the same.
+// Blades of a leaf area index of about 3.5, as dense meadows and lawns have, whichever their number: they hide the soil
+// at these distances. Where soil shows, fewer blades change the mean colour more than a blur changes anything; where
+// blades are denser still, or farther away, fewer of them look the same.
 constexpr Design kTallMeadow{"1,000 blades/m2 of 50 cm by 10 mm", 1000, 0.5f, 0.01f, 24, 0, 0, 0, 0};
 constexpr Design kDenseLawn{"10,000 blades/m2 of 11 cm by 4.5 mm", 10000, 0.11f, 0.0045f, 24, 0, 0, 0, 0};
 
@@ -101,12 +103,14 @@ Ranking rankingAt(Renderer& r, const Design& d, double distance) {
 }
 void print(const Ranking& k) {
     for (size_t i = 0; i < k.size(); ++i)
-        std::printf("    %-9s appearance %.4f +- %.4f bias %.4f contrast %.4f rmse %.4f flip %.4f ssim %.4f\n", kKinds[i], k[i].appearance.distance,
-                    k[i].appearance.sigma, k[i].appearance.bias, k[i].appearance.contrast, k[i].rmse, k[i].flip, k[i].ssim);
+        std::printf("    %-9s appearance %.4f +- %.4f bias %.4f contrast %.4f rmse %.4f flip %.4f ssim %.4f\n",
+                    kKinds[i], k[i].appearance.distance, k[i].appearance.sigma, k[i].appearance.bias,
+                    k[i].appearance.contrast, k[i].rmse, k[i].flip, k[i].ssim);
 }
 
 void expectOrder(const Ranking& k) {
-    for (size_t i = kReseeded; i + 1 < k.size(); ++i) EXPECT_LT(k[i].appearance.distance, k[i + 1].appearance.distance) << kKinds[i];
+    for (size_t i = kReseeded; i + 1 < k.size(); ++i)
+        EXPECT_LT(k[i].appearance.distance, k[i + 1].appearance.distance) << kKinds[i];
     EXPECT_LT(k[kMoved].appearance.distance, k[kThinner].appearance.distance);
     // Why Sward does not rank by RMSE: no blade stands where it stood, so it calls flat green nearer than other blades.
     EXPECT_LT(k[kRows].rmse, k[kReseeded].rmse);

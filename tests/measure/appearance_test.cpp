@@ -23,7 +23,8 @@ TEST(Appearance, OfAnotherGrayIsItsBias) {
     EXPECT_NEAR(a.sigma, 0, 1e-7);
 }
 TEST(Appearance, OfOneChannelOfThreeIsAThird) {
-    EXPECT_NEAR(appearance(pairOf(plain(16, 16, {0.5f, 0.8f, 0.5f}), plain(16, 16, glm::vec3(0.5f)))).distance, 0.1, 1e-7);
+    EXPECT_NEAR(appearance(pairOf(plain(16, 16, {0.5f, 0.8f, 0.5f}), plain(16, 16, glm::vec3(0.5f)))).distance, 0.1,
+                1e-7);
 }
 TEST(Appearance, OfGrayForStripesIsTheirContrast) {
     const Appearance a = appearance(pairOf(plain(32, 32, glm::vec3(0.5f)), stripes(32, 32, 0)));
@@ -49,7 +50,8 @@ TEST(Appearance, WeighsPixelsByTheMask) {
     image.pixels[0] = glm::vec3(1), image.pixels[1] = glm::vec3(0.4f);
     truth.pixels[0] = truth.pixels[1] = glm::vec3(0.2f);
     const Appearance a = appearance(pairOf(image, truth, mask));
-    const double mean = (1 + 0.5 * 0.4) / 1.5, deviation = std::sqrt(((1 - mean) * (1 - mean) + 0.5 * (0.4 - mean) * (0.4 - mean)) / 1.5);
+    const double mean = (1 + 0.5 * 0.4) / 1.5,
+                 deviation = std::sqrt(((1 - mean) * (1 - mean) + 0.5 * (0.4 - mean) * (0.4 - mean)) / 1.5);
     EXPECT_NEAR(a.bias, mean - 0.2, 1e-6);
     EXPECT_NEAR(a.contrast, deviation, 1e-6);
     EXPECT_NEAR(a.distance, std::hypot(mean - 0.2, deviation), 1e-6);
@@ -61,7 +63,9 @@ TEST(Appearance, SigmaIsTheStandardErrorOfTheBlocksMean) {
     constexpr int kBlocks = 12;
     std::vector<double> values;
     for (int i = 0; i < kBlocks; ++i) values.push_back(0.01 * (i * i % 7));
-    const Picture image = made(16 * kBlocks, 16, [&](int x, int) { return glm::vec3(static_cast<float>(0.5 + values[static_cast<size_t>(x / 16)])); });
+    const Picture image = made(16 * kBlocks, 16, [&](int x, int) {
+        return glm::vec3(static_cast<float>(0.5 + values[static_cast<size_t>(x / 16)]));
+    });
     const Appearance a = appearance(pairOf(image, plain(16 * kBlocks, 16, glm::vec3(0.5f))));
     double mean = 0, squares = 0;
     for (const double v : values) mean += v / kBlocks;

@@ -1,4 +1,5 @@
-// A sweep's files: what is written comes back, parts join, and what somebody or something has spoilt is refused, never believed.
+// A sweep's files: what is written comes back, parts join, and what somebody or something has spoilt is refused, never
+// believed.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,7 +42,8 @@ TEST(CostFiles, CsvHasTheColumnsPromised) {
     rows[1].skipped = "1e9 blades, \"too many\"";
     const std::string csv = costCsv(run(rows, 2));
     EXPECT_EQ(csv,
-              "camera,technique,settings,ms_median,ms_p95,appearance,appearance_sigma,bias,contrast,flip,rmse,gpu_bytes,on_frontier,skipped\n"
+              "camera,technique,settings,ms_median,ms_p95,appearance,appearance_sigma,bias,contrast,flip,rmse,gpu_"
+              "bytes,on_frontier,skipped\n"
               "eye,hybrid,maxGeom=0,10,20,0.1,0.010000000000000002,0.05,0.03333333333333333,0.25,0.125,1000,0,\n"
               "eye,hybrid,maxGeom=1,,,,,,,,,,0,\"1e9 blades, \"\"too many\"\"\"\n");
 }
@@ -93,14 +95,18 @@ TEST(CostFiles, SpoiltInAnyPlaceAreReadOrRefusedButNeverWorse) {
         for (int edits = 1 + static_cast<int>(random() % 3); edits > 0; --edits) {
             const size_t at = random() % text.size();
             constexpr const char* kPieces[] = {"1e308", "-1e308", "null", "\"inf\"", "[", "{}", "9", "-", "\"", "true"};
-            if (random() % 2) text[at] = static_cast<char>(random() % 256);
-            else text.replace(at, random() % 6, kPieces[random() % std::size(kPieces)]);
+            if (random() % 2)
+                text[at] = static_cast<char>(random() % 256);
+            else
+                text.replace(at, random() % 6, kPieces[random() % std::size(kPieces)]);
         }
         const auto json = parseJson(text, "cost.json");
         const auto back = json ? costFrom(*json, "cost.json") : Result<CostRun>(json.error());
         back ? ++read : ++refused;
-        if (back) EXPECT_FALSE(costCsv(*back).empty()), (void)static_cast<bool>(mergeCosts({*back}));
-        else EXPECT_EQ(back.error().code, ExitCode::Unsound);
+        if (back)
+            EXPECT_FALSE(costCsv(*back).empty()), (void)static_cast<bool>(mergeCosts({*back}));
+        else
+            EXPECT_EQ(back.error().code, ExitCode::Unsound);
     }
     EXPECT_GT(read, 50) << "some edits spoil nothing";
     EXPECT_GT(refused, 500);

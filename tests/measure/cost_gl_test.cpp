@@ -22,7 +22,10 @@ CostRequest request(const Project& p, const TempDir& dir, const std::string& fol
     r.views = {{"eye", viewOf(*findCamera(p, "eye"))}};
     r.width = 48, r.height = 36, r.rounds = 1, r.maxMs = 1e6;
     r.truth.samples = 8, r.truth.lighting = ReferenceLighting::Direct;
-    r.settings = {{"hybrid", {"msaa=4"}}, {"hybrid", {"maxGeom=3", "msaa=1"}}, {"flat", {"msaa=4"}}, {"geometry", {"detail=0.5"}}};
+    r.settings = {{"hybrid", {"msaa=4"}},
+                  {"hybrid", {"maxGeom=3", "msaa=1"}},
+                  {"flat", {"msaa=4"}},
+                  {"geometry", {"detail=0.5"}}};
     r.folder = dir / folder;
     return r;
 }
@@ -53,7 +56,8 @@ TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
     const CostFloors& f = first->floors[0];
     EXPECT_GT(f.seed.distance, 0);
     EXPECT_GT(f.sampling.distance, 0);
-    EXPECT_GT(f.flat.contrast, f.seed.contrast) << "in so small a picture a few blades make the mean, but flat rows have no contrast";
+    EXPECT_GT(f.flat.contrast, f.seed.contrast)
+        << "in so small a picture a few blades make the mean, but flat rows have no contrast";
     auto again = runCost(request(p, dir, "a"), p, tables(), gpu(), go);
     ASSERT_TRUE(again);
     EXPECT_EQ(writeJson(costJson(*again)), writeJson(costJson(*first))) << "times too: nothing was measured again";
@@ -68,13 +72,15 @@ TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
     ASSERT_TRUE(whole) << whole.error().text();
     int stops = 0;
     for (int patience = 4;; patience *= 3) {
-        auto part = runCost(request(p, dir, "stopped"), p, tables(), gpu(), [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
+        auto part = runCost(request(p, dir, "stopped"), p, tables(), gpu(),
+                            [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
         if (part) {
             EXPECT_EQ(withoutTimes(*part), withoutTimes(*whole));
             break;
         }
         ASSERT_EQ(part.error().code, ExitCode::Interrupted);
-        for (const auto& entry : std::filesystem::directory_iterator(dir / "stopped")) EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+        for (const auto& entry : std::filesystem::directory_iterator(dir / "stopped"))
+            EXPECT_NE(entry.path().extension(), ".part") << entry.path();
         ASSERT_LT(++stops, 12);
     }
     EXPECT_GE(stops, 2);
@@ -84,7 +90,8 @@ TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
         CostRequest r = request(p, dir, fmt::format("shard{}", i));
         std::filesystem::create_directories(r.folder);
         for (const auto& e : std::filesystem::directory_iterator(dir / "whole"))  // truths need not be traced again
-            if (e.path().filename().string().starts_with("truth")) std::filesystem::copy(e.path(), r.folder / e.path().filename());
+            if (e.path().filename().string().starts_with("truth"))
+                std::filesystem::copy(e.path(), r.folder / e.path().filename());
         r.shard = i, r.shards = 2;
         auto part = runCost(r, p, tables(), gpu(), go);
         ASSERT_TRUE(part) << part.error().text();
@@ -111,7 +118,8 @@ TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
     EXPECT_NE(costCsv(*run).find("the limit is"), std::string::npos);
 }
 
-// One camera now and 0.4 s later, in wind: blades have moved in the truth and in the pictures, and each picture is held against its own.
+// One camera now and 0.4 s later, in wind: blades have moved in the truth and in the pictures, and each picture is held
+// against its own.
 TEST(CostSweep, MomentsHaveTheirOwnSecond) {
     NoGlErrors errors;
     const TempDir dir;
@@ -128,7 +136,8 @@ TEST(CostSweep, MomentsHaveTheirOwnSecond) {
     const auto pixels = [&](const std::string& file) { return readImage(dir / "a" / file, true)->pixels; };
     EXPECT_NE(pixels(run->floors[0].image), pixels(run->floors[1].image));
     EXPECT_NE(pixels(run->rows[0].image), pixels(run->rows[1].image));
-    for (size_t i = 0; i < 2; ++i) EXPECT_LT(run->rows[i].metrics.appearance.distance, 2 * run->floors[i].flat.distance);
+    for (size_t i = 0; i < 2; ++i)
+        EXPECT_LT(run->rows[i].metrics.appearance.distance, 2 * run->floors[i].flat.distance);
 }
 
 TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {

@@ -30,13 +30,16 @@ TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
         ViewSettings view;
         const Status done = applySetting(copy, tables(), s, view);
         EXPECT_TRUE(done) << s.technique << " " << s.text() << ": " << done.error().text();
-        EXPECT_STREQ(kTechniques[copy.registry.get<GrassField>(findEntity(copy, "meadow"))->technique], s.technique.c_str());
+        EXPECT_STREQ(kTechniques[copy.registry.get<GrassField>(findEntity(copy, "meadow"))->technique],
+                     s.technique.c_str());
         const GrassField& f = *copy.registry.get<GrassField>(findEntity(copy, "meadow"));
         EXPECT_LE(f.minGeom, f.maxGeom) << s.text();
         EXPECT_LE(f.minBTF, f.maxBTF) << s.text();
         EXPECT_TRUE(texts.insert(s.technique + " " + s.text()).second) << s.text();
     }
-    for (const char* name : kTechniques) EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == name; })) << name;
+    for (const char* name : kTechniques)
+        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == name; }))
+            << name;
 }
 TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
     auto flat = costSettings(grassy(), "flat");
@@ -59,11 +62,13 @@ TEST(CostSettings, WhatDrawsNoLessThanASlowOneIsTakenForSlow) {
     EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=4.9", "maxBTF=20", "msaa=4"}}, slow));
     EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=9", "maxBTF=9"}}, slow)) << "says nothing of samples";
     EXPECT_FALSE(drawsNoLess({"geometry", {"maxGeom=5", "maxBTF=9", "msaa=1"}}, slow));
-    EXPECT_FALSE(drawsNoLess({"hybrid", {"sharpness=2", "msaa=4"}}, {"hybrid", {"sharpness=1", "msaa=4"}})) << "what sharpness costs is not known";
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"sharpness=2", "msaa=4"}}, {"hybrid", {"sharpness=1", "msaa=4"}}))
+        << "what sharpness costs is not known";
 }
 
 TEST(CostFrontier, HoldsWhatNoneBeatsInBoth) {
-    std::vector<CostRow> rows = {row(0, 10, 0.1), row(1, 20, 0.05), row(2, 25, 0.06), row(3, 40, 0.01), row(4, 9, 0.3), row(5, 10, 0.1), row(6, 1, 0.001, "other"), row(7, 1, 0.0001)};
+    std::vector<CostRow> rows = {row(0, 10, 0.1), row(1, 20, 0.05), row(2, 25, 0.06),          row(3, 40, 0.01),
+                                 row(4, 9, 0.3),  row(5, 10, 0.1),  row(6, 1, 0.001, "other"), row(7, 1, 0.0001)};
     rows[7].skipped = "too slow";
     rows.push_back(row(8, std::numeric_limits<double>::quiet_NaN(), 0.001));
     markFrontier(rows);
@@ -83,15 +88,20 @@ TEST(CostPlot, ShowsEachRowTheFrontierAndTheFloors) {
     CostRun r = run({row(0, 10, 0.1), row(1, 20, 0.05), row(2, 30, 0.07)}, 3);
     markFrontier(r.rows);
     const Plot plot = costPlot(r, "eye");
-    EXPECT_EQ(std::count_if(plot.dots.begin(), plot.dots.end(), [](const PlotDot& d) { return d.title.find("maxGeom") != std::string::npos; }), 3);
+    EXPECT_EQ(std::count_if(plot.dots.begin(), plot.dots.end(),
+                            [](const PlotDot& d) { return d.title.find("maxGeom") != std::string::npos; }),
+              3);
     for (const char* label : {"other blades of the field", "flat rows", "milliseconds a frame (median)"})
-        EXPECT_TRUE(std::any_of(plot.texts.begin(), plot.texts.end(), [&](const PlotText& t) { return t.text == label; })) << label;
+        EXPECT_TRUE(std::any_of(plot.texts.begin(), plot.texts.end(), [&](const PlotText& t) {
+            return t.text == label;
+        })) << label;
     EXPECT_GT(plot.dots[0].at.y, 0);
     EXPECT_LT(plot.dots[0].at.x, plot.dots[1].at.x) << "slower is farther right";
     EXPECT_LT(plot.dots[0].at.y, plot.dots[1].at.y) << "worse is higher";
     EXPECT_EQ(costPlot(r, "nobody").width, 0);
     const auto pixels = plotPixels(plot);
-    const size_t at = 3 * (static_cast<size_t>(plot.dots[1].at.y) * static_cast<size_t>(plot.width) + static_cast<size_t>(plot.dots[1].at.x));
+    const size_t at = 3 * (static_cast<size_t>(plot.dots[1].at.y) * static_cast<size_t>(plot.width) +
+                           static_cast<size_t>(plot.dots[1].at.x));
     EXPECT_EQ(pixels[at], 0x00);
     EXPECT_EQ(pixels[at + 1], 0x9e);
     EXPECT_EQ(pixels[0], 255);
@@ -108,8 +118,10 @@ TEST(CostReport, IsOneFileThatRefersToNothingElse) {
     const std::string html = readText(dir / "report.html");
     EXPECT_NE(html.find("&lt;park&gt; &amp; co"), std::string::npos);
     EXPECT_NE(html.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
-    for (const char* outside : {"src=\"http", "href=", "url(", "@import", "src=\"row"}) EXPECT_EQ(html.find(outside), std::string::npos) << outside;
-    for (const char* file : {"cost.csv", "cost.json", "plot-eye.svg", "plot-eye.png"}) EXPECT_TRUE(std::filesystem::exists(dir / file)) << file;
+    for (const char* outside : {"src=\"http", "href=", "url(", "@import", "src=\"row"})
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+    for (const char* file : {"cost.csv", "cost.json", "plot-eye.svg", "plot-eye.png"})
+        EXPECT_TRUE(std::filesystem::exists(dir / file)) << file;
 }
 TEST(CostReport, Base64IsTheStandards) {
     EXPECT_EQ(base64(""), "");

@@ -1,5 +1,6 @@
-// FLIP against a second implementation, written straight from the paper's formulas: double precision, one two-dimensional
-// sum a pixel, no separable filters. The images that its authors publish values for are not ours to ship.
+// FLIP against a second implementation, written straight from the paper's formulas: double precision, one
+// two-dimensional sum a pixel, no separable filters. The images that its authors publish values for are not ours to
+// ship.
 #include "measure/flip.h"
 
 #include "measure/pictures.h"
@@ -13,7 +14,8 @@ constexpr double kPi = 3.14159265358979323846;
 // IEC 61966-2-1, with the usual four digits.
 double linear(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 V xyz(const V& c) {
-    return {0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z, 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z, 0.0193 * c.x + 0.1192 * c.y + 0.9505 * c.z};
+    return {0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z, 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z,
+            0.0193 * c.x + 0.1192 * c.y + 0.9505 * c.z};
 }
 V rgb(const V& c) {
     const glm::dmat3 m(xyz({1, 0, 0}), xyz({0, 1, 0}), xyz({0, 0, 1}));
@@ -42,7 +44,8 @@ struct Straight {
     const Picture& p;
     double ppd;
     V at(int x, int y) const {
-        const V c = p.pixels[static_cast<size_t>(std::clamp(y, 0, p.height - 1) * p.width + std::clamp(x, 0, p.width - 1))];
+        const V c =
+            p.pixels[static_cast<size_t>(std::clamp(y, 0, p.height - 1) * p.width + std::clamp(x, 0, p.width - 1))];
         const V v = xyz({linear(c.x), linear(c.y), linear(c.z)}) / kWhite;
         return {116 * v.y - 16, 500 * (v.x - v.y), 200 * (v.y - v.z)};
     }
@@ -64,7 +67,8 @@ struct Straight {
         for (int c = 0; c < 3; ++c)
             ycc[c] = filter(x, y, radius, c, [&](int dx, int dy) {
                 const double r2 = (dx * dx + dy * dy) / (ppd * ppd), *t = table[c];
-                return t[0] * std::sqrt(kPi / t[1]) * std::exp(-kPi * kPi * r2 / t[1]) + t[2] * std::sqrt(kPi / t[3]) * std::exp(-kPi * kPi * r2 / t[3]);
+                return t[0] * std::sqrt(kPi / t[1]) * std::exp(-kPi * kPi * r2 / t[1]) +
+                       t[2] * std::sqrt(kPi / t[3]) * std::exp(-kPi * kPi * r2 / t[3]);
             });
         const double luminance = (ycc.x + 16) / 116;
         return glm::clamp(rgb(V(luminance + ycc.y / 500, luminance, luminance - ycc.z / 200) * kWhite), 0.0, 1.0);
@@ -78,9 +82,12 @@ struct Straight {
             for (int dy = -radius; dy <= radius; ++dy)
                 for (int dx = -radius; dx <= radius; ++dx) {
                     const double g = std::exp(-(dx * dx + dy * dy) / (2 * sigma * sigma)), d = down ? dy : dx;
-                    const double w = order == 1 ? -d * g : (d * d / (sigma * sigma) - 1) * g, v = (at(x + dx, y + dy).x + 16) / 116;
-                    if (w > 0) above += w * v, aboveWeight += w;
-                    else below -= w * v, belowWeight -= w;
+                    const double w = order == 1 ? -d * g : (d * d / (sigma * sigma) - 1) * g,
+                                 v = (at(x + dx, y + dy).x + 16) / 116;
+                    if (w > 0)
+                        above += w * v, aboveWeight += w;
+                    else
+                        below -= w * v, belowWeight -= w;
                 }
             return above / aboveWeight - below / belowWeight;
         };
@@ -90,7 +97,8 @@ struct Straight {
 double straightFlip(const Picture& a, const Picture& b, int x, int y, double ppd) {
     const Straight p{a, ppd}, q{b, ppd};
     const double color = spread(hyab(p.seen(x, y), q.seen(x, y)));
-    const double edge = std::abs(p.feature(x, y, 1) - q.feature(x, y, 1)), point = std::abs(p.feature(x, y, 2) - q.feature(x, y, 2));
+    const double edge = std::abs(p.feature(x, y, 1) - q.feature(x, y, 1)),
+                 point = std::abs(p.feature(x, y, 2) - q.feature(x, y, 2));
     return std::pow(color, 1 - std::sqrt(std::max(edge, point) / std::sqrt(2.0)));
 }
 double meanFlip(const Picture& a, const Picture& b, double ppd = 67) {
@@ -98,9 +106,7 @@ double meanFlip(const Picture& a, const Picture& b, double ppd = 67) {
     return weightedMean(flipMap(p, ppd), p.weight);
 }
 
-TEST(Flip, OfEqualPicturesIsZero) {
-    EXPECT_EQ(meanFlip(noise(40, 30, 1), noise(40, 30, 1)), 0);
-}
+TEST(Flip, OfEqualPicturesIsZero) { EXPECT_EQ(meanFlip(noise(40, 30, 1), noise(40, 30, 1)), 0); }
 TEST(Flip, OfPlainColoursIsTheirHyabSpreadOverTheScale) {
     const V colors[] = {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0.5, 0.5}};
     for (const V& a : colors)
@@ -110,7 +116,8 @@ TEST(Flip, OfPlainColoursIsTheirHyabSpreadOverTheScale) {
         }
     // By hand: black and white are 100 apart in lightness alone; blue and green are the most different of all.
     const double greatest = std::pow(hyab({0, 1, 0}, {0, 0, 1}), 0.7), e = std::pow(100, 0.7);
-    EXPECT_NEAR(meanFlip(plain(12, 9, glm::vec3(0)), plain(12, 9, glm::vec3(1))), e < 0.4 * greatest ? 0.95 * e / (0.4 * greatest) : 0.95 + 0.05 * (e / greatest - 0.4) / 0.6, 2e-4);
+    EXPECT_NEAR(meanFlip(plain(12, 9, glm::vec3(0)), plain(12, 9, glm::vec3(1))),
+                e < 0.4 * greatest ? 0.95 * e / (0.4 * greatest) : 0.95 + 0.05 * (e / greatest - 0.4) / 0.6, 2e-4);
     EXPECT_NEAR(meanFlip(plain(12, 9, {0, 1, 0}), plain(12, 9, {0, 0, 1})), 1, 2e-4);
 }
 TEST(Flip, IsWhatThePapersFormulasGiveForAPointALineAndNoise) {
@@ -118,13 +125,17 @@ TEST(Flip, IsWhatThePapersFormulasGiveForAPointALineAndNoise) {
     const Picture gray = plain(kWidth, kHeight, glm::vec3(0.4f));
     Picture point = gray;
     point.pixels[static_cast<size_t>(13 * kWidth + 15)] = {1, 0.9f, 0.2f};
-    const Picture line = made(kWidth, kHeight, [](int x, int) { return x < 15 ? glm::vec3(0.1f, 0.5f, 0.2f) : glm::vec3(0.8f, 0.3f, 0.6f); });
-    const std::pair<Picture, Picture> cases[] = {{point, gray}, {line, gray}, {noise(kWidth, kHeight, 1), noise(kWidth, kHeight, 2)}};
+    const Picture line = made(
+        kWidth, kHeight, [](int x, int) { return x < 15 ? glm::vec3(0.1f, 0.5f, 0.2f) : glm::vec3(0.8f, 0.3f, 0.6f); });
+    const std::pair<Picture, Picture> cases[] = {
+        {point, gray}, {line, gray}, {noise(kWidth, kHeight, 1), noise(kWidth, kHeight, 2)}};
     for (const double ppd : {67.0, 25.0})
         for (const auto& [a, b] : cases) {
             const ErrorMap map = flipMap(pairOf(a, b), ppd);
             for (int y = 0; y < kHeight; y += 6)
-                for (int x = 0; x < kWidth; x += 5) EXPECT_NEAR(map[static_cast<size_t>(y * kWidth + x)], straightFlip(a, b, x, y, ppd), 5e-4) << x << "," << y << " at " << ppd;
+                for (int x = 0; x < kWidth; x += 5)
+                    EXPECT_NEAR(map[static_cast<size_t>(y * kWidth + x)], straightFlip(a, b, x, y, ppd), 5e-4)
+                        << x << "," << y << " at " << ppd;
         }
 }
 TEST(Flip, SeesLessOfFineNoiseFromFartherAway) {

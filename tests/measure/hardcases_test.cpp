@@ -26,7 +26,8 @@ TEST(HardCases, EveryRowPassesOnTheCpuAndItsPublishedFormDoesNot) {
 TEST(HardCases, CoverTheCasesThatFormulasCanBreak) {
     std::set<std::string> ids;
     for (const HardCaseRow& r : runHardCases(nullptr)) ids.insert(r.id);
-    for (int i : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25}) EXPECT_EQ(ids.count("B-" + std::to_string(i)), 1u) << i;
+    for (int i : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25})
+        EXPECT_EQ(ids.count("B-" + std::to_string(i)), 1u) << i;
     for (int i = 1; i <= 8; ++i) EXPECT_EQ(ids.count("D-" + std::to_string(i)), 1u) << i;
     for (int i = 1; i <= 8; ++i) EXPECT_EQ(ids.count("H-" + std::to_string(i)), 1u) << i;
     for (int i : {1, 2, 3, 5, 6, 7, 9}) EXPECT_EQ(ids.count("J-" + std::to_string(i)), 1u) << i;

@@ -9,7 +9,8 @@ namespace {
 TEST(KernelsGl, FormsOfLightWeightsAreMeasuredInAShaderToo) {
     auto gpu = makeHeadlessGpu();
     ASSERT_TRUE(bool(gpu)) << gpu.error().text();
-    const auto run = measureKernels({1, "light weights, eqs"}, gpu->get(), [](const std::string&, double) { return true; });
+    const auto run =
+        measureKernels({1, "light weights, eqs"}, gpu->get(), [](const std::string&, double) { return true; });
     ASSERT_TRUE(bool(run)) << run.error().text();
     ASSERT_EQ(run->rows.size(), 10u);
     EXPECT_EQ(run->renderer, (*gpu)->renderer);

@@ -1,4 +1,5 @@
-// What formulas cost, on the CPU: which forms are there, how far they are from double, and the tables. Never how long they take.
+// What formulas cost, on the CPU: which forms are there, how far they are from double, and the tables. Never how long
+// they take.
 #include "measure/kernels.h"
 
 #include <gtest/gtest.h>
@@ -71,8 +72,10 @@ TEST(Kernels, OursHoldTheirTolerancesOverTheWholeDomain) {
 }
 
 TEST(Kernels, PublishedFormsFailWhereTheHardCasesSay) {
-    for (const char* name : {"light weights, eqs 8-13", "light weights near quadrant planes", "level-of-detail weights", "opacity, eq 5", "frame of a blade, upright",
-                             "way out of the shadow mask's cylinder", "offsets of tilted slices", "first hit of a ray", "frame of a blade between two splines", "point light seen"})
+    for (const char* name :
+         {"light weights, eqs 8-13", "light weights near quadrant planes", "level-of-detail weights", "opacity, eq 5",
+          "frame of a blade, upright", "way out of the shadow mask's cylinder", "offsets of tilted slices",
+          "first hit of a ray", "frame of a blade between two splines", "point light seen"})
         EXPECT_GT(errorOf(named(name), "published").notFinite, 0) << name;
     EXPECT_GT(errorOf(named("opacity correction, 8 bits"), "published").largest, 0.3);
 }
@@ -80,8 +83,10 @@ TEST(Kernels, PublishedFormsFailWhereTheHardCasesSay) {
 TEST(Kernels, FormsOfLightWeightsAreAsAccurateAsTheirTableSays) {
     const Kernel& k = named("light weights, eqs 8-13");
     EXPECT_GT(k.samples.count, 4000);
-    const std::vector<const char*> order = {"three atan", "degree 13", "degree 9", "degree 7", "degree 5", "degree 3", "normalised components", "squares"};
-    for (size_t i = 1; i < order.size(); ++i) EXPECT_LT(errorOf(k, order[i - 1]).largest, errorOf(k, order[i]).largest) << order[i];
+    const std::vector<const char*> order = {
+        "three atan", "degree 13", "degree 9", "degree 7", "degree 5", "degree 3", "normalised components", "squares"};
+    for (size_t i = 1; i < order.size(); ++i)
+        EXPECT_LT(errorOf(k, order[i - 1]).largest, errorOf(k, order[i]).largest) << order[i];
     EXPECT_GT(errorOf(k, "published").largest, 1e-4);
     EXPECT_EQ(errorOf(k, "published").fails.size(), 3u);
 }
@@ -131,9 +136,12 @@ std::vector<std::string> fields(const std::string& line) {
     std::vector<std::string> out(1);
     bool inside = false;
     for (const char c : line) {
-        if (c == '"') inside = !inside;
-        else if (c == ',' && !inside) out.emplace_back();
-        else out.back() += c;
+        if (c == '"')
+            inside = !inside;
+        else if (c == ',' && !inside)
+            out.emplace_back();
+        else
+            out.back() += c;
     }
     return out;
 }

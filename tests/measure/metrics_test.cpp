@@ -39,7 +39,8 @@ TEST(Metrics, CountAndLocateWhatIsNotFiniteAndLeaveItOut) {
     EXPECT_NEAR(m.appearance.distance, 0.1, 1e-6);
     EXPECT_NEAR(m.ssim, (2 * 0.2 + 1e-4) / (0.25 + 0.16 + 1e-4), 1e-5);
     for (const ErrorMetric metric : {ErrorMetric::Appearance, ErrorMetric::Flip, ErrorMetric::Rmse, ErrorMetric::Ssim})
-        EXPECT_TRUE(std::isnan(errorMap(p, metric)[static_cast<size_t>(30 * 40 + 20)])) << kErrorMetrics[static_cast<size_t>(metric)];
+        EXPECT_TRUE(std::isnan(errorMap(p, metric)[static_cast<size_t>(30 * 40 + 20)]))
+            << kErrorMetrics[static_cast<size_t>(metric)];
     EXPECT_EQ(metricsJson(m, p, 67).find("non_finite")->number, 2);
 }
 TEST(Metrics, SaySoWhereNoWindowIsWhole) {
@@ -72,7 +73,8 @@ TEST(Metrics, ToneMapLinearImagesFirst) {
     EXPECT_LE(pictureOf(exr, false).pixels[0].x, 1);
     EXPECT_GT(pictureOf(exr, false).pixels[0].x, 0.9);
     EXPECT_EQ(pictureOf(exr, true).pixels[0].x, 4);
-    EXPECT_TRUE(std::isnan(pictureOf({1, 1, 3, true, {1, kNoValue, 1}}, false).pixels[0].x)) << "not black by tone mapping";
+    EXPECT_TRUE(std::isnan(pictureOf({1, 1, 3, true, {1, kNoValue, 1}}, false).pixels[0].x))
+        << "not black by tone mapping";
 }
 
 // Wang's formula over one window, straight.
@@ -82,7 +84,8 @@ TEST(Ssim, IsWhatTheFormulaGivesForAWindow) {
     for (int i = 0; i < 121; ++i) {
         const double w = std::exp(-((i % 11 - 5) * (i % 11 - 5) + (i / 11 - 5) * (i / 11 - 5)) / (2 * 1.5 * 1.5));
         const glm::dvec3 luma(0.2126, 0.7152, 0.0722);
-        const double x = glm::dot(glm::dvec3(a.pixels[static_cast<size_t>(i)]), luma), y = glm::dot(glm::dvec3(b.pixels[static_cast<size_t>(i)]), luma);
+        const double x = glm::dot(glm::dvec3(a.pixels[static_cast<size_t>(i)]), luma),
+                     y = glm::dot(glm::dvec3(b.pixels[static_cast<size_t>(i)]), luma);
         weights += w, ma += w * x, mb += w * y, aa += w * x * x, bb += w * y * y, ab += w * x * y;
     }
     ma /= weights, mb /= weights;
@@ -110,8 +113,11 @@ TEST(Heatmap, IsEvenlyLighterAsSeen) {
 
 // --- popping
 
-Result<Popping> film(size_t pictures, const std::function<Picture(int)>& image, const std::function<Picture(int)>& truth) {
-    return popping(pictures, [&](size_t i) -> Result<PicturePair> { return pairOf(image(static_cast<int>(i)), truth(static_cast<int>(i))); });
+Result<Popping> film(size_t pictures, const std::function<Picture(int)>& image,
+                     const std::function<Picture(int)>& truth) {
+    return popping(pictures, [&](size_t i) -> Result<PicturePair> {
+        return pairOf(image(static_cast<int>(i)), truth(static_cast<int>(i)));
+    });
 }
 TEST(Popping, OfWhatChangesAsTheTruthDoesIsZero) {
     const auto truth = [](int i) { return noise(32, 32, static_cast<unsigned>(i)); };
@@ -133,7 +139,8 @@ TEST(Popping, OfContrastThatSnapsIsSeenToo) {
     EXPECT_GT(film(2, snaps, still)->mean, 0.05);
 }
 TEST(Popping, RefusesAPathOfOnePictureOrOfSeveralSizes) {
-    EXPECT_FALSE(film(1, [](int) { return noise(8, 8, 1); }, [](int) { return noise(8, 8, 1); }));
+    EXPECT_FALSE(film(
+        1, [](int) { return noise(8, 8, 1); }, [](int) { return noise(8, 8, 1); }));
     const auto grows = [](int i) { return plain(8 + i, 8, glm::vec3(0)); };
     EXPECT_FALSE(film(2, grows, grows));
 }

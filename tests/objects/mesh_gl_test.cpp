@@ -31,7 +31,8 @@ TEST(Objects, AnObjectIsDrawnOnceForEachMaterialAndCounted) {
     ASSERT_TRUE(renderer.draw(p, fromSouth(), measured()));
     EXPECT_EQ(passNamed(renderer, "objects/mesh")->draws, 1u) << "two of one file are one draw";
     EXPECT_EQ(passNamed(renderer, "objects/mesh")->instances, 2u);
-    EXPECT_EQ(gpu().ledger.at("objects/mesh"), 24 * 32 + 36 * 4 + 256 + 4) << "vertices, indices, instances, white: one file is held once";
+    EXPECT_EQ(gpu().ledger.at("objects/mesh"), 24 * 32 + 36 * 4 + 256 + 4)
+        << "vertices, indices, instances, white: one file is held once";
 }
 
 TEST(Objects, WhatTheViewDoesNotSeeIsNotDrawnButMayShade) {
@@ -79,7 +80,8 @@ TEST(Objects, AFaceIsLitAsTheGroundIsByWhereItLooks) {
     EXPECT_NEAR(front.y / top.y, 1, 0.25) << "the sun stands at 45 degrees before both; the sky is seen by halves";
     p.registry.remove<Light>(findEntity(p, "sun"));
     ASSERT_TRUE(renderer.draw(p, above, s));
-    EXPECT_LT(lightAt(renderer, above, s, {10, 1, 11}).y, lightAt(renderer, above, s, {10, 2, 10}).y) << "without sun the top sees the more sky";
+    EXPECT_LT(lightAt(renderer, above, s, {10, 1, 11}).y, lightAt(renderer, above, s, {10, 2, 10}).y)
+        << "without sun the top sees the more sky";
 }
 
 TEST(Objects, AFileThatIsGoneIsToldAndTheRestIsDrawn) {

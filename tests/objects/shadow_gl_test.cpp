@@ -67,7 +67,8 @@ TEST(Shadows, BladesAndObjectsInTheShadowAreDarker) {
     putObject(p, "slab", {{.size = {0.5f, 0.2f, 0.5f}, .color = {0.1f, 0.1f, 0.1f}}}, {10, 0, 8});
     Renderer renderer(gpu(), tables());
     ASSERT_TRUE(renderer.draw(p, kAbove, large()));
-    const float slabDark = lightAt(renderer, kAbove, large(), {10, 0.2, 8}).y, slabLit = lightAt(renderer, kAbove, large(), {10, 2, 10}).y;
+    const float slabDark = lightAt(renderer, kAbove, large(), {10, 0.2, 8}).y,
+                slabLit = lightAt(renderer, kAbove, large(), {10, 2, 10}).y;
     EXPECT_LT(slabDark, 0.5f * slabLit) << "the slab lies in the cube's shadow";
     GrassField f;
     f.technique = static_cast<int>(Technique::Geometry);
@@ -76,7 +77,8 @@ TEST(Shadows, BladesAndObjectsInTheShadowAreDarker) {
     f.species[0].height = 0.2f;
     put(p, "grass", f);
     ASSERT_TRUE(renderer.draw(p, kAbove, large()));
-    EXPECT_LT(lightAt(renderer, kAbove, large(), {10.6, 0.1, 7.6}).y, 0.6f * lightAt(renderer, kAbove, large(), {10.6, 0.1, 5}).y);
+    EXPECT_LT(lightAt(renderer, kAbove, large(), {10.6, 0.1, 7.6}).y,
+              0.6f * lightAt(renderer, kAbove, large(), {10.6, 0.1, 5}).y);
 }
 
 TEST(Shadows, EdgesStayWhileTheEyeMoves) {
@@ -116,7 +118,8 @@ TEST(Shadows, MapsAreDrawnOnlyWhenSomethingMoved) {
     ASSERT_TRUE(renderer.draw(p, turned, large()));
     EXPECT_GT(shadowDraws(renderer), 0u);
     EXPECT_EQ(shadowDraws(renderer), 3u);
-    EXPECT_LT(lightAt(renderer, turned, large(), {11.7, 0, 8}).y, 0.6f * lightAt(renderer, turned, large(), {9, 0, 8}).y);
+    EXPECT_LT(lightAt(renderer, turned, large(), {11.7, 0, 8}).y,
+              0.6f * lightAt(renderer, turned, large(), {9, 0, 8}).y);
 }
 
 TEST(Shadows, TheSunAtTheHorizonOrBelowMakesNoWork) {
@@ -142,7 +145,8 @@ TEST(Shadows, NeedASunAndACaster) {
     p.registry.remove<Light>(findEntity(p, "sun"));
     EXPECT_FALSE(shadows());
     Renderer renderer(gpu(), tables());
-    EXPECT_NE(renderer.explain(p, false).find("object-shadows: no StaticMesh casts shadows, or no Light shines"), std::string::npos);
+    EXPECT_NE(renderer.explain(p, false).find("object-shadows: no StaticMesh casts shadows, or no Light shines"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 namespace sward {
 namespace {
 
-Triangles quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) { return {{a, b, c, d}, {0, 1, 2, 0, 2, 3}}; }
+Triangles quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
+    return {{a, b, c, d}, {0, 1, 2, 0, 2, 3}};
+}
 RayScene sceneOf(std::vector<Triangles> meshes) {
     auto made = RayScene::make(meshes);
     EXPECT_TRUE(made);
@@ -36,7 +38,8 @@ TEST(RayScene, HitsWhatLiesAheadWithinReach) {
 TEST(Occlusion, OpenGroundSeesAllOfTheSky) { EXPECT_EQ(seenFrom(sceneOf({}), 50, 50), 1); }
 
 TEST(Occlusion, ALongWallTakesHalfOfOneMinusTheCosineToItsEdge) {
-    // Of a half-plane's sky a wall up to elevation e hides (1 - cos e) / 2: Nusselt's disc cut by the ellipse of its edge.
+    // Of a half-plane's sky a wall up to elevation e hides (1 - cos e) / 2: Nusselt's disc cut by the ellipse of its
+    // edge.
     for (const double distance : {0.5, 1.0, 3.0}) {
         const float x = static_cast<float>(50 + distance), far = 1e4f;
         const RayScene rays = sceneOf({quad({x, 0, -far}, {x, 0, far}, {x, 2, far}, {x, 2, -far})});
@@ -50,7 +53,8 @@ TEST(Occlusion, ADomeWithAHoleLeavesTheSquareOfTheHolesSine) {
     Triangles disc{{{50, 3, 50}}, {}};
     for (uint32_t i = 0; i <= 256; ++i) {
         const double a = 6.283185307 * i / 256;
-        disc.positions.push_back({static_cast<float>(50 + 2 * std::cos(a)), 3, static_cast<float>(50 + 2 * std::sin(a))});
+        disc.positions.push_back(
+            {static_cast<float>(50 + 2 * std::cos(a)), 3, static_cast<float>(50 + 2 * std::sin(a))});
         if (i > 0) disc.indices.insert(disc.indices.end(), {0, i, i + 1});
     }
     EXPECT_NEAR(seenFrom(sceneOf({disc}), 50, 50), 1 - 4.0 / 13, 0.004);
@@ -110,7 +114,8 @@ TEST(Occlusion, AMapIsDarkUnderAnObjectDimBesideItAndBrightFarAway) {
     ASSERT_TRUE(map) << map.error().text();
     EXPECT_EQ(map->info(), (MapInfo{80, 40, 1, PixelType::U8})) << "texels are square";
     EXPECT_EQ(map->at(20, 20), 0) << "under the box";
-    EXPECT_NEAR(map->at(28, 20), 0.5 + 0.5 * std::cos(std::atan2(2, 0.125)), 0.1) << "at the foot of its wall half is left";
+    EXPECT_NEAR(map->at(28, 20), 0.5 + 0.5 * std::cos(std::atan2(2, 0.125)), 0.1)
+        << "at the foot of its wall half is left";
     EXPECT_GT(map->at(78, 20), 0.97);
     EXPECT_EQ(control.progress(), 1);
 }
@@ -137,7 +142,8 @@ TEST(Occlusion, AHollowSeesLessThanAPlainAndASlopeIsNotHiddenByItself) {
     Terrain& t = *s.p.registry.get<Terrain>(findEntity(s.p, "ground"));
     t.height = {"maps/h.exr", Map({128, 64, 1, PixelType::F32})};
     for (int z = 0; z < 64; ++z)
-        for (int x = 0; x < 128; ++x) t.height.map.set(x, z, 0, x < 64 ? 0.1f * static_cast<float>(std::abs(x - 32)) : 3.2f);
+        for (int x = 0; x < 128; ++x)
+            t.height.map.set(x, z, 0, x < 64 ? 0.1f * static_cast<float>(std::abs(x - 32)) : 3.2f);
     JobControl control;
     const Result<Map> map = bakeOcclusion(s.p, {.samples = 256, .size = 128}, control);
     ASSERT_TRUE(map);

@@ -13,8 +13,8 @@ constexpr int kWidth = 96, kHeight = 72;
 constexpr int kSamples = 256;
 constexpr int kFiner = 8;  // the technique's picture is drawn so much larger each way, and averaged in linear light
 
-// 4 x 4 m of blades wider than two pixels. Their image is one opaque texel: a finer one's mipmaps are a sampling error of the
-// technique's own, which goes as its pictures get finer.
+// 4 x 4 m of blades wider than two pixels. Their image is one opaque texel: a finer one's mipmaps are a sampling error
+// of the technique's own, which goes as its pictures get finer.
 Project garden(const TempDir& folder) {
     Project p;
     p.dir = folder.path;
@@ -26,8 +26,10 @@ Project garden(const TempDir& folder) {
     f.technique = static_cast<int>(Technique::Geometry);
     f.shadowMask = 0;
     f.groundShadows = false;
-    Species& s = f.species[0];  // no gloss: the technique's highlight, interpolated between vertices, is off by up to 0.012
-    s.bladesPerM2 = 60, s.height = 0.35f, s.width = 0.08f, s.segments = 16, s.translucency = 0.5f, s.gloss = 0, s.clumpStrength = 1, s.texture = "plain.png";
+    Species& s =
+        f.species[0];  // no gloss: the technique's highlight, interpolated between vertices, is off by up to 0.012
+    s.bladesPerM2 = 60, s.height = 0.35f, s.width = 0.08f, s.segments = 16, s.translucency = 0.5f, s.gloss = 0,
+    s.clumpStrength = 1, s.texture = "plain.png";
     put(p, "grass", f);
     Light sun;
     sun.elevationDeg = 65;
@@ -47,7 +49,9 @@ std::vector<float> drawnFine(Project& p, const ViewCamera& c) {
     std::vector<float> out(3 * kWidth * kHeight);
     for (size_t y = 0; y < kFiner * kHeight; ++y)
         for (size_t x = 0; x < kFiner * kWidth; ++x)
-            for (size_t k = 0; k < 3; ++k) out[3 * (y / kFiner * kWidth + x / kFiner) + k] += fine[3 * (y * kFiner * kWidth + x) + k] / (kFiner * kFiner);
+            for (size_t k = 0; k < 3; ++k)
+                out[3 * (y / kFiner * kWidth + x / kFiner) + k] +=
+                    fine[3 * (y * kFiner * kWidth + x) + k] / (kFiner * kFiner);
     return out;
 }
 Truth traced(const Project& p, const ViewCamera& c, int samples) {
@@ -82,11 +86,13 @@ Agreement compare(const std::vector<float>& drawn, const Truth& t) {
                     const size_t i = 3 * ((y + j / 8) * kWidth + x + j % 8) + k;
                     difference += static_cast<double>(drawn[i] - t.color[i]) / 64;
                     mean += static_cast<double>(t.color[i]) / 64;
-                    // The drawn picture has sixteen times four samples of its own a pixel: an error of its own of that many.
+                    // The drawn picture has sixteen times four samples of its own a pixel: an error of its own of that
+                    // many.
                     variance += static_cast<double>(t.error[i] * t.error[i]) * 2 / (64 * 64);
                 }
                 // Light's halves of 11 bits, and colours interpolated between a blade's vertices: 1% of the mean.
-                a.worstBlock = std::max(a.worstBlock, std::max(std::abs(difference) - 0.01 * mean, 0.0) / std::sqrt(variance + 1e-12));
+                a.worstBlock = std::max(
+                    a.worstBlock, std::max(std::abs(difference) - 0.01 * mean, 0.0) / std::sqrt(variance + 1e-12));
             }
     return a;
 }
@@ -98,7 +104,8 @@ TEST(ReferenceAgreement, GeometryIsTheTruthInDirectLight) {
     const std::vector<float> drawn = drawnFine(p, beside());
     if (const char* out = std::getenv("SWARD_WRITE_PICTURES")) {
         const Truth t = traced(p, beside(), kSamples);
-        EXPECT_TRUE(writeImageExr(std::string(out) + "/drawn.exr", kWidth, kHeight, 3, drawn) && writeImageExr(std::string(out) + "/truth.exr", kWidth, kHeight, 3, t.color));
+        EXPECT_TRUE(writeImageExr(std::string(out) + "/drawn.exr", kWidth, kHeight, 3, drawn) &&
+                    writeImageExr(std::string(out) + "/truth.exr", kWidth, kHeight, 3, t.color));
     }
     const Agreement a = compare(drawn, traced(p, beside(), kSamples));
     std::printf("rmse %.5f, worst block %.2f standard errors, %.0f%% grass\n", a.rmse, a.worstBlock, 100 * a.grass);
@@ -143,14 +150,15 @@ double leaningShare(Technique technique, float lean) {
     return mean(drawnFine(p, above)) / mean(traced(p, above, 16).color);
 }
 
-// Neighbours lean as a blade does. A mask that took them for upright had blades 23% too light that lean the one way, and 22% too dark that lean
-// the other: what stripes are made of.
+// Neighbours lean as a blade does. A mask that took them for upright had blades 23% too light that lean the one way,
+// and 22% too dark that lean the other: what stripes are made of.
 TEST(ReferenceAgreement, LeaningBladesShadeEachOtherAsTheyDoInTruth) {
     const NoGlErrors check;
-    for (const Technique technique : {Technique::Geometry, Technique::Tessellated})
-    {
-        const double one = leaningShare(technique, -1), upright = leaningShare(technique, 0), other = leaningShare(technique, 1);
-        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", kTechniques[static_cast<int>(technique)], one, upright, other);
+    for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
+        const double one = leaningShare(technique, -1), upright = leaningShare(technique, 0),
+                     other = leaningShare(technique, 1);
+        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", kTechniques[static_cast<int>(technique)], one,
+                    upright, other);
         EXPECT_NEAR(upright, 1, 0.1);
         EXPECT_NEAR(one / other, 1, 0.2);
     }

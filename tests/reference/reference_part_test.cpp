@@ -12,12 +12,14 @@ namespace {
 // Numbers that tell where they belong.
 Truth numbered(const ReferenceSettings& s) {
     const size_t pixels = static_cast<size_t>(s.width) * static_cast<size_t>(s.height);
-    Truth t{s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels), std::vector<float>(pixels)};
+    Truth t{s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
+            std::vector<float>(pixels)};
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {
             if (!isOfShard(y, s)) continue;
             const size_t i = static_cast<size_t>(y * s.width + x);
-            for (size_t c = 0; c < 3; ++c) t.color[3 * i + c] = static_cast<float>(10 * i + c), t.error[3 * i + c] = 0.5f + static_cast<float>(i);
+            for (size_t c = 0; c < 3; ++c)
+                t.color[3 * i + c] = static_cast<float>(10 * i + c), t.error[3 * i + c] = 0.5f + static_cast<float>(i);
             t.grass[i] = static_cast<float>(i) / static_cast<float>(pixels);
         }
     return t;
@@ -49,7 +51,10 @@ TEST_F(ReferenceParts, MergeInAnyOrderBitForBit) {
     EXPECT_EQ(whole.error, merged->error);
     EXPECT_EQ(whole.grass, merged->grass);
     EXPECT_EQ(says({part(0, 1, "whole")}), "merged");
-    EXPECT_EQ(says({part(0, 9, "0"), part(1, 9, "1"), part(2, 9, "2"), part(3, 9, "3"), part(4, 9, "4"), part(5, 9, "5"), part(6, 9, "6"), part(7, 9, "7"), part(8, 9, "8")}), "merged") << "shards without a row";
+    EXPECT_EQ(says({part(0, 9, "0"), part(1, 9, "1"), part(2, 9, "2"), part(3, 9, "3"), part(4, 9, "4"),
+                    part(5, 9, "5"), part(6, 9, "6"), part(7, 9, "7"), part(8, 9, "8")}),
+              "merged")
+        << "shards without a row";
 }
 
 TEST_F(ReferenceParts, WhatIsMissingTwiceOrForeignIsNamed) {
@@ -67,9 +72,16 @@ TEST_F(ReferenceParts, WhatIsDamagedIsRefused) {
     const std::string bytes = readText(b);
     const size_t line = bytes.find('\n');
     std::vector<std::string> damaged{bytes + "more", "text", "{}\n", std::string(5000, 'x')};
-    for (const size_t keep : {size_t(0), size_t(10), line, line + 1, line + 9, bytes.size() - 1}) damaged.push_back(bytes.substr(0, keep));
-    for (const auto& [from, to] : {std::pair{"\"width\": 21", "\"width\": 2147483648"}, {"\"width\": 21", "\"width\": -1"}, {"\"height\": 37", "\"height\": 1e9"}, {"\"shards\": 2", "\"shards\": 0"},
-                                   {"\"shard\": 1", "\"shard\": 2"}, {"\"samples\": 3", "\"samples\": \"3\""}, {"\"of\"", "\"if\""}, {"\"width\": 21", "\"width\": 20.5"}}) {
+    for (const size_t keep : {size_t(0), size_t(10), line, line + 1, line + 9, bytes.size() - 1})
+        damaged.push_back(bytes.substr(0, keep));
+    for (const auto& [from, to] : {std::pair{"\"width\": 21", "\"width\": 2147483648"},
+                                   {"\"width\": 21", "\"width\": -1"},
+                                   {"\"height\": 37", "\"height\": 1e9"},
+                                   {"\"shards\": 2", "\"shards\": 0"},
+                                   {"\"shard\": 1", "\"shard\": 2"},
+                                   {"\"samples\": 3", "\"samples\": \"3\""},
+                                   {"\"of\"", "\"if\""},
+                                   {"\"width\": 21", "\"width\": 20.5"}}) {
         std::string changed = bytes;
         const size_t at = changed.find(from);
         ASSERT_NE(at, std::string::npos) << from;

@@ -1,4 +1,5 @@
-// The ray-traced truth against what is known without it: furnaces, a shadow by geometry, brute force over triangles, statistics.
+// The ray-traced truth against what is known without it: furnaces, a shadow by geometry, brute force over triangles,
+// statistics.
 #include "reference/reference.h"
 
 #include <gtest/gtest.h>
@@ -6,13 +7,13 @@
 #include "core/file.h"
 #include "core/numerics.h"
 #include "frame/forces.h"
+#include "objects.h"
 #include "reference/grass_rays.h"
 #include "reference/reference_part.h"
 #include "reference/solids.h"
 #include "scene/map_io.h"
 #include "scene/unique.h"
 #include "scene/wind.h"
-#include "objects.h"
 #include "sky/daylight.h"
 #include "sky/exposure.h"
 #include "support.h"
@@ -69,7 +70,8 @@ TEST(ReferenceFurnace, WhiteGroundUnderAUniformSkyIsAsBrightAsTheSky) {
 }
 
 TEST(ReferenceFurnace, WhiteBladesOnWhiteGroundAreLostInIt) {
-    // Light is neither made nor lost between them: what a blade hides it sends on. Paths end by chance, so the mean is it.
+    // Light is neither made nor lost between them: what a blade hides it sends on. Paths end by chance, so the mean is
+    // it.
     Project p = furnace();
     GrassField f;
     f.cellSize = 1;
@@ -81,9 +83,11 @@ TEST(ReferenceFurnace, WhiteBladesOnWhiteGroundAreLostInIt) {
     const Truth t = traced(p, {{20, 3, 20}, {20, 0, 20.5}, 55, 0}, sized(32, 24, 64));
     double sum = 0, variance = 0, blades = 0;
     for (const float v : t.color) sum += static_cast<double>(v / kSkyHere) / static_cast<double>(t.color.size());
-    for (const float e : t.error) variance += static_cast<double>(e * e) / (static_cast<double>(kSkyHere) * static_cast<double>(kSkyHere));
+    for (const float e : t.error)
+        variance += static_cast<double>(e * e) / (static_cast<double>(kSkyHere) * static_cast<double>(kSkyHere));
     for (const float g : t.grass) blades += static_cast<double>(g) / static_cast<double>(t.grass.size());
-    const double error = std::sqrt(variance) / static_cast<double>(t.error.size()) * std::sqrt(3.0);  // channels go together
+    const double error =
+        std::sqrt(variance) / static_cast<double>(t.error.size()) * std::sqrt(3.0);  // channels go together
     EXPECT_GT(blades, 0.2) << "there are blades to lose";
     EXPECT_NEAR(sum, 1, std::max(0.005, 4 * error));
 }
@@ -103,7 +107,8 @@ Project oneBlade() {
     GrassField f;
     f.cellSize = 4;
     Species& s = f.species[0];
-    s.bladesPerM2 = 1.0f / 16, s.height = 0.8f, s.width = 0.15f, s.texture = plainImage(), s.leanVariationDeg = 80, s.clumpStrength = 0;
+    s.bladesPerM2 = 1.0f / 16, s.height = 0.8f, s.width = 0.15f, s.texture = plainImage(), s.leanVariationDeg = 80,
+    s.clumpStrength = 0;
     put(p, "grass", f);
     Light sun;
     sun.elevationDeg = 90;
@@ -130,7 +135,8 @@ TEST(ReferenceShadow, LiesWhereGeometrySays) {
     float far = 0, near = 0;
     for (int i = 0; i <= 1000; ++i) {
         const glm::vec3 at = f32::bladePosition(pose.control, pose.tip, static_cast<float>(i) / 1000);
-        far = std::max(far, glm::dot(glm::vec2(at.x, at.z), along)), near = std::min(near, glm::dot(glm::vec2(at.x, at.z), along));
+        far = std::max(far, glm::dot(glm::vec2(at.x, at.z), along)),
+        near = std::min(near, glm::dot(glm::vec2(at.x, at.z), along));
     }
     ASSERT_GT(far - near, 0.2f) << "the shadow has a length";
     const auto shaded = [&](double x, double z) {
@@ -138,8 +144,10 @@ TEST(ReferenceShadow, LiesWhereGeometrySays) {
         return std::abs(glm::dot(d, side)) < b.width / 2 && glm::dot(d, along) > near && glm::dot(d, along) < far;
     };
     // A view of the shadow on the ground from the side that the blade does not hide.
-    const glm::dvec3 middle(static_cast<double>(root.x + along.x * far / 2), 0, static_cast<double>(root.y + along.y * far / 2));
-    const ViewCamera c{middle + glm::dvec3(static_cast<double>(side.x) * 1.5, 2.5, static_cast<double>(side.y) * 1.5), middle, 25, 0};
+    const glm::dvec3 middle(static_cast<double>(root.x + along.x * far / 2), 0,
+                            static_cast<double>(root.y + along.y * far / 2));
+    const ViewCamera c{middle + glm::dvec3(static_cast<double>(side.x) * 1.5, 2.5, static_cast<double>(side.y) * 1.5),
+                       middle, 25, 0};
     ReferenceSettings s = sized(160, 120, 4);
     s.lighting = ReferenceLighting::Direct;  // in full light the sunlit ground shines back from the blade's underside
     const Truth t = traced(p, c, s);
@@ -162,7 +170,8 @@ TEST(ReferenceShadow, LiesWhereGeometrySays) {
                     any |= in, all &= in;
                 }
             const glm::dvec3 here = groundAt(x, y);
-            if (all || !any) EXPECT_EQ(all, above(here.x, here.z)) << "a ray straight up meets the blade where its shadow lies";
+            if (all || !any)
+                EXPECT_EQ(all, above(here.x, here.z)) << "a ray straight up meets the blade where its shadow lies";
             const bool dark = t.color[3 * i] < 0.05f;
             inShadow += all;
             wrong += all ? !dark : !any && dark;
@@ -192,7 +201,8 @@ TEST(ReferenceSamples, TheErrorIsWhatAnotherSeedDiffersBy) {
     double sum = 0;
     size_t n = 0;
     for (size_t i = 0; i < a.color.size(); ++i) {
-        const double e2 = static_cast<double>(a.error[i] * a.error[i] + b.error[i] * b.error[i]), d = static_cast<double>(a.color[i] - b.color[i]);
+        const double e2 = static_cast<double>(a.error[i] * a.error[i] + b.error[i] * b.error[i]),
+                     d = static_cast<double>(a.color[i] - b.color[i]);
         if (e2 > 0) sum += d * d / e2, ++n;
     }
     EXPECT_GT(n, a.color.size() / 4);
@@ -205,7 +215,8 @@ TEST(ReferenceSamples, NoneOrTooManyAreRefused) {
     JobControl control;
     auto scene = ReferenceScene::make(lawn(), tables(), 0, control);
     ASSERT_TRUE(scene);
-    for (const ReferenceSettings& s : {sized(8, 8, 0), sized(8, 8, -1), sized(0, 8, 1), sized(8, 8, kMaxReferenceSamples + 1)}) {
+    for (const ReferenceSettings& s :
+         {sized(8, 8, 0), sized(8, 8, -1), sized(0, 8, 1), sized(8, 8, kMaxReferenceSamples + 1)}) {
         const auto t = scene->trace(eyeHeight(), s, control);
         ASSERT_FALSE(t);
         EXPECT_EQ(t.error().code, ExitCode::Usage);
@@ -244,27 +255,33 @@ struct BruteForce {
     Outlines outlines;
 
     // tiled: maps repeat, and blades have painted heights.
-    explicit BruteForce(bool windy, bool tiled = false, Population population = Population::Patch, float stiffness = 1) {
+    explicit BruteForce(bool windy, bool tiled = false, Population population = Population::Patch,
+                        float stiffness = 1) {
         p.dir = folder().path;
         Terrain t;
         t.size = {6, 6};
         Map heights({12, 12, 1, PixelType::F32});
         for (int y = 0; y < 12; ++y)
-            for (int x = 0; x < 12; ++x) heights.set(x, y, 0, 0.4f * f32::hashUnit(f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 3)) + 0.1f * static_cast<float>(x));
+            for (int x = 0; x < 12; ++x)
+                heights.set(x, y, 0,
+                            0.4f * f32::hashUnit(f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), 3)) +
+                                0.1f * static_cast<float>(x));
         t.height = field(heights, "maps/h.exr");
         if (tiled) t.mapSize = 5, t.heightTiling = 1.7f;
         put(p, "ground", t);
         GrassField f;
         f.cellSize = 0.75f;
         Species& s = f.species[0];
-        s.bladesPerM2 = 300, s.height = 0.2f, s.width = 0.02f, s.texture = plainImage(), s.clumpStrength = 1, s.leanDeg = 35, s.stiffness = stiffness;
+        s.bladesPerM2 = 300, s.height = 0.2f, s.width = 0.02f, s.texture = plainImage(), s.clumpStrength = 1,
+        s.leanDeg = 35, s.stiffness = stiffness;
         Map density({8, 8, 1, PixelType::U8});
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < 8; ++x) density.set(x, y, 0, static_cast<float>((x * 5 + y * 3) % 8) / 7);
         s.density = field(density, "maps/d.png");
         Map paint({5, 5, 2, PixelType::U16});
         for (int y = 0; y < 5; ++y)
-            for (int x = 0; x < 5; ++x) paint.set(x, y, 0, static_cast<float>(x) / 4), paint.set(x, y, 1, static_cast<float>((x + y) % 3) / 2);
+            for (int x = 0; x < 5; ++x)
+                paint.set(x, y, 0, static_cast<float>(x) / 4), paint.set(x, y, 1, static_cast<float>((x + y) % 3) / 2);
         f.orientation = field(paint, "maps/o.png");
         f.orientationTiling = 1.5f;
         f.population = static_cast<int>(population);
@@ -286,7 +303,8 @@ struct BruteForce {
             foot.radius = 0.5f, foot.reach = 3;
             leaveTrack(foot, {2, 3}, {3.5, 2.5}, kTime - 5);
             put(p, "foot", foot);
-            putObject(p, "block", {{.size = {1.2f, 0.3f, 0.4f}}, {.size = {0.3f, 0.3f, 1}, .at = {0, 0, 0.5f}}}, {4.5, 0, 1.6});
+            putObject(p, "block", {{.size = {1.2f, 0.3f, 0.4f}}, {.size = {0.3f, 0.3f, 1}, .at = {0, 0, 0.5f}}},
+                      {4.5, 0, 1.6});
             p.registry.get<StaticMesh>(findEntity(p, "block"))->rotationDeg.y = 20;
             put<ForceSource>(p, "block").shape = static_cast<int>(ForceShape::Outline);
             Map pressed({6, 6, 4, PixelType::U8});
@@ -300,22 +318,37 @@ struct BruteForce {
     void addCell(const Terrain& t, const GrassField& f, int x, int z) {
         static const Patch patch = makePatch(f.species[0], f.cellSize, static_cast<uint32_t>(f.seed));
         const auto [first, last] = own.empty() ? std::pair<uint32_t, uint32_t>{} : own.range(x, z, 0, 1);
-        const std::span<const Blade> those = own.empty() ? std::span<const Blade>(patch.blades) : std::span(own.patch.blades).subspan(first, last - first);
-        const f32::CellVersion version = own.empty() ? f32::cellVersion(x, z, static_cast<uint32_t>(f.seed)) : f32::CellVersion{glm::vec2(1), glm::vec2(0)};
+        const std::span<const Blade> those = own.empty() ? std::span<const Blade>(patch.blades)
+                                                         : std::span(own.patch.blades).subspan(first, last - first);
+        const f32::CellVersion version = own.empty() ? f32::cellVersion(x, z, static_cast<uint32_t>(f.seed))
+                                                     : f32::CellVersion{glm::vec2(1), glm::vec2(0)};
         for (const Blade& b : those) {
             const glm::vec2 in = f32::rootInCell(b.root, version.mirror, version.shift, f.cellSize);
-            const glm::dvec2 at = glm::dvec2(x, z) * static_cast<double>(f.cellSize) + glm::dvec2(in), place = at / mapExtent(t);
-            if (tiledSample(f.species[0].density.map, tilingOf(t, f.species[0].densityTiling), at.x, at.y) < b.threshold) continue;
-            const float share = f.bladeHeight.present() ? tiledSample(f.bladeHeight.map, tilingOf(t, f.bladeHeightTiling), at.x, at.y) : 1;
-            const glm::vec4 texel = paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
-            const f32::BladePlace here = f32::bladePlace(f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
-                                                         f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)), clumpStrengths(f.species[0]));
+            const glm::dvec2 at = glm::dvec2(x, z) * static_cast<double>(f.cellSize) + glm::dvec2(in),
+                             place = at / mapExtent(t);
+            if (tiledSample(f.species[0].density.map, tilingOf(t, f.species[0].densityTiling), at.x, at.y) <
+                b.threshold)
+                continue;
+            const float share = f.bladeHeight.present()
+                                    ? tiledSample(f.bladeHeight.map, tilingOf(t, f.bladeHeightTiling), at.x, at.y)
+                                    : 1;
+            const glm::vec4 texel =
+                paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
+            const f32::BladePlace here = f32::bladePlace(
+                f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
+                f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)),
+                clumpStrengths(f.species[0]));
             glm::vec2 lean = here.lean;
-            if (const Wind* wind = windOf(p)) lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts, in, b.dither) / f.species[0].stiffness;
+            if (const Wind* wind = windOf(p))
+                lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts,
+                                   in, b.dither) /
+                        f.species[0].stiffness;
             glm::vec3 force = forceAt(forcesOf(p, kTime, &outlines), at);
-            if (f.forces.present()) force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
+            if (f.forces.present())
+                force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
             lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
-            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale * share), {at.x, terrainHeight(t, at.x, at.y), at.y});
+            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale * share),
+                     {at.x, terrainHeight(t, at.x, at.y), at.y});
         }
     }
     void addBlade(const Blade& b, const f32::BladePose& pose, const glm::dvec3& root) {
@@ -323,8 +356,10 @@ struct BruteForce {
         Triangles& out = triangles[0];
         const uint32_t first = static_cast<uint32_t>(out.positions.size());
         for (uint32_t i = 0; i <= kSteps; ++i) {
-            const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, static_cast<float>(i) / kSteps);
-            for (const float side : {-0.5f, 0.5f}) out.positions.push_back(glm::vec3(root) + f.position + f.side * (side * b.width));
+            const f32::BladeFrame f =
+                f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, static_cast<float>(i) / kSteps);
+            for (const float side : {-0.5f, 0.5f})
+                out.positions.push_back(glm::vec3(root) + f.position + f.side * (side * b.width));
             if (i == kSteps) break;
             const uint32_t v = first + 2 * i;
             out.indices.insert(out.indices.end(), {v, v + 1, v + 2, v + 2, v + 1, v + 3});
@@ -344,13 +379,15 @@ void expectEqualToBruteForce(const BruteForce& all) {
     int hits = 0, differ = 0, rays = 0;
     for (uint32_t i = 0; i < 20000; ++i) {
         const auto number = [&](uint32_t k) { return static_cast<double>(f32::hashUnit(f32::hash3(i, k, 11))); };
-        const glm::dvec3 from(6 * number(0), 1.2 * number(1) + 0.1, 6 * number(2)), to(6 * number(3), 0.8 * number(4), 6 * number(5));
+        const glm::dvec3 from(6 * number(0), 1.2 * number(1) + 0.1, 6 * number(2)),
+            to(6 * number(3), 0.8 * number(4), 6 * number(5));
         const Ray ray{from, glm::normalize(to - from), 0, std::numeric_limits<double>::infinity(), i};
         const auto ours = grass->closest(ray, memory);
         const auto theirs = brute->closest(glm::vec3(from), glm::vec3(ray.way), 0, 1e9f);
         ++rays;
         hits += theirs.has_value();
-        differ += ours.has_value() != theirs.has_value() || (ours && std::abs(ours->t - static_cast<double>(theirs->t)) > 2e-3);
+        differ += ours.has_value() != theirs.has_value() ||
+                  (ours && std::abs(ours->t - static_cast<double>(theirs->t)) > 2e-3);
         EXPECT_EQ(ours.has_value(), grass->blocks(ray, memory)) << i;
     }
     EXPECT_GT(hits, rays / 6);
@@ -364,8 +401,12 @@ TEST(GrassRays, MeetWhatBruteForceMeetsAmongStiffBladesAndSoftOnes) {
     expectEqualToBruteForce(BruteForce(true, false, Population::Unique, 4));
 }
 
-TEST(GrassRays, MeetWhatBruteForceMeetsWhereMapsRepeatAndBladesAreLow) { expectEqualToBruteForce(BruteForce(false, true)); }
-TEST(GrassRays, MeetWhatBruteForceMeetsAmongUniqueBlades) { expectEqualToBruteForce(BruteForce(true, true, Population::Unique)); }
+TEST(GrassRays, MeetWhatBruteForceMeetsWhereMapsRepeatAndBladesAreLow) {
+    expectEqualToBruteForce(BruteForce(false, true));
+}
+TEST(GrassRays, MeetWhatBruteForceMeetsAmongUniqueBlades) {
+    expectEqualToBruteForce(BruteForce(true, true, Population::Unique));
+}
 
 TEST(GrassRays, BoundsHoldEveryBladeOfTheirClass) {
     Species s;
@@ -378,12 +419,16 @@ TEST(GrassRays, BoundsHoldEveryBladeOfTheirClass) {
         const float spread = 0.5f * std::abs(number(2)), scale = 0.3f * std::abs(number(3));
         const auto [low, high] = leaningBounds(b, mean, spread, scale);
         const float turn = f32::kPi * number(4), far = spread * std::sqrt(std::abs(number(5)));
-        const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, mean + far * glm::vec2(std::cos(turn), std::sin(turn)), 1 + scale * number(6));
+        const f32::BladePose pose =
+            f32::poseBlade(b.control, b.tip, b.facing, {1, 1}, mean + far * glm::vec2(std::cos(turn), std::sin(turn)),
+                           1 + scale * number(6));
         for (int v = 0; v <= 8; ++v)
             for (const float side : {-0.5f, 0.5f}) {
-                const f32::BladeFrame f = f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, static_cast<float>(v) / 8);
+                const f32::BladeFrame f =
+                    f32::bladeFrameFacing(pose.control, pose.tip, pose.facing, static_cast<float>(v) / 8);
                 const glm::vec3 at = f.position + f.side * (side * b.width);
-                EXPECT_TRUE(glm::all(glm::lessThanEqual(low, at)) && glm::all(glm::lessThanEqual(at, high))) << i << " " << v;
+                EXPECT_TRUE(glm::all(glm::lessThanEqual(low, at)) && glm::all(glm::lessThanEqual(at, high)))
+                    << i << " " << v;
             }
     }
 }
@@ -394,11 +439,14 @@ TEST(Ribbon, RaysAimedAtABladeMeetItThere) {
         const auto number = [&](uint32_t k) { return 2 * f32::hashUnit(f32::hash3(i, k, 9)) - 1; };
         const float turn = f32::kPi * number(0), v = 0.5f + 0.5f * number(1), across = 0.49f * number(2), width = 0.02f;
         const glm::vec2 facing(std::cos(turn), std::sin(turn));
-        const glm::vec3 control(0.1f * number(3), 0.15f, 0.1f * number(4)), tip(0.2f * number(5), 0.25f, 0.2f * number(6));
+        const glm::vec3 control(0.1f * number(3), 0.15f, 0.1f * number(4)),
+            tip(0.2f * number(5), 0.25f, 0.2f * number(6));
         const f32::BladeFrame f = f32::bladeFrameFacing(control, tip, facing, v);
-        const glm::vec3 aim = f.position + f.side * (across * width), from = glm::normalize(glm::vec3(number(7), number(8), number(9))) * 2.0f;
+        const glm::vec3 aim = f.position + f.side * (across * width),
+                        from = glm::normalize(glm::vec3(number(7), number(8), number(9))) * 2.0f;
         const glm::vec3 way = glm::normalize(aim - from);
-        if (std::abs(way.x * facing.x + way.z * facing.y) + std::abs(way.y) < 0.05f) continue;  // along the blade's side: no shadow to meet
+        if (std::abs(way.x * facing.x + way.z * facing.y) + std::abs(way.y) < 0.05f)
+            continue;  // along the blade's side: no shadow to meet
         const glm::vec2 at = f32::ribbonMeetings(from, way, control, tip, facing);
         const float nearest = std::abs(at.x - v) < std::abs(at.y - v) ? at.x : at.y;
         // A ray along the curve's tangent meets it over a stretch; its place in space still agrees.
@@ -415,7 +463,8 @@ TEST(Ribbon, RootsKeepTheirDigits) {
     EXPECT_NEAR(ours.x / exact.x, 1, 1e-6);
     EXPECT_NEAR(ours.y / exact.y, 1, 1e-6);
     EXPECT_NEAR(static_cast<double>((1000.001f - std::sqrt(1000.001f * 1000.001f - 4)) / 2) / exact.x, 1, 0.5);
-    EXPECT_GT(std::abs(static_cast<double>((1000.001f - std::sqrt(1000.001f * 1000.001f - 4)) / 2) / exact.x - 1), 1e-3) << "the baseline that loses";
+    EXPECT_GT(std::abs(static_cast<double>((1000.001f - std::sqrt(1000.001f * 1000.001f - 4)) / 2) / exact.x - 1), 1e-3)
+        << "the baseline that loses";
     EXPECT_EQ(f32::ribbonRoots(0, 2, -1).x, 0.5f) << "a straight blade";
     EXPECT_GT(f32::ribbonRoots(1, 0, 1).x, 1) << "no meeting";
 }

@@ -13,7 +13,8 @@ CameraPath path(std::vector<std::pair<float, glm::dvec3>> stations) {
 
 TEST(CameraPath, MeetsItsKeysAndStandsAtItsEnds) {
     const CameraPath p = path({{1, {0, 2, 0}}, {2, {3, 2, 0}}, {5, {4, 1, 7}}});
-    for (const CameraKey& k : p.keys) EXPECT_LT(glm::length(cameraOn(p, static_cast<double>(k.seconds)).eye - k.eye), 1e-9);
+    for (const CameraKey& k : p.keys)
+        EXPECT_LT(glm::length(cameraOn(p, static_cast<double>(k.seconds)).eye - k.eye), 1e-9);
     EXPECT_EQ(cameraOn(p, 0).eye, p.keys.front().eye);
     EXPECT_EQ(cameraOn(p, 99).eye, p.keys.back().eye);
     EXPECT_EQ(secondsOf(p), 5);
@@ -26,7 +27,8 @@ TEST(CameraPath, NeverJumpsInPlaceOrSpeed) {
     const CameraPath p = path({{0, {0, 1, 0}}, {1, {2, 1, 5}}, {1.5f, {8, 3, 0}}, {9, {0, 1, 0}}});
     const double h = 1e-4;
     for (double t = 0.01; t < 8.9; t += 0.003) {
-        const glm::dvec3 before = (cameraOn(p, t).eye - cameraOn(p, t - h).eye) / h, after = (cameraOn(p, t + h).eye - cameraOn(p, t).eye) / h;
+        const glm::dvec3 before = (cameraOn(p, t).eye - cameraOn(p, t - h).eye) / h,
+                         after = (cameraOn(p, t + h).eye - cameraOn(p, t).eye) / h;
         EXPECT_LT(glm::length(after - before), 0.05) << t;
     }
 }

@@ -192,16 +192,18 @@ TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_EQ(featuresOf("Terrain", &terrain),
               featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
     GrassField grass;
-    const FeatureSet drawn = featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
-    EXPECT_EQ(featuresOf("GrassField", &grass), drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
+    const FeatureSet drawn =
+        featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
+    EXPECT_EQ(featuresOf("GrassField", &grass),
+              drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
     grass.shadowMask = 0;
     grass.groundShadows = false;
     grass.species[0].clumpSize = 0;
     EXPECT_EQ(featuresOf("GrassField", &grass), drawn);
     grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
         Map({2, 2, 1, PixelType::U8});
-    EXPECT_EQ(featuresOf("GrassField", &grass),
-              drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion));
+    EXPECT_EQ(featuresOf("GrassField", &grass), drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation,
+                                                                   Feature::GrassVegetation, Feature::GrassOcclusion));
     grass.species[0].translucency = grass.species[0].gloss = 1;
     EXPECT_TRUE((featuresOf("GrassField", &grass) & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
     grass.technique = static_cast<int>(Technique::Flat);

@@ -17,7 +17,8 @@ Mesh letterL() {
 }
 float distanceOf(const Footprint& f, float x, float z) { return outlineAt(f, {x, z}).x; }
 
-// The distance to the union of the L's two rectangles, below 0 inside; exact outside, and inside where one rectangle alone is near.
+// The distance to the union of the L's two rectangles, below 0 inside; exact outside, and inside where one rectangle
+// alone is near.
 float boxDistance(glm::vec2 p, glm::vec2 low, glm::vec2 high) {
     const glm::vec2 d = glm::max(low - p, p - high);
     return glm::length(glm::max(d, glm::vec2(0))) + std::min(std::max(d.x, d.y), 0.0f);
@@ -69,7 +70,8 @@ TEST(Footprint, OnlyWhatIsLowCounts) {
 
 TEST(Footprint, AThinSheetStandingUprightLeavesALine) {
     Mesh sheet;
-    for (const glm::vec3& p : {glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)}) sheet.vertices.push_back({p, {0, 0, 1}, {0, 0}});
+    for (const glm::vec3& p : {glm::vec3(-1, 0, 0), glm::vec3(1, 0, 0), glm::vec3(1, 1, 0), glm::vec3(-1, 1, 0)})
+        sheet.vertices.push_back({p, {0, 0, 1}, {0, 0}});
     sheet.indices = {0, 1, 2, 0, 2, 3};
     const Footprint f = makeFootprint(sheet, glm::mat3(1), 0.4f);
     ASSERT_FALSE(f.empty());
@@ -78,9 +80,11 @@ TEST(Footprint, AThinSheetStandingUprightLeavesALine) {
 }
 
 TEST(Footprint, TurnsWithTheMesh) {
-    const glm::mat3 lying(glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1));  // a quarter about z: x becomes up
+    const glm::mat3 lying(glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0),
+                          glm::vec3(0, 0, 1));  // a quarter about z: x becomes up
     const Solid post{.size = {0.2f, 3, 0.2f}};
-    const Footprint upright = makeFootprint(makeMesh({&post, 1}), glm::mat3(1), kInf), fallen = makeFootprint(makeMesh({&post, 1}), lying, kInf);
+    const Footprint upright = makeFootprint(makeMesh({&post, 1}), glm::mat3(1), kInf),
+                    fallen = makeFootprint(makeMesh({&post, 1}), lying, kInf);
     EXPECT_GT(distanceOf(upright, -1.5f, 0), 1.3f);
     EXPECT_LT(distanceOf(fallen, -1.5f, 0), 0);
     EXPECT_GT(distanceOf(fallen, 0.5f, 0), 0.4f);

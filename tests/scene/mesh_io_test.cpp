@@ -36,9 +36,12 @@ struct Parts {
         append<uint16_t>(bin, {0, 1, 2});
     }
     std::string text() const {
-        const std::string uri = buffers.empty() ? fmt::format(R"([{{"byteLength": {}, "uri": "part.bin"}}])", bin.size()) : buffers;
-        return fmt::format(R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": {}, "meshes": [{{"primitives": [{}]}}],
- "accessors": {}, "bufferViews": {}, "buffers": {}{}}})", nodes, primitive, accessors, views, uri, more);
+        const std::string uri =
+            buffers.empty() ? fmt::format(R"([{{"byteLength": {}, "uri": "part.bin"}}])", bin.size()) : buffers;
+        return fmt::format(
+            R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": {}, "meshes": [{{"primitives": [{}]}}],
+ "accessors": {}, "bufferViews": {}, "buffers": {}{}}})",
+            nodes, primitive, accessors, views, uri, more);
     }
     void write(const fs::path& dir) const {
         writeText(dir / "models/thing.gltf", text());
@@ -81,9 +84,12 @@ TEST(MeshIo, IndicesOfEveryWidthAndNoneGiveTheSameTriangles) {
         p.bin.resize(36);
         if (size == 1) append<uint8_t>(p.bin, {0, 1, 2});
         if (size == 4) append<uint32_t>(p.bin, {0, 1, 2});
-        p.views = fmt::format(R"([{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": {}, "byteLength": {}}}])", size ? 36 : 0, size ? 3 * size : 36);
+        p.views =
+            fmt::format(R"([{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": {}, "byteLength": {}}}])",
+                        size ? 36 : 0, size ? 3 * size : 36);
         p.accessors = fmt::format(R"([{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
-                                      {{"bufferView": 1, "componentType": {}, "count": 3, "type": "SCALAR"}}])", size ? type : 5126);
+                                      {{"bufferView": 1, "componentType": {}, "count": 3, "type": "SCALAR"}}])",
+                                  size ? type : 5126);
         if (!size) p.primitive = R"({"attributes": {"POSITION": 0}})";
         const Result<Mesh> m = readParts(p);
         ASSERT_TRUE(m) << type << m.error().text();
@@ -112,14 +118,16 @@ TEST(MeshIo, StripsFansAndBaseColoursAreRead) {
     append<float>(p.bin, {0, 0, 0, 1, 0, 0, 0, 0, -1, 1, 0, -1});
     p.views = R"([{"buffer": 0, "byteLength": 48}])";
     p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}])";
-    p.more = R"(, "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 1]}, "alphaMode": "MASK", "alphaCutoff": 0.25}])";
+    p.more =
+        R"(, "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.2, 0.3, 1]}, "alphaMode": "MASK", "alphaCutoff": 0.25}])";
     for (const int mode : {5, 6}) {
         p.primitive = fmt::format(R"({{"attributes": {{"POSITION": 0}}, "mode": {}, "material": 0}})", mode);
         const Result<Mesh> m = readParts(p);
         ASSERT_TRUE(m) << m.error().text();
         EXPECT_EQ(m->indices.size(), 6u) << mode;
         if (mode == 5) {
-            for (const MeshVertex& v : m->vertices) EXPECT_EQ(v.normal, glm::vec3(0, 1, 0)) << "every second triangle of a strip is turned";
+            for (const MeshVertex& v : m->vertices)
+                EXPECT_EQ(v.normal, glm::vec3(0, 1, 0)) << "every second triangle of a strip is turned";
         }
         EXPECT_EQ(m->parts[0].color, glm::vec3(0.1f, 0.2f, 0.3f));
         EXPECT_EQ(m->parts[0].cutoff, 0.25f);
@@ -127,8 +135,10 @@ TEST(MeshIo, StripsFansAndBaseColoursAreRead) {
 }
 
 TEST(MeshIo, WhatIsWrittenReadsBackTheSame) {
-    const Solid solids[] = {{}, {.kind = SolidKind::Ball, .at = {3, 0, 0}, .color = {0.1f, 0.2f, 0.3f}, .rough = 0.2f},
-                            {.kind = SolidKind::Cylinder, .size = {1, 2, 0}, .at = {0, 0, 4}}, {.kind = SolidKind::Leaves, .count = 60}};
+    const Solid solids[] = {{},
+                            {.kind = SolidKind::Ball, .at = {3, 0, 0}, .color = {0.1f, 0.2f, 0.3f}, .rough = 0.2f},
+                            {.kind = SolidKind::Cylinder, .size = {1, 2, 0}, .at = {0, 0, 4}},
+                            {.kind = SolidKind::Leaves, .count = 60}};
     const Mesh mesh = makeMesh(solids);
     const auto bytes = encodeGlb(mesh);
     ASSERT_TRUE(bytes);
@@ -139,7 +149,8 @@ TEST(MeshIo, WhatIsWrittenReadsBackTheSame) {
     expectSound(*back);
     ASSERT_EQ(back->parts.size(), mesh.parts.size());
     ASSERT_EQ(back->indices.size(), mesh.indices.size());
-    EXPECT_EQ(back->vertices.size(), mesh.vertices.size()) << "vertices that parts share the accessor of are not repeated";
+    EXPECT_EQ(back->vertices.size(), mesh.vertices.size())
+        << "vertices that parts share the accessor of are not repeated";
     for (size_t i = 0; i < mesh.indices.size(); ++i)
         ASSERT_EQ(back->vertices[back->indices[i]].position, mesh.vertices[mesh.indices[i]].position);
     EXPECT_EQ(back->low, mesh.low);
@@ -155,29 +166,66 @@ const std::string kPositions = R"({"bufferView": 0, "componentType": 5126, "coun
 const Bad kBad[] = {
     {"no JSON", [](Parts& p) { p.nodes = "["; }, "thing.gltf:"},
     {"no meshes", [](Parts& p) { p.nodes = "[{}]"; }, "no mesh with triangles"},
-    {"points only", [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 0}, "mode": 0})"; }, "no mesh with triangles"},
+    {"points only", [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 0}, "mode": 0})"; },
+     "no mesh with triangles"},
     {"no positions", [](Parts& p) { p.primitive = R"({"attributes": {}})"; }, "POSITION"},
     {"accessor out of range", [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 7}})"; }, "accessor 7"},
     {"index out of range", [](Parts& p) { p.bin[40] = 9; }, "index 9 is out of range"},
-    {"more elements than bytes", [](Parts& p) { p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 4000000000, "type": "VEC3"},
-        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])"; }, "reach beyond"},
-    {"view beyond the buffer", [](Parts& p) { p.views = R"([{"buffer": 0, "byteOffset": 30, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}])"; }, "beyond its buffer"},
-    {"no such view", [](Parts& p) { p.accessors = R"([{"bufferView": 12, "componentType": 5126, "count": 3, "type": "VEC3"},
-        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])"; }, "buffer view"},
-    {"positions of another type", [](Parts& p) { p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"},
-        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])"; }, "type"},
-    {"NaN position", [](Parts& p) { const float nan = NAN; std::memcpy(&p.bin[4], &nan, 4); }, "vertex 0 lies nowhere"},
-    {"infinite position", [](Parts& p) { const float inf = INFINITY; std::memcpy(&p.bin[4], &inf, 4); }, "vertex 0 lies nowhere"},
+    {"more elements than bytes",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 4000000000, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
+     },
+     "reach beyond"},
+    {"view beyond the buffer",
+     [](Parts& p) {
+         p.views =
+             R"([{"buffer": 0, "byteOffset": 30, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}])";
+     },
+     "beyond its buffer"},
+    {"no such view",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 12, "componentType": 5126, "count": 3, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
+     },
+     "buffer view"},
+    {"positions of another type",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
+     },
+     "type"},
+    {"NaN position",
+     [](Parts& p) {
+         const float nan = NAN;
+         std::memcpy(&p.bin[4], &nan, 4);
+     },
+     "vertex 0 lies nowhere"},
+    {"infinite position",
+     [](Parts& p) {
+         const float inf = INFINITY;
+         std::memcpy(&p.bin[4], &inf, 4);
+     },
+     "vertex 0 lies nowhere"},
     {"node in a circle", [](Parts& p) { p.nodes = R"([{"mesh": 0, "children": [1]}, {"children": [0]}])"; }, "trees"},
     {"no such node", [](Parts& p) { p.nodes = R"([{"children": [5]}])"; }, "node 5"},
     {"no such mesh", [](Parts& p) { p.nodes = R"([{"mesh": 3}])"; }, "mesh 3"},
-    {"no such material", [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 0}, "material": 4})"; }, "material"},
+    {"no such material", [](Parts& p) { p.primitive = R"({"attributes": {"POSITION": 0}, "material": 4})"; },
+     "material"},
     {"a buffer of 4 GB", [](Parts& p) { p.buffers = R"([{"byteLength": 4000000000, "uri": "part.bin"}])"; }, "limits"},
     {"a missing buffer", [](Parts& p) { p.buffers = R"([{"byteLength": 42, "uri": "other.bin"}])"; }, "other.bin"},
-    {"a buffer outside the project", [](Parts& p) { p.buffers = R"([{"byteLength": 42, "uri": "../../other.bin"}])"; }, "refers to ../other.bin"},
-    {"compression", [](Parts& p) { p.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; }, "KHR_draco_mesh_compression"},
-    {"a broken image", [](Parts& p) { p.more = R"(, "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
-        "images": [{"uri": "part.bin"}])"; p.primitive = R"({"attributes": {"POSITION": 0}, "material": 0})"; }, "neither PNG nor JPEG"},
+    {"a buffer outside the project", [](Parts& p) { p.buffers = R"([{"byteLength": 42, "uri": "../../other.bin"}])"; },
+     "refers to ../other.bin"},
+    {"compression", [](Parts& p) { p.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; },
+     "KHR_draco_mesh_compression"},
+    {"a broken image",
+     [](Parts& p) {
+         p.more =
+             R"(, "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
+        "images": [{"uri": "part.bin"}])";
+         p.primitive = R"({"attributes": {"POSITION": 0}, "material": 0})";
+     },
+     "neither PNG nor JPEG"},
 };
 
 TEST(MeshIo, EveryFaultIsNamedWithItsFileAndARemedy) {
@@ -194,7 +242,10 @@ TEST(MeshIo, EveryFaultIsNamedWithItsFileAndARemedy) {
 
 TEST(MeshIo, FilesThatAreNotThereEmptyTooLongOrOutsideAreRefused) {
     const TempDir dir;
-    const auto says = [&](const std::string& file) { const auto m = readMesh(dir.path, file); return m ? "" : m.error().text(); };
+    const auto says = [&](const std::string& file) {
+        const auto m = readMesh(dir.path, file);
+        return m ? "" : m.error().text();
+    };
     EXPECT_NE(says("none.glb").find("none.glb"), std::string::npos);
     EXPECT_NE(says("../none.glb").find(".."), std::string::npos);
     EXPECT_NE(says("/etc/passwd"), "");
@@ -210,8 +261,10 @@ TEST(MeshIo, FilesThatAreNotThereEmptyTooLongOrOutsideAreRefused) {
 TEST(MeshIo, MoreTrianglesThanTheLimitAreRefusedHoweverTheyComeAbout) {
     Parts p;
     p.bin.resize(36 + 3 * (kMaxMeshTriangles / 2 + 1));
-    p.views = fmt::format(R"([{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": {}}}])", p.bin.size() - 36);
-    p.accessors = fmt::format(R"([{}, {{"bufferView": 1, "componentType": 5121, "count": {}, "type": "SCALAR"}}])", kPositions, p.bin.size() - 36);
+    p.views = fmt::format(R"([{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteOffset": 36, "byteLength": {}}}])",
+                          p.bin.size() - 36);
+    p.accessors = fmt::format(R"([{}, {{"bufferView": 1, "componentType": 5121, "count": {}, "type": "SCALAR"}}])",
+                              kPositions, p.bin.size() - 36);
     EXPECT_TRUE(readParts(p));
     p.nodes = R"([{"mesh": 0, "children": [1]}, {"mesh": 0}])";
     const Result<Mesh> twice = readParts(p);
@@ -227,15 +280,25 @@ void expectNoCrash(const fs::path& dir, const std::string& file, const std::stri
         std::string bad = good;
         const auto at = [&] { return random() % bad.size(); };
         switch (i % 4) {
-            case 0: bad[at()] = static_cast<char>(random()); break;
-            case 1: bad.resize(at()); break;
-            case 2: for (int k = 0; k < 8; ++k) bad[at()] = "0123456789-[]{},\"e"[random() % 18]; break;
-            default: bad.erase(at(), random() % 16); break;
+            case 0:
+                bad[at()] = static_cast<char>(random());
+                break;
+            case 1:
+                bad.resize(at());
+                break;
+            case 2:
+                for (int k = 0; k < 8; ++k) bad[at()] = "0123456789-[]{},\"e"[random() % 18];
+                break;
+            default:
+                bad.erase(at(), random() % 16);
+                break;
         }
         writeText(dir / file, bad);
         const Result<Mesh> m = readMesh(dir, file);
-        if (m) expectSound(*m), ++read;
-        else EXPECT_EQ(m.error().code, ExitCode::Unsound);
+        if (m)
+            expectSound(*m), ++read;
+        else
+            EXPECT_EQ(m.error().code, ExitCode::Unsound);
     }
     EXPECT_LT(read, rounds);
 }
@@ -289,13 +352,16 @@ TEST(MeshProject, SavingElsewhereTakesTheObjectAndWhatItRefersToAlong) {
 }
 
 TEST(MeshShapes, SolidsAreClosedAndFaceOutwards) {
-    const Solid solids[] = {{.size = {2, 3, 4}}, {.kind = SolidKind::Cylinder, .size = {1, 2, 0.5f}, .sides = 64}, {.kind = SolidKind::Ball, .size = {1, 1, 1}}};
+    const Solid solids[] = {{.size = {2, 3, 4}},
+                            {.kind = SolidKind::Cylinder, .size = {1, 2, 0.5f}, .sides = 64},
+                            {.kind = SolidKind::Ball, .size = {1, 1, 1}}};
     const double volumes[] = {24, 3.14159265 * 2 * (1 + 0.5 + 0.25) / 3, 4.18879};
     for (size_t i = 0; i < 3; ++i) {
         const Mesh m = makeMesh({&solids[i], 1});
         double volume = 0;  // by the divergence theorem: right only if the mesh is closed and every face looks outwards
         for (size_t k = 0; k + 2 < m.indices.size(); k += 3) {
-            const glm::dvec3 a(m.vertices[m.indices[k]].position), b(m.vertices[m.indices[k + 1]].position), c(m.vertices[m.indices[k + 2]].position);
+            const glm::dvec3 a(m.vertices[m.indices[k]].position), b(m.vertices[m.indices[k + 1]].position),
+                c(m.vertices[m.indices[k + 2]].position);
             volume += glm::dot(a, glm::cross(b, c)) / 6;
         }
         EXPECT_NEAR(volume / volumes[i], 1, 0.02) << kSolidKinds[static_cast<size_t>(solids[i].kind)];

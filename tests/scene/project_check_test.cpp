@@ -146,9 +146,12 @@ TEST(RefusedProjects, ParametersWithTheirPlace) {
         {"\"GrassField\": {\"species\": [7]}", 3, 28, "e.GrassField.species[grass]: must be an object, not a number"},
         {"\"GrassField\": {\"species\": [{\"name\": \"a\"},\n{\"name\": \"b\", \"height\": -1}]}", 4, 25,
          "e.GrassField.species[b].height: -1 must not be negative"},
-        {"\"GrassField\": {\"species\": [{\"stiffness\": 0}]}", 3, 42, "e.GrassField.species[grass].stiffness: 0 is out of range"},
-        {"\"GrassField\": {\"species\": [{\"stiffness\": -2}]}", 3, 42, "e.GrassField.species[grass].stiffness: -2 must not be negative"},
-        {"\"GrassField\": {\"species\": [{\"stiffness\": \"nan\"}]}", 3, 42, "e.GrassField.species[grass].stiffness: \"nan\" is not allowed here"},
+        {"\"GrassField\": {\"species\": [{\"stiffness\": 0}]}", 3, 42,
+         "e.GrassField.species[grass].stiffness: 0 is out of range"},
+        {"\"GrassField\": {\"species\": [{\"stiffness\": -2}]}", 3, 42,
+         "e.GrassField.species[grass].stiffness: -2 must not be negative"},
+        {"\"GrassField\": {\"species\": [{\"stiffness\": \"nan\"}]}", 3, 42,
+         "e.GrassField.species[grass].stiffness: \"nan\" is not allowed here"},
         {"\"GrassField\": {\"species\": [{\"name\": 7}]}", 3, 37,
          "e.GrassField.species[grass].name: must be a string, not a number"},
         {"\"GrassField\": 7", 3, 15, "e.GrassField: must be an object, not a number"},
@@ -354,7 +357,10 @@ TEST(RepairedProjects, WhatIsUnknownIsKeptAndWrittenBack) {
 TEST(CheckedScenes, AUniquePopulationBeyondItsLimitIsRefusedAtItsPlace) {
     TempDir dir;
     const auto checked = [&](const char* size) {
-        writeText(dir / "p/project.json", entity(fmt::format("\"Terrain\": {{\"size\": [{}, {}]}},\n\"GrassField\": {{\"population\": \"unique\"}}", size, size)));
+        writeText(
+            dir / "p/project.json",
+            entity(fmt::format("\"Terrain\": {{\"size\": [{}, {}]}},\n\"GrassField\": {{\"population\": \"unique\"}}",
+                               size, size)));
         EXPECT_TRUE(loadProject(dir / "p", rows()));
         return checkProject(dir / "p", rows());
     };
@@ -362,7 +368,8 @@ TEST(CheckedScenes, AUniquePopulationBeyondItsLimitIsRefusedAtItsPlace) {
     const CheckReport r = checked("40");
     ASSERT_EQ(r.refused.size(), 1u);
     EXPECT_EQ(r.refused[0].code, ExitCode::Unsound);
-    EXPECT_EQ(r.refused[0].text().substr(0, (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string().size()),
+    EXPECT_EQ(r.refused[0].text().substr(
+                  0, (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string().size()),
               (dir / "p/project.json:4:30: e.GrassField.population: 3200000 blades").string());
     EXPECT_NE(r.refused[0].remedy.find("\"patch\""), std::string::npos);
 }
@@ -375,18 +382,25 @@ TEST(CheckedScenes, AnOutlineOfNoMeshIsAFaultWithItsRemedy) {
         EXPECT_TRUE(r.refused.empty());
         return r.repaired;
     };
-    const std::vector<Fault> faults = checked("\"Transform\": {},\n\"ForceSource\": {\"radius\": 1, \"shape\": \"outline\"}");
+    const std::vector<Fault> faults =
+        checked("\"Transform\": {},\n\"ForceSource\": {\"radius\": 1, \"shape\": \"outline\"}");
     ASSERT_EQ(faults.size(), 1u);
     EXPECT_EQ(faults[0].where, (dir / "p/project.json:4").string());
-    EXPECT_NE(faults[0].message.find("e.ForceSource.shape: an outline is that of the entity's StaticMesh, and it has none with a file: add one"), std::string::npos) << faults[0].message;
+    EXPECT_NE(
+        faults[0].message.find(
+            "e.ForceSource.shape: an outline is that of the entity's StaticMesh, and it has none with a file: add one"),
+        std::string::npos)
+        << faults[0].message;
     EXPECT_EQ(checked("\"ForceSource\": {\"shape\": \"outline\"},\n\"StaticMesh\": {}").size(), 1u);
     EXPECT_TRUE(checked("\"ForceSource\": {\"shape\": \"object\"}").empty());
 }
 
 TEST(CheckedScenes, ASpeciesWithoutHeightOrWidthIsNoticedButSound) {
     TempDir dir;
-    writeText(dir / "p/project.json", entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"height\": 0},\n{\"name\": \"b\", \"width\": 0},\n"
-                                             "{\"name\": \"c\", \"width\": 0, \"bladesPerM2\": 0}, {\"name\": \"d\"}]}"));
+    writeText(
+        dir / "p/project.json",
+        entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"height\": 0},\n{\"name\": \"b\", \"width\": 0},\n"
+               "{\"name\": \"c\", \"width\": 0, \"bladesPerM2\": 0}, {\"name\": \"d\"}]}"));
     const CheckReport r = checkProject(dir / "p", rows());
     EXPECT_TRUE(r.refused.empty());
     EXPECT_TRUE(r.repaired.empty());

@@ -60,7 +60,8 @@ TEST(Tiling, MapSizeMakesTheTilingIndependentOfTheTerrain) {
     EXPECT_TRUE(tilingOf(small, 1).repeats);
     const Map m = numbered(16);
     EXPECT_EQ(tiledSample(m, tilingOf(small, 2), 31, 7), tiledSample(m, tilingOf(large, 2), 31, 7));
-    EXPECT_NEAR(tiledSample(m, tilingOf(large, 2), 31 + 12.5 * 7000, 7), tiledSample(m, tilingOf(small, 2), 31, 7), 1e-6f);
+    EXPECT_NEAR(tiledSample(m, tilingOf(large, 2), 31 + 12.5 * 7000, 7), tiledSample(m, tilingOf(small, 2), 31, 7),
+                1e-6f);
 }
 
 TEST(Tiling, HeightsHaveNoCliffAtTheirSeams) {

@@ -30,7 +30,9 @@ TEST(Unique, TheNumberOfBladesIsTheIntegralOfTheDensity) {
                 for (int x = 0; x < 120; ++x) m.set(x, y, 0, (x / 3 + y / 5) % 2 ? density : 0.3f * density);
             f.grass.species[0].density = field(m);
             const double expected = 60.0 * 60 * static_cast<double>(perM2) * m.mean();
-            EXPECT_NEAR(static_cast<double>(f.made().patch.blades.size()), expected, 3 * std::sqrt(expected) + 0.004 * expected) << perM2 << ' ' << density;
+            EXPECT_NEAR(static_cast<double>(f.made().patch.blades.size()), expected,
+                        3 * std::sqrt(expected) + 0.004 * expected)
+                << perM2 << ' ' << density;
         }
 }
 
@@ -42,7 +44,8 @@ TEST(Unique, NoTwoCellsAreEqual) {
     for (const Blade& b : u.patch.blades) roots.insert({b.root.x, b.root.y});
     EXPECT_GT(roots.size(), 39900u) << "a patch has 25 places, or a hundred versions of them";
     const UniqueBlades again = f.made();
-    EXPECT_EQ(std::memcmp(u.patch.blades.data(), again.patch.blades.data(), u.patch.blades.size() * sizeof(Blade)), 0) << "the same each time";
+    EXPECT_EQ(std::memcmp(u.patch.blades.data(), again.patch.blades.data(), u.patch.blades.size() * sizeof(Blade)), 0)
+        << "the same each time";
 }
 
 TEST(Unique, CellsAreSortedSoThatAnyRangeOfThresholdsIsOnePiece) {

@@ -31,13 +31,17 @@ class WindModels : public ::testing::TestWithParam<int> {
 TEST_P(WindModels, StepsOfAMonthOldWindAreThoseOfANewOne) {
     wind.quiverHz = 3;
     // A place that has moved with the wind for a month is where it was: steps there must be equal too.
-    const double carried = kMonth * static_cast<double>(wind.speed), angle = glm::radians(static_cast<double>(wind.azimuthDeg));
+    const double carried = kMonth * static_cast<double>(wind.speed),
+                 angle = glm::radians(static_cast<double>(wind.azimuthDeg));
     const glm::dvec2 way(std::sin(angle), -std::cos(angle));
     double worst = 0, largest = 0;
     wind.turbulence = 0;  // fine gusts overtake: they are elsewhere after a month
     for (int i = 0; i < 240; ++i) {
         const double t = i / 60.0;
-        const auto step = [&](double from, const glm::dvec2& at) { return glm::dvec2(leanAt(wind, gusts, at, from + t + 1 / 60.0)) - glm::dvec2(leanAt(wind, gusts, at, from + t)); };
+        const auto step = [&](double from, const glm::dvec2& at) {
+            return glm::dvec2(leanAt(wind, gusts, at, from + t + 1 / 60.0)) -
+                   glm::dvec2(leanAt(wind, gusts, at, from + t));
+        };
         const glm::dvec2 young = step(0, {5, 7}), old = step(kMonth, glm::dvec2(5, 7) + way * carried);
         worst = std::max(worst, glm::length(young - old));
         largest = std::max(largest, glm::length(young));
@@ -51,7 +55,9 @@ TEST_P(WindModels, IsTheSameAboutEveryEye) {
     for (const double far : {0.0, 1000.0, 90000.0})
         for (int i = 0; i < 50; ++i) {
             const glm::dvec2 place(far + 0.37 * i, far - 1.3 * i);
-            const auto about = [&](const glm::dvec2& eye) { return windLeanAt(windGlobals(wind, eye, 100), gusts, glm::vec2(place - eye), 0.7f); };
+            const auto about = [&](const glm::dvec2& eye) {
+                return windLeanAt(windGlobals(wind, eye, 100), gusts, glm::vec2(place - eye), 0.7f);
+            };
             EXPECT_LT(glm::length(about(place) - about(place + glm::dvec2(40, -25))), 2e-4f) << far;
         }
 }
@@ -64,7 +70,8 @@ TEST_P(WindModels, NeighboursDifferByNoMoreThanItsSlope) {
     for (uint32_t i = 0; i < 20000; ++i) {
         const auto number = [&](uint32_t k) { return f32::hashUnit(f32::hash3(i, k, 4)); };
         const glm::vec2 a(50 * number(0), 50 * number(1)), b = a + 0.2f * glm::vec2(number(2) - 0.5f, number(3) - 0.5f);
-        steepest = std::max(steepest, glm::length(windLeanAt(g, gusts, a, 0.5f) - windLeanAt(g, gusts, b, 0.5f)) / glm::length(a - b));
+        steepest = std::max(
+            steepest, glm::length(windLeanAt(g, gusts, a, 0.5f) - windLeanAt(g, gusts, b, 0.5f)) / glm::length(a - b));
     }
     EXPECT_LE(steepest, slope);
     EXPECT_GT(steepest, 0.02f * slope) << "a bound that says nothing";
@@ -112,7 +119,8 @@ TEST(Wind, WavesComeBackAfterTheirPeriod) {
     w.c1 = 0.3f, w.c3 = 0.45f, w.speed = 5, w.turbulence = 0;
     const double period = wavePeriod(w);
     EXPECT_NEAR(period, 2 / (0.15 * 5), 1e-6);
-    for (int i = 0; i < 40; ++i) EXPECT_LT(glm::length(leanAt(w, {}, {0.3 * i, 2}, 1) - leanAt(w, {}, {0.3 * i, 2}, 1 + 1000 * period)), 1e-5f);
+    for (int i = 0; i < 40; ++i)
+        EXPECT_LT(glm::length(leanAt(w, {}, {0.3 * i, 2}, 1) - leanAt(w, {}, {0.3 * i, 2}, 1 + 1000 * period)), 1e-5f);
     w.speed = 0;
     EXPECT_TRUE(std::isinf(wavePeriod(w)));
 }
@@ -124,8 +132,10 @@ TEST(Wind, LeansTheSoftestNoFartherThanTheStrongestWindLeansOthers) {
         for (const float stiffness : {0.05f, 0.5f, 1.0f, 3.0f, 100.0f}) {
             w.strength = strength, s.stiffness = stiffness;
             EXPECT_LE(windStrength(w, s), kStrongestWind);
-            EXPECT_EQ(windStrength(w, s), std::min(strength / stiffness, kStrongestWind)) << strength << " " << stiffness;
-            const f32::BladePose pose = f32::poseBlade({0, 0.5f, 0}, {0, 1, 0}, {1, 0}, {1, 1}, {windStrength(w, s), 0}, 1);
+            EXPECT_EQ(windStrength(w, s), std::min(strength / stiffness, kStrongestWind))
+                << strength << " " << stiffness;
+            const f32::BladePose pose =
+                f32::poseBlade({0, 0.5f, 0}, {0, 1, 0}, {1, 0}, {1, 1}, {windStrength(w, s), 0}, 1);
             EXPECT_GE(pose.tip.y, 0.049f);
             EXPECT_NEAR(glm::length(pose.tip), 1, 1e-5f);
         }
@@ -138,8 +148,10 @@ TEST(Wind, GustsHaveNoSeamAndFillTheirRange) {
     for (int y = 0; y < i.height; ++y)
         for (int x = 0; x < i.width; ++x) {
             low = std::min(low, m.at(x, y)), high = std::max(high, m.at(x, y));
-            if (x > 0) inner = std::max(inner, std::abs(m.at(x, y) - m.at(x - 1, y)));
-            else seam = std::max(seam, std::abs(m.at(0, y) - m.at(i.width - 1, y)));
+            if (x > 0)
+                inner = std::max(inner, std::abs(m.at(x, y) - m.at(x - 1, y)));
+            else
+                seam = std::max(seam, std::abs(m.at(0, y) - m.at(i.width - 1, y)));
         }
     EXPECT_LE(seam, inner);
     EXPECT_LT(low, 0.1f);

@@ -37,7 +37,9 @@ float worstOff(const FrameGlobals& g, double from) {
     for (int i = 0; i < 360; ++i) {
         const double a = from + i * std::numbers::pi / 180;
         const glm::vec2 way(std::cos(a), std::sin(a));
-        const glm::vec3 sky = f32::skyRadiance({way.x, 0, way.y}, glm::vec3(g.skySun), g.skySun.w) * glm::vec3(g.skyGain), off = glm::abs(fitted(g, way) - sky);
+        const glm::vec3 sky =
+                            f32::skyRadiance({way.x, 0, way.y}, glm::vec3(g.skySun), g.skySun.w) * glm::vec3(g.skyGain),
+                        off = glm::abs(fitted(g, way) - sky);
         worst = std::max(worst, std::max({off.x, off.y, off.z}) / std::max({sky.x, sky.y, sky.z}));
     }
     return worst;
@@ -58,8 +60,10 @@ TEST(Daylight, TheHorizonIsTheSkysInEveryDirection) {
 
 TEST(Daylight, ThePlainBeginsWhereTheTerrainEnds) {
     const glm::vec2 size(100, 200);
-    EXPECT_FLOAT_EQ(f32::plainDistance({50, 2, 50}, size, glm::normalize(glm::vec3(1, -0.5f, 0))), 50 / glm::normalize(glm::vec3(1, -0.5f, 0)).x);
-    EXPECT_FLOAT_EQ(f32::plainDistance({50, 2, 50}, size, glm::normalize(glm::vec3(0, -0.001f, -1))), 2 / glm::normalize(glm::vec3(0, 0.001f, 1)).y);
+    EXPECT_FLOAT_EQ(f32::plainDistance({50, 2, 50}, size, glm::normalize(glm::vec3(1, -0.5f, 0))),
+                    50 / glm::normalize(glm::vec3(1, -0.5f, 0)).x);
+    EXPECT_FLOAT_EQ(f32::plainDistance({50, 2, 50}, size, glm::normalize(glm::vec3(0, -0.001f, -1))),
+                    2 / glm::normalize(glm::vec3(0, 0.001f, 1)).y);
     EXPECT_FLOAT_EQ(f32::plainDistance({-50, 2, 50}, size, {0, -1, 0}), 2);
     EXPECT_EQ(f32::edgeDistance({0, 50}, size, {-1, 0}), 0);
 }

@@ -25,7 +25,8 @@ glm::vec3 middle(Renderer& r, Project& p, double time = 0) {
     s.time = time;
     EXPECT_TRUE(r.draw(p, {{10, 4, 8}, {10, 0, 10}, 40, 0}, s));
     const auto light = r.readLinear();
-    const size_t at = (static_cast<size_t>(s.height / 2) * static_cast<size_t>(s.width) + static_cast<size_t>(s.width / 2)) * 3;
+    const size_t at =
+        (static_cast<size_t>(s.height / 2) * static_cast<size_t>(s.width) + static_cast<size_t>(s.width / 2)) * 3;
     return {light[at], light[at + 1], light[at + 2]};
 }
 
@@ -91,7 +92,8 @@ TEST(Lamps, AreFiniteInsideABladeOnEveryAxisAndBelowTheHorizonAtTheirBrightest) 
     };
     put(p, "z-lamp", light);
     for (const float beta : {0.0f, 1.0f, 1e6f})
-        for (const glm::dvec3& at : {glm::dvec3(10, 0, 10), glm::dvec3(10.01, 0.05, 10), glm::dvec3(10, 0.6, 9), glm::dvec3(10, -3, 10), glm::dvec3(1e8, 0, -1e8)}) {
+        for (const glm::dvec3& at : {glm::dvec3(10, 0, 10), glm::dvec3(10.01, 0.05, 10), glm::dvec3(10, 0.6, 9),
+                                     glm::dvec3(10, -3, 10), glm::dvec3(1e8, 0, -1e8)}) {
             p.registry.get<Light>(findEntity(p, "z-lamp"))->attenuation = beta;
             put(p, "z-lamp", Transform{at});
             expectFinite("point light");

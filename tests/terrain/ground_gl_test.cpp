@@ -9,7 +9,8 @@ Project hilly(int side, double size) {
     t.size = {size, size};
     Map m({side, side, 1, PixelType::F32});
     for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) m.set(x, y, 0, static_cast<float>(6 * std::sin(40.0 * x / side) * std::cos(37.0 * y / side)));
+        for (int x = 0; x < side; ++x)
+            m.set(x, y, 0, static_cast<float>(6 * std::sin(40.0 * x / side) * std::cos(37.0 * y / side)));
     t.height = field(m, "maps/h.exr");
     put(p, "ground", t);
     return p;
@@ -22,7 +23,8 @@ TEST(GroundPicture, HasNoCracks) {
     ViewSettings s = small();
     s.width = 320, s.height = 240;
     s.mode = ViewMode::Normals;  // ground is never black, what shows through a crack is
-    for (const ViewCamera& c : {ViewCamera{{200, 25, 200}, {230, 0, 215}, 55, 0}, ViewCamera{{60, 90, 60}, {120, 0, 100}, 55, 0}}) {
+    for (const ViewCamera& c :
+         {ViewCamera{{200, 25, 200}, {230, 0, 215}, 55, 0}, ViewCamera{{60, 90, 60}, {120, 0, 100}, 55, 0}}) {
         ASSERT_TRUE(renderer.draw(p, c, s));
         const auto image = renderer.readImage();
         int black = 0;

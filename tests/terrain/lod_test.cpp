@@ -38,7 +38,8 @@ TEST(TerrainLod, EveryPointOfTheGroundIsInExactlyOneNode) {
     const Terrain t = hills(128, 300);
     HeightBounds bounds;
     updateHeightBounds(bounds, t);
-    for (const glm::dvec3 eye : {glm::dvec3(150, 3, 150), glm::dvec3(-40, 30, 10), glm::dvec3(0, 2, 0), glm::dvec3(299, 200, 150)}) {
+    for (const glm::dvec3 eye :
+         {glm::dvec3(150, 3, 150), glm::dvec3(-40, 30, 10), glm::dvec3(0, 2, 0), glm::dvec3(299, 200, 150)}) {
         const auto nodes = selectNodes(t, terrainLod(t), bounds, eye, everywhere());
         for (double x = 0.3; x < 300; x += 7.7)
             for (double z = 0.3; z < 300; z += 7.7) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
@@ -102,14 +103,17 @@ TEST(TerrainLod, LandThatIsAPlaneToTheEyeTakesFewNodes) {
             for (double z = 0.3; z < t.size.y; z += t.size.y / 67) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
         for (const TerrainNode& n : fine)
             if (glm::length(glm::vec2(n.place)) + 1.5f * kNodeQuads * n.level.x < 1500)
-                EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const TerrainNode& k) { return k.place == n.place && k.level == n.level; }));
+                EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const TerrainNode& k) {
+                    return k.place == n.place && k.level == n.level;
+                }));
     }
     EXPECT_GT(all[1], all[0] + 100);
     EXPECT_LE(few[1], few[0] + 3 * 5 + 4) << "three beside each level more";
     EXPECT_LT(few[0], all[0]);
 }
 
-// Nodes near enough to be seen through haze are the same in a field of any size; beyond, only what stands before the sky is drawn.
+// Nodes near enough to be seen through haze are the same in a field of any size; beyond, only what stands before the
+// sky is drawn.
 TEST(TerrainLod, LandThatHazeHidesIsNotDrawn) {
     const auto nodesOf = [](double size, double hidden, double peak) {
         Terrain t = hills(128, 256);
@@ -124,7 +128,8 @@ TEST(TerrainLod, LandThatHazeHidesIsNotDrawn) {
     };
     const auto far = [](const TerrainNode& n) {
         const double side = kNodeQuads * static_cast<double>(n.level.x);
-        return std::hypot(std::max({static_cast<double>(n.place.x), -n.place.x - side, 0.0}), std::max({static_cast<double>(n.place.y), -n.place.y - side, 0.0}));
+        return std::hypot(std::max({static_cast<double>(n.place.x), -n.place.x - side, 0.0}),
+                          std::max({static_cast<double>(n.place.y), -n.place.y - side, 0.0}));
     };
     const auto some = nodesOf(2560, 1000, 0), many = nodesOf(80 * 256, 1000, 0), all = nodesOf(80 * 256, 1e30, 0);
     EXPECT_EQ(some.size(), many.size());

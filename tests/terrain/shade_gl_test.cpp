@@ -31,12 +31,15 @@ TEST(HillShadows, TheShadowsHeightFallsWithTheDistanceFromTheRidge) {
 TEST(HillShadows, EveryDirectionGivesTheSameShadowOfARoundHill) {
     HeightGrid hill{129, 129, std::vector<float>(129 * 129)};
     for (int z = 0; z < 129; ++z)
-        for (int x = 0; x < 129; ++x) hill.metres[static_cast<size_t>(z) * 129 + static_cast<size_t>(x)] = 10 * std::exp(-static_cast<float>((x - 64) * (x - 64) + (z - 64) * (z - 64)) / 60.0f);
+        for (int x = 0; x < 129; ++x)
+            hill.metres[static_cast<size_t>(z) * 129 + static_cast<size_t>(x)] =
+                10 * std::exp(-static_cast<float>((x - 64) * (x - 64) + (z - 64) * (z - 64)) / 60.0f);
     for (float azimuth = 0; azimuth < 360; azimuth += 15) {
         const glm::vec3 sun = sunAt(azimuth, 20);
         const HeightGrid hidden = hiddenHeights(hill, {129, 129}, sun);
         const glm::vec2 away = -glm::normalize(glm::vec2(sun.x, sun.z)) * 20.0f;
-        const size_t at = static_cast<size_t>(std::lround(64 + away.y)) * 129 + static_cast<size_t>(std::lround(64 + away.x));
+        const size_t at =
+            static_cast<size_t>(std::lround(64 + away.y)) * 129 + static_cast<size_t>(std::lround(64 + away.x));
         EXPECT_NEAR(hidden.metres[at], 2.93, 0.25) << azimuth;  // the highest of 10 exp(-u^2 / 60) - (20 - u) tan 20
     }
 }

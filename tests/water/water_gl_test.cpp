@@ -57,11 +57,13 @@ double redness(const std::vector<float>& image, int x, int y) {
     }
     return red / blue;
 }
-// The row, with fractions, in which the mirrored cube's top edge lies in a column: from red to sky, looking down the picture.
+// The row, with fractions, in which the mirrored cube's top edge lies in a column: from red to sky, looking down the
+// picture.
 double mirroredEdge(const std::vector<float>& image, int x, int from) {
     const double red = redness(image, x, from), sky = redness(image, x, kHeight - 4), middle = (red + sky) / 2;
     for (int y = from; y + 1 < kHeight; ++y)
-        if (redness(image, x, y) >= middle && redness(image, x, y + 1) < middle) return y + (redness(image, x, y) - middle) / (redness(image, x, y) - redness(image, x, y + 1));
+        if (redness(image, x, y) >= middle && redness(image, x, y + 1) < middle)
+            return y + (redness(image, x, y) - middle) / (redness(image, x, y) - redness(image, x, y + 1));
     return -1;
 }
 double rowOf(const ViewCamera& c, const glm::dvec3& point) {
@@ -94,7 +96,8 @@ TEST(Water, StillWaterIsTheTruthsInLight) {
         for (int k = 0; k < 3; ++k) {
             double a = 0, b = 0;
             for (int x = 10; x < kWidth - 10; ++x) {
-                const size_t i = 3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) + static_cast<size_t>(k);
+                const size_t i =
+                    3 * (static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)) + static_cast<size_t>(k);
                 a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
             }
             EXPECT_NEAR(a / b, 1, 0.06) << "row " << y << " channel " << k;
@@ -110,7 +113,8 @@ TEST(Water, RippledWaterIsAsBrightAsTheTruth) {
     const ViewCamera c = ashore();
     const std::vector<float> picture = drawn(p, c), truth = traced(p, c, 64).color;
     double a = 0, b = 0;
-    for (size_t i = static_cast<size_t>(kHeight * 3 / 4) * kWidth * 3; i < picture.size(); ++i) a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
+    for (size_t i = static_cast<size_t>(kHeight * 3 / 4) * kWidth * 3; i < picture.size(); ++i)
+        a += static_cast<double>(picture[i]), b += static_cast<double>(truth[i]);
     EXPECT_NEAR(a / b, 1, 0.1);
 }
 
@@ -138,7 +142,9 @@ std::vector<std::string> passesOf(Renderer& r, Project& p, const ViewCamera& c) 
     for (const PassStats& s : r.stats().passes) names.push_back(s.name);
     return names;
 }
-bool holds(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 TEST(Water, TheMirroredViewIsDrawnOnlyWhileWaterIsSeen) {
     NoGlErrors errors;
@@ -147,7 +153,8 @@ TEST(Water, TheMirroredViewIsDrawnOnlyWhileWaterIsSeen) {
     Renderer r(gpu(), tables());
     EXPECT_TRUE(holds(passesOf(r, p, ashore()), "mirrored objects/mesh"));
     EXPECT_FALSE(holds(passesOf(r, p, {{15, 2, 20}, {15, 30, 12}, 50, 0}), "mirrored objects/mesh")) << "looking up";
-    EXPECT_FALSE(holds(passesOf(r, p, {{15, 0.3, 20}, {15, 0.3, 12}, 50, 0}), "mirrored objects/mesh")) << "under water";
+    EXPECT_FALSE(holds(passesOf(r, p, {{15, 0.3, 20}, {15, 0.3, 12}, 50, 0}), "mirrored objects/mesh"))
+        << "under water";
     p.registry.get<Water>(findEntity(p, "lake"))->level = -3;
     EXPECT_FALSE(holds(passesOf(r, p, ashore()), "mirrored objects/mesh")) << "below all ground";
 }

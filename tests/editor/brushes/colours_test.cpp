@@ -12,7 +12,9 @@ namespace {
 
 constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
 constexpr glm::vec3 kYellow{0.9f, 0.8f, 0.1f}, kPurple{0.5f, 0.1f, 0.6f};
-float stepOf(PixelType type) { return type == PixelType::U8 ? 1.f / 255 : type == PixelType::U16 ? 1.f / 65535 : 1e-6f; }
+float stepOf(PixelType type) {
+    return type == PixelType::U8 ? 1.f / 255 : type == PixelType::U16 ? 1.f / 65535 : 1e-6f;
+}
 
 Map mapOf(int side, PixelType type, const glm::vec4& texel = glm::vec4(0)) {
     Map m({side, side, 4, type});
@@ -27,7 +29,9 @@ BrushSettings brushOf(const glm::vec3& color, float strength, float value = 1, f
     b.color = color, b.strength = strength, b.value = value, b.falloff = falloff, b.colours = true;
     return b;
 }
-void paint(Map& m, const char* mode, const Stamp& stamp, const BrushSettings& brush) { applyStamp(m, *findBrush(mode), stamp, brush); }
+void paint(Map& m, const char* mode, const Stamp& stamp, const BrushSettings& brush) {
+    applyStamp(m, *findBrush(mode), stamp, brush);
+}
 void expectNear(const glm::vec4& a, const glm::vec4& b, float tolerance, const std::string& where = "") {
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(a[c], b[c], tolerance) << "channel " << c << ' ' << where;
 }
@@ -205,7 +209,9 @@ TEST(Colours, NoRadiusNoStrengthAndBrokenNumbersPaintNothing) {
 
 TEST(Colours, WhateverIsPaintedStaysBetweenZeroAndOne) {
     std::mt19937 random(4);
-    const auto any = [&](double from, double to) { return static_cast<float>(std::uniform_real_distribution<>(from, to)(random)); };
+    const auto any = [&](double from, double to) {
+        return static_cast<float>(std::uniform_real_distribution<>(from, to)(random));
+    };
     for (const PixelType type : kTypes) {
         Map m = mapOf(180, type);
         for (uint32_t i = 0; i < 200; ++i) {

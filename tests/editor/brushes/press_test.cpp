@@ -10,7 +10,9 @@ namespace sward {
 namespace {
 
 constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
-float stepOf(PixelType type) { return type == PixelType::U8 ? 3.f / 255 : type == PixelType::U16 ? 3.f / 65535 : 1e-5f; }
+float stepOf(PixelType type) {
+    return type == PixelType::U8 ? 3.f / 255 : type == PixelType::U16 ? 3.f / 65535 : 1e-5f;
+}
 
 // What acts: push x, z and press, times the share.
 glm::dvec3 forceAt(const Map& m, int x, int y) {
@@ -29,7 +31,9 @@ BrushSettings brushOf(float strength, float falloff = 0.5f) {
     b.strength = strength, b.falloff = falloff;
     return b;
 }
-void paint(Map& m, const char* mode, const Stamp& stamp, const BrushSettings& brush) { applyStamp(m, *findBrush(mode), stamp, brush); }
+void paint(Map& m, const char* mode, const Stamp& stamp, const BrushSettings& brush) {
+    applyStamp(m, *findBrush(mode), stamp, brush);
+}
 
 TEST(Press, PushesAndPressesTheCoreAlongTheHeadingByItsStrength) {
     for (const PixelType type : kTypes)
@@ -83,7 +87,8 @@ TEST(Press, WhatNoShareHidesDoesNotComeToLight) {
                 paint(m, mode, {64, 64, 40, 40, 3, 1, 0}, brushOf(0.8f, 1));
                 paint(clean, mode, {64, 64, 40, 40, 3, 1, 0}, brushOf(0.8f, 1));
             }
-            for (int x = 20; x < 108; ++x) EXPECT_LT(glm::length(forceAt(m, x, 60) - forceAt(clean, x, 60)), 4 * stepOf(type)) << x;
+            for (int x = 20; x < 108; ++x)
+                EXPECT_LT(glm::length(forceAt(m, x, 60) - forceAt(clean, x, 60)), 4 * stepOf(type)) << x;
         }
 }
 
@@ -163,16 +168,20 @@ Map rolled(const std::vector<std::pair<double, double>>& points) {
     stroke.pump(m, 0);
     return m;
 }
-glm::dvec3 forceAtMetres(const Map& m, double x, double z) { return forceAt(m, static_cast<int>(x * 6.4), static_cast<int>(z * 6.4)); }
+glm::dvec3 forceAtMetres(const Map& m, double x, double z) {
+    return forceAt(m, static_cast<int>(x * 6.4), static_cast<int>(z * 6.4));
+}
 
 TEST(Press, AStrokePushesTheWayItGoesFromItsFirstPointOn) {
     const Map m = rolled({{10, 20}, {30, 20}});
-    for (const double x : {9.0, 10.0, 20.0, 30.0}) EXPECT_LT(glm::length(forceAtMetres(m, x, 20) - glm::dvec3(1, 0, 1)), 1e-3) << x;
+    for (const double x : {9.0, 10.0, 20.0, 30.0})
+        EXPECT_LT(glm::length(forceAtMetres(m, x, 20) - glm::dvec3(1, 0, 1)), 1e-3) << x;
 }
 
 TEST(Press, ACurveTurnsThePushAndAClickPushesApartWhenItEnds) {
     std::vector<std::pair<double, double>> curve;
-    for (int i = 0; i <= 90; ++i) curve.emplace_back(20 + 10 * std::sin(glm::radians(1.0 * i)), 20 - 10 * std::cos(glm::radians(1.0 * i)));
+    for (int i = 0; i <= 90; ++i)
+        curve.emplace_back(20 + 10 * std::sin(glm::radians(1.0 * i)), 20 - 10 * std::cos(glm::radians(1.0 * i)));
     const Map m = rolled(curve);
     EXPECT_GT(forceAtMetres(m, 20 + 10 * std::sin(0.2), 20 - 10 * std::cos(0.2)).x, 0.9);
     EXPECT_GT(forceAtMetres(m, 20 + 10 * std::sin(1.4), 20 - 10 * std::cos(1.4)).y, 0.9);

@@ -19,11 +19,13 @@ PlayWorld worldOf(const std::function<double(double, double)>& height = nullptr,
     world.terrain.height.map = Map({texels, texels, 1, PixelType::F32});
     for (int y = 0; y < texels; ++y)
         for (int x = 0; x < texels; ++x)
-            world.terrain.height.map.set(x, y, 0, static_cast<float>(height((x + 0.5) * 64 / texels, (y + 0.5) * 64 / texels)));
+            world.terrain.height.map.set(x, y, 0,
+                                         static_cast<float>(height((x + 0.5) * 64 / texels, (y + 0.5) * 64 / texels)));
     return world;
 }
 PlayWorld hills() {
-    return worldOf([](double x, double z) { return 3 * std::sin(x / 5) * std::cos(z / 7) + 0.2 * std::sin(x * 1.7 + z); });
+    return worldOf(
+        [](double x, double z) { return 3 * std::sin(x / 5) * std::cos(z / 7) + 0.2 * std::sin(x * 1.7 + z); });
 }
 PlayState stateAt(const PlayWorld& world, double x, double z, double yaw = kRight) {
     PlayState s;
@@ -123,7 +125,8 @@ TEST(PlayWalker, StopsAtTheEdgeWhateverItDoes) {
             const glm::dvec3 p = s.walker.position;
             ASSERT_TRUE(p.x >= kBodyRadius && p.z >= kBodyRadius && p.x <= 64 - kBodyRadius && p.z <= 64 - kBodyRadius);
             ASSERT_GE(p.y, groundHeight(world, {p.x, p.z}) - 1e-9);
-            for (const Contact& c : s.contacts) ASSERT_TRUE(c.position.x >= 0 && c.position.z >= 0 && c.position.x <= 64 && c.position.z <= 64);
+            for (const Contact& c : s.contacts)
+                ASSERT_TRUE(c.position.x >= 0 && c.position.z >= 0 && c.position.x <= 64 && c.position.z <= 64);
         }
     }
     PlayState s = stateAt(worldOf(), 60, 32);
@@ -317,7 +320,8 @@ TEST(PlayState, TenMinutesOfWalkingAreReproducibleAndGrowNothing) {
         for (int64_t i = 0; i < 36000; ++i) {
             stepPlay(s, world, scripted(i));
             most = std::max(most, s.contacts.capacity());
-            for (const Roller& r : s.rollers) EXPECT_TRUE(std::isfinite(r.position.x + r.position.y + r.position.z)) << i;
+            for (const Roller& r : s.rollers)
+                EXPECT_TRUE(std::isfinite(r.position.x + r.position.y + r.position.z)) << i;
         }
         EXPECT_LE(most, 32u) << "contacts are of one step";
         EXPECT_EQ(s.rollers.size(), 8u);
@@ -338,7 +342,8 @@ TEST(PlayState, AfterAMonthStepsAreAsLongAsAtTheStart) {
         ASSERT_NEAR(early, later, 0.01 * early) << i;
     }
     EXPECT_EQ(late.tick, int64_t(30) * 86400 * kTicksPerSecond + 3600);
-    const double before = static_cast<double>(late.tick - 1) / kTicksPerSecond, after = static_cast<double>(late.tick) / kTicksPerSecond;
+    const double before = static_cast<double>(late.tick - 1) / kTicksPerSecond,
+                 after = static_cast<double>(late.tick) / kTicksPerSecond;
     EXPECT_NEAR(after - before, kTickSeconds, 0.01 * kTickSeconds) << "scene time moves on as evenly";
 }
 

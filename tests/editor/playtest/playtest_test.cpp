@@ -122,12 +122,18 @@ TEST(Playtest, WhileItIsPlayedNothingIsSavedEditedOrTakenBack) {
     f.ok(f.doc.startPlay(f.start()));
     BrushSettings brush;
     brush.map = "density";
-    const std::vector<Status> refused = {f.doc.startPlay(f.start()), f.doc.open(f.dir / "p"), f.doc.create(f.dir / "q"),
-                                         f.doc.setField("sun.Light.elevationDeg", "10"), f.doc.addEntity("more"),
-                                         f.doc.removeEntity("ball"), f.doc.addComponent("ball", "Light"),
-                                         f.doc.removeComponent("ball", "Rolling"), f.doc.createMap("density"),
+    const std::vector<Status> refused = {f.doc.startPlay(f.start()),
+                                         f.doc.open(f.dir / "p"),
+                                         f.doc.create(f.dir / "q"),
+                                         f.doc.setField("sun.Light.elevationDeg", "10"),
+                                         f.doc.addEntity("more"),
+                                         f.doc.removeEntity("ball"),
+                                         f.doc.addComponent("ball", "Light"),
+                                         f.doc.removeComponent("ball", "Rolling"),
+                                         f.doc.createMap("density"),
                                          f.doc.setMap("density", Map({4, 4, 1, PixelType::U16}), "x"),
-                                         f.doc.beginStroke(brush, 5, 5), f.doc.takeOver(f.dir / "p", "x")};
+                                         f.doc.beginStroke(brush, 5, 5),
+                                         f.doc.takeOver(f.dir / "p", "x")};
     for (size_t i = 0; i < refused.size(); ++i) {
         ASSERT_FALSE(refused[i]) << i;
         EXPECT_NE(refused[i].error().text().find("play.stop()"), std::string::npos) << refused[i].error().text();
@@ -172,7 +178,9 @@ TEST(Playtest, AStrokeUnderWayIsFinishedFirstAndADragIsLeftAlone) {
 TEST(Playtest, TheSnapshotSharesTheMapsTiles) {
     Fixture f;
     f.ok(f.doc.startPlay(f.start()));
-    const auto density = [](Project& p) { return static_cast<const MapField*>(findMap(p, tables().components, "density")->value)->map; };
+    const auto density = [](Project& p) {
+        return static_cast<const MapField*>(findMap(p, tables().components, "density")->value)->map;
+    };
     EXPECT_TRUE(density(f.doc.project()).sameTiles(density(f.doc.play()->project())));
 }
 
@@ -209,7 +217,8 @@ TEST(Playtest, ThePushedBallIsDrawnWhereItRolledAndTurned) {
 
 TEST(Playtest, EveryTurnIsWrittenInDegreesThatGiveItBack) {
     TempDir dir;
-    for (const glm::dvec3 degrees : {glm::dvec3(0), {10, 20, 30}, {-170, 200, 80}, {40, 50, 90}, {40, 50, -90}, {180, 0, 0}}) {
+    for (const glm::dvec3 degrees :
+         {glm::dvec3(0), {10, 20, 30}, {-170, 200, 80}, {40, 50, 90}, {40, 50, -90}, {180, 0, 0}}) {
         Project p;
         const Entity ground = *addEntity(p, "ground"), e = *addEntity(p, "e");
         p.registry.add<Terrain>(ground);
