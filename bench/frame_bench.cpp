@@ -3,7 +3,9 @@
 #include "brushes/brush.h"
 #include "frame/map_textures.h"
 #include "frame/renderer.h"
+#include "project/project_files.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace {
 using namespace sward;

@@ -8,6 +8,7 @@
 #include "grass/slices.h"
 #include "techniques.h"
 #include "tests/grass/comparison.h"
+#include "world/view_camera.h"
 
 namespace {
 using namespace sward;

@@ -5,8 +5,10 @@
 
 #include "bench/limits.h"
 #include "frame/renderer.h"
+#include "project/project_files.h"
 #include "techniques.h"
 #include "tests/grass/comparison.h"
+#include "world/view_camera.h"
 
 namespace {
 using namespace sward;

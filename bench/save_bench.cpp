@@ -1,7 +1,8 @@
 // Projects on disk: kills while saving, what a stroke rewrites, how long the largest common height map takes to load.
 #include "bench/limits.h"
-#include "scene/map_io.h"
-#include "tests/scene/kill_save.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
+#include "tests/project/kill_save.h"
 #include "tests/support.h"
 
 using namespace sward;

@@ -4,9 +4,11 @@
 // (`patch`, the paper's instanced one). What stands beside each other are ratios: the machines have nothing in common.
 #include "bench/limits.h"
 #include "frame/renderer.h"
+#include "project/project_files.h"
 #include "scene/unique.h"
 #include "techniques.h"
 #include "tests/grass/comparison.h"
+#include "world/view_camera.h"
 
 namespace {
 using namespace sward;

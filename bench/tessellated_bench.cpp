@@ -7,6 +7,7 @@
 #include "techniques.h"
 #include "tests/gl_calls.h"
 #include "tests/grass/comparison.h"
+#include "world/view_camera.h"
 
 namespace {
 using namespace sward;

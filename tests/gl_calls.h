@@ -56,7 +56,8 @@ struct Hook<pointer> {
 
 #define SWARD_GL_CALLS(X)                                                                                              \
     X(glAttachShader)                                                                                                  \
-    X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) X(glBindTextureUnit) \
+    X(glBeginQuery)                                                                                                    \
+    X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) X(glBindTextureUnit)                 \
         X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) X(glBlendFunc) X(         \
             glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) X(glClearColor) \
             X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) X(glClearNamedFramebufferfv) X(     \

@@ -13,11 +13,17 @@ const std::vector<std::vector<std::string>> kLayers = {
     {"engine/core"},
     {"engine/ecs"},
     {"engine/gpu"},
+    {"engine/maps"},
+    {"engine/mesh"},
     {"engine/scene"},
+    {"engine/world"},
+    {"engine/project"},
     {"engine/frame"},
     {"engine/terrain", "engine/grass", "engine/objects", "engine/forest", "engine/sky", "engine/water", "engine/post"},
     {"engine/reference"},
-    {"engine/measure"},
+    {"engine/metrics"},
+    {"engine/cost"},
+    {"engine/formulas"},
     {"engine/."},  // techniques.cpp, the table of contents
     {"editor"},
 };

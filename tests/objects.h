@@ -1,9 +1,10 @@
 // Scenes with objects, in a folder of their own.
 #pragma once
-#include "scene/mesh_io.h"
-#include "scene/mesh_shapes.h"
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_shapes.h"
 #include "scenes.h"
 #include "support.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 

@@ -5,6 +5,7 @@
 #include "frame/renderer.h"
 #include "scene/project.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 

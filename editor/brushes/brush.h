@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 

@@ -1,6 +1,6 @@
-#include "bakes.h"
 #include "cli/cli.h"
 #include "cli/interrupt.h"
+#include "model/bakes.h"
 #include "techniques.h"
 
 namespace sward {

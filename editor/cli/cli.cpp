@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "bakes.h"
 #include "core/log.h"
+#include "model/bakes.h"
 
 namespace sward {
 namespace {
@@ -161,7 +161,7 @@ struct Verbs {
         in->add_option("map", import.map, "the map's PATH, or an unambiguous tail of it")->required();
         in->add_option("file", import.file, "EXR, PNG 8/16, TIFF, or R16 with its JSON sidecar")->required();
         in->add_flag("--flip", import.flip, "the file's first row is the far edge");
-        in->add_flag("--packed", import.packed, "red is the density, blue the blades' height (scene/packed_map.h)");
+        in->add_flag("--packed", import.packed, "red is the density, blue the blades' height (project/packed_map.h)");
         in->add_option("--range", import.range, "LOW,HIGH: what 0 and full scale mean");
         CLI::App* out = verb("export", "Write a map of a project to a file", [this] { return exportVerb(exported); });
         out->add_option("project", exported.project, "folder of the project")->required();

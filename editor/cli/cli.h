@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "frame/renderer.h"
+#include "world/view_camera.h"
 
 namespace sward {
 

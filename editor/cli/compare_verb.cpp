@@ -1,9 +1,9 @@
 #include "cli/cli.h"
 #include "core/log.h"
-#include "measure/heatmap.h"
-#include "measure/metrics.h"
-#include "measure/popping.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
+#include "metrics/heatmap.h"
+#include "metrics/metrics.h"
+#include "metrics/popping.h"
 
 namespace sward {
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // What the verbs cost and fit share: their options as a request to measure, and their line of progress.
 #pragma once
 #include "cli/cli.h"
-#include "measure/cost.h"
+#include "cost/cost.h"
 
 namespace sward {
 

@@ -5,11 +5,11 @@
 #include "cli/interrupt.h"
 #include "core/file.h"
 #include "core/log.h"
-#include "measure/cost_files.h"
-#include "measure/cost_report.h"
-#include "measure/kernels.h"
-#include "scene/camera_path.h"
+#include "cost/cost_files.h"
+#include "cost/cost_report.h"
+#include "formulas/kernels.h"
 #include "techniques.h"
+#include "world/camera_path.h"
 
 namespace sward {
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
+#include "app/edit_main.h"
 #include "cli/cli.h"
-#include "edit_main.h"
 
 namespace sward {
 

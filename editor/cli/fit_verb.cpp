@@ -3,7 +3,8 @@
 #include "cli/interrupt.h"
 #include "core/file.h"
 #include "core/json.h"
-#include "measure/fit.h"
+#include "cost/fit.h"
+#include "project/project_files.h"
 #include "techniques.h"
 
 namespace sward {

@@ -1,6 +1,7 @@
 #include "cli/cli.h"
 #include "core/log.h"
-#include "scene/packed_map.h"
+#include "project/packed_map.h"
+#include "project/project_files.h"
 #include "techniques.h"
 
 namespace sward {

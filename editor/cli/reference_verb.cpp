@@ -6,9 +6,11 @@
 #include "core/hash.h"
 #include "core/json.h"
 #include "core/numerics.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
 #include "reference/reference_part.h"
-#include "scene/map_io.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace fs = std::filesystem;

@@ -1,9 +1,11 @@
 #include "cli/cli.h"
 #include "core/file.h"
 #include "core/log.h"
-#include "measure/frame_stats.h"
-#include "scene/map_io.h"
+#include "cost/frame_stats.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace fs = std::filesystem;

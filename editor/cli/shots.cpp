@@ -1,6 +1,7 @@
 // Of what pictures are taken: cameras, or a way of one.
 #include "cli/cli.h"
-#include "scene/camera_path.h"
+#include "world/camera_path.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -1,9 +1,11 @@
 #include "cli/cli.h"
 #include "core/json.h"
 #include "core/log.h"
-#include "measure/hardcases.h"
-#include "scene/map_io.h"
+#include "formulas/hardcases.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward {
 

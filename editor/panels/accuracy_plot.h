@@ -1,9 +1,9 @@
 // The project's time-appearance plot, in what is left of the current column.
-// Does not: measure (accuracy.h).
+// Does not: measure (accuracy/accuracy.h).
 #pragma once
 #include <optional>
 
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

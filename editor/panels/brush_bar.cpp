@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "brush_target.h"
-#include "new_map.h"
+#include "model/new_map.h"
 #include "panels/panels.h"
+#include "tools/brush_target.h"
 #include "ui/theme.h"
 
 namespace sward {

@@ -2,9 +2,10 @@
 
 #include <imgui.h>
 
-#include "play_control.h"
-#include "scene/camera_path.h"
+#include "app/play_control.h"
 #include "ui/theme.h"
+#include "world/camera_path.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

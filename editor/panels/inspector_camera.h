@@ -1,6 +1,6 @@
 // What the inspector has for cameras beside their fields: to and from the view.
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

@@ -1,7 +1,7 @@
 // One row of the inspector for each type of field.
 // Does not: change the value; edits are deferred to Document::setField, and refusals shown under the field.
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

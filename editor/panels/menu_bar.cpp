@@ -1,7 +1,7 @@
 // The menu bar: commands by menu, then what the View menu lists from tables.
 #include <imgui.h>
 
-#include "commands.h"
+#include "app/commands.h"
 #include "panels/panels.h"
 #include "ui/keys.h"
 

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "brush_target.h"
+#include "tools/brush_target.h"
 #include "ui/theme.h"
 
 namespace sward {

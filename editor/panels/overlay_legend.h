@@ -1,7 +1,7 @@
 // What the colours of the map overlay mean, in the viewport's upper right corner, where there is sky.
 // Does not: draw the overlay; engine/post/map_overlay.h does.
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

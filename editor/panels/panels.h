@@ -3,7 +3,7 @@
 #pragma once
 #include <span>
 
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

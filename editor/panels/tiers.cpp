@@ -1,5 +1,5 @@
 // The hybrid field's distances, how its tiers look and what they cost; the rings in the viewport are viewport_rings.h.
-// A drag stops at the neighbouring distances; a typed one pushes them (tiers.h).
+// A drag stops at the neighbouring distances; a typed one pushes them (tools/tiers.h).
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,8 +1,8 @@
 // The tools: looking without painting, then one a brush. Icons are drawn, so that no font must have them.
 #include <imgui.h>
 
-#include "brush_target.h"
 #include "panels/panels.h"
+#include "tools/brush_target.h"
 #include "ui/theme.h"
 
 namespace sward {

@@ -1,7 +1,6 @@
 // The scene: the renderer's image, the brush's ring, the red bar of the last error.
 #include <imgui.h>
 
-#include "frame/ground.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
 #include "panels/play_bar.h"
@@ -11,6 +10,8 @@
 #include "panels/viewport_scene.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

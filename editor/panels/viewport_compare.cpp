@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include "measure/heatmap.h"
+#include "metrics/heatmap.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 

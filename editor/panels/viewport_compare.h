@@ -1,7 +1,7 @@
 // What a comparison lays over the viewport's picture: the other picture or the map of errors right of a line, and the
-// line's grip. Does not: make what it shows (accuracy.h).
+// line's grip. Does not: make what it shows (accuracy/accuracy.h).
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

@@ -3,11 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "brush_target.h"
-#include "frame/ground.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_rings.h"
 #include "playtest/playtest.h"
+#include "tools/brush_target.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -1,7 +1,7 @@
 // What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint.
 // Does not: draw.
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

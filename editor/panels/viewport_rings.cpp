@@ -2,9 +2,9 @@
 
 #include <imgui.h>
 
-#include "frame/ground.h"
 #include "panels/viewport_input.h"
 #include "ui/theme.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {

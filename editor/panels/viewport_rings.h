@@ -1,9 +1,9 @@
 // The four distances of a hybrid field as rings on the ground, in the viewport: drawn, and dragged with the mouse.
-// Does not: hold the maths (rings.h, tiers.h).
+// Does not: hold the maths (tools/rings.h, tools/tiers.h).
 #pragma once
 #include <imgui.h>
 
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

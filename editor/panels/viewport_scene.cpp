@@ -2,9 +2,10 @@
 
 #include <epoxy/gl.h>
 
-#include "brush_target.h"
-#include "frame/ground.h"
-#include "measure/frame_stats.h"
+#include "cost/frame_stats.h"
+#include "tools/brush_target.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

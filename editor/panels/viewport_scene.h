@@ -1,7 +1,7 @@
 // The viewport's picture: when it is drawn anew, how fine, and in how many parts.
 // Does not: take input, nor put it on the screen.
 #pragma once
-#include "app.h"
+#include "app/app.h"
 
 namespace sward {
 

@@ -1,7 +1,7 @@
 #include "playtest/play_state.h"
 
 #include "core/hash.h"
-#include "frame/ground.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {

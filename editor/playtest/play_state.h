@@ -28,7 +28,7 @@ inline constexpr double kFootRadius = 0.13;
 inline constexpr double kFootApart = 0.1;  // of each foot from the middle
 inline constexpr double kMostPitch = 89 * 3.14159265358979 / 180;
 
-// What does not change while it is played. Heights: frame/ground.h.
+// What does not change while it is played. Heights: world/ground.h.
 struct PlayWorld {
     Terrain terrain;
     glm::dvec3 origin{0};  // of the terrain

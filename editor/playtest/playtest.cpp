@@ -2,9 +2,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "camera_control.h"
-#include "frame/ground.h"
-#include "frame/placement.h"
+#include "tools/camera_control.h"
+#include "world/ground.h"
+#include "world/placement.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -9,6 +9,7 @@
 #include "frame/renderer.h"
 #include "playtest/play_state.h"
 #include "playtest/tracks.h"
+#include "world/view_camera.h"
 
 namespace sward {
 

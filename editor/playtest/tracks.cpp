@@ -1,6 +1,6 @@
 #include "playtest/tracks.h"
 
-#include "frame/forces.h"
+#include "world/forces.h"
 
 namespace sward {
 namespace {

@@ -1,6 +1,6 @@
 // brush.select, brush.stroke and brush.erase.
 #include "script/state.h"
-#include "stroke.h"
+#include "tools/stroke.h"
 
 namespace sward::script {
 namespace {

@@ -1,6 +1,6 @@
 #include "script/map_args.h"
 
-#include "stroke.h"
+#include "tools/stroke.h"
 
 namespace sward::script {
 

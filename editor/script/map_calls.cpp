@@ -2,13 +2,13 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
-#include "scene/map_repair.h"
-#include "scene/packed_map.h"
+#include "maps/map_repair.h"
+#include "project/packed_map.h"
 #include "scene/tiling.h"
 #include "script/files.h"
 #include "script/map_args.h"
 #include "script/values.h"
-#include "stroke.h"
+#include "tools/stroke.h"
 
 namespace sward::script {
 namespace {

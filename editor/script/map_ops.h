@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 

@@ -1,7 +1,7 @@
 // mesh.write: objects put together from simple shapes, as a .glb file.
 #include "core/file.h"
-#include "scene/mesh_io.h"
-#include "scene/mesh_shapes.h"
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_shapes.h"
 #include "script/files.h"
 
 namespace sward::script {

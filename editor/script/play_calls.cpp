@@ -2,9 +2,10 @@
 // hashes.
 #include "core/hash.h"
 #include "core/json.h"
-#include "frame/ground.h"
 #include "playtest/playtest.h"
 #include "script/state.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward::script {
 namespace {

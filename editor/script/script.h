@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "document.h"
+#include "model/document.h"
 #include "script/ui_driver.h"
 
 namespace sward {
@@ -28,7 +28,7 @@ struct ScriptHost {
     std::filesystem::path folder{};  // of the console: where relative paths begin; runScript takes the script's
     std::function<void(const std::string&)> print{};      // a line from print(); none: standard output
     std::function<void(const std::string&)> useCamera{};  // camera.use: shows the view of this entity
-    // bake.NAME: bakes with so many samples, at this size (0: its own choice); see bakes.h.
+    // bake.NAME: bakes with so many samples, at this size (0: its own choice); see model/bakes.h.
     std::map<std::string, std::function<Status(int samples, int size)>> bakes{};
     std::function<PlayStart()> playStart{};  // where play.start begins; none: at `camera`, moved by play.step alone
     std::string camera{};                    // the last that camera.use named

@@ -2,7 +2,7 @@
 // Does not: know metres, undo or Lua.
 #pragma once
 #include "core/jobs.h"
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 

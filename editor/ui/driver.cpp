@@ -3,7 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 #include "ui/imgui_compat.h"
 #include "ui/keys.h"
 #include "ui/window.h"

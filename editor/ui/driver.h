@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "app.h"
+#include "app/app.h"
 #include "script/ui_driver.h"
 
 namespace sward {

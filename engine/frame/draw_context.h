@@ -2,13 +2,14 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "frame/ground.h"
 #include "frame/map_textures.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
 #include "gpu/program.h"
 #include "gpu/resources.h"
 #include "shared/frame.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward {
 
@@ -64,7 +65,7 @@ struct GroundMesh {
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
 
 struct FieldState;  // grass/field.h
-struct Force;       // frame/forces.h
+struct Force;       // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
     GLuint framebuffer = 0;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gpu/resources.h"
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 

@@ -7,6 +7,7 @@
 #include "frame/explain.h"
 #include "gpu/timer.h"
 #include "scene/unique.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -12,19 +12,12 @@
 #include "gpu/program.h"
 #include "scene/project.h"
 #include "scene/rows.h"
+#include "world/view_camera.h"
 
 namespace sward {
 
 enum class ViewMode { Final, Tiers, Overdraw, Density, Depth, Normals };
 inline constexpr const char* kViewModes[] = {"final", "tiers", "overdraw", "density", "depth", "normals"};
-
-// Where a picture is taken from. Positions are doubles: the GPU only sees differences to the eye.
-struct ViewCamera {
-    glm::dvec3 eye{0, 2, 0};
-    glm::dvec3 target{0, 0, 1};
-    float fovDeg = 55;
-    float exposure = 0;
-};
 
 // The brush's decal on the terrain; radius 0: none.
 struct BrushDecal {
@@ -74,7 +67,7 @@ struct FrameStats {
     std::vector<PassStats> passes;
     double bladesVirtual = 0;     // the population: density summed over the terrain
     uint64_t bladesGeometry = 0;  // submitted: of the density range, or of the list of those that can be seen
-    uint64_t bladesVisible = 0;   // filled by who counts them (measure/frame_stats.h)
+    uint64_t bladesVisible = 0;   // filled by who counts them (cost/frame_stats.h)
     std::vector<std::string> features, programs, systems;  // what ran, if measured
     uint64_t sliceQuads = 0;                               // vertical slices submitted
     uint64_t macroCells = 0;                               // quadtree nodes drawn with the horizontal slice
@@ -116,11 +109,5 @@ glm::mat4 viewProjection(const ViewCamera& camera, int width, int height);
 int wholeHeight(const ViewSettings& s);
 // Pixels that a metre across the view takes at a distance of one metre.
 float pixelsPerMetre(const ViewCamera& camera, int height);
-// The camera entity named so, or the first; null if there is none.
-const Camera* findCamera(const Project& p, const std::string& name);
-ViewCamera viewOf(const Camera& c);
-// The ground under a window position (pixels from the top left), or nothing (sky).
-std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px,
-                                     double py);
 
 }  // namespace sward

@@ -2,7 +2,7 @@
 
 #include "core/log.h"
 #include "core/numerics.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 
 namespace sward {
 namespace {

@@ -5,6 +5,7 @@
 #include "core/hash.h"
 #include "core/numerics.h"
 #include "scene/components.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/numerics.h"
 #include "grass/cells.h"
 #include "scene/tiling.h"
-#include "scene/wind.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

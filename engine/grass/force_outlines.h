@@ -1,6 +1,6 @@
 // Forces in the shape of objects' outlines, drawn into the map around the eye (grass/forces.h), which must run too.
-// Source: Jahrmann and Wimmer 2013, section 5.2. Outlines: scene/footprint.h; formula: numerics/gust.h outlineForce.
-// Does not: find outlines (frame/forces.h does), nor clear the map.
+// Source: Jahrmann and Wimmer 2013, section 5.2. Outlines: mesh/footprint.h; formula: numerics/gust.h outlineForce.
+// Does not: find outlines (world/forces.h does), nor clear the map.
 // Cost: 256 KB an outline, one draw of its square a force.
 #pragma once
 #include "scene/rows.h"

@@ -1,7 +1,7 @@
 #include "grass/forces.h"
 
 #include "frame/draw_context.h"
-#include "frame/forces.h"
+#include "world/forces.h"
 
 namespace sward {
 namespace {

@@ -10,7 +10,7 @@
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "grass/slice_file.h"
-#include "scene/wind.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

@@ -3,9 +3,9 @@
 #include "core/hash.h"
 #include "core/log.h"
 #include "frame/draw_context.h"
-#include "frame/placement.h"
 #include "frame/tiles.h"
-#include "scene/mesh_io.h"
+#include "mesh/mesh_io.h"
+#include "world/placement.h"
 
 namespace sward {
 namespace {

@@ -2,12 +2,12 @@
 
 #include "core/numerics.h"
 #include "frame/flower_image.h"
-#include "frame/forces.h"
-#include "frame/ground.h"
 #include "reference/embree.h"
 #include "scene/components.h"
 #include "scene/tiling.h"
-#include "scene/wind.h"
+#include "world/forces.h"
+#include "world/ground.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

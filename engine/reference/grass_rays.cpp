@@ -3,12 +3,12 @@
 #include <mutex>
 
 #include "core/numerics.h"
-#include "frame/forces.h"
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "reference/embree.h"
 #include "scene/unique.h"
-#include "scene/wind.h"
+#include "world/forces.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

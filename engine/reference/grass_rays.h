@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "core/jobs.h"
-#include "frame/ground.h"
 #include "reference/surface.h"
 #include "scene/population.h"
 #include "scene/project.h"
+#include "world/ground.h"
 
 namespace sward {
 

@@ -2,7 +2,7 @@
 
 #include "core/hash.h"
 #include "core/numerics.h"
-#include "frame/ground.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {

@@ -5,8 +5,8 @@
 // rays: 5 s. The error of a texel of n rays is below 0.5 / sqrt(n), mostly far below.
 #pragma once
 #include "core/jobs.h"
+#include "maps/map.h"
 #include "reference/scene_rays.h"
-#include "scene/map.h"
 
 namespace sward {
 

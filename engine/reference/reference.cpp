@@ -9,6 +9,7 @@
 #include "reference/water_rays.h"
 #include "shared/frame.h"
 #include "sky/daylight.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

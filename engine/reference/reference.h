@@ -1,6 +1,6 @@
 // The ray-traced truth of a project: what its cameras would see if nothing had to be quick. Every blade that the maps
 // call for (grass_rays.h), ground and objects (solids.h), met exactly; light that reaches them traced. What techniques
-// draw is held against it (measure/). Full: direct light of sun and lamps past everything that casts shadows, and light
+// draw is held against it (metrics/). Full: direct light of sun and lamps past everything that casts shadows, and light
 // of the sky, of ground, blades and objects that falls on each other, by paths (Kajiya 1986) that end by chance
 // (Russian roulette) without bias. Direct: surfaces lit as the shaders light them, by the same numerics: light from
 // above and below by the normal, darker near a blade's root and by the ambient-occlusion map; only shadows are traced,
@@ -15,6 +15,7 @@
 #include "core/jobs.h"
 #include "frame/renderer.h"
 #include "scene/rows.h"
+#include "world/view_camera.h"
 
 namespace sward {
 

@@ -1,11 +1,11 @@
 #include "reference/scene_rays.h"
 
 #include "core/hash.h"
-#include "frame/ground.h"
-#include "frame/placement.h"
-#include "scene/mesh_io.h"
-#include "scene/save_folder.h"
+#include "core/save_folder.h"
+#include "mesh/mesh_io.h"
 #include "scene/tiling.h"
+#include "world/ground.h"
+#include "world/placement.h"
 
 namespace sward {
 namespace {

@@ -1,9 +1,9 @@
 #include "reference/solids.h"
 
 #include "core/numerics.h"
-#include "frame/placement.h"
-#include "scene/mesh_io.h"
+#include "mesh/mesh_io.h"
 #include "scene/tiling.h"
+#include "world/placement.h"
 
 namespace sward {
 namespace {

@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "core/jobs.h"
-#include "frame/ground.h"
+#include "mesh/mesh.h"
 #include "reference/ray_scene.h"
 #include "reference/scene_rays.h"
 #include "reference/surface.h"
-#include "scene/mesh.h"
 #include "scene/project.h"
+#include "world/ground.h"
 
 namespace sward {
 

@@ -1,7 +1,7 @@
 #include "reference/surface.h"
 
 #include "core/numerics.h"
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 namespace {

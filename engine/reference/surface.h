@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frame/tiles.h"
-#include "scene/map.h"
+#include "maps/map.h"
 
 namespace sward {
 

@@ -1,8 +1,8 @@
 #include "reference/water_rays.h"
 
 #include "core/numerics.h"
-#include "frame/ground.h"
-#include "scene/wind.h"
+#include "world/ground.h"
+#include "world/wind.h"
 
 namespace sward {
 

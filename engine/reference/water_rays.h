@@ -5,7 +5,7 @@
 
 #include "reference/surface.h"
 #include "scene/project.h"
-#include "scene/water.h"
+#include "world/water.h"
 
 namespace sward {
 

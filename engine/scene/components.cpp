@@ -4,8 +4,6 @@
 
 #include <cstddef>
 
-#include "scene/lights.h"
-
 namespace sward {
 namespace {
 
@@ -546,42 +544,6 @@ std::span<const ComponentRow> sharedComponentRows() {
                                  cameraPathFeatures),
     };
     return kRows;
-}
-
-// --- features of a scene -----------------------------------------------------------------------------------------
-namespace {
-// A source of force presses where it stands and where it left tracks; in play the walker's feet have these alone.
-bool presses(const Registry& registry, Entity e) {
-    const ForceSource* s = registry.get<ForceSource>(e);
-    return s && (registry.get<Transform>(e) || !s->tracks.empty());
-}
-// What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
-FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
-    FeatureSet all;
-    for (const ComponentRow& row : rows)
-        if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
-    if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
-    if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
-    return all;
-}
-}  // namespace
-
-FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows) {
-    FeatureSet all;
-    const Entity sun = sunEntity(registry);
-    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e, sun); });
-    if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
-    return all;
-}
-
-std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f) {
-    std::vector<std::string> names;
-    const Entity sun = sunEntity(registry);
-    registry.each<Name>([&](Entity e, const Name& name) {
-        if (has(entityFeatures(registry, rows, e, sun), f)) names.push_back(name.value);
-    });
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 }  // namespace sward

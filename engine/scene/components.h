@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/map.h"
+#include "maps/map.h"
 #include "scene/rows.h"
 
 namespace sward {
@@ -52,7 +52,7 @@ struct Species {
     float bend = 0.5f;  // how far the tip droops, as a share of the length
     float leanDeg = 8;  // mean lean from the vertical towards the painted (or own) direction
     float leanVariationDeg = 10;
-    float stiffness = 1;  // against the wind alone: 2 leans and quivers half as far (scene/wind.h, windStrength)
+    float stiffness = 1;  // against the wind alone: 2 leans and quivers half as far (world/wind.h, windStrength)
     int segments = 3;     // quads a blade
     int smoothness = 5;   // quads a blade has at most where it is tessellated
     std::string texture;  // PNG with alpha; empty: made by the program
@@ -164,7 +164,7 @@ enum class Filtering { Trilinear, Anisotropic };
 // elevation and the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h):
 // intensity 1 is 45 klx, half of a noon sun, at a point light's own place or from a directional light; so a point light
 // of attenuation 1 gives 22 klx at one metre, which shows beside the sun at the exposure of day. Where lights are at a
-// time: scene/lights.h.
+// time: world/lights.h.
 struct Light {
     int type = 0;             // index into kLightTypes
     float azimuthDeg = 135;   // clockwise from -z (north); of a point light: where on its circle it starts
@@ -214,7 +214,7 @@ struct Track {
     double seconds = 0;
 };
 // Presses the grass down where its Transform stands, and aside around it; what moves leaves tracks, which recover.
-// Source: Jahrmann and Wimmer 2013, section 5.2; frame/forces.h.
+// Source: Jahrmann and Wimmer 2013, section 5.2; world/forces.h.
 struct ForceSource {
     int shape = 2;         // index into kForceShapes
     float radius = 0.3f;   // metres pressed down; of a foot or wheel, half its width; of an outline, of its rim alone
@@ -266,7 +266,7 @@ struct Flowers {
     int seed = 1;
 };
 
-// An object standing where its Transform says: bench, stone, house. Files: scene/mesh_io.h.
+// An object standing where its Transform says: bench, stone, house. Files: mesh/mesh_io.h.
 struct StaticMesh {
     std::string file;           // .glb or .gltf; empty: nothing to see
     glm::dvec3 rotationDeg{0};  // about x, then z, then y (heading, counter-clockwise from above)
@@ -298,7 +298,7 @@ struct CameraKey {
     glm::dvec3 target{20, 0, 20};
     float fovDeg = 55;
 };
-// A way that a camera takes, through its keys (scene/camera_path.h): for films, and for what changes from picture to
+// A way that a camera takes, through its keys (world/camera_path.h): for films, and for what changes from picture to
 // picture.
 struct CameraPath {
     std::vector<CameraKey> keys;  // used in the order of their seconds
@@ -307,6 +307,11 @@ struct CameraPath {
 
 // The rows of the components above, in file order.
 std::span<const ComponentRow> sharedComponentRows();
+
+// The first directional light by name, whether it shines or not; kNoEntity if there is none.
+Entity sunEntity(const Registry& registry);
+// Whether a light gives any.
+bool shines(const Light& light);
 
 // The union of what all components ask for.
 FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows);

@@ -23,27 +23,6 @@ Entity makeEntity(Project& p, const std::string& name) {
     return e;
 }
 
-// A lawn of 40 x 40 m to begin with. Its density map is there, all ones, so that it can be painted at once.
-Project emptyProject(const fs::path& dir) {
-    Project p;
-    p.dir = dir;
-    p.name = dir.has_filename() ? dir.filename().string() : dir.parent_path().filename().string();
-    Map density({256, 256, 1, PixelType::U16});
-    const std::vector<uint16_t> row(256, 65535);
-    for (int y = 0; y < 256; ++y) density.writeRows(y, 1, row.data());
-    GrassField field;
-    field.species[0].name = "lawn";
-    field.species[0].bladesPerM2 = 2000;
-    field.species[0].density = {"maps/lawn.lawn.density.png", std::move(density)};
-    p.registry.add<Terrain>(makeEntity(p, "ground"));
-    p.registry.add<GrassField>(makeEntity(p, "lawn"), std::move(field));
-    p.registry.add<Light>(makeEntity(p, "sun"));
-    p.registry.add<Sky>(makeEntity(p, "sky"));
-    p.registry.add<Fog>(makeEntity(p, "haze"));
-    p.registry.add<Camera>(makeEntity(p, "camera"));
-    return p;
-}
-
 }  // namespace
 
 Result<Entity> addEntity(Project& p, const std::string& name) {
@@ -96,20 +75,6 @@ double virtualBlades(const Project& p) {
             perM2 += double(s.bladesPerM2) * (s.density.present() && s.bladesPerM2 > 0 ? s.density.map.mean() : 1.0);
     });
     return perM2 * terrainArea(p);
-}
-
-Result<Project> newProject(const fs::path& dir) {
-    std::error_code fault;
-    const bool existed = fs::exists(dir, fault);
-    if (existed && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
-        return Error{
-            ExitCode::Failed, "exists and is not an empty folder", dir.string(), 0, 0, "name a new or an empty folder"};
-    Project p = emptyProject(dir);
-    if (auto saved = saveProject(p, sharedComponentRows()); !saved) {
-        if (!existed) fs::remove_all(dir, fault);
-        return saved.error();
-    }
-    return p;
 }
 
 }  // namespace sward

@@ -1,6 +1,5 @@
-// A project: a folder with project.json and maps/, and in memory a registry of named entities.
-// Does not: draw, undo, or touch the window.
-// On disk as the README's "Projects on disk" says. What load does not know (components, fields) it keeps and saves.
+// A project in memory: a registry of named entities. On disk: project/project_files.h.
+// Does not: draw, undo, read or write files.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -39,16 +38,6 @@ struct Project {
     std::set<std::string> repairedMaps;        // files whose texels load repaired; saving writes them
 };
 
-// A fault that load repaired or that check found. Refusals are Errors.
-struct Fault {
-    std::string where;    // "file:line", or PATH and texel
-    std::string message;  // what was wrong, and what was done about it
-};
-
-struct LoadReport {
-    std::vector<Fault> repaired;  // every one is also logged as a warning
-};
-
 // The component of a kind that the first entity by name holds; null if none does.
 template <class C>
 const C* firstOf(const Project& p) {
@@ -68,9 +57,6 @@ bool removeEntity(Project& p, const std::string& name);
 Entity findEntity(const Project& p, const std::string& name);  // kNoEntity if none
 // A copy whose maps share tiles with p's: for playtest, background jobs and saving beside.
 Project snapshot(const Project& p, std::span<const ComponentRow> rows);
-
-// Names all that a project is: its fields, its maps' texels, its files' bytes; not its folder. Reads every texel.
-uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows);
 
 // --- fields by PATH ("ground.Terrain.size", "lawn.GrassField.species[lawn].height", "species[0]") -----------
 struct FieldRef {
@@ -102,28 +88,5 @@ std::string fieldText(const FieldRef& f);
 Status setFieldText(const FieldRef& f, const std::string& text);
 // Pulls a component's cross-field rules in order (swapped or equal tier distances); says what it changed.
 std::vector<std::string> repairComponent(const ComponentRow& row, void* component);
-
-// --- files ---------------------------------------------------------------------------------------------------
-// Reads the whole project: refuses (ExitCode::Unsound, with file and line, or map and texel) or repairs and reports.
-Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows,
-                            LoadReport* report = nullptr);
-// Loads everything and goes on after a refusal where it can: all faults, refusals first.
-struct CheckReport {
-    std::vector<Error> refused;
-    std::vector<Fault> repaired;
-    std::vector<Fault> noticed;  // allowed, but surely not meant
-};
-CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
-// Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved`
-// (or, without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files
-// written, relative to the folder, sorted. If `saved` lies in another folder ("save as"), image files that p names are
-// copied from there. Fields that share a file but no longer their texels get files of their own. Maps that the folder's
-// project.json named and p does not are deleted after the commit.
-// Fails, with the old project on disk unchanged: disk full, read-only folder, a value out of its range.
-Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
-                                             const Project* saved = nullptr);
-// A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
-// Fails if dir exists and is not empty; leaves nothing behind then.
-Result<Project> newProject(const std::filesystem::path& dir);
 
 }  // namespace sward

@@ -11,8 +11,8 @@
 
 #include "core/jobs.h"
 #include "ecs/registry.h"
+#include "maps/map.h"
 #include "scene/features.h"
-#include "scene/map.h"
 
 namespace sward {
 

@@ -1,9 +1,9 @@
 #include "sky/daylight.h"
 
 #include "core/numerics.h"
-#include "scene/lights.h"
 #include "scene/project.h"
 #include "sky/exposure.h"
+#include "world/lights.h"
 
 namespace sward {
 namespace {

@@ -19,7 +19,7 @@ struct SkySums {
 };
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.
-void addSun(FrameGlobals& globals, const Project& project, double seconds);  // there must be one (scene/lights.h)
+void addSun(FrameGlobals& globals, const Project& project, double seconds);  // there must be one (world/lights.h)
 void addSky(FrameGlobals& globals, const Project& project, double seconds, SkySums& sums);  // there must be a Sky
 void addHaze(FrameGlobals& globals, const Project& project);                                // there must be a Fog
 // Lights beside the sun, relative to the eye (sky/lamps.h).

@@ -1,7 +1,7 @@
 #include "sky/wind.h"
 
 #include "frame/draw_context.h"
-#include "scene/wind.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

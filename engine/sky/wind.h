@@ -1,5 +1,5 @@
 // Hands the scene's wind to every shader that bends what grows (lib/wind.glsl): a block of numbers, and a picture of
-// gusts. Does not: say how hard it blows (scene/wind.h), bend anything. Cost: 96 bytes a frame; 64 KB for the picture
+// gusts. Does not: say how hard it blows (world/wind.h), bend anything. Cost: 96 bytes a frame; 64 KB for the picture
 // that is made.
 #pragma once
 #include "scene/rows.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "frame/draw_context.h"
-#include "scene/water.h"
+#include "world/water.h"
 
 namespace sward {
 

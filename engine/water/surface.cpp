@@ -1,7 +1,7 @@
 #include "water/surface.h"
 
-#include "scene/wind.h"
 #include "water/lake.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {

@@ -1,5 +1,5 @@
 // What an outline throws at a place: its push, added to others', and its press, of which the strongest counts (by the
-// blending). As outlineAt (scene/footprint.h) and forceAt (frame/forces.h) on the CPU.
+// blending). As outlineAt (mesh/footprint.h) and forceAt (world/forces.h) on the CPU.
 #include "lib/frame.glsl"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"

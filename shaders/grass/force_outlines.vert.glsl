@@ -1,4 +1,4 @@
-// A corner of the square around one outline (scene/footprint.h) in the map around the eye.
+// A corner of the square around one outline (mesh/footprint.h) in the map around the eye.
 #include "lib/frame.glsl"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(

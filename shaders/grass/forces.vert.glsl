@@ -1,4 +1,4 @@
-// A corner of the square around one force (frame/forces.h) in the map around the eye.
+// A corner of the square around one force (world/forces.h) in the map around the eye.
 #include "lib/frame.glsl"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(location = 0) in vec4 line;  // begin and end of its line: x, z relative to the eye

@@ -29,7 +29,7 @@ out vec3 texel;        // across (it repeats), up, layer
 out vec3 foot;         // the ground below, relative to the eye
 flat out vec4 images;  // sun: weights of the view's images: facing, side +, side -, above (behind is what is left);
                        // with LIGHT_COSINE its direction: facing, side, above
-flat out vec4 axes;  // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
+flat out vec4 axes;    // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
 flat out float lightLayer;
 out vec3 gain;      // of light from the sun
 out vec3 brighter;  // of any light

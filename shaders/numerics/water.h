@@ -1,6 +1,6 @@
 // Water: a level surface with small ripples, clear enough to see into. Directions are unit vectors, y is up; slopes are
 // metres a metre. Ripples are sines that each travel by the law of deep water, spread about the wind; their phases at
-// the eye are wrapped in double (scene/water.h), so that a month moves as the first second. Does not: breakers, foam,
+// the eye are wrapped in double (world/water.h), so that a month moves as the first second. Does not: breakers, foam,
 // caustics.
 
 const real kWaterIndex = real(1.333);

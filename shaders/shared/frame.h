@@ -53,7 +53,7 @@ struct LightsGlobals {
     LightGlobals lights[8];  // MAX_LIGHTS
 };
 
-// The wind, about the eye (scene/wind.h).
+// The wind, about the eye (world/wind.h).
 struct WindGlobals {
     SHARED_VEC4 way;  // x, z of the unit vector along which it blows; strength: lean (m per m) of a full gust at
                       // stiffness 1; turbulence
@@ -124,7 +124,7 @@ struct SpeciesGlobals {
     SHARED_VEC4 mask;    // of its shadow mask, x: radius; y: height (m); z, w: 0
 };
 
-// Water, about the eye (scene/water.h).
+// Water, about the eye (world/water.h).
 #define WATER_WAVES 10
 struct WaterGlobals {
     SHARED_VEC4 place;   // height relative to the eye; y, z: texture coordinates of what it mirrors, a clip unit (0:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "measure/formula_rows.h"
+#include "formulas/formula_rows.h"
 
 namespace sward {
 namespace {

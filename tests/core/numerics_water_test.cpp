@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/numerics.h"
-#include "scene/water.h"
+#include "world/water.h"
 
 namespace sward::test {
 namespace {

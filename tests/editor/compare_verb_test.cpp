@@ -4,7 +4,7 @@
 #include "cli/cli.h"
 #include "core/json.h"
 #include "core/log.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 #include "support.h"
 
 namespace sward::test {

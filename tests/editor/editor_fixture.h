@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../support.h"
-#include "editor/app.h"
+#include "editor/app/app.h"
 #include "editor/ui/driver.h"
 #include "techniques.h"
 

@@ -1,7 +1,8 @@
 // The sample projects and test scenes: their make.lua runs without a window and keeps what it promises.
 #include <gtest/gtest.h>
 
-#include "bakes.h"
+#include "model/bakes.h"
+#include "project/project_files.h"
 #include "script/script.h"
 #include "support.h"
 #include "techniques.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/mesh_io.h"
+#include "mesh/mesh_io.h"
 #include "script_stage.h"
 
 namespace sward {

@@ -1,9 +1,10 @@
 // The tools of a hybrid field, through the real widgets: tiers, rings, combing, overlays, erasing.
 #include <epoxy/gl.h>
 
-#include "brush_target.h"
 #include "editor_fixture.h"
-#include "frame/ground.h"
+#include "tools/brush_target.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

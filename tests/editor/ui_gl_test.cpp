@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "editor_fixture.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 
 namespace sward {
 namespace {

@@ -1,12 +1,12 @@
 // Forces in the shape of objects' outlines, as the list of a frame has them.
 #include "core/log.h"
-#include "frame/forces.h"
 #include "objects.h"
+#include "world/forces.h"
 
 namespace sward::test {
 namespace {
 
-// An L (as tests/scene/footprint_test.cpp) on level ground at (10, 10) among grass of 0.3 m.
+// An L (as tests/mesh/footprint_test.cpp) on level ground at (10, 10) among grass of 0.3 m.
 struct Scene {
     TempDir dir;
     Project p;

@@ -1,9 +1,11 @@
 // Pictures of the test scenes against stored ones: mean error 0.1/255, at most 1% of pixels off by more than 8.
 // On failure the actual picture, the stored one and their difference lie in the build folder, under golden/.
 // To store new ones after a wanted change: SWARD_WRITE_GOLDEN=1 build/release/sward_gl_tests --gtest_filter=Golden*
-#include "measure/heatmap.h"
-#include "measure/metrics.h"
+#include "metrics/heatmap.h"
+#include "metrics/metrics.h"
+#include "project/project_files.h"
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/numerics.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 #include "support.h"
 
 namespace sward {

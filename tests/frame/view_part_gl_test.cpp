@@ -3,7 +3,9 @@
 
 #include "../support.h"
 #include "frame/renderer.h"
+#include "project/project_files.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "frame/renderer.h"
 #include "scene/project.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 

@@ -2,9 +2,10 @@
 // them.
 #include "core/numerics.h"
 #include "frame/flower_image.h"
+#include "maps/map_io.h"
 #include "objects.h"
 #include "reference/reference.h"
-#include "scene/map_io.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -2,9 +2,9 @@
 #include <epoxy/gl.h>
 
 #include "core/numerics.h"
-#include "frame/forces.h"
 #include "objects.h"
 #include "shared/frame.h"
+#include "world/forces.h"
 
 namespace sward::test {
 namespace {

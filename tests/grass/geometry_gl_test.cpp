@@ -1,7 +1,8 @@
 #include <numeric>
 
-#include "measure/frame_stats.h"
+#include "cost/frame_stats.h"
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

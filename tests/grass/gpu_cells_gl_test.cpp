@@ -9,6 +9,7 @@
 #include "grass/comparison.h"
 #include "scenes.h"
 #include "support.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

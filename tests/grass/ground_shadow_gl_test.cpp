@@ -1,6 +1,7 @@
 // Known answers: where the shadow of one upright blade begins and ends, seen from straight above.
 #include "scene/population.h"
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

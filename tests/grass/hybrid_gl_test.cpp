@@ -9,6 +9,7 @@
 #include "grass/slice_textures.h"
 #include "grass/slices.h"
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "scenes.h"
 #include "support.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -1,7 +1,8 @@
 // The tessellated field: the same blades as geometry's, by stages or strips; levels, thinning, extreme settings.
+#include "cost/frame_stats.h"
 #include "grass/comparison.h"
-#include "measure/frame_stats.h"
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -1,9 +1,9 @@
 // Maps that repeat and blades of painted height, as pictures: each held against the same scene said in another way.
 #include <gtest/gtest.h>
 
-#include "frame/ground.h"
 #include "grass/cells.h"
 #include "scenes.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {

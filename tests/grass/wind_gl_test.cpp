@@ -1,11 +1,12 @@
 // How much of the wind each species takes, in pictures of every technique: by its stiffness.
-#include "scene/wind.h"
+#include "world/wind.h"
 
 #include <cmath>
 
 #include "reference/reference.h"
 #include "scenes.h"
 #include "support.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

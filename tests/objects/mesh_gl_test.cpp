@@ -1,6 +1,7 @@
 // Objects: drawn where they stand, on the ground, lit by the same light, counted, and gone without a trace.
-#include "frame/placement.h"
 #include "objects.h"
+#include "world/placement.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -1,5 +1,6 @@
 // Shadows of objects lie where geometry says, on ground, blades and objects, do not swim, and cost nothing at night.
 #include "objects.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/mesh_io.h"
-#include "scene/mesh_shapes.h"
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_shapes.h"
 #include "support.h"
 
 namespace sward {

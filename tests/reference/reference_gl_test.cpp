@@ -2,9 +2,10 @@
 #include "reference/reference.h"
 
 #include "core/numerics.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
 #include "scenes.h"
 #include "support.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

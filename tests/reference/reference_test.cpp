@@ -6,17 +6,18 @@
 
 #include "core/file.h"
 #include "core/numerics.h"
-#include "frame/forces.h"
+#include "maps/map_io.h"
 #include "objects.h"
 #include "reference/grass_rays.h"
 #include "reference/reference_part.h"
 #include "reference/solids.h"
-#include "scene/map_io.h"
 #include "scene/unique.h"
-#include "scene/wind.h"
 #include "sky/daylight.h"
 #include "sky/exposure.h"
 #include "support.h"
+#include "world/forces.h"
+#include "world/view_camera.h"
+#include "world/wind.h"
 
 namespace sward::test {
 namespace {

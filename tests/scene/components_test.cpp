@@ -7,8 +7,9 @@
 #include <set>
 
 #include "core/json.h"
+#include "project/project_files.h"
 #include "scene/project.h"
-#include "tests/scene/images.h"
+#include "tests/maps/images.h"
 #include "tests/support.h"
 
 using namespace sward;

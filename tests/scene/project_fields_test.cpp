@@ -1,10 +1,11 @@
 // Fields and maps by PATH, their values as text, snapshots, imports.
 #include <gtest/gtest.h>
 
-#include "scene/import.h"
-#include "scene/map_io.h"
+#include "maps/map_io.h"
+#include "project/import.h"
+#include "project/project_files.h"
 #include "scene/project.h"
-#include "tests/scene/images.h"
+#include "tests/maps/images.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;

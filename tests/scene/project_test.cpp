@@ -5,7 +5,8 @@
 
 #include <set>
 
-#include "scene/map_io.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;

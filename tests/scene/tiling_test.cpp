@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frame/ground.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {

@@ -1,4 +1,5 @@
 #include "scenes.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

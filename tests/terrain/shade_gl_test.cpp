@@ -2,6 +2,7 @@
 #include "terrain/shade.h"
 
 #include "objects.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -1,8 +1,9 @@
 // Water against geometry, against the ray-traced truth, and against what it may not cost.
 #include "core/numerics.h"
-#include "frame/ground.h"
 #include "objects.h"
 #include "reference/reference.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

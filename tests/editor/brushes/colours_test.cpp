@@ -5,7 +5,7 @@
 #include <set>
 
 #include "brushes/brush.h"
-#include "stroke.h"
+#include "tools/stroke.h"
 
 namespace sward {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "brushes/brush.h"
-#include "stroke.h"
+#include "tools/stroke.h"
 
 namespace sward {
 namespace {

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "document.h"
-#include "field_walk.h"
-#include "frame/forces.h"
-#include "frame/placement.h"
+#include "model/document.h"
+#include "model/field_walk.h"
+#include "project/project_files.h"
 #include "support.h"
 #include "techniques.h"
+#include "world/forces.h"
+#include "world/placement.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

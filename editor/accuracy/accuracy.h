@@ -1,0 +1,154 @@
+// What accuracy costs, as the editor shows it: the view beside the ray-traced truth or another technique, the project's
+// own time-appearance plot, a fit to a budget, and what a stroke adds. State and logic. Does not: draw;
+// panels/accuracy.cpp and panels/viewport_compare.cpp do. Nothing is run or kept while it is off.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/child_process.h"
+#include "core/jobs.h"
+#include "cost/cost.h"
+#include "frame/renderer.h"
+#include "gpu/resources.h"
+#include "metrics/metrics.h"
+#include "reference/reference.h"
+#include "world/view_camera.h"
+
+namespace sward {
+
+struct EditorApp;
+class Document;
+
+// --- passes of the reference: one sample a pixel each, of a seed of its own
+struct PassSum {
+    int width = 0, height = 0, passes = 0;
+    std::vector<double> sum, squares;  // RGB, linear
+    std::vector<double> grass;
+};
+void addPass(PassSum& sum, const Truth& pass);  // of the sum's size; the first gives it
+// Mean of the passes, its standard error by their scatter (infinite of one), and the share of grass.
+Truth meanOf(const PassSum& sum);
+double meanError(const Truth& truth);  // mean of error over pixels and channels
+inline constexpr int kMostPasses = 256;
+inline constexpr int kHeadlessPasses = 8;  // that a screenshot waits for
+inline constexpr double kCompareRestSeconds = 0.4;
+inline constexpr int kCompareWidth = 480;  // pixels: the reference is traced, and scores are taken, no wider
+// A size halved until it is at most kCompareWidth wide; at least 1 x 1.
+glm::ivec2 comparisonSize(int width, int height);
+
+// --- the comparison in the viewport
+enum class Against { Off, Reference, Hybrid, Geometry, Slices, Flat, Settings };
+inline constexpr const char* kAgainst[] = {"off", "reference", "hybrid", "geometry", "slices", "flat", "preview"};
+enum class CompareShow { Split, Error };
+inline constexpr const char* kCompareShows[] = {"split", "error"};
+
+// What a comparison is of; once it differs all that was made for it is dropped.
+struct ComparisonKey {
+    Against against = Against::Off;
+    uint64_t revision = ~uint64_t(0);
+    ViewCamera camera;
+    int width = 0, height = 0;  // of the viewport's picture
+    std::string settings;       // that a preview shows
+    bool operator==(const ComparisonKey& o) const;
+};
+struct ComparedPass {
+    std::shared_ptr<const ReferenceScene> scene;
+    PassSum sum;
+    Picture picture;
+    std::vector<float> grass;
+    double truthError = 0;
+    std::optional<Metrics> metrics;
+};
+struct Comparison {
+    Against against = Against::Off;
+    CompareShow show = CompareShow::Split;
+    ErrorMetric metric = ErrorMetric::Appearance;
+    float split = 0.5f;  // where the line is, as a share of the viewport's width
+    bool gripHovered = false;
+    std::optional<CostSetting> preview;  // what Against::Settings shows
+
+    ComparisonKey key;
+    double changed = -1e9;  // seconds: since when the key stands
+    // Made for the key alone.
+    Picture own, other;        // at the comparison's size
+    std::vector<float> grass;  // weights of the scores; empty: all pixels
+    PassSum sum;
+    double truthError = 0;
+    std::optional<Metrics> metrics;
+    Texture picture, heat;         // shown; no picture: nothing to show yet
+    std::vector<Texture> retired;  // that this frame's widgets may still show; gone in the next
+    bool topFirst = false;         // the picture's first row is its top
+    int strips = 0;                // of a technique's picture, drawn so far
+    bool heatDue = false;
+    Job<ComparedPass> job;
+    // Kept while only the camera moves.
+    std::shared_ptr<const ReferenceScene> scene;
+    std::shared_ptr<Project> copy;  // a snapshot, with the technique or settings that are shown
+    uint64_t copyRevision = ~uint64_t(0);
+    std::unique_ptr<Renderer> renderer;  // of a technique
+};
+// Another choice drops what was made for the last one; Off all of it.
+void compareWith(EditorApp& app, Against against);
+void previewSettings(EditorApp& app, const CostSetting& setting);
+void chooseMetric(EditorApp& app, ErrorMetric metric);
+// Once a frame, after the viewport's picture: starts, takes in, or drops what is due. Never waits, but for headless
+// screenshots.
+void followComparison(EditorApp& app);
+void endComparison(EditorApp& app);                 // with all its memory at once: no frame is being built
+bool comparing(const EditorApp& app);               // there is more to come though nothing moves
+std::string comparisonLabel(const EditorApp& app);  // "reference, 24 samples"
+std::string techniqueShown(Document& document);     // of the project's first field; "" without one
+
+// --- the project's own plot, measured by `sward cost` beside the editor
+struct Sweep {
+    ChildProcess child;
+    std::filesystem::path folder, copy;
+    double started = 0;
+    std::optional<CostRun> run;
+    std::string error;
+};
+// --- settings for a budget, by `sward fit`
+struct FitShown {
+    bool fits = false;
+    double budget = 0, ms = 0, appearance = 0, shippedMs = 0, shippedAppearance = 0;
+    std::string settings, better;  // better: the next better one that does not fit, described; "": none was seen
+    std::string error;
+};
+struct Fit {
+    ChildProcess child;
+    std::filesystem::path folder, copy;
+    double started = 0;
+    float budget = 16;  // ms
+    std::optional<FitShown> result;
+    std::string error;
+};
+
+struct Accuracy {
+    std::string program = "/proc/self/exe";  // that measures: this one
+    Comparison comparison;
+    Sweep sweep;
+    Fit fit;
+};
+
+// Starts on a copy of the project as it is now, at the camera shown or the first; what was measured before is reused.
+void startSweep(EditorApp& app);
+void startFit(EditorApp& app);
+void followRuns(EditorApp& app);  // once a frame: takes in what has ended
+bool measuring(const EditorApp& app);
+void stopSweep(EditorApp& app);  // kills it and drops its copy
+void stopFit(EditorApp& app);
+void stopRuns(EditorApp& app);               // both
+int rowsMeasured(const Sweep& sweep);        // so far, by the files that it keeps
+std::string accuracyCamera(EditorApp& app);  // the project's camera that is shown, or the first; "" without one
+
+// "maxGeom=6 msaa=4" of a technique.
+CostSetting settingOf(const std::string& technique, const std::string& text);
+// Whether the project is drawn by it, with the view as the editor's: 4 samples, all detail.
+bool isPresent(Document& document, const CostSetting& setting);
+// Sets each field of grass in one undo step. Settings of the view (msaa, detail) are not the project's: returns those.
+Result<std::vector<std::string>> adoptSettings(Document& document, const CostSetting& setting);
+Result<FitShown> fitFrom(const std::string& json);
+
+}  // namespace sward

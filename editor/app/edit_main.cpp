@@ -1,0 +1,46 @@
+#include "app/edit_main.h"
+
+#include "app/app.h"
+#include "model/bakes.h"
+#include "playtest/playtest.h"
+#include "script/script.h"
+#include "techniques.h"
+#include "ui/driver.h"
+#include "ui/window.h"
+#include "world/view_camera.h"
+
+namespace sward {
+namespace {
+
+int failed(const Error& error) {
+    logError(error.text());
+    return static_cast<int>(error.code);
+}
+
+}  // namespace
+
+int editMain(const std::filesystem::path& project) {
+    auto window = ui::openWindow(1440, 900, "Sward");
+    if (!window) return failed(window.error());
+    ui::Surface& surface = **window;
+    auto gpu = adoptCurrentGpu();
+    if (!gpu) return failed(gpu.error());
+    Document document(tables());
+    if (!project.empty())
+        if (const Status opened = document.open(project); !opened) return failed(opened.error());
+    EditorApp app(document, **gpu, std::move(*window), true);
+    app.autosave.on = true;
+    ui::installClipboard(surface);
+    const std::unique_ptr<UiDriver> driver = makeUiDriver(app);
+    ScriptHost host{document, driver.get()};
+    host.print = [](const std::string& line) { logInfo(line); };
+    host.useCamera = [&app](const std::string& name) { goToCamera(app, name); };
+    host.playStart = [&app] { return PlayStart{viewOf(app.viewport.camera), 0, true}; };
+    offerBakes(host);
+    ScriptConsole console(host);
+    app.runLua = [&console](const std::string& line) { return console.run(line); };
+    runUntilQuit(app);
+    return 0;
+}
+
+}  // namespace sward

@@ -1,0 +1,525 @@
+// The document: files · play · edits · strokes · undo and redo.
+#include "model/document.h"
+
+#include <set>
+
+#include "core/log.h"
+#include "model/field_walk.h"
+#include "model/history.h"
+#include "model/new_map.h"
+#include "playtest/playtest.h"
+#include "project/project_files.h"
+#include "scene/unique.h"
+#include "tools/stroke.h"
+
+namespace fs = std::filesystem;
+
+namespace sward {
+namespace {
+
+Error usage(std::string message, std::string remedy = "") {
+    return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
+}
+Error notWhilePlaying() {
+    return {ExitCode::Failed,
+            "the project is being played and cannot be changed, saved or left",
+            "",
+            0,
+            0,
+            "stop first: F5, or play.stop()"};
+}
+Error notOpen() { return {ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"}; }
+
+std::string folderName(const fs::path& dir) {
+    const fs::path clean = fs::absolute(dir).lexically_normal();
+    return (clean.has_filename() ? clean : clean.parent_path()).filename().string();
+}
+
+}  // namespace
+
+struct Document::Impl {
+    Tables tables;
+    History history;
+    std::optional<Project> project;
+    Project saved;  // as it is on disk
+    uint64_t revision = 1;
+    std::unique_ptr<Playtest> play;
+    struct {
+        uint64_t revision = 0;
+        bool value = false;
+    } dirtyAt;
+
+    int groupDepth = 0;
+    UndoStep group;
+
+    struct StrokePart {
+        std::string path;  // canonical
+        Stroke work;
+    };
+    struct ActiveStroke {
+        std::vector<StrokePart> parts;  // one a map
+        std::vector<Change> changes;    // one a component; `after` is filled in at the end
+        bool ended = false;
+        bool idle() const {
+            return std::all_of(parts.begin(), parts.end(), [](const StrokePart& p) { return p.work.idle(); });
+        }
+    };
+    std::optional<ActiveStroke> stroke;
+
+    Impl(const Tables& t, size_t undoBytes) : tables(t), history(undoBytes) {}
+    std::span<const ComponentRow> rows() const { return tables.components; }
+
+    std::shared_ptr<void> stateOf(const std::string& entity, const ComponentRow& row) const {
+        const void* value = componentOf(*project, entity, row);
+        return value ? row.clone(value) : nullptr;
+    }
+    Status ready() const;
+    void show(Project p);
+    void record(const std::string& label, std::vector<Change> changes);
+    Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
+    Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
+    void pump(double budgetMs);
+    void letGo();  // no more points
+    void finishStroke();
+    bool step(bool forward);
+};
+
+// --- files -------------------------------------------------------------------------------------------------------
+
+Status Document::Impl::ready() const {
+    if (!project) return notOpen();
+    if (play) return notWhilePlaying();
+    return {};
+}
+
+void Document::Impl::show(Project p) {
+    stroke.reset();
+    groupDepth = 0;
+    group = {};
+    history.clear();
+    project = std::move(p);
+    saved = snapshot(*project, rows());
+    ++revision;
+}
+
+Document::Document(const Tables& tables, size_t undoBytes) : impl_(std::make_unique<Impl>(tables, undoBytes)) {}
+Document::~Document() = default;
+
+Status Document::open(const fs::path& dir) {
+    if (impl_->play) return notWhilePlaying();
+    Result<Project> loaded = loadProject(dir, impl_->rows());
+    if (!loaded) return loaded.error();
+    impl_->show(std::move(*loaded));
+    return {};
+}
+
+Status Document::create(const fs::path& dir) {
+    if (impl_->play) return notWhilePlaying();
+    Result<Project> made = newProject(dir);
+    if (!made) return made.error();
+    impl_->show(std::move(*made));
+    return {};
+}
+
+Result<std::vector<std::string>> Document::save() {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    Project& p = *impl_->project;
+    auto written = saveProject(p, impl_->rows(), &impl_->saved);
+    if (!written) return written;
+    p.repairedMaps.clear();
+    impl_->saved = snapshot(p, impl_->rows());
+    ++impl_->revision;
+    if (Status s = checkUnique(p); !s) logWarning("saved, but it cannot be drawn: " + s.error().text());
+    return written;
+}
+
+// A project called after its folder is called after the new one.
+Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    Project& p = *impl_->project;
+    const fs::path oldDir = p.dir;
+    const std::string oldName = p.name;
+    std::error_code fault;
+    const bool existed = fs::exists(dir, fault);
+    if (!existed && !fs::create_directories(dir, fault))
+        return Error{ExitCode::Failed,      "cannot make the folder: " + fault.message(), dir.string(), 0, 0,
+                     "choose another place"};
+    p.dir = fs::absolute(dir).lexically_normal();
+    if (p.name == folderName(oldDir)) p.name = folderName(dir);
+    auto written = save();
+    if (!written) {
+        p.dir = oldDir;
+        p.name = oldName;
+        if (!existed) fs::remove_all(dir, fault);
+    }
+    return written;
+}
+
+Status Document::takeOver(const fs::path& dir, const std::string& label) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<Project> other = loadProject(dir, impl_->rows());
+    if (!other) return other.error();
+    std::set<std::string> names;
+    for (const auto& [name, entity] : project().entities) names.insert(name);
+    for (const auto& [name, entity] : other->entities) names.insert(name);
+    std::vector<Change> changes;
+    const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
+    for (const std::string& name : names) {
+        for (const ComponentRow& row : impl_->rows()) {
+            const void* after = componentOf(*other, name, row);
+            changes.push_back({name, &row, impl_->stateOf(name, row), after ? row.clone(after) : nullptr});
+        }
+        const bool before = project().entities.contains(name), after = other->entities.contains(name);
+        if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
+    }
+    dropEmptyChanges(changes);
+    applyChanges(project(), changes, true);
+    impl_->record(label, std::move(changes));
+    return {};
+}
+
+bool Document::isOpen() const { return impl_->project.has_value(); }
+
+bool Document::dirty() const {
+    if (!isOpen()) return false;
+    auto& known = impl_->dirtyAt;
+    if (known.revision != impl_->revision) {
+        const Project& p = *impl_->project;
+        known = {impl_->revision, !p.repairedMaps.empty() || !sameProject(p, impl_->saved, impl_->rows())};
+    }
+    return known.value;
+}
+
+Project& Document::project() {
+    CHECK(isOpen());
+    return *impl_->project;
+}
+const Tables& Document::tables() const { return impl_->tables; }
+uint64_t Document::revision() const { return impl_->revision; }
+
+// --- play --------------------------------------------------------------------------------------------------------
+
+Status Document::startPlay(const PlayStart& start) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    if (impl_->groupDepth > 0)
+        return Error{ExitCode::Failed,    "play cannot start while a value is being changed", "", 0, 0,
+                     "let go of it first"};
+    impl_->finishStroke();
+    Result<std::unique_ptr<Playtest>> play = Playtest::start(project(), impl_->rows(), start);
+    if (!play) return play.error();
+    impl_->play = std::move(*play);
+    return {};
+}
+
+void Document::stopPlay() { impl_->play.reset(); }
+Playtest* Document::play() { return impl_->play.get(); }
+const Playtest* Document::play() const { return impl_->play.get(); }
+
+// --- edits -------------------------------------------------------------------------------------------------------
+
+void Document::Impl::record(const std::string& label, std::vector<Change> changes) {
+    ++revision;
+    if (groupDepth > 0) {
+        for (Change& c : changes) mergeChange(group.changes, std::move(c));
+        return;
+    }
+    dropEmptyChanges(changes);
+    if (!changes.empty()) history.push({label, std::move(changes)});
+}
+
+// Edits the component that the field belongs to; the edit must leave it alone if it fails.
+Status Document::Impl::changeField(const std::string& label, const FieldRef& field,
+                                   const std::function<Status()>& edit) {
+    Change change{field.entity, field.component, stateOf(field.entity, *field.component), nullptr};
+    if (Status done = edit(); !done) return done;
+    change.after = stateOf(change.entity, *change.row);
+    record(label, {std::move(change)});
+    return {};
+}
+
+Status Document::setField(const std::string& path, const std::string& text) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<FieldRef> field = findField(project(), impl_->rows(), path);
+    if (!field) return field.error();
+    return impl_->changeField("set " + field->path, *field, [&] { return setFieldText(*field, text); });
+}
+
+Status Document::addEntity(const std::string& name) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<Entity> made = sward::addEntity(project(), name);
+    if (!made) return made.error();
+    impl_->record("add " + name, {{name, nullptr, nullptr, std::make_shared<bool>(true)}});
+    return {};
+}
+
+Status Document::removeEntity(const std::string& name) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    if (!project().entities.contains(name)) return usage(fmt::format("there is no entity \"{}\"", name));
+    std::vector<Change> changes;
+    for (const ComponentRow& row : impl_->rows())
+        if (auto before = impl_->stateOf(name, row)) changes.push_back({name, &row, std::move(before), nullptr});
+    changes.push_back({name, nullptr, std::make_shared<bool>(true), nullptr});
+    sward::removeEntity(project(), name);
+    impl_->record("remove " + name, std::move(changes));
+    return {};
+}
+
+Status Document::addComponent(const std::string& entity, const std::string& component) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const ComponentRow* row = findComponent(impl_->rows(), component);
+    if (!row) return usage(fmt::format("there is no component \"{}\"", component));
+    if (!project().entities.contains(entity)) return usage(fmt::format("there is no entity \"{}\"", entity));
+    if (impl_->stateOf(entity, *row)) return usage(fmt::format("\"{}\" has a {} already", entity, component));
+    row->assign(project().registry, findEntity(project(), entity), nullptr);
+    impl_->record(fmt::format("add {}.{}", entity, component), {{entity, row, nullptr, impl_->stateOf(entity, *row)}});
+    return {};
+}
+
+Status Document::removeComponent(const std::string& entity, const std::string& component) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const ComponentRow* row = findComponent(impl_->rows(), component);
+    auto before = row ? impl_->stateOf(entity, *row) : nullptr;
+    if (!before) return usage(fmt::format("\"{}\" has no component \"{}\"", entity, component));
+    row->remove(project().registry, findEntity(project(), entity));
+    impl_->record(fmt::format("remove {}.{}", entity, component), {{entity, row, std::move(before), nullptr}});
+    return {};
+}
+
+// The new element has the defaults of its kind, and a name that no other has.
+Status Document::addListElement(const std::string& listPath) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<FieldRef> field = findField(project(), impl_->rows(), listPath);
+    if (!field) return field.error();
+    if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
+    const ListRow& list = *field->row->list;
+    return impl_->changeField("add to " + field->path, *field, [&]() -> Status {
+        const std::vector<std::string> taken = elementSelectors(list, field->value);
+        const size_t n = list.size(field->value);
+        list.resize(field->value, n + 1);
+        void* made = list.at(field->value, n);
+        copyFields(list.fields, made, list.defaults());
+        auto& name = *reinterpret_cast<std::string*>(static_cast<std::byte*>(made) + list.fields[0].offset);
+        const std::string stem = name;
+        for (int i = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++i)
+            name = stem + std::to_string(i);
+        return {};
+    });
+}
+
+Status Document::removeListElement(const std::string& elementPath) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const size_t open = elementPath.rfind('[');
+    if (open == std::string::npos || !elementPath.ends_with("]"))
+        return usage(elementPath + " names no element of a list", "write entity.Component.list[name]");
+    const Result<FieldRef> field = findField(project(), impl_->rows(), elementPath.substr(0, open));
+    if (!field) return field.error();
+    if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
+    const Result<size_t> index = findElement(*field, elementPath.substr(open + 1, elementPath.size() - open - 2));
+    if (!index) return index.error();
+    const ListRow& list = *field->row->list;
+    return impl_->changeField("remove " + elementPath, *field, [&]() -> Status {
+        const size_t n = list.size(field->value);
+        for (size_t i = *index; i + 1 < n; ++i)
+            copyFields(list.fields, list.at(field->value, i), list.at(field->value, i + 1));
+        list.resize(field->value, n - 1);
+        return {};
+    });
+}
+
+Status Document::setMap(const std::string& mapPath, Map map, const std::string& label) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<FieldRef> field = findMap(project(), impl_->rows(), mapPath);
+    if (!field) return field.error();
+    if (map.empty()) return usage(field->path + ": an empty map", "set the field to \"\" to remove the map");
+    if (map.info().channels != field->row->mapChannels)
+        return usage(fmt::format("{}: a map of {} channels, where {} are wanted", field->path, map.info().channels,
+                                 field->row->mapChannels));
+    if (field->row->isHeight && map.info().type == PixelType::U8)
+        return usage(field->path + ": heights of 8 bits", "use 16 bits or floats");
+    return impl_->changeField(label, *field, [&]() -> Status {
+        auto& target = *static_cast<MapField*>(field->value);
+        target.file = mapFileFor(*field, map.info().type);
+        target.map = std::move(map);
+        return {};
+    });
+}
+
+Status Document::createMap(const std::string& mapPath) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    const Result<FieldRef> field = findField(project(), impl_->rows(), mapPath);
+    if (!field) return field.error();
+    if (field->row->type != FieldType::Map) return usage(field->path + " is not a map");
+    if (static_cast<const MapField*>(field->value)->present()) return {};
+    return setMap(field->path, newMap(project(), *field), "new map " + field->path);
+}
+
+void Document::beginGroup(const std::string& label) {
+    impl_->finishStroke();
+    if (impl_->groupDepth++ == 0) impl_->group = {label, {}};
+}
+
+void Document::endGroup() {
+    impl_->finishStroke();
+    if (impl_->groupDepth == 0) return;  // opening another project ends every group
+    if (--impl_->groupDepth > 0) return;
+    UndoStep done = std::move(impl_->group);
+    impl_->group = {};
+    dropEmptyChanges(done.changes);
+    if (!done.changes.empty()) impl_->history.push(std::move(done));
+}
+
+void Document::cancelGroup() {
+    impl_->finishStroke();
+    if (impl_->groupDepth == 0) return;
+    if (isOpen()) applyChanges(project(), impl_->group.changes, false);
+    impl_->group.changes.clear();
+    --impl_->groupDepth;
+    ++impl_->revision;
+}
+
+// --- strokes -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool create) {
+    const auto& target = *static_cast<const MapField*>(field.value);
+    if (!target.present() && !create)
+        return usage(field.path + ": there is no map to paint on", "create or import one first");
+    const MapKind kind = kindOf(*field.row);
+    if (paints(*findBrush(brush.mode), kind)) return {};
+    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)),
+                 "use " + brushesFor(kind));
+}
+
+}  // namespace
+
+Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSettings& brush, bool create) {
+    if (Status sound = checkBrush(brush); !sound) return sound.error();
+    const Result<FieldRef> field = findMap(*project, rows(), brush.map);
+    if (!field) return field.error();
+    if (Status fits = checkTarget(*field, brush, create); !fits) return fits.error();
+    const Result<MapScale> scale = mapScale(*project, *field);
+    if (!scale) return scale.error();
+    const auto& target = *static_cast<const MapField*>(field->value);
+    const MapInfo info = target.present() ? target.map.info() : newMapInfo(*project, *field);
+    BrushSettings settings = brush;
+    settings.low = field->row->isHeight ? -1e5f : 0.0f;
+    settings.high = field->row->isHeight ? 1e5f : 1.0f;
+    settings.colours = kindOf(*field->row) == MapKind::Colours;
+    return StrokePart{field->path, Stroke(*findBrush(brush.mode), settings, *scale, info, history.position())};
+}
+
+Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
+    return beginStrokes({&brush, 1}, x, z, false);
+}
+
+Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    Impl::ActiveStroke stroke;
+    for (const BrushSettings& brush : brushes) {
+        Result<Impl::StrokePart> part = impl_->strokePart(brush, create);
+        if (!part) return part.error();
+        stroke.parts.push_back(std::move(*part));
+    }
+    for (Impl::StrokePart& part : stroke.parts) {
+        const Result<FieldRef> field = findField(project(), impl_->rows(), part.path);
+        mergeChange(stroke.changes,
+                    {field->entity, field->component, impl_->stateOf(field->entity, *field->component), nullptr});
+        auto& target = *static_cast<MapField*>(field->value);
+        if (target.present()) continue;
+        target.map = newMap(project(), *field);
+        target.file = mapFileFor(*field, target.map.info().type);
+    }
+    impl_->stroke = std::move(stroke);
+    strokeTo(x, z);
+    return {};
+}
+
+void Document::strokeTo(double x, double z) {
+    if (!impl_->stroke || impl_->stroke->ended) return;
+    for (Impl::StrokePart& part : impl_->stroke->parts) part.work.moveTo(x, z);
+}
+
+void Document::Impl::pump(double budgetMs) {
+    if (!stroke) return;
+    for (StrokePart& part : stroke->parts) {
+        if (part.work.idle()) continue;
+        const Result<FieldRef> field = findField(*project, rows(), part.path);
+        CHECK(bool(field));  // nothing else is edited while a stroke is on
+        part.work.pump(static_cast<MapField*>(field->value)->map, budgetMs / static_cast<double>(stroke->parts.size()));
+        ++revision;
+    }
+    if (!stroke->ended || !stroke->idle()) return;
+    std::vector<Change> done = std::move(stroke->changes);
+    stroke.reset();
+    for (Change& c : done) c.after = stateOf(c.entity, *c.row);
+    record("stroke", std::move(done));
+}
+
+void Document::Impl::letGo() {
+    if (!stroke) return;
+    for (StrokePart& part : stroke->parts) part.work.end();
+    stroke->ended = true;
+}
+
+void Document::Impl::finishStroke() {
+    letGo();
+    pump(0);
+}
+
+bool Document::pumpStroke(double budgetMs) {
+    impl_->pump(budgetMs);
+    return impl_->stroke && !impl_->stroke->idle();
+}
+
+void Document::endStroke() {
+    if (!impl_->stroke) return;
+    impl_->letGo();
+    if (impl_->stroke->idle()) impl_->pump(0);
+}
+
+bool Document::stroking() const { return impl_->stroke.has_value(); }
+
+// --- undo and redo -----------------------------------------------------------------------------------------------
+
+bool Document::Impl::step(bool forward) {
+    finishStroke();
+    const UndoStep* next = project && !play && groupDepth == 0 ? history.next(forward) : nullptr;
+    if (!next) return false;
+    applyChanges(*project, next->changes, forward);
+    history.moved(forward);
+    ++revision;
+    return true;
+}
+
+bool Document::canUndo() const {
+    return !impl_->play && impl_->groupDepth == 0 && (impl_->stroke || impl_->history.next(false));
+}
+bool Document::canRedo() const {
+    return !impl_->play && impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true);
+}
+std::string Document::undoLabel() const {
+    if (impl_->stroke) return "stroke";
+    const UndoStep* next = impl_->history.next(false);
+    return next ? next->label : "";
+}
+std::string Document::redoLabel() const {
+    const UndoStep* next = impl_->history.next(true);
+    return next ? next->label : "";
+}
+bool Document::undo() { return impl_->step(false); }
+bool Document::redo() { return impl_->step(true); }
+
+}  // namespace sward

@@ -1,0 +1,105 @@
+// The open project with its undo history: the one door through which inspector, brushes and scripts change a scene.
+// Does not: draw, or know any widget.
+// An undo step is a list of component values before and after; their maps share tiles, so a step costs what it changed.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brushes/brush.h"
+#include "core/error.h"
+#include "scene/project.h"
+
+namespace sward {
+
+// One component of one entity, before and after; null: it was not there. Entities by name, never by handle.
+struct Change {
+    std::string entity;
+    const ComponentRow* row = nullptr;  // null: the entity itself came or went
+    std::shared_ptr<void> before, after;
+};
+struct UndoStep {
+    std::string label;  // "stroke", "set lawn.GrassField.maxGeom"
+    std::vector<Change> changes;
+};
+
+class Playtest;
+struct PlayStart;
+
+class Document {
+  public:
+    explicit Document(const Tables& tables, size_t undoBytes = size_t(512) << 20);
+    ~Document();
+
+    // --- files: a failure leaves the document as it was
+    Status open(const std::filesystem::path& dir);
+    Status create(const std::filesystem::path& dir);
+    Result<std::vector<std::string>> save();  // the files written
+    Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
+    // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
+    Status takeOver(const std::filesystem::path& dir, const std::string& label);
+    bool isOpen() const;
+    bool dirty() const;  // differs from what is on disk
+    Project& project();
+    const Tables& tables() const;
+    uint64_t revision() const;  // grows with every change, undo and redo
+
+    // --- play: a copy runs while the project stays as it is; until it stops, files, edits, strokes, undo and redo are
+    // refused. A stroke under way is finished first. Fails while a group is open (something is being dragged), while it
+    // is played already, and as Playtest::start does.
+    Status startPlay(const PlayStart& start);
+    void stopPlay();
+    Playtest* play();  // null: not played
+    const Playtest* play() const;
+
+    // --- edits: each is one undo step, unless within a group
+    Status setField(const std::string& path, const std::string& text);
+    Status addEntity(const std::string& name);
+    Status removeEntity(const std::string& name);
+    Status addComponent(const std::string& entity, const std::string& component);
+    Status removeComponent(const std::string& entity, const std::string& component);
+    Status addListElement(const std::string& listPath);
+    Status removeListElement(const std::string& elementPath);
+    // A map that is not there yet, as model/new_map.h makes it; nothing if it is there.
+    Status createMap(const std::string& mapPath);
+    // Replaces a map's texels (imports, fills). A new map's file name follows the convention
+    // "maps/entity.species.map.ext".
+    Status setMap(const std::string& mapPath, Map map, const std::string& label);
+    void beginGroup(const std::string& label);  // nests; sliders hold one while dragged
+    void endGroup();
+    // Takes back what the outermost group has changed so far, and ends this level of it: for an edit of several parts
+    // of which one failed.
+    void cancelGroup();
+
+    // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
+    // Status fails if the map does not exist, is not of a kind that the brush paints, or a setting is not finite or
+    // names no brush.
+    // Large stamps are spread: strokeTo queues, pumpStroke works them off, tile by tile. Any other edit, undo, redo and
+    // save first work off the whole stroke. Points far outside the terrain are pulled to it.
+    Status beginStroke(const BrushSettings& brush, double x, double z);
+    // The same on several maps at once, a brush for each. `create`: maps that are not there yet are made first
+    // (model/new_map.h), within the step.
+    Status beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create);
+    void strokeTo(double x, double z);
+    // Works off queued stamps for at most budgetMs (0: all). True while work is left.
+    bool pumpStroke(double budgetMs);
+    void endStroke();       // works off the rest on later pumps; the step is complete then
+    bool stroking() const;  // from beginStroke until the step is complete
+
+    // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes
+    // the oldest steps go, but never the newest; counted are the tiles that a step alone keeps.
+    bool canUndo() const;
+    bool canRedo() const;
+    std::string undoLabel() const;
+    std::string redoLabel() const;
+    bool undo();
+    bool redo();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sward

@@ -1,0 +1,55 @@
+#include "model/new_map.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "tools/stroke.h"
+
+namespace sward {
+namespace {
+
+// Metres that the map covers along its longer side; a scene without ground gets a modest map.
+double extentOf(const Project& p, const FieldRef& map) {
+    const Result<MapScale> scale = mapScale(p, map);
+    return scale ? std::max(scale->width, scale->depth) : 100;
+}
+
+// Rows of texels with these values, as they lie in memory.
+std::vector<std::byte> rowOf(const MapInfo& info, const glm::vec4& value) {
+    Map row({info.width, 1, info.channels, info.type});
+    for (int x = 0; x < info.width; ++x)
+        for (int c = 0; c < info.channels; ++c) row.set(x, 0, c, value[c]);
+    std::vector<std::byte> bytes(size_t(info.width) * row.texelBytes());
+    row.readRows(0, 1, bytes.data());
+    return bytes;
+}
+
+}  // namespace
+
+MapInfo newMapInfo(const Project& p, const FieldRef& map) {
+    const double perMetre = std::string_view(map.row->name) == "density" || map.row->isForce ? 8 : 4;
+    const double side = std::exp2(std::ceil(std::log2(std::clamp(extentOf(p, map) * perMetre, 256.0, 4096.0))));
+    return {static_cast<int>(side), static_cast<int>(side), map.row->mapChannels, map.row->mapType};
+}
+
+Map newMap(const Project& p, const FieldRef& map) {
+    const MapInfo info = newMapInfo(p, map);
+    Map made(info);
+    const MapKind kind = kindOf(*map.row);
+    if (kind == MapKind::Colours) return made;
+    const std::vector<std::byte> row =
+        rowOf(info, kind == MapKind::Amounts ? glm::vec4(1) : glm::vec4(0.5f, 0.5f, 0, 0));
+    for (int y = 0; y < info.height; ++y) made.writeRows(y, 1, row.data());
+    return made;
+}
+
+std::string describeNewMap(const Project& p, const FieldRef& map) {
+    const MapInfo info = newMapInfo(p, map);
+    const double bytes = double(info.width) * info.height * info.channels * static_cast<double>(pixelBytes(info.type));
+    return fmt::format("{} x {} texels, {:.3g} a metre, {:.2g} MB", info.width, info.height,
+                       info.width / extentOf(p, map), bytes / 1e6);
+}
+
+}  // namespace sward

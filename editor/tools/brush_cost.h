@@ -1,0 +1,36 @@
+// What painting adds: blades under the brush, blades that a stroke brought or took, and about how many ms a frame that
+// is. Does not: paint or draw. Cost: the texels under the brush (at most some 10,000), and 0.1 ms a tile that the
+// stroke has changed.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+
+#include "maps/map.h"
+#include "tools/stroke.h"
+
+namespace sward {
+
+struct EditorApp;
+
+struct BrushCost {
+    std::optional<double> under;   // blades; nothing: no density is painted, or the pointer is elsewhere
+    std::optional<double> stroke;  // blades that the present or last stroke added, below 0: took
+    double grassMs = 0;            // of the last measured frame's grass; 0: none was measured
+    bool stroking = false;
+    std::map<std::string, Map> before;  // density maps by PATH, as they were when the stroke began
+    uint64_t revision = ~uint64_t(0);   // that the stroke was counted for
+};
+void followBrushCost(EditorApp& app);  // once a frame
+// "+0.4 ms": the measured grass's time times the share by which the blades in view grow. Nothing without a measured
+// frame.
+std::optional<double> strokeMs(const EditorApp& app);
+
+// Blades that grow within a disc on the terrain, in metres: density x bladesPerM2 over the texels whose centres lie in
+// it. An empty map is density 1. Large discs are sampled at every second, third ... texel.
+double bladesInDisc(const Map& density, double bladesPerM2, const MapScale& scale, double x, double z, double radius);
+// How many more blades `now` has than `before`; only tiles that differ are read.
+// A map that repeats counts once.
+double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale);
+
+}  // namespace sward

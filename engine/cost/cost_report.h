@@ -1,0 +1,15 @@
+// What a sweep found, as one HTML file that opens alone: plots, a table that sorts, and for each row of the frontier
+// the truth, the picture and maps of its errors, all within the file. Does not: measure.
+#pragma once
+#include <filesystem>
+
+#include "cost/cost.h"
+
+namespace sward {
+
+// Writes cost.csv, cost.json, plot-<camera>.svg and .png, and report.html into the folder, each atomically. `work`:
+// where the sweep kept its pictures; those that are not there are left out of the report.
+Status writeCostFiles(const CostRun& run, const std::filesystem::path& folder, const std::filesystem::path& work);
+std::string base64(std::string_view bytes);
+
+}  // namespace sward

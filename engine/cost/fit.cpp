@@ -1,0 +1,284 @@
+// Index: candidates · measuring one · the search · the grid · cameras that were not seen · all of it.
+#include "cost/fit.h"
+#include "cost/cost_times.h"
+
+#include <map>
+
+#include "core/json.h"
+#include "cost/cost_truth.h"
+#include "world/view_camera.h"
+
+namespace sward {
+namespace {
+
+constexpr int kFrames = 5, kLeastFrames = 3;  // of a timing's median, after one that is not counted
+constexpr double kTimedMs = 1500;             // more than the least number only within this time
+constexpr double kHopeless =
+    1.5;  // times the budget: a candidate slower than that from one camera is not drawn from others
+constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
+
+// --- candidates --------------------------------------------------------------------------------------------------
+// What the search moves, each as a factor of the field's own value (sharpness: as a sum).
+struct Knobs {
+    double near = 1, far = 1, fade = 1, sharpness = 0;
+    auto operator<=>(const Knobs&) const = default;
+};
+constexpr double Knobs::*kFactors[] = {&Knobs::near, &Knobs::far, &Knobs::fade};
+
+std::string value(const char* name, double v) {
+    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
+}
+
+// Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
+std::vector<std::string> valuesOf(const GrassField& own, const Knobs& k) {
+    const double maxGeom = std::clamp(own.maxGeom * k.near, 0.1, 1e5);
+    const double minGeom = std::clamp(own.minGeom * k.near / k.fade, 0.0, maxGeom);
+    const double maxBTF = std::max(own.maxBTF * k.far, maxGeom),
+                 minBTF = std::clamp(own.minBTF * k.far / k.fade, std::min(maxGeom, maxBTF), maxBTF);
+    const double sharpness = std::clamp(own.sharpness + k.sharpness, 0.0, 8.0);
+    return {value("minGeom", minGeom), value("maxGeom", maxGeom), value("minBTF", minBTF), value("maxBTF", maxBTF),
+            value("sharpness", sharpness)};
+}
+
+struct Seen {
+    const CostView& view;
+    CostTruth truth;
+};
+struct Search {
+    const FitRequest& request;
+    const Project& project;
+    const Tables& tables;
+    Gpu& gpu;
+    const CostProgress& progress;
+    Renderer renderer{gpu, tables};
+    GrassField own = {};
+    std::vector<Seen> views = {};
+    std::map<std::vector<std::string>, FitCandidate> seen = {};
+    int limit = 0;
+};
+Error stopped() { return {ExitCode::Interrupted, "interrupted; nothing was changed", "", 0, 0, ""}; }
+
+// --- measuring one -----------------------------------------------------------------------------------------------
+struct Drawing {
+    Project project;
+    ViewCamera camera;
+    ViewSettings view;
+};
+Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const CostView& from) {
+    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit),
+                    static_cast<double>(s.seen.size()) / std::max(1, s.limit)))
+        return stopped();
+    Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
+    d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
+    d.view.time = s.request.cost.time + from.since;
+    if (Status st = applySetting(d.project, s.tables, {"hybrid", values}, d.view); !st) return st.error();
+    return d;
+}
+Result<double> frameMs(Search& s, Drawing& d) {
+    const auto start = std::chrono::steady_clock::now();
+    if (Status st = s.renderer.draw(d.project, d.camera, d.view); !st) return st.error();
+    s.renderer.finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+// The median of some frames; of one alone, if that took longer than `most`.
+Result<double> medianMs(Search& s, Drawing& d, double most) {
+    if (auto warm = frameMs(s, d); !warm) return warm;
+    std::vector<double> ms;
+    double sum = 0;
+    for (int i = 0; i < kFrames && (i < kLeastFrames || sum < kTimedMs); ++i) {
+        auto took = frameMs(s, d);
+        if (!took) return took;
+        ms.push_back(*took), sum += *took;
+        if (i == 0 && *took > most) break;
+    }
+    return quantileOf(ms, 0.5);
+}
+Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const CostView& view) {
+    auto d = drawingOf(s, values, view);
+    if (!d) return d.error();
+    if (auto ms = frameMs(s, *d); !ms) return ms.error();
+    return pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear());
+}
+Result<double> errorOf(const Picture& picture, const CostTruth& truth) {
+    auto pair = pairPictures(picture, truth.picture, truth.grass);
+    if (!pair) return pair.error();
+    return appearance(*pair).distance;
+}
+// Time and error from one camera, added to the candidate's; the error unless it is far too slow.
+Status measureFrom(Search& s, const Seen& v, FitCandidate& c, double most) {
+    auto d = drawingOf(s, c.values, v.view);
+    if (!d) return d.error();
+    auto ms = medianMs(s, *d, most);
+    if (!ms) return ms.error();
+    c.ms = std::max(c.ms, *ms);
+    if (*ms > most) return {};
+    auto error = errorOf(pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear()), v.truth);
+    if (!error) return error.error();
+    c.appearance += *error / static_cast<double>(s.views.size());
+    return {};
+}
+// Each candidate once; asked again it is remembered. One that takes far more than the budget from a camera has no
+// error.
+Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values, bool whole = false) {
+    if (const auto it = s.seen.find(values); it != s.seen.end()) return it->second;
+    const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
+    FitCandidate c{values, 0, 0};
+    for (const Seen& v : s.views) {
+        if (Status st = measureFrom(s, v, c, most); !st) return st.error();
+        if (c.ms <= most) continue;
+        c.appearance = std::numeric_limits<double>::infinity();
+        break;
+    }
+    return s.seen[values] = c;
+}
+
+// --- the search --------------------------------------------------------------------------------------------------
+bool better(const FitCandidate& a, const FitCandidate& b, double budget) {
+    const bool fitsA = a.ms <= budget, fitsB = b.ms <= budget;
+    if (fitsA != fitsB) return fitsA;
+    return fitsA ? a.appearance < b.appearance : a.ms < b.ms;
+}
+std::vector<Knobs> around(const Knobs& k, double step) {
+    std::vector<Knobs> out;
+    for (const auto knob : kFactors)
+        for (const double factor : {step, 1 / step}) {
+            Knobs n = k;
+            n.*knob *= factor;
+            if (n.fade >= 1 && n.fade <= 4) out.push_back(n);
+        }
+    for (const double add : {-std::log2(step), std::log2(step)}) {
+        Knobs n = k;
+        n.sharpness += add;
+        out.push_back(n);
+    }
+    return out;
+}
+// From a start: to the best neighbour as long as one is better, then with smaller steps.
+Status search(Search& s, Knobs at) {
+    auto here = measured(s, valuesOf(s.own, at));
+    if (!here) return here.error();
+    for (double step = kStep; step >= kLeastStep && static_cast<int>(s.seen.size()) < s.limit;) {
+        std::optional<Knobs> next;
+        for (const Knobs& k : around(at, step)) {
+            if (static_cast<int>(s.seen.size()) >= s.limit) break;
+            auto there = measured(s, valuesOf(s.own, k));
+            if (!there) return there.error();
+            if (better(*there, *here, s.request.budgetMs)) here = there, next = k;
+        }
+        if (next)
+            at = *next;
+        else
+            step = std::sqrt(step);
+    }
+    return {};
+}
+
+// --- the grid ----------------------------------------------------------------------------------------------------
+Result<FitCandidate> gridBest(Search& s) {
+    FitCandidate best;
+    for (const double near : {0.5, 1.0, 2.0})
+        for (const double far : {0.5, 1.0, 2.0})
+            for (const double sharpness : {-1.0, 0.0, 1.0}) {
+                auto c = measured(s, valuesOf(s.own, {near, far, 1, sharpness}));
+                if (!c) return c;
+                if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
+            }
+    return best;
+}
+
+// --- cameras that were not seen ----------------------------------------------------------------------------------
+Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    FitHeldOut out{0, 0, std::isfinite(found.gridBest.appearance) ? 0 : none,
+                   std::isfinite(found.gridBest.appearance) ? "" : "no point of the grid fits the budget"};
+    int taken = 0;
+    for (const CostView& seen : s.request.cost.views) {
+        const CostView view{seen.name + ", moved", heldOutCamera(seen.camera), seen.since};
+        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
+        if (!truth && truth.error().code == ExitCode::Interrupted) return truth.error();
+        if (!truth) {
+            out.note += (out.note.empty() ? "" : "; ") + view.name + " was left out: " + truth.error().message;
+            continue;
+        }
+        ++taken;
+        const std::pair<double*, const FitCandidate*> all[] = {
+            {&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
+        for (const auto& [sum, candidate] : all) {
+            if (candidate->values.empty()) continue;
+            auto picture = pictureOf(s, candidate->values, view);
+            if (!picture) return picture.error();
+            auto error = errorOf(*picture, *truth);
+            if (!error) return error.error();
+            *sum += *error;
+        }
+    }
+    for (double* sum : {&out.shipped, &out.fitted, &out.grid}) *sum = taken > 0 ? *sum / taken : none;
+    return out;
+}
+
+// --- all of it ---------------------------------------------------------------------------------------------------
+Status traceTruths(Search& s) {
+    for (const CostView& view : s.request.cost.views) {
+        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
+        if (!truth) return truth.error();
+        s.views.push_back({view, std::move(*truth)});
+    }
+    return {};
+}
+// The best of all that were measured, and the cheapest of those that are better still.
+void choose(const Search& s, FitResult& r) {
+    for (const auto& [values, c] : s.seen)
+        if (r.best.values.empty() || better(c, r.best, s.request.budgetMs)) r.best = c;
+    r.fits = r.best.ms <= s.request.budgetMs;
+    for (const auto& [values, c] : s.seen)
+        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance &&
+            (r.given.values.empty() || c.ms < r.given.ms))
+            r.given = c;
+    r.tried = static_cast<int>(s.seen.size());
+}
+
+}  // namespace
+
+ViewCamera heldOutCamera(ViewCamera c) {
+    const glm::dvec3 ahead = c.target - c.eye;
+    const glm::dvec2 flat(ahead.x, ahead.z);
+    const double length = std::max(glm::length(flat), 1e-3), angle = glm::radians(20.0);
+    c.eye += glm::dvec3(-ahead.z, 0, ahead.x) / length * (0.125 * glm::length(ahead));
+    c.target = c.eye + glm::dvec3(ahead.x * std::cos(angle) - ahead.z * std::sin(angle), ahead.y,
+                                  ahead.x * std::sin(angle) + ahead.z * std::cos(angle));
+    return c;
+}
+
+Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
+                         const CostProgress& progress) {
+    std::error_code ec;
+    std::filesystem::create_directories(request.cost.folder, ec);
+    if (ec)
+        return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.cost.folder.string(), 0, 0,
+                     "choose another"};
+    Search s{request, project, tables, gpu, progress};
+    s.limit = request.candidates;
+    const GrassField* field = nullptr;
+    for (const auto& [name, e] : project.entities)
+        if (!field) field = project.registry.get<GrassField>(e);
+    if (field) s.own = *field;
+    if (!field)
+        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    if (Status st = traceTruths(s); !st) return st.error();
+    FitResult r;
+    auto shipped = measured(s, valuesOf(s.own, {}), true);
+    if (!shipped) return shipped.error();
+    if (Status st = search(s, {}); !st) return st.error();
+    auto grid = gridBest(s);
+    if (!grid) return grid.error();
+    choose(s, r);
+    r.shipped = *shipped, r.gridBest = *grid;
+    if (r.fits) {
+        auto held = heldOut(s, r);
+        if (!held) return held.error();
+        r.heldOut = *held;
+    }
+    return r;
+}
+
+}  // namespace sward

@@ -1,0 +1,144 @@
+#include "cost/frame_stats.h"
+
+#include <sys/resource.h>
+
+#include "core/json.h"
+#include "frame/draw_context.h"
+#include "gpu/timer.h"
+#include "grass/cells.h"
+#include "world/view_camera.h"
+
+namespace sward {
+namespace {
+
+// The value below which a share of the sorted values lies (nearest rank).
+double quantile(const std::vector<double>& sorted, double share) {
+    if (sorted.empty()) return 0;
+    return sorted[std::min(sorted.size() - 1, static_cast<size_t>(share * static_cast<double>(sorted.size())))];
+}
+
+Json frameMs(std::vector<double> ms) {
+    std::sort(ms.begin(), ms.end());
+    Json j;
+    j["median"] = quantile(ms, 0.5);
+    j["p95"] = quantile(ms, 0.95);
+    j["min"] = ms.empty() ? 0.0 : ms.front();
+    return j;
+}
+
+Json passJson(const PassStats& p) {
+    Json j;
+    j["name"] = p.name;
+    j["ms"] = p.ms;
+    j["draws"] = p.draws;
+    j["instances"] = p.instances;
+    j["vertices"] = p.vertices;
+    j["fragments"] = p.fragments;
+    return j;
+}
+
+Json names(const std::vector<std::string>& list) {
+    Json j = Json::makeArray();
+    for (const std::string& n : list) j.push(n);
+    return j;
+}
+
+const char* techniqueOf(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const GrassField* f = p.registry.get<GrassField>(e)) return kTechniques[f->technique];
+    return "none";
+}
+
+Json bladesJson(const FrameStats& s) {
+    Json j;
+    j["virtual"] = static_cast<uint64_t>(std::llround(s.bladesVirtual));
+    j["geometry"] = s.bladesGeometry;
+    j["geometry_visible"] = s.bladesVisible;
+    j["slice_quads"] = s.sliceQuads;
+    j["macro_cells"] = s.macroCells;
+    return j;
+}
+
+Json memoryJson(const FrameStats& s) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    Json j;
+    j["gpu_bytes"] = s.gpuBytes;
+    j["bake_bytes"] = 0;
+    j["host_peak_bytes"] = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
+    return j;
+}
+
+Json recordJson(const FrameRecord& r, const Project& project, const Gpu& gpu, int width, int height, int msaa) {
+    Json j;
+    j["sward"] = SWARD_VERSION;
+    j["renderer"] = gpu.renderer;
+    j["project"] = project.name;
+    j["camera"] = r.camera;
+    j["technique"] = techniqueOf(project);
+    j["size"].push(width);
+    j["size"].push(height);
+    j["msaa"] = msaa;
+    j["frames"] = r.frameMs.size();
+    j["frame_ms"] = frameMs(r.frameMs);
+    j["timing"] = GpuTimer::kind(gpu);
+    j["passes"] = Json::makeArray();
+    for (const PassStats& p : r.stats.passes) j["passes"].push(passJson(p));
+    j["blades"] = bladesJson(r.stats);
+    j["memory"] = memoryJson(r.stats);
+    j["features"] = names(r.stats.features);
+    j["programs"] = names(r.stats.programs);
+    j["systems"] = names(r.stats.systems);
+    return j;
+}
+
+// count(query) over the species of the field that is drawn: the first by name.
+template <class F>
+uint64_t sumOverSpecies(const Project& project, const ViewCamera& camera, int width, int height, F&& count) {
+    const Ground ground = findGround(project);
+    if (!ground.terrain) return 0;
+    HeightBounds bounds;
+    updateHeightBounds(bounds, *ground.terrain);
+    const Frustum frustum = frustumOf(viewProjection(camera, width, height));
+    uint64_t sum = 0;
+    for (const auto& [name, e] : project.entities) {
+        const GrassField* f = project.registry.get<GrassField>(e);
+        if (!f) continue;
+        for (size_t i = 0; i < std::min<size_t>(f->species.size(), MAX_SPECIES); ++i) {
+            const Species& s = f->species[i];
+            const UniqueBlades own = isUnique(*f) ? makeUnique(s, *f, *ground.terrain) : UniqueBlades{};
+            const Patch patch = isUnique(*f) ? own.patch : makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
+            CellQuery q = cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum,
+                                    pixelsPerMetre(camera, height));
+            if (!own.empty()) q.unique = &own;
+            sum += count(q);
+        }
+        break;
+    }
+    return sum;
+}
+
+}  // namespace
+
+uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int width, int height) {
+    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) { return countVisible(q); });
+}
+
+uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int width, int height) {
+    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) {
+        uint64_t sum = 0;
+        for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
+        return sum;
+    });
+}
+
+std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,
+                           int height, int msaa) {
+    if (records.size() == 1) return writeJson(recordJson(records[0], project, gpu, width, height, msaa));
+    Json all;
+    all["cameras"] = Json::makeArray();
+    for (const FrameRecord& r : records) all["cameras"].push(recordJson(r, project, gpu, width, height, msaa));
+    return writeJson(all);
+}
+
+}  // namespace sward

@@ -1,0 +1,60 @@
+#include "formulas/expected_values.h"
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace sward {
+namespace {
+
+using Json = nlohmann::json;
+
+void flatten(const Json& value, std::vector<double>& out) {
+    if (value.is_array()) {
+        for (const Json& item : value) flatten(item, out);
+    } else if (value.is_boolean()) {
+        out.push_back(value.get<bool>() ? 1 : 0);
+    } else if (value.is_null()) {
+        out.push_back(std::numeric_limits<double>::quiet_NaN());
+    } else if (value.is_number()) {
+        out.push_back(value.get<double>());
+    } else if (value == "u" || value == "v" || value == "g") {
+        out.push_back(value == "u" ? 0 : value == "v" ? 1 : 2);
+    }
+}
+
+ExpectedRecord recordOf(const Json& object) {
+    ExpectedRecord record;
+    for (const auto& [field, value] : object.items()) flatten(value, record[field]);
+    return record;
+}
+
+}  // namespace
+
+Result<ExpectedValues> loadExpectedValues(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream)
+        return Error{ExitCode::Failed, "cannot read the expected values", file, 0, 0, "run from the source tree"};
+    const Json json = Json::parse(stream, nullptr, false);
+    if (!json.is_object()) return Error{ExitCode::Unsound, "is not a JSON object", file, 0, 0, ""};
+    ExpectedValues values;
+    for (const auto& [group, records] : json.items()) {
+        if (!records.is_array()) continue;
+        for (const Json& record : records) values[group].push_back(recordOf(record));
+    }
+    return values;
+}
+
+std::string expectedValuesFile() {
+    const std::filesystem::path name = std::filesystem::path("tests") / "data" / "hard-cases-expected.json";
+    std::error_code error;
+    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error) {
+        const auto beside = executable.parent_path().parent_path().parent_path() / name;
+        if (std::filesystem::exists(beside, error)) return beside.string();
+    }
+    return (std::filesystem::path(SWARD_SOURCE_DIR) / name).string();
+}
+
+}  // namespace sward

@@ -1,0 +1,187 @@
+// OpenImageIO costs three seconds to compile: it is included here and nowhere else.
+#include "maps/image_file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "maps/image_head.h"
+
+namespace sward {
+namespace {
+
+Error unsound(const std::filesystem::path& file, std::string message, std::string remedy = {}) {
+    return {ExitCode::Unsound, std::move(message), file.string(), 0, 0, std::move(remedy)};
+}
+
+void useAllCores() {
+    static const bool once = [] {
+        const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        OIIO::attribute("threads", cores);
+        OIIO::attribute("exr_threads", cores);
+        return true;
+    }();
+    (void)once;
+}
+
+// Values as they stand in the file: alpha is never multiplied in or out.
+OIIO::ImageSpec asStored() {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);
+    return hints;
+}
+
+std::optional<PixelType> typeOf(const OIIO::TypeDesc& type) {
+    switch (type.basetype) {
+        case OIIO::TypeDesc::UINT8:
+            return PixelType::U8;
+        case OIIO::TypeDesc::UINT16:
+            return PixelType::U16;
+        case OIIO::TypeDesc::HALF:
+        case OIIO::TypeDesc::FLOAT:
+            return PixelType::F32;
+        default:
+            return {};
+    }
+}
+
+OIIO::TypeDesc descOf(PixelType type) {
+    return type == PixelType::U8    ? OIIO::TypeDesc::UINT8
+           : type == PixelType::U16 ? OIIO::TypeDesc::UINT16
+                                    : OIIO::TypeDesc::FLOAT;
+}
+
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+class OiioReader final : public ImageReader {
+  public:
+    OiioReader(std::filesystem::path file, std::unique_ptr<OIIO::ImageInput> input, MapInfo info)
+        : file_(std::move(file)), input_(std::move(input)), info_(info), first_(input_->spec().y) {}
+    const MapInfo& info() const override { return info_; }
+
+    Status readRows(int y0, int rows, void* out) override {
+        try {
+            return tiled() ? readFromTiles(y0, rows, out) : readFromScanlines(y0, rows, out);
+        } catch (const std::exception& e) {
+            return truncated(e.what());
+        }
+    }
+
+  private:
+    bool tiled() const { return input_->spec().tile_width > 0; }
+    Error truncated(const std::string& why) const {
+        return unsound(file_, fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again");
+    }
+    Status readFromScanlines(int y0, int rows, void* out) {
+        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, descOf(info_.type),
+                                   out))
+            return {};
+        return truncated(input_->geterror());
+    }
+    // Tiles may be of any height, so the whole image is read at the first call.
+    Status readFromTiles(int y0, int rows, void* out) {
+        const size_t rowBytes = size_t(info_.width) * size_t(info_.channels) * pixelBytes(info_.type);
+        if (whole_.empty()) {
+            whole_.resize(rowBytes * size_t(info_.height));
+            if (!input_->read_image(0, 0, 0, info_.channels, descOf(info_.type), whole_.data()))
+                return truncated(input_->geterror());
+        }
+        std::memcpy(out, whole_.data() + rowBytes * size_t(y0), rowBytes * size_t(rows));
+        return {};
+    }
+
+    std::filesystem::path file_;
+    std::unique_ptr<OIIO::ImageInput> input_;
+    MapInfo info_;
+    int first_;
+    std::vector<std::byte> whole_;
+};
+
+Result<std::unique_ptr<ImageReader>> openFormat(const std::filesystem::path& file, const std::string& format) {
+    auto input = OIIO::ImageInput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
+    if (!input) return unsound(file, fmt::format("cannot be read: this OpenImageIO has no {}", format));
+    OIIO::ImageSpec spec;
+    if (!input->open(file.string(), spec, asStored()))
+        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(input->geterror())),
+                       "export it again");
+    const std::optional<PixelType> type = typeOf(spec.format);
+    if (!type || spec.deep || spec.depth > 1)
+        return unsound(file,
+                       fmt::format("holds {}{}", spec.format.c_str(),
+                                   spec.deep        ? ", deep"
+                                   : spec.depth > 1 ? ", a volume"
+                                                    : ""),
+                       "use 8 or 16 bits, half or float");
+    if (Status s = checkLimits(file, spec.width, spec.height, spec.nchannels, pixelBytes(*type)); !s) return s.error();
+    const MapInfo info{spec.width, spec.height, spec.nchannels, *type};
+    return std::unique_ptr<ImageReader>(std::make_unique<OiioReader>(file, std::move(input), info));
+}
+
+OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
+    OIIO::ImageSpec spec(info.width, info.height, info.channels, descOf(info.type));
+    if (info.channels == 2) spec.channelnames = {"R", "G"};
+    if (info.channels == 2) spec.alpha_channel = -1;
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    // The levels that cost half the time of the defaults for a few hundredths of size: saving is waited for.
+    spec.attribute("compression", format == "exr" ? "zip:1" : "zip");
+    spec.attribute("png:compressionLevel", 2);
+    spec.attribute("tiff:zipquality", 1);
+    return spec;
+}
+
+}  // namespace
+
+Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels,
+                   size_t bytesPerChannel) {
+    if (width < 1 || height < 1)
+        return unsound(file, fmt::format("has size {} x {}", width, height), "a map has at least one texel");
+    if (width > kMaxMapSide || height > kMaxMapSide)
+        return unsound(file, fmt::format("is {} x {}; the limit is {} a side", width, height, kMaxMapSide),
+                       "scale it down");
+    if (channels < 1 || channels > 4) return unsound(file, fmt::format("has {} channels; the limit is 4", channels));
+    const size_t bytes = size_t(width) * size_t(height) * size_t(channels) * bytesPerChannel;
+    if (bytes > kMaxMapBytes)
+        return unsound(file, fmt::format("takes {} MiB; the limit is {}", bytes >> 20, kMaxMapBytes >> 20),
+                       "scale it down, or use fewer bits");
+    return {};
+}
+
+Result<std::unique_ptr<ImageReader>> ImageReader::open(const std::filesystem::path& file) {
+    const Result<ImageHead> head = readImageHead(file);
+    if (!head) return head.error();
+    if (Status s = checkLimits(file, head->width, head->height, 1, 1); !s) return s.error();
+    useAllCores();
+    try {
+        return openFormat(file, head->format);
+    } catch (const std::exception& e) {
+        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(e.what())), "export it again");
+    }
+}
+
+Result<std::string> encodeImage(const std::string& format, const MapInfo& info,
+                                const std::function<void(int, int, void*)>& rows) {
+    const auto failed = [&](const std::string& why) {
+        return Error{ExitCode::Failed, fmt::format("cannot be encoded: {}", firstLine(why)), {}, 0, 0, {}};
+    };
+    useAllCores();
+    try {
+        auto output = OIIO::ImageOutput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
+        if (!output) return failed(OIIO::geterror());
+        OIIO::Filesystem::IOVecOutput memory;
+        output->set_ioproxy(&memory);
+        if (!output->open("memory." + format, specFor(format, info))) return failed(output->geterror());
+        std::vector<std::byte> band(size_t(info.width) * size_t(info.channels) * pixelBytes(info.type) * kTileSize);
+        for (int y = 0; y < info.height; y += kTileSize) {
+            const int n = std::min(kTileSize, info.height - y);
+            rows(y, n, band.data());
+            if (!output->write_scanlines(y, y + n, 0, descOf(info.type), band.data()))
+                return failed(output->geterror());
+        }
+        if (!output->close()) return failed(output->geterror());
+        const auto& bytes = memory.buffer();
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    } catch (const std::exception& e) {
+        return failed(e.what());
+    }
+}
+
+}  // namespace sward

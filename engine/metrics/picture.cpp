@@ -1,0 +1,90 @@
+#include "metrics/picture.h"
+
+#include "core/jobs.h"
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+// Tone mapping clamps; a pixel that has no value must not become black by it.
+glm::vec3 shown(const glm::vec3& c) {
+    const bool finite = std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+    return finite ? f32::srgbEncode3(f32::toneMapNeutral(c)) : glm::vec3(kNoValue);
+}
+bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
+std::string sizeText(const Picture& p) { return fmt::format("{}x{}", p.width, p.height); }
+
+}  // namespace
+
+Picture pictureOf(const Image& image, bool linear) {
+    Picture p{image.width, image.height, image.linear && linear, {}};
+    p.pixels.resize(static_cast<size_t>(p.width) * static_cast<size_t>(p.height));
+    parallelFor(static_cast<size_t>(p.height), [&](size_t y) {
+        for (size_t i = y * static_cast<size_t>(p.width); i < (y + 1) * static_cast<size_t>(p.width); ++i) {
+            const float* v = &image.pixels[i * static_cast<size_t>(image.channels)];
+            const glm::vec3 c = image.channels >= 3 ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(v[0]);
+            p.pixels[i] = image.linear && !linear ? shown(c) : c;
+        }
+    });
+    return p;
+}
+
+Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb) {
+    return pictureOf({width, height, 3, true, rgb}, false);
+}
+
+Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector<float>& mask) {
+    if (image.width != truth.width || image.height != truth.height)
+        return Error{ExitCode::Failed,
+                     "the images differ in size: " + sizeText(image) + " and " + sizeText(truth),
+                     "",
+                     0,
+                     0,
+                     "render both with the same --size"};
+    if (image.linear != truth.linear)
+        return Error{ExitCode::Unsound,
+                     "one image is linear and the other is not",
+                     "",
+                     0,
+                     0,
+                     "leave out --linear, or compare two EXR files"};
+    const size_t n = truth.pixels.size();
+    if (!mask.empty() && mask.size() != n)
+        return Error{ExitCode::Failed,
+                     fmt::format("the mask has {} pixels, the images have {} ({})", mask.size(), n, sizeText(truth)),
+                     "",
+                     0,
+                     0,
+                     "render it with the same --size"};
+    PicturePair p{std::move(image), std::move(truth), std::vector<float>(n, 1)};
+    for (size_t i = 0; i < n; ++i) {
+        if (!mask.empty()) p.weight[i] = std::isfinite(mask[i]) ? std::clamp(mask[i], 0.0f, 1.0f) : 0.0f;
+        if (!finite(p.image.pixels[i]) || !finite(p.truth.pixels[i])) {
+            p.weight[i] = 0;
+            p.image.pixels[i] = p.truth.pixels[i] = glm::vec3(kNoValue);
+            if (p.nonFinite++ == 0)
+                p.nonFiniteX = static_cast<int>(i) % p.truth.width, p.nonFiniteY = static_cast<int>(i) / p.truth.width;
+        }
+        p.weightSum += p.weight[i];
+    }
+    if (p.weightSum > 0) return p;
+    return Error{ExitCode::Failed,
+                 p.nonFinite == n ? "no pixel is finite in both images" : "no pixel is left to compare",
+                 "",
+                 0,
+                 0,
+                 mask.empty() ? "" : "look at the mask"};
+}
+
+double weightedMean(const ErrorMap& map, const std::vector<float>& weight) {
+    double sum = 0, weights = 0;
+    for (size_t i = 0; i < map.size(); ++i) {
+        if (!std::isfinite(map[i]) || weight[i] <= 0) continue;
+        sum += static_cast<double>(map[i]) * weight[i];
+        weights += weight[i];
+    }
+    return weights > 0 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace sward

@@ -1,0 +1,41 @@
+// What metrics read: two pictures of one size as they are shown, and how much each pixel counts.
+// Values are sRGB-encoded in [0,1]; linear images are tone-mapped first (Khronos PBR Neutral, as the renderer does)
+// unless they are wanted as they are. RGB only: alpha is ignored, gray stands for three equal channels. Pixels that are
+// not finite are counted and located, weigh nothing, and stay not-a-number in every map of errors.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+#include "maps/map_io.h"
+
+namespace sward {
+
+struct Picture {
+    int width = 0, height = 0;
+    bool linear = false;            // values are as they are in a linear file, neither tone-mapped nor encoded
+    std::vector<glm::vec3> pixels;  // first row on top
+};
+Picture pictureOf(const Image& image, bool linear);
+// RGB floats before tone mapping, as Renderer::readLinear and the reference give them.
+Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb);
+
+struct PicturePair {
+    Picture image, truth;       // not-a-number in both where either is not finite
+    std::vector<float> weight;  // a pixel's share of grass; 1 without a mask; 0 where either picture is not finite
+    double weightSum = 0;
+    uint64_t nonFinite = 0;                // pixels, in either picture
+    int nonFiniteX = -1, nonFiniteY = -1;  // the first of them
+};
+// mask: a share of grass in [0,1] a pixel (clamped; not finite counts as 0), or empty: all pixels count.
+// Failed if the sizes differ, naming both, or if no pixel counts; Unsound if one is linear and the other is not.
+Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector<float>& mask = {});
+
+// One value a pixel; not-a-number where there is none.
+using ErrorMap = std::vector<float>;
+inline constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
+// Mean over the pixels that have a value, by their weight. Not-a-number if none has.
+double weightedMean(const ErrorMap& map, const std::vector<float>& weight);
+
+}  // namespace sward

@@ -1,0 +1,91 @@
+#include "project/import.h"
+
+#include "maps/map_io.h"
+
+namespace sward {
+namespace {
+
+Error usage(std::string message, std::string remedy = {}) {
+    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+
+// What was asked for, else what is remembered.
+Result<MapImport> settle(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+                         const ImportOptions& options) {
+    const auto it = p.imports.find(map.path);
+    MapImport out = it == p.imports.end() ? MapImport() : it->second;
+    out.file = file.filename().string();
+    if (options.flip) out.flip = *options.flip;
+    if (options.range) out.range = options.range;
+    if (out.range &&
+        !(std::isfinite(out.range->first) && std::isfinite(out.range->second) && out.range->first < out.range->second))
+        return usage(fmt::format("{}: the range must be two numbers, the smaller first", map.path),
+                     "write --range 0,100");
+    return out;
+}
+
+// The heightRange beside a height map, or null.
+const FieldRow* rangeBeside(const FieldRef& map) {
+    if (!map.row->isHeight) return nullptr;
+    for (const FieldRow& row : map.component->fields)
+        if (row.type == FieldType::Vec2 && std::string_view(row.name) == "heightRange") return &row;
+    return nullptr;
+}
+
+Status setHeightRange(Project& p, const FieldRef& map, const MapImport& import, PixelType type) {
+    const FieldRow* row = rangeBeside(map);
+    if (!row || !import.range || type == PixelType::F32) return {};
+    const auto [low, high] = *import.range;
+    if (low < row->hardMin || high > row->hardMax)
+        return usage(fmt::format("{}: the range lies beyond {} to {} m", map.path, row->hardMin, row->hardMax));
+    void* component = map.component->get(p.registry, findEntity(p, map.entity));
+    *reinterpret_cast<glm::dvec2*>(static_cast<std::byte*>(component) + row->offset) = {low, high};
+    return {};
+}
+
+}  // namespace
+
+Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+                       const ImportOptions& options, MapImport* used, std::vector<std::string>* repaired) {
+    CHECK(map.row && map.row->type == FieldType::Map);
+    Result<MapImport> settled = settle(p, map, file, options);
+    if (!settled) return settled.error();
+    MapWish wish;
+    wish.channels = map.row->mapChannels;
+    wish.isHeight = map.row->isHeight;
+    wish.flip = settled->flip;
+    wish.range = settled->range;
+    if (!map.row->isHeight) wish.type = map.row->mapType;
+    if (!settled->range && map.row->isHeight) settled->range = sidecarRange(file);
+    Result<Map> texels = readMap(file, wish, repaired);
+    if (texels && used) *used = *settled;
+    return texels;
+}
+
+Status importMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options, std::vector<std::string>* repaired) {
+    const Result<FieldRef> map = findMap(p, rows, mapName);
+    if (!map) return map.error();
+    MapImport used;
+    Result<Map> texels = readImport(p, *map, file, options, &used, repaired);
+    if (!texels) return texels.error();
+    if (Status s = setHeightRange(p, *map, used, texels->info().type); !s) return s;
+    auto& field = *static_cast<MapField*>(map->value);
+    field.file = mapFileFor(*map, texels->info().type);
+    field.map = std::move(*texels);
+    p.imports[map->path] = used;
+    return {};
+}
+
+Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+                 const std::filesystem::path& file, const ImportOptions& options) {
+    const Result<FieldRef> map = findMap(p, rows, mapName);
+    if (!map) return map.error();
+    const auto& field = *static_cast<const MapField*>(map->value);
+    if (!field.present()) return usage(fmt::format("{} has no map", map->path), "import or paint one first");
+    const Result<MapImport> settled = settle(p, *map, file, options);
+    if (!settled) return settled.error();
+    return writeMap(file, field.map, settled->flip, settled->range);
+}
+
+}  // namespace sward

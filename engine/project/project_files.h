@@ -1,0 +1,48 @@
+// A project on disk: a folder with project.json and maps/, as the README's "Projects on disk" says.
+// What load does not know (components, fields) it keeps and saves. Does not: know any component but by its field table.
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/project.h"
+
+namespace sward {
+
+// A fault that load repaired or that check found. Refusals are Errors.
+struct Fault {
+    std::string where;    // "file:line", or PATH and texel
+    std::string message;  // what was wrong, and what was done about it
+};
+
+struct LoadReport {
+    std::vector<Fault> repaired;  // every one is also logged as a warning
+};
+
+// Reads the whole project: refuses (ExitCode::Unsound, with file and line, or map and texel) or repairs and reports.
+Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows,
+                            LoadReport* report = nullptr);
+// Loads everything and goes on after a refusal where it can: all faults, refusals first.
+struct CheckReport {
+    std::vector<Error> refused;
+    std::vector<Fault> repaired;
+    std::vector<Fault> noticed;  // allowed, but surely not meant
+};
+CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
+// Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved`
+// (or, without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files
+// written, relative to the folder, sorted. If `saved` lies in another folder ("save as"), image files that p names are
+// copied from there. Fields that share a file but no longer their texels get files of their own. Maps that the folder's
+// project.json named and p does not are deleted after the commit.
+// Fails, with the old project on disk unchanged: disk full, read-only folder, a value out of its range.
+Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
+                                             const Project* saved = nullptr);
+// A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
+// Fails if dir exists and is not empty; leaves nothing behind then.
+Result<Project> newProject(const std::filesystem::path& dir);
+
+// Names all that a project is: its fields, its maps' texels, its files' bytes; not its folder. Reads every texel.
+uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows);
+
+}  // namespace sward

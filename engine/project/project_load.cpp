@@ -1,0 +1,206 @@
+#include "core/file.h"
+#include "core/jobs.h"
+#include "core/log.h"
+#include "core/save_folder.h"
+#include "maps/map_io.h"
+#include "mesh/mesh_io.h"
+#include "project/project_files.h"
+#include "project/project_json.h"
+
+namespace fs = std::filesystem;
+
+namespace sward {
+namespace {
+
+// A map file to read, once for all the fields that want the same of it.
+struct MapLoad {
+    std::string file;  // relative
+    MapWish wish;
+    std::vector<FieldRef> fields;
+    Result<Map> map = Map();
+    std::vector<std::string> repaired;
+};
+
+struct Loading {
+    fs::path dir;
+    ProjectReader reader;
+    Json root;
+    bool soundJson = false;
+};
+
+// The folder may also be named by its project.json.
+fs::path projectFolder(const fs::path& given) {
+    std::error_code ignored;
+    if (given.filename() == "project.json" && fs::is_regular_file(given, ignored))
+        return given.has_parent_path() ? given.parent_path() : ".";
+    return given;
+}
+
+void readProjectJson(Loading& l) {
+    const auto refuse = [&](Error e) { l.reader.refused.push_back(std::move(e)); };
+    std::error_code ignored;
+    if (!fs::is_directory(l.dir, ignored))
+        return refuse({ExitCode::Unsound, "is no folder with a project", l.dir.string(), 0, 0,
+                       "check the path, or make one with `sward new`"});
+    const Result<fs::path> file = currentFile(l.dir, "project.json");
+    if (!file) return refuse(file.error());
+    l.reader.file = (l.dir / "project.json").string();
+    const Result<std::string> text = readFile(*file, kMaxJsonBytes);
+    if (!text) {
+        Error e = text.error();
+        e.file = l.reader.file;
+        return refuse(std::move(e));
+    }
+    Result<Json> json = parseJson(*text, l.reader.file);
+    if (!json) return refuse(json.error());
+    if (Status s = upgradeProject(*json, l.reader.file, projectUpgrades()); !s) return refuse(s.error());
+    l.soundJson = true;
+    l.reader.read(*json);
+    l.root = std::move(*json);
+    if (l.reader.project.name.empty()) l.reader.project.name = fs::absolute(l.dir, ignored).filename().string();
+}
+
+bool sameWish(const MapWish& a, const MapWish& b) { return a.channels == b.channels && a.isHeight == b.isHeight; }
+
+std::vector<MapLoad> mapsToLoad(Loading& l) {
+    std::vector<MapLoad> loads;
+    for (const FieldRef& f : allMaps(l.reader.project, l.reader.rows, true)) {
+        const std::string& file = static_cast<const MapField*>(f.value)->file;
+        if (file.empty()) continue;
+        MapLoad load;
+        load.file = file;
+        load.wish.channels = f.row->mapChannels;
+        load.wish.isHeight = f.row->isHeight;
+        const auto same = std::find_if(loads.begin(), loads.end(),
+                                       [&](const MapLoad& o) { return o.file == file && sameWish(o.wish, load.wish); });
+        MapLoad& target = same == loads.end() ? loads.emplace_back(std::move(load)) : *same;
+        target.fields.push_back(f);
+    }
+    return loads;
+}
+
+void readOne(const Loading& l, MapLoad& load) {
+    if (fs::path(load.file).extension() ==
+        ".r16") {  // its size stands in another file, and the two cannot change in one instant
+        load.map = Error{
+            ExitCode::Unsound, "a project's maps are PNG, EXR or TIFF", {}, 0, 0, "import the R16 file into the map"};
+        return;
+    }
+    const Result<fs::path> file = currentFile(l.dir, load.file);
+    load.map = file ? readMap(*file, load.wish, &load.repaired) : Result<Map>(file.error());
+}
+
+// Hands the texels out, or says what is wrong, naming the map and its file's place in the project.
+void takeOne(Loading& l, MapLoad& load) {
+    const std::string path = load.fields[0].path;
+    if (!load.map) {
+        Error e = load.map.error();
+        e.message = path + ": " + e.message;
+        if (e.file.empty() || fs::path(e.file).extension() != ".json") e.file = (l.dir / load.file).string();
+        l.reader.refused.push_back(std::move(e));
+        return;
+    }
+    for (const FieldRef& f : load.fields) static_cast<MapField*>(f.value)->map = *load.map;
+    for (const std::string& said : load.repaired)
+        l.reader.repaired.push_back({(l.dir / load.file).string(), path + ": " + said});
+    if (!load.repaired.empty()) l.reader.project.repairedMaps.insert(load.file);
+}
+
+void loadMaps(Loading& l) {
+    std::vector<MapLoad> loads = mapsToLoad(l);
+    parallelFor(loads.size(), [&](size_t i) { readOne(l, loads[i]); });
+    for (MapLoad& load : loads) takeOne(l, load);
+    for (const FieldRef& f :
+         allMaps(l.reader.project, l.reader.rows, true)) {  // a field is empty exactly when its file is
+        auto& field = *static_cast<MapField*>(f.value);
+        if (!field.present()) field.file.clear();
+    }
+}
+
+void collectFiles(std::span<const FieldRow> rows, void* base, const FieldRef& parent, std::vector<FieldRef>& out) {
+    for (const FieldRow& row : rows) {
+        FieldRef ref = parent;
+        ref.row = &row;
+        ref.value = static_cast<std::byte*>(base) + row.offset;
+        ref.path += std::string(".") + row.name;
+        if (row.isFile && !static_cast<const std::string*>(ref.value)->empty()) out.push_back(ref);
+        if (row.type != FieldType::List) continue;
+        const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
+        for (size_t i = 0; i < selectors.size(); ++i) {
+            FieldRef element = ref;
+            element.path += "[" + selectors[i] + "]";
+            collectFiles(row.list->fields, row.list->at(ref.value, i), element, out);
+        }
+    }
+}
+
+Status checkFile(const fs::path& dir, const FieldRow& row, const std::string& name) {
+    if (row.isMesh) {
+        const Result<Mesh> mesh = readMesh(dir, name);
+        return mesh ? Status() : Status(mesh.error());
+    }
+    const Result<fs::path> file = currentFile(dir, name);
+    return file ? checkImage(*file) : Status(file.error());
+}
+
+// The renderer reads the images and objects that fields name; what it could not read is refused here, once a file.
+void checkFiles(Loading& l) {
+    std::set<std::string> seen;
+    for (const FieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
+        const std::string& name = *static_cast<const std::string*>(f.value);
+        if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second) continue;
+        const Status s = checkFile(l.dir, *f.row, name);
+        if (s) continue;
+        Error e = s.error();
+        e.message = f.path + ": " + e.message;
+        if (e.line == 0) e.file = (l.dir / name).string();
+        l.reader.refused.push_back(std::move(e));
+    }
+}
+
+// `everything`: goes on to the maps when project.json has faults.
+Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool everything) {
+    Loading l;
+    l.dir = projectFolder(given);
+    l.reader.rows = rows;
+    std::error_code ignored;
+    if (fs::exists(l.dir / kSaveFolder, ignored)) {
+        const FolderLock lock(l.dir, FolderLock::Kind::Exclusive);
+        if (Status s = finishSave(l.dir); !s) logInfo(s.error().text() + "; read as it is");
+    }
+    const FolderLock lock(l.dir, FolderLock::Kind::Shared);
+    readProjectJson(l);
+    l.reader.project.dir = l.dir;
+    if (!l.reader.refused.empty() && !(everything && l.soundJson)) return l;
+    loadMaps(l);
+    checkFiles(l);
+    return l;
+}
+
+}  // namespace
+
+std::vector<FieldRef> allFiles(Project& p, std::span<const ComponentRow> rows) {
+    std::vector<FieldRef> out;
+    for (const auto& [name, entity] : p.entities)
+        for (const ComponentRow& row : rows)
+            if (void* component = row.get(p.registry, entity))
+                collectFiles(row.fields, component, {nullptr, nullptr, &row, name, name + "." + row.name}, out);
+    return out;
+}
+
+Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, LoadReport* report) {
+    Loading l = load(dir, rows, false);
+    if (!l.reader.refused.empty()) return l.reader.refused.front();
+    for (const Fault& f : l.reader.repaired) logWarning(f.where + ": " + f.message);
+    if (report) report->repaired = std::move(l.reader.repaired);
+    return std::move(l.reader.project);
+}
+
+CheckReport checkProject(const fs::path& dir, std::span<const ComponentRow> rows) {
+    Loading l = load(dir, rows, true);
+    CheckReport report{std::move(l.reader.refused), std::move(l.reader.repaired), {}};
+    if (l.soundJson) checkScene({l.reader.project, l.root}, report);
+    return report;
+}
+
+}  // namespace sward

@@ -1,0 +1,218 @@
+#include "core/file.h"
+#include "core/save_folder.h"
+#include "maps/map_io.h"
+#include "mesh/mesh_io.h"
+#include "project/project_files.h"
+#include "project/project_json.h"
+
+namespace fs = std::filesystem;
+
+namespace sward {
+namespace {
+
+using Rows = std::span<const ComponentRow>;
+
+// Listing fields takes a mutable project, but only reads it.
+Project& listable(const Project& p) { return const_cast<Project&>(p); }
+
+// A map and the file that it is saved to.
+struct PlannedMap {
+    FieldRef field;
+    std::string file;
+    const Map* map;
+};
+
+// Fields that share a file keep it as long as they share their texels; the others, in the order of their paths, get
+// files of their own.
+std::vector<PlannedMap> planMaps(const Project& p, Rows rows) {
+    std::vector<PlannedMap> plan;
+    std::map<std::string, const Map*> taken;
+    for (const FieldRef& f : allMaps(listable(p), rows)) {
+        const auto& field = *static_cast<const MapField*>(f.value);
+        std::string file = mapFileFor(f, field.map.info().type);
+        for (int n = 2; taken.contains(file) && !taken[file]->sameTiles(field.map); ++n) {
+            MapField unnamed;
+            FieldRef fresh = f;
+            fresh.value = &unnamed;
+            fs::path own = mapFileFor(fresh, field.map.info().type);
+            if (n > 2) own.replace_filename(fmt::format("{}-{}{}", own.stem().string(), n, own.extension().string()));
+            file = own.generic_string();
+        }
+        taken.emplace(file, &field.map);
+        plan.push_back({f, file, &field.map});
+    }
+    return plan;
+}
+
+bool equalTexels(const Map& a, const Map& b) {
+    if (!(a.info() == b.info())) return false;
+    for (int y = 0; y < a.tilesY(); ++y)
+        for (int x = 0; x < a.tilesX(); ++x)
+            if (a.tile(x, y) != b.tile(x, y) && a.tile(x, y)->bytes != b.tile(x, y)->bytes) return false;
+    return true;
+}
+
+MapWish wishOf(const FieldRow& row) {
+    MapWish wish;
+    wish.channels = row.mapChannels;
+    wish.isHeight = row.isHeight;
+    return wish;
+}
+
+// True if the file holds these texels and reading it needs no repair.
+bool fileHolds(const fs::path& file, const PlannedMap& planned) {
+    std::vector<std::string> repaired;
+    const Result<Map> map = readMap(file, wishOf(*planned.field.row), &repaired);
+    const bool oneTexel = planned.map->info().width == 1 && planned.map->info().height == 1;
+    return map && repaired.size() == (oneTexel ? 1u : 0u) && equalTexels(*map, *planned.map);
+}
+
+struct Saving {
+    const Project& p;
+    Rows rows;
+    std::vector<PlannedMap> plan;
+    std::vector<PlannedMap> savedPlan =
+        {};                      // of what is known to lie on disk; what it lacks is compared with the files
+    Project onDisk = Project();  // without texels
+    bool readable = false;       // whether there is a sound project on disk
+    std::vector<SaveFile> files = {};
+    std::vector<std::string> removed = {};
+};
+
+bool mapChanged(const Saving& s, const PlannedMap& planned) {
+    const fs::path file = s.p.dir / planned.file;
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return true;
+    if (!s.p.repairedMaps.contains(planned.file))
+        for (const PlannedMap& before : s.savedPlan)
+            if (before.file == planned.file) return !equalTexels(*before.map, *planned.map);
+    return !fileHolds(file, planned);
+}
+
+Status checkMap(const PlannedMap& planned) {
+    const MapInfo& info = planned.map->info();
+    const FieldRow& row = *planned.field.row;
+    const auto refuse = [&](std::string what, std::string remedy) {
+        return Error{ExitCode::Failed, planned.field.path + ": " + std::move(what), planned.file, 0, 0,
+                     std::move(remedy)};
+    };
+    if (info.channels != row.mapChannels)
+        return refuse(fmt::format("has {} channels, not {}", info.channels, row.mapChannels),
+                      "make a map with the right number of channels");
+    if (row.isHeight && info.type == PixelType::U8)
+        return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
+    if (const auto inside = resolveInside(".", planned.file); !inside)
+        return refuse(inside.error().message, inside.error().remedy);
+    return {};
+}
+
+// Adds the maps that changed.
+Status addMaps(Saving& s) {
+    for (const PlannedMap& planned : s.plan) {
+        if (Status ok = checkMap(planned); !ok) return ok;
+        const auto same = [&](const SaveFile& f) { return f.path == planned.file; };
+        if (std::any_of(s.files.begin(), s.files.end(), same) || !mapChanged(s, planned)) continue;
+        if (const auto place = resolveInside(s.p.dir, planned.file); !place) return place.error();
+        s.files.push_back({planned.file, [map = planned.map](const fs::path& to) { return writeMap(to, *map); }});
+    }
+    return {};
+}
+
+// The files that a field names: one image, or an object with what it refers to.
+std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
+    const std::string& name = *static_cast<const std::string*>(f.value);
+    if (f.row->isMesh)
+        if (const Result<Mesh> mesh = readMesh(dir, name)) return mesh->files;
+    return {name};
+}
+
+// Images and objects that a "save as" finds missing come along from the old folder.
+Status addFiles(Saving& s, const fs::path& from) {
+    std::set<std::string> names;
+    for (const FieldRef& f : allFiles(listable(s.p), s.rows))
+        for (std::string& name : filesOf(from, f)) names.insert(std::move(name));
+    for (const std::string& name : names) {
+        const Result<fs::path> place = resolveInside(s.p.dir, name), source = currentFile(from, name);
+        if (!place) return place.error();
+        if (!source) return source.error();
+        std::error_code ignored;
+        if (fs::exists(*place, ignored)) continue;
+        s.files.push_back({name, [file = *source](const fs::path& to) -> Status {
+                               const Result<std::string> bytes = readFile(file, kMaxMapBytes);
+                               return bytes ? writeFileSynced(to, *bytes) : Status(bytes.error());
+                           }});
+    }
+    return {};
+}
+
+// What lies in the folder now, as far as it can be read.
+void readOnDisk(Saving& s) {
+    const fs::path file = s.p.dir / "project.json";
+    Result<Json> json = readJson(file);
+    if (!json || !upgradeProject(*json, file.string(), projectUpgrades())) return;
+    ProjectReader reader;
+    reader.rows = s.rows;
+    reader.file = file.string();
+    reader.repair = false;
+    reader.read(*json);
+    s.readable = reader.refused.empty();
+    s.onDisk = std::move(reader.project);
+}
+
+// Adds project.json if it says anything else than the one on disk, whatever its layout.
+void addProjectJson(Saving& s) {
+    std::map<const void*, std::string> names;
+    for (const PlannedMap& planned : s.plan) names[planned.field.value] = planned.file;
+    const std::string text = writeJson(projectJson(s.p, s.rows, names));
+    if (s.readable) {
+        if (s.onDisk.name.empty()) s.onDisk.name = s.p.name;  // it was taken from the folder
+        if (writeJson(projectJson(s.onDisk, s.rows)) == text) return;
+    }
+    s.files.push_back({"project.json", [text](const fs::path& to) { return writeFileSynced(to, text); }});
+}
+
+void addRemoved(Saving& s) {
+    for (const FieldRef& f : allMaps(s.onDisk, s.rows, true)) {
+        const std::string& file = static_cast<const MapField*>(f.value)->file;
+        const bool kept =
+            std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });
+        if (!file.empty() && !kept && file.starts_with("maps/")) s.removed.push_back(file);
+    }
+}
+
+Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
+    if (Status ok = finishSave(s.p.dir); !ok) return ok.error();
+    readOnDisk(s);
+    if (Status ok = addMaps(s); !ok) return ok.error();
+    if (!from.empty())
+        if (Status ok = addFiles(s, from); !ok) return ok.error();
+    addProjectJson(s);
+    addRemoved(s);
+    std::vector<std::string> written;
+    for (const SaveFile& f : s.files) written.push_back(f.path);
+    std::sort(written.begin(), written.end());
+    if (written.empty()) return written;
+    if (Status ok = commitSave(s.p.dir, s.files, s.removed); !ok) return ok.error();
+    return written;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved) {
+    if (p.dir.empty())
+        return Error{ExitCode::Failed, "the project has no folder yet", {}, 0, 0, "save it to a new folder"};
+    if (Status ok = checkValues(p, rows); !ok) return ok.error();
+    std::error_code fault;
+    const bool existed = fs::exists(p.dir, fault);
+    fs::create_directories(p.dir, fault);
+    if (fault) return fileError("cannot be made", p.dir, fault.value());
+    const bool sameFolder = saved && saved->dir == p.dir;
+    Saving s{.p = p, .rows = rows, .plan = planMaps(p, rows)};
+    if (sameFolder) s.savedPlan = planMaps(*saved, rows);
+    const FolderLock lock(p.dir, FolderLock::Kind::Exclusive);
+    auto result = saveLocked(s, saved && !sameFolder ? saved->dir : fs::path());
+    if (!result && !existed) fs::remove(p.dir, fault);
+    return result;
+}
+
+}  // namespace sward

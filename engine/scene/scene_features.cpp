@@ -1,0 +1,58 @@
+// What a whole scene asks for: the union of its components' features, and what holds only between them.
+#include "scene/components.h"
+
+namespace sward {
+
+Entity sunEntity(const Registry& registry) {
+    Entity first = kNoEntity;
+    std::string_view least;
+    registry.each<Light>([&](Entity e, const Light& light) {
+        const Name* name = registry.get<Name>(e);
+        if (!name || light.type != static_cast<int>(LightType::Directional)) return;
+        if (first != kNoEntity && name->value >= least) return;
+        first = e;
+        least = name->value;
+    });
+    return first;
+}
+
+bool shines(const Light& light) {
+    return light.intensity > 0 && std::max({light.color.x, light.color.y, light.color.z}) > 0;
+}
+
+namespace {
+// A source of force presses where it stands and where it left tracks; in play the walker's feet have these alone.
+bool presses(const Registry& registry, Entity e) {
+    const ForceSource* s = registry.get<ForceSource>(e);
+    return s && (registry.get<Transform>(e) || !s->tracks.empty());
+}
+// What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
+FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
+    FeatureSet all;
+    for (const ComponentRow& row : rows)
+        if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
+    if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
+    if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
+    return all;
+}
+}  // namespace
+
+FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows) {
+    FeatureSet all;
+    const Entity sun = sunEntity(registry);
+    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e, sun); });
+    if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
+    return all;
+}
+
+std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f) {
+    std::vector<std::string> names;
+    const Entity sun = sunEntity(registry);
+    registry.each<Name>([&](Entity e, const Name& name) {
+        if (has(entityFeatures(registry, rows, e, sun), f)) names.push_back(name.value);
+    });
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace sward

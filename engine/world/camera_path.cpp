@@ -1,0 +1,65 @@
+#include "world/camera_path.h"
+
+#include <algorithm>
+
+namespace sward {
+namespace {
+
+struct Station {
+    double seconds;
+    glm::dvec3 eye, target;
+    double fov;
+};
+Station operator+(const Station& a, const Station& b) {
+    return {a.seconds + b.seconds, a.eye + b.eye, a.target + b.target, a.fov + b.fov};
+}
+Station operator*(double f, const Station& a) { return {f * a.seconds, f * a.eye, f * a.target, f * a.fov}; }
+
+std::vector<Station> stationsOf(const CameraPath& path) {
+    std::vector<Station> out;
+    for (const CameraKey& k : path.keys)
+        out.push_back({static_cast<double>(k.seconds), k.eye, k.target, static_cast<double>(k.fovDeg)});
+    std::stable_sort(out.begin(), out.end(), [](const Station& a, const Station& b) { return a.seconds < b.seconds; });
+    return out;
+}
+
+// Change a second between two stations; none across a cut.
+Station rate(const Station& a, const Station& b) {
+    const double dt = b.seconds - a.seconds;
+    return dt > 0 ? (1 / dt) * (b + -1.0 * a) : Station{0, {}, {}, 0};
+}
+// Slope at s[i], of the parabola through it and its neighbours; at an end or a cut that of the one side there is.
+Station slopeAt(const std::vector<Station>& s, size_t i) {
+    const double before = i > 0 ? s[i].seconds - s[i - 1].seconds : 0,
+                 after = i + 1 < s.size() ? s[i + 1].seconds - s[i].seconds : 0;
+    if (before <= 0 && after <= 0) return {0, {}, {}, 0};
+    if (before <= 0) return rate(s[i], s[i + 1]);
+    if (after <= 0) return rate(s[i - 1], s[i]);
+    return (1 / (before + after)) * (after * rate(s[i - 1], s[i]) + before * rate(s[i], s[i + 1]));
+}
+Station between(const std::vector<Station>& s, size_t i, double seconds) {
+    const double dt = s[i + 1].seconds - s[i].seconds, t = (seconds - s[i].seconds) / dt, u = 1 - t;
+    return (u * u * (1 + 2 * t)) * s[i] + (t * t * (1 + 2 * u)) * s[i + 1] + (u * u * t * dt) * slopeAt(s, i) +
+           (-t * t * u * dt) * slopeAt(s, i + 1);
+}
+
+}  // namespace
+
+Camera cameraOn(const CameraPath& path, double seconds) {
+    const std::vector<Station> s = stationsOf(path);
+    const auto after =
+        std::upper_bound(s.begin(), s.end(), seconds, [](double t, const Station& k) { return t < k.seconds; });
+    const size_t i = static_cast<size_t>(after - s.begin());
+    const Station at = i == 0 ? s.front() : i == s.size() ? s.back() : between(s, i - 1, seconds);
+    Camera c{at.eye, at.target, static_cast<float>(std::clamp(at.fov, 1.0, 170.0)), path.exposure};
+    if (glm::length(c.target - c.eye) < 1e-3) c.target = c.eye + glm::dvec3(0, 0, -1);
+    return c;
+}
+
+double secondsOf(const CameraPath& path) {
+    double last = 0;
+    for (const CameraKey& k : path.keys) last = std::max(last, static_cast<double>(k.seconds));
+    return last;
+}
+
+}  // namespace sward

@@ -1,0 +1,43 @@
+#include "world/placement.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/save_folder.h"
+#include "world/ground.h"
+
+namespace sward {
+
+glm::dmat3 rotationOf(const glm::dvec3& degrees) {
+    const glm::dvec3 r = glm::radians(degrees);
+    glm::dmat4 m = glm::rotate(glm::dmat4(1), r.y, glm::dvec3(0, 1, 0));
+    m = glm::rotate(m, r.z, glm::dvec3(0, 0, 1));
+    return glm::dmat3(glm::rotate(m, r.x, glm::dvec3(1, 0, 0)));
+}
+
+PlacedMesh placeMesh(const Project& p, Entity e) {
+    const Ground ground = findGround(p);
+    const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
+    const Transform* transform = p.registry.get<Transform>(e);
+    PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
+    if (mesh->onGround && ground.terrain)
+        placed.at.y += ground.origin.y +
+                       terrainHeight(*ground.terrain, placed.at.x - ground.origin.x, placed.at.z - ground.origin.z);
+    return placed;
+}
+
+std::vector<PlacedMesh> placedMeshes(const Project& p) {
+    std::vector<PlacedMesh> out;
+    for (const auto& [name, e] : p.entities)
+        if (const StaticMesh* mesh = p.registry.get<StaticMesh>(e); mesh && !mesh->file.empty())
+            out.push_back(placeMesh(p, e));
+    return out;
+}
+
+std::string fileVersion(const std::filesystem::path& dir, const std::string& file) {
+    const auto place = currentFile(dir, file);
+    std::error_code fault;
+    const auto time = place ? std::filesystem::last_write_time(*place, fault) : std::filesystem::file_time_type{};
+    return fmt::format("{}/{} {}", dir.string(), file, fault || !place ? 0 : time.time_since_epoch().count());
+}
+
+}  // namespace sward

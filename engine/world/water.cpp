@@ -1,0 +1,54 @@
+#include "world/water.h"
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+constexpr double kShortest = 1.0 / 20;  // of the ripples, as a share of the longest
+constexpr double kSpreadDeg = 70;       // of their ways about the wind
+constexpr double kGravity = 9.81;
+constexpr float kMirroredAt = 10;  // metres from the surface: what ripples move in the mirror is taken to be so far
+constexpr glm::vec3 kPureWater{0.264f, 0.0565f, 0.0101f};  // 1/m
+
+double wrapped(double x) { return x - std::floor(x); }
+
+// Its turns a metre and phase at the eye; its share of the slopes is every wave's.
+glm::vec4 waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& eye, double seconds, float slope) {
+    const double share = static_cast<double>(i) / (WATER_WAVES - 1);
+    const double length = static_cast<double>(water.rippleSize) * std::pow(kShortest, share);
+    const double off = (wrapped(0.5 + i * 0.6180339887498949) * 2 - 1) * kSpreadDeg;
+    const double angle = glm::radians(static_cast<double>(wind.azimuthDeg) + off);
+    const glm::dvec2 k = glm::dvec2(std::sin(angle), -std::cos(angle)) / length;
+    const double hertz = std::sqrt(kGravity / (2 * f64::kPi * length));
+    const double phase = glm::dot(k, eye) - hertz * seconds + i * 0.7548776662466927;
+    return {glm::vec2(k), static_cast<float>(wrapped(phase)), slope};
+}
+
+}  // namespace
+
+const Water* waterOf(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (const Water* w = p.registry.get<Water>(e)) return w;
+    return nullptr;
+}
+
+WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3& eye, double seconds) {
+    WaterGlobals g{};
+    g.place = {static_cast<float>(static_cast<double>(water.level) - eye.y), 0, 0, 0};
+    g.color = glm::vec4(water.color, kMirroredAt);
+    g.extinction = glm::vec4(kPureWater + glm::vec3(3.912f / std::max(water.clarity, 0.01f)), 0);
+    if (!wind) return g;
+    const float slopes = water.ripples * std::sqrt(0.003f + 0.00512f * wind->speed);  // root of the mean square
+    for (int i = 0; i < WATER_WAVES; ++i)
+        g.waves[i] = waveOf(i, water, *wind, {eye.x, eye.z}, seconds, slopes * std::sqrt(2.0f / WATER_WAVES));
+    return g;
+}
+
+glm::vec2 waterSlope(const WaterGlobals& g, const glm::vec2& at, float share) {
+    glm::vec2 sum(0);
+    for (const glm::vec4& wave : g.waves) sum += f32::waveWay(wave) * f32::waveSlope(wave, at);
+    return sum * share;
+}
+
+}  // namespace sward

@@ -1,0 +1,170 @@
+// A small sweep and a small fit from end to end: what is kept, what a stop leaves, what shards join to.
+#include "core/json.h"
+#include "cost/cost_files.h"
+#include "cost/fit.h"
+#include "scenes.h"
+#include "support.h"
+#include "world/view_camera.h"
+
+namespace sward::test {
+namespace {
+
+Project small_() {
+    Project p = lawn();
+    put(p, "ground", Terrain{}).size = {8, 8};
+    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    f.minGeom = 1, f.maxGeom = 2, f.minBTF = 3, f.maxBTF = 4;
+    f.slices = 3, f.sliceWidth = 32, f.sliceHeight = 16, f.farSize = 32;
+    put(p, "eye", Camera{{1, 1, 1}, {4, 0, 4}, 50, 0});
+    return p;
+}
+CostRequest request(const Project& p, const TempDir& dir, const std::string& folder) {
+    CostRequest r;
+    r.views = {{"eye", viewOf(*findCamera(p, "eye"))}};
+    r.width = 48, r.height = 36, r.rounds = 1, r.maxMs = 1e6;
+    r.truth.samples = 8, r.truth.lighting = ReferenceLighting::Direct;
+    r.settings = {{"hybrid", {"msaa=4"}},
+                  {"hybrid", {"maxGeom=3", "msaa=1"}},
+                  {"flat", {"msaa=4"}},
+                  {"geometry", {"detail=0.5"}}};
+    r.folder = dir / folder;
+    return r;
+}
+bool go(const std::string&, double) { return true; }
+
+// All but what a clock says.
+std::string withoutTimes(CostRun run) {
+    for (CostRow& r : run.rows) r.msMedian = r.msP95 = r.msSigma = 0, r.ms.clear(), r.onFrontier = false, r.machine = 0;
+    run.machines.clear();
+    return writeJson(costJson(run));
+}
+
+TEST(CostSweep, MeasuresEachRowAndIsReadWhenRunAgain) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    auto first = runCost(request(p, dir, "a"), p, tables(), gpu(), go);
+    ASSERT_TRUE(first) << first.error().text();
+    ASSERT_EQ(first->rows.size(), 4u);
+    for (const CostRow& r : first->rows) {
+        EXPECT_EQ(r.skipped, "") << r.settings;
+        EXPECT_GT(r.msMedian, 0) << r.settings;
+        EXPECT_GT(r.metrics.appearance.distance, 0) << r.settings;
+        EXPECT_GT(r.converged.distance, 0) << r.settings;
+        EXPECT_GT(r.gpuBytes, 0u) << r.settings;
+    }
+    EXPECT_TRUE(std::any_of(first->rows.begin(), first->rows.end(), [](const CostRow& r) { return r.onFrontier; }));
+    const CostFloors& f = first->floors[0];
+    EXPECT_GT(f.seed.distance, 0);
+    EXPECT_GT(f.sampling.distance, 0);
+    EXPECT_GT(f.flat.contrast, f.seed.contrast)
+        << "in so small a picture a few blades make the mean, but flat rows have no contrast";
+    auto again = runCost(request(p, dir, "a"), p, tables(), gpu(), go);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(writeJson(costJson(*again)), writeJson(costJson(*first))) << "times too: nothing was measured again";
+}
+
+// Whatever moment it is stopped at; and in two shards.
+TEST(CostSweep, StoppedAndGoneOnOrInShardsIsTheSame) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    auto whole = runCost(request(p, dir, "whole"), p, tables(), gpu(), go);
+    ASSERT_TRUE(whole) << whole.error().text();
+    int stops = 0;
+    for (int patience = 4;; patience *= 3) {
+        auto part = runCost(request(p, dir, "stopped"), p, tables(), gpu(),
+                            [calls = 0, patience](const std::string&, double) mutable { return ++calls < patience; });
+        if (part) {
+            EXPECT_EQ(withoutTimes(*part), withoutTimes(*whole));
+            break;
+        }
+        ASSERT_EQ(part.error().code, ExitCode::Interrupted);
+        for (const auto& entry : std::filesystem::directory_iterator(dir / "stopped"))
+            EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+        ASSERT_LT(++stops, 12);
+    }
+    EXPECT_GE(stops, 2);
+
+    std::vector<CostRun> parts;
+    for (int i = 1; i >= 0; --i) {
+        CostRequest r = request(p, dir, fmt::format("shard{}", i));
+        std::filesystem::create_directories(r.folder);
+        for (const auto& e : std::filesystem::directory_iterator(dir / "whole"))  // truths need not be traced again
+            if (e.path().filename().string().starts_with("truth"))
+                std::filesystem::copy(e.path(), r.folder / e.path().filename());
+        r.shard = i, r.shards = 2;
+        auto part = runCost(r, p, tables(), gpu(), go);
+        ASSERT_TRUE(part) << part.error().text();
+        EXPECT_EQ(part->rows.size(), 2u);
+        parts.push_back(std::move(*part));
+    }
+    auto merged = mergeCosts(parts);
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_EQ(withoutTimes(*merged), withoutTimes(*whole));
+}
+
+TEST(CostSweep, LeavesOutWhatTakesTooLongAndSaysSo) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    CostRequest r = request(p, dir, "a");
+    r.maxMs = 1e-3;
+    auto run = runCost(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(run) << run.error().text();
+    for (const CostRow& row : run->rows) {
+        EXPECT_NE(row.skipped.find("the limit is"), std::string::npos);
+        EXPECT_FALSE(row.onFrontier);
+    }
+    EXPECT_NE(costCsv(*run).find("the limit is"), std::string::npos);
+}
+
+// One camera now and 0.4 s later, in wind: blades have moved in the truth and in the pictures, and each picture is held
+// against its own.
+TEST(CostSweep, MomentsHaveTheirOwnSecond) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = small_();
+    put(p, "wind", Wind{}).strength = 1;
+    CostRequest r = request(p, dir, "a");
+    r.views.push_back({"eye later", r.views[0].camera, 0.4});
+    r.settings = {{"geometry", {"msaa=4"}}};
+    auto run = runCost(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(run) << run.error().text();
+    ASSERT_EQ(run->rows.size(), 2u);
+    EXPECT_NE(run->rows[0].metrics.rmse, run->rows[1].metrics.rmse);
+    EXPECT_NE(run->floors[0].seed.distance, run->floors[1].seed.distance);
+    const auto pixels = [&](const std::string& file) { return readImage(dir / "a" / file, true)->pixels; };
+    EXPECT_NE(pixels(run->floors[0].image), pixels(run->floors[1].image));
+    EXPECT_NE(pixels(run->rows[0].image), pixels(run->rows[1].image));
+    for (size_t i = 0; i < 2; ++i)
+        EXPECT_LT(run->rows[i].metrics.appearance.distance, 2 * run->floors[i].flat.distance);
+}
+
+TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    FitRequest r;
+    r.cost = request(p, dir, "fit");
+    r.candidates = 6;
+    r.budgetMs = 1e6;
+    auto wide = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(wide) << wide.error().text();
+    EXPECT_TRUE(wide->fits);
+    EXPECT_LE(wide->best.appearance, wide->shipped.appearance);
+    EXPECT_LE(wide->best.appearance, wide->gridBest.appearance);
+    EXPECT_TRUE(wide->given.values.empty()) << "all fit, so nothing was given up";
+    EXPECT_GE(wide->tried, 20);  // of the search and of the grid, each once
+    EXPECT_GT(wide->heldOut.fitted, 0);
+    EXPECT_GT(wide->heldOut.shipped, 0);
+    r.budgetMs = 1e-6;
+    auto none = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(none) << none.error().text();
+    EXPECT_FALSE(none->fits);
+    EXPECT_FALSE(none->best.values.empty());
+    EXPECT_GT(none->best.ms, 0);
+}
+
+}  // namespace
+}  // namespace sward::test

@@ -1,0 +1,117 @@
+#include "editor/app/resolution.h"
+
+#include <gtest/gtest.h>
+
+namespace sward {
+namespace {
+
+// A renderer that takes fixedMs + bladeMs * detail + fullMs * area for a drawing.
+struct Machine {
+    double fixedMs, fullMs, bladeMs = 0;
+    Resolution r{};
+    ResolutionPlan plan{};
+
+    // Draws what is planned; returns the milliseconds it took.
+    double step(double now, bool changed) {
+        plan = planDrawing(r, now, changed);
+        if (!plan.draw) return 0;
+        const double ms = fixedMs + (bladeMs * plan.detail + fullMs * plan.scale * plan.scale) * (plan.to - plan.from);
+        learnDrawing(r, plan, ms);
+        return ms;
+    }
+};
+
+TEST(Resolution, NothingIsDrawnWhenNothingChanged) {
+    Machine m{1, 5};
+    m.step(0, true);
+    EXPECT_FALSE(planDrawing(m.r, 10, false).draw);
+    EXPECT_LT(secondsToRefine(m.r, 10), 0);
+}
+
+TEST(Resolution, AFastRendererAlwaysDrawsInFullAndWhole) {
+    Machine m{1, 15};
+    for (int i = 0; i < 50; ++i) {
+        m.step(i * 0.016, true);
+        EXPECT_EQ(m.plan.scale, 1);
+        EXPECT_EQ(m.plan.msaa, 4);
+        EXPECT_TRUE(m.plan.whole());
+        EXPECT_EQ(m.plan.detail, 1);
+    }
+}
+
+TEST(Resolution, ASlowRendererSettlesNearTheTargetWhileMoving) {
+    Machine m{5, 600};
+    double ms = 0;
+    for (int i = 0; i < 20; ++i) ms = m.step(i * 0.06, true);
+    EXPECT_LE(ms, 66);  // 15 frames a second
+    EXPECT_GE(m.r.movingScale, kMinScale);
+    EXPECT_LT(m.r.movingScale, 0.5);
+}
+
+TEST(Resolution, TheScaleNeverLeavesAQuarterToOne) {
+    Machine m{900, 9000};
+    for (int i = 0; i < 20; ++i) m.step(i * 0.1, true);
+    EXPECT_EQ(m.plan.scale, kMinScale);
+    m.fixedMs = 0.5, m.fullMs = 1;
+    for (int i = 20; i < 60; ++i) m.step(i * 0.06 + 2, true);
+    EXPECT_EQ(m.plan.scale, 1);
+}
+
+TEST(Resolution, WhereTheSmallestImageIsTooSlowBladesGiveWayAndComeBack) {
+    Machine m{5, 100, 600};
+    double ms = 0;
+    for (int i = 0; i < 30; ++i) ms = m.step(i * 0.06, true);
+    EXPECT_EQ(m.plan.scale, kMinScale);
+    EXPECT_LE(ms, 66);
+    EXPECT_LT(m.plan.detail, 0.2);
+    m.bladeMs = 10, m.fullMs = 10;
+    for (int i = 30; i < 80; ++i) m.step(i * 0.06, true);
+    EXPECT_EQ(m.plan.detail, 1);
+    EXPECT_EQ(m.plan.scale, 1);
+}
+
+TEST(Resolution, AtRestStripsCoverThePictureOnceAndNoneTakesLong) {
+    Machine m{2, 1200, 800};
+    for (int i = 0; i < 20; ++i) m.step(i * 0.06, true);
+    const double rest = 19 * 0.06 + kRestSeconds + 0.01;
+    EXPECT_FALSE(planDrawing(m.r, rest - 0.1, false).draw);
+    EXPECT_NEAR(secondsToRefine(m.r, rest - 0.06), 0.05, 1e-9);
+    double covered = 0;
+    int strips = 0;
+    for (; strips < 200; ++strips) {
+        const double ms = m.step(rest + strips * 0.05, false);
+        if (!m.plan.draw) break;
+        EXPECT_EQ(m.plan.from, covered);
+        EXPECT_GT(m.plan.to, m.plan.from);
+        EXPECT_EQ(m.plan.msaa, 4);
+        EXPECT_EQ(m.plan.detail, 1);
+        EXPECT_LT(ms, 250);
+        covered = m.plan.to;
+        EXPECT_EQ(m.r.drawnScale >= 1, covered >= 1);
+    }
+    EXPECT_EQ(covered, 1);
+    EXPECT_GT(strips, 5);
+    EXPECT_LT(secondsToRefine(m.r, 1e6), 0);
+}
+
+TEST(Resolution, AChangeBetweenStripsBeginsAnew) {
+    Machine m{2, 1200};
+    for (int i = 0; i < 20; ++i) m.step(i * 0.06, true);
+    for (int i = 0; i < 3; ++i) m.step(2 + i * 0.05, false);
+    EXPECT_GT(m.r.done, 0);
+    m.step(2.2, true);
+    EXPECT_LT(m.plan.scale, 1);
+    m.step(4, false);
+    EXPECT_EQ(m.plan.from, 0);
+}
+
+TEST(Resolution, AChangeThatWasNotDrawnYetIsNotForgotten) {
+    Machine m{1, 1};
+    m.step(0, true);
+    planDrawing(m.r, 1, true);  // the caller had no time to draw
+    EXPECT_TRUE(planDrawing(m.r, 1.01, false).draw);
+    EXPECT_TRUE(planDrawing(m.r, 5, false).draw);
+}
+
+}  // namespace
+}  // namespace sward

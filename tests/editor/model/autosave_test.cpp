@@ -1,0 +1,106 @@
+#include "editor/model/autosave.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "../support.h"
+#include "model/document.h"
+#include "model/field_walk.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Keeps copies in a folder of the test's own.
+class AutosaveFiles : public testing::Test {
+  protected:
+    void SetUp() override {
+        const char* was = std::getenv("XDG_STATE_HOME");
+        if (was) before_ = was;
+        setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+        ASSERT_TRUE(doc.create(dir / "p"));
+    }
+    void TearDown() override {
+        if (before_)
+            setenv("XDG_STATE_HOME", before_->c_str(), 1);
+        else
+            unsetenv("XDG_STATE_HOME");
+    }
+    fs::path copyWith(const char* fov) {
+        EXPECT_TRUE(doc.setField("camera.Camera.fovDeg", fov));
+        const auto made = writeAutosave(doc.project(), tables().components);
+        EXPECT_TRUE(made) << made.error().text();
+        return made ? *made : fs::path();
+    }
+    test::TempDir dir;
+    Document doc{tables()};
+
+  private:
+    std::optional<std::string> before_;
+};
+
+TEST_F(AutosaveFiles, CopiesAreNumberedWholeAndOutsideTheProject) {
+    EXPECT_TRUE(autosavesOf(dir / "p").empty());
+    const fs::path first = copyWith("60"), second = copyWith("61");
+    EXPECT_EQ(first.filename(), "0001");
+    EXPECT_EQ(second.filename(), "0002");
+    EXPECT_TRUE(first.string().starts_with((dir / "state/sward/autosave").string()));
+    EXPECT_EQ(autosavesOf(dir / "p"), (std::vector<fs::path>{second, first}));
+    Document copy(tables());
+    ASSERT_TRUE(copy.open(second));
+    EXPECT_TRUE(sameProject(copy.project(), doc.project(), tables().components));
+    EXPECT_TRUE(doc.dirty());
+    forgetAutosaves(dir / "p");
+    EXPECT_TRUE(autosavesOf(dir / "p").empty());
+}
+
+TEST_F(AutosaveFiles, OnlyTheNewestStay) {
+    for (const char* fov : {"60", "61", "62", "63", "64"}) copyWith(fov);
+    const std::vector<fs::path> kept = autosavesOf(dir / "p");
+    ASSERT_EQ(kept.size(), kAutosavesKept);
+    EXPECT_EQ(kept.front().filename(), "0005");
+    EXPECT_EQ(kept.back().filename(), "0003");
+}
+
+TEST_F(AutosaveFiles, ProjectsOfTheSameNameAreKeptApart) {
+    copyWith("60");
+    EXPECT_NE(autosaveFolder(dir / "p"), autosaveFolder(dir / "q/p"));
+    EXPECT_EQ(autosaveFolder(dir / "p"), autosaveFolder(dir / "q/../p"));
+    EXPECT_TRUE(autosavesOf(dir / "q/p").empty());
+}
+
+TEST_F(AutosaveFiles, HalfACopyAndThoseOfARunningProgramAreNotOffered) {
+    copyWith("60");
+    fs::create_directories(autosaveFolder(dir / "p") / "0002/maps");
+    EXPECT_EQ(autosavesOf(dir / "p").size(), 1u);
+    test::writeText(autosaveFolder(dir / "p") / "pid", std::to_string(getppid()));
+    EXPECT_TRUE(autosavesOf(dir / "p").empty());
+    test::writeText(autosaveFolder(dir / "p") / "pid", "999999999");
+    EXPECT_EQ(autosavesOf(dir / "p").size(), 1u);
+}
+
+TEST_F(AutosaveFiles, TakingACopyOverIsOneUnsavedStep) {
+    const fs::path copy = [&] {
+        EXPECT_TRUE(doc.addEntity("sheep"));
+        EXPECT_TRUE(doc.removeEntity("sky"));
+        return copyWith("71");
+    }();
+    Document later(tables());
+    ASSERT_TRUE(later.open(dir / "p"));
+    const Project saved = snapshot(later.project(), tables().components);
+    ASSERT_TRUE(later.takeOver(copy, "recover"));
+    EXPECT_TRUE(sameProject(later.project(), doc.project(), tables().components));
+    EXPECT_TRUE(later.dirty());
+    EXPECT_EQ(later.project().dir, dir / "p");
+    ASSERT_TRUE(later.undo());
+    EXPECT_TRUE(sameProject(later.project(), saved, tables().components));
+    EXPECT_FALSE(later.canUndo());
+    EXPECT_FALSE(later.takeOver(dir / "nowhere", "recover"));
+    ASSERT_TRUE(later.redo());
+    ASSERT_TRUE(later.save());
+}
+
+}  // namespace
+}  // namespace sward

@@ -1,0 +1,203 @@
+// Saving when something is in the way: kills, full disks, folders that cannot be written.
+#include <grp.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "core/save_folder.h"
+#include "maps/map_io.h"
+#include "project/project_files.h"
+#include "scene/project.h"
+#include "tests/maps/images.h"
+#include "tests/project/kill_save.h"
+#include "tests/support.h"
+
+namespace fs = std::filesystem;
+using namespace sward;
+using namespace sward::test;
+
+namespace {
+std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+
+// Every file under dir with its bytes.
+std::map<std::string, std::string> contents(const fs::path& dir) {
+    std::map<std::string, std::string> out;
+    for (const auto& entry : fs::recursive_directory_iterator(dir))
+        out[entry.path().lexically_relative(dir).string()] = entry.is_directory() ? "" : readText(entry.path());
+    return out;
+}
+
+// Root may write anywhere: become nobody. True also for those who are not root.
+bool dropPrivileges() {
+    if (geteuid() != 0) return true;
+    return setgroups(0, nullptr) == 0 && setresgid(65534, 65534, 65534) == 0 && setresuid(65534, 65534, 65534) == 0;
+}
+
+void makeReadOnly(const fs::path& dir) {
+    fs::permissions(dir.parent_path(), fs::perms(0755));
+    for (const auto& entry : fs::recursive_directory_iterator(dir))
+        fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0555 : 0444));
+    fs::permissions(dir, fs::perms(0555));
+}
+void makeWritable(const fs::path& dir) {
+    fs::permissions(dir, fs::perms(0755));
+    for (const auto& entry : fs::recursive_directory_iterator(dir)) fs::permissions(entry.path(), fs::perms(0755));
+}
+
+// What a project is called that is loaded by a process that may not write to it.
+const ChildFunctionRow kLoadUnprivileged("load-unprivileged", [](const std::vector<std::string>& args) -> std::string {
+    if (!dropPrivileges()) return "cannot drop privileges";
+    const std::string fault = faultOf(args.at(0));
+    return fault.empty() ? loadProject(args.at(0), rows())->name : fault;
+});
+const ChildFunctionRow kSaveUnprivileged("save-unprivileged", [](const std::vector<std::string>& args) -> std::string {
+    if (!dropPrivileges()) return "cannot drop privileges";
+    const auto saved = saveProject(killState(args.at(0), true), rows());
+    return saved ? "saved" : saved.error().text();
+});
+// Saves where no file may grow beyond a limit, as on a disk that is full.
+const ChildFunctionRow kSaveWithLimit("save-with-limit", [](const std::vector<std::string>& args) -> std::string {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit bound{rlim_t(std::stoi(args.at(1))), rlim_t(std::stoi(args.at(1)))};
+    const Project p = killState(args.at(0), true);
+    if (setrlimit(RLIMIT_FSIZE, &bound) != 0) return "no limit";
+    const auto saved = saveProject(p, rows());
+    if (saved) return "saved";
+    return p.name == "b" && p.registry.get<Terrain>(findEntity(p, "ground"))->height.present() ? saved.error().text()
+                                                                                               : "memory changed";
+});
+}  // namespace
+
+TEST(Saving, FiftyKillsLeaveOneStateOrTheOther) {
+    TempDir dir;
+    std::string why;
+    EXPECT_EQ(killSaveLoop(50, dir / "p", &why), 0) << why;
+    fs::remove_all(dir / "p/.sward-save");
+    EXPECT_EQ(faultOf(dir / "p"), "");
+}
+
+TEST(Saving, AKillBeforeTheCommitLeavesTheOldState) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+    writeText(dir / "p/.sward-save.tmp/project.json", "{\"name\": \"half");
+    EXPECT_EQ(faultOf(dir / "p"), "");
+    EXPECT_EQ(loadProject(dir / "p", rows())->name, "a");
+    ASSERT_TRUE(saveProject(killState(dir / "p", true), rows()));
+    EXPECT_FALSE(fs::exists(dir / "p/.sward-save.tmp")) << "the next save clears it away";
+}
+
+TEST(Saving, AKillAfterTheCommitLeavesTheNewStateWhateverWasMoved) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "b", true), rows()));
+    const std::vector<std::string> files{"project.json", "maps/ground.height.exr", "maps/lawn.grass.density.png",
+                                         "maps/lawn.vegetation.png"};
+    for (size_t moved = 0; moved <= files.size(); ++moved) {
+        fs::remove_all(dir / "p");
+        ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+        for (size_t i = 0; i < files.size(); ++i)
+            writeText((i < moved ? dir / "p" : dir / "p/.sward-save") / files[i], readText(dir / "b" / files[i]));
+        fs::create_directories(dir / "p/.sward-save");
+        EXPECT_EQ(faultOf(dir / "p"), "") << moved;
+        EXPECT_EQ(loadProject(dir / "p", rows())->name, "b") << moved;
+        EXPECT_FALSE(fs::exists(dir / "p/.sward-save")) << "the reader finished the moves";
+        EXPECT_EQ(contents(dir / "p"), contents(dir / "b"));
+    }
+}
+
+TEST(Saving, APendingSaveIsReadThroughWhereNothingMayBeWritten) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+    ASSERT_TRUE(saveProject(killState(dir / "b", true), rows()));
+    fs::rename(dir / "b", dir / "p/.sward-save");
+    makeReadOnly(dir / "p");
+    const std::string said = runChild("load-unprivileged", {(dir / "p").string()});
+    EXPECT_EQ(said, "b");
+    EXPECT_TRUE(fs::exists(dir / "p/.sward-save/project.json"));
+    makeWritable(dir / "p");
+}
+
+TEST(Saving, AReadOnlyProjectLoadsAndSavingItFailsWithoutATrace) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+    const auto before = contents(dir / "p");
+    makeReadOnly(dir / "p");
+    EXPECT_EQ(runChild("load-unprivileged", {(dir / "p").string()}), "a");
+    const std::string said = runChild("save-unprivileged", {(dir / "p").string()});
+    EXPECT_NE(said.find("Permission denied"), std::string::npos) << said;
+    EXPECT_NE(said.find("check who may read and write it"), std::string::npos) << said;
+    makeWritable(dir / "p");
+    EXPECT_EQ(contents(dir / "p"), before);
+}
+
+TEST(Saving, AFullDiskFailsWithoutATrace) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+    const auto before = contents(dir / "p");
+    for (const int limit : {0, 100, 300, 700}) {
+        const std::string said = runChild("save-with-limit", {(dir / "p").string(), std::to_string(limit)});
+        EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+        EXPECT_EQ(contents(dir / "p"), before) << "limit " << limit;
+    }
+}
+
+TEST(Saving, MapsOfRemovedComponentsGoAfterTheCommit) {
+    TempDir dir;
+    Project p = killState(dir / "p", true);
+    ASSERT_TRUE(saveProject(p, rows()));
+    writeText(dir / "p/maps/notes.txt", "mine");
+    ASSERT_TRUE(fs::exists(dir / "p/maps/ground.height.exr"));
+    p.registry.remove<Terrain>(findEntity(p, "ground"));
+    ASSERT_TRUE(saveProject(p, rows()));
+    EXPECT_FALSE(fs::exists(dir / "p/maps/ground.height.exr"));
+    EXPECT_TRUE(fs::exists(dir / "p/maps/lawn.vegetation.png"));
+    EXPECT_TRUE(fs::exists(dir / "p/maps/notes.txt")) << "what no project named is not touched";
+    EXPECT_TRUE(loadProject(dir / "p", rows()));
+}
+
+TEST(Saving, APendingSaveCannotReachOutOfTheProject) {
+    TempDir dir;
+    ASSERT_TRUE(saveProject(killState(dir / "p", false), rows()));
+    writeText(dir / "outside/keep.txt", "mine");
+    fs::create_symlink(dir / "outside", dir / "p/elsewhere");
+    writeText(dir / "p/.sward-save/elsewhere/keep.txt", "theirs");
+    writeText(dir / "p/.sward-save/.removed", "maps/../../outside/keep.txt\nproject.json\n");
+    EXPECT_FALSE(finishSave(dir / "p"));
+    EXPECT_EQ(readText(dir / "outside/keep.txt"), "mine");
+    EXPECT_TRUE(fs::exists(dir / "p/project.json"));
+    fs::remove_all(dir / "p/.sward-save");
+    fs::create_symlink(dir / "outside", dir / "p/.sward-save");
+    EXPECT_TRUE(loadProject(dir / "p", rows()));
+    EXPECT_TRUE(fs::exists(dir / "outside/keep.txt")) << "a link is no pending save";
+}
+
+TEST(Saving, SaveAsBringsImagesAlong) {
+    TempDir dir;
+    Project p = killState(dir / "p", false);
+    fs::create_directories(dir / "p");
+    ASSERT_TRUE(writeImagePng(dir / "p/blade.png", 1, 1, 4, {1, 2, 3, 4}));
+    p.registry.get<GrassField>(findEntity(p, "lawn"))->species[0].texture = "blade.png";
+    ASSERT_TRUE(saveProject(p, rows()));
+    const Project before = snapshot(p, rows());
+    p.dir = dir / "q/r";
+    const auto saved = saveProject(p, rows(), &before);
+    ASSERT_TRUE(saved) << saved.error().text();
+    EXPECT_EQ(saved->size(), 4u);
+    EXPECT_TRUE(loadProject(dir / "q/r", rows()));
+    EXPECT_EQ(readText(dir / "q/r/blade.png"), readText(dir / "p/blade.png"));
+}
+
+TEST(Saving, WhatCannotBeLoadedIsNotSaved) {
+    TempDir dir;
+    Project p = killState(dir / "p", true);
+    ASSERT_TRUE(saveProject(p, rows()));
+    const auto before = contents(dir / "p");
+    p.registry.get<GrassField>(findEntity(p, "lawn"))->minGeom = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_NE(saveProject(p, rows()).error().message.find("lawn.GrassField.minGeom"), std::string::npos);
+    p.registry.get<GrassField>(findEntity(p, "lawn"))->minGeom = 4;
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height.map = patternMap({8, 8, 1, PixelType::U8});
+    EXPECT_NE(saveProject(p, rows()).error().message.find("8 bits"), std::string::npos);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height.map = patternMap({8, 8, 2, PixelType::U16});
+    EXPECT_NE(saveProject(p, rows()).error().message.find("2 channels"), std::string::npos);
+    EXPECT_EQ(contents(dir / "p"), before);
+    p.dir.clear();
+    EXPECT_FALSE(saveProject(p, rows()));
+}
