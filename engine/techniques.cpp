@@ -1,43 +1,56 @@
 #include "techniques.h"
 
-#include "grass/field.h"
-#include "grass/flowers.h"
-#include "grass/force_outlines.h"
-#include "grass/forces.h"
-#include "grass/geometry.h"
-#include "grass/ground_shadow.h"
-#include "grass/mask.h"
-#include "grass/slices.h"
-#include "grass/tessellated.h"
-#include "objects/mesh.h"
-#include "objects/shadow.h"
-#include "post/far_blur.h"
-#include "post/map_overlay.h"
-#include "post/tonemap.h"
+#include "grass/drawing.h"
+#include "grass/grass_fields.h"
+#include "grass/hybrid.h"
+#include "grass/slice_settings.h"
+#include "grass/tessellated_settings.h"
 #include "scene/components.h"
-#include "sky/lamps.h"
-#include "sky/sky.h"
-#include "sky/wind.h"
-#include "terrain/ground.h"
-#include "terrain/shade.h"
-#include "water/reflection.h"
-#include "water/surface.h"
+#include "scene/technique.h"
 
 namespace sward {
+namespace {
 
-const Tables& tables() {
-    static const EffectRow effects[] = {
-        sunEffect(),         skyEffect(),           hazeEffect(),       lampsEffect(),                       // light
-        windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
-        meshEffect(),        shadowEffect(),                                                                 // objects
-        forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
-        geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
-        tessellatedEffect(), flowersEffect(),                                           // grass
-        waterEffect(),       reflectionEffect(),                                        // water
-        farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
-    };
-    static const Tables all{sharedComponentRows(), effects};
-    return all;
+// All rows, and what they refer to. GrassField's field `technique` takes the names of the techniques that are there.
+struct Store {
+    std::vector<TechniqueRow> techniques;
+    std::vector<const char*> names;
+    std::vector<FieldRow> grassFields;
+    std::vector<ComponentRow> components;
+    Tables all;
+
+    Store() {
+        for (const TechniqueRow& row : hybridTechniques()) techniques.push_back(row);
+        techniques.push_back(tessellatedTechnique());
+        describe();
+    }
+    void describe() {
+        names.clear();
+        for (const TechniqueRow& row : techniques) names.push_back(row.name);
+        const std::span<const ComponentRow> shared = sharedComponentRows();
+        components.assign(shared.begin(), shared.end());
+        for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
+                                        tessellatedBladesRow(), grassDrawingRow(), farLookRow()})
+            components.push_back(row);
+        all = {components, effectRows(), techniques};
+    }
+};
+Store& store() {
+    static Store rows;
+    return rows;
+}
+
+}  // namespace
+
+const Tables& tables() { return store().all; }
+
+AddedTechnique::AddedTechnique(const TechniqueRow& row) {
+    store().techniques.push_back(row);
+    store().describe();
+}
+AddedTechnique::~AddedTechnique() {
+    store().techniques.pop_back();
+    store().describe();
 }
 
 }  // namespace sward

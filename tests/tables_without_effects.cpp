@@ -1,12 +1,8 @@
-// The tables for executables that draw nothing: components, but no effect, so that no GL code is linked.
-#include "scene/components.h"
+// For executables that draw nothing: components and techniques, but no effect, so that no GL code is linked.
 #include "techniques.h"
 
 namespace sward {
 
-const Tables& tables() {
-    static const Tables all{sharedComponentRows(), {}};
-    return all;
-}
+std::span<const EffectRow> effectRows() { return {}; }
 
 }  // namespace sward

@@ -123,7 +123,7 @@ namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
 bool showsSources(EditorApp& app, const FieldRef& map) {
     return map.row->isForce &&
-           has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
+           has(sceneFeatures(app.doc.project().registry, app.doc.tables()), Feature::Forces);
 }
 }  // namespace
 

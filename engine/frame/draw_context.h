@@ -21,29 +21,6 @@ struct Frustum {
 };
 Frustum frustumOf(const glm::mat4& viewProj);
 
-// How a species' blades shade each other, made by grass/mask. Texture 0: they do not.
-struct BladeShade {
-    GLuint texture = 0;
-    float radius = 0, top = 0;  // of the mask's cylinder, metres
-    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
-};
-
-struct CellDraw;  // grass/cells.h
-// A species' blades as they are drawn this frame, for passes that draw them once more. Nothing selected: count 0.
-struct BladeDraws {
-    GLuint mesh = 0, indices = 0, buffer = 0,
-           globals = 0;  // vertex array with cells; indices of whole strips; SSBO_BLADES; UBO_SPECIES
-    const CellDraw* cells = nullptr;
-    size_t count = 0;
-    GLuint shadowCommands =
-        0;  // `count` commands that the GPU made of cells that it chose, at shadowOffset bytes; 0: the cells are here
-    size_t shadowOffset = 0;
-    uint32_t strips = 0;  // blades that the indices hold
-    int segments = 0;
-    uint32_t verticesABlade = 0;  // of drawCommand (grass/cells.h)
-    float shading = 1;            // share of them that is enough to shade the soil as all of them would
-};
-
 // Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3
 // to 5 the rows of a matrix to eye-relative positions, one an instance.
 struct ShadowCaster {
@@ -64,8 +41,16 @@ struct GroundMesh {
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
 
-struct FieldState;  // grass/field.h
-struct Force;       // world/forces.h
+// What grows on the soil, for who lights it (shaders/lib/soil.glsl).
+struct SoilCover {
+    GLuint globals = 0;        // SoilGlobals
+    std::string constants;     // how many fields and species there are, and which textures they read
+    std::vector<GLuint> maps;  // bound from TEX_SOIL on
+};
+
+struct GrassFields;  // grass/field.h
+struct MaskState;    // grass/mask.h
+struct Force;        // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
     GLuint framebuffer = 0;
@@ -77,17 +62,14 @@ struct ForceTarget {
 // here.
 struct SharedResources {
     GroundMesh groundMesh;
-    FieldState* grass = nullptr;
+    GrassFields* grass = nullptr;
+    MaskState* masks = nullptr;
+    SoilCover soil;
     Ground ground;  // the terrain; null without one
     HeightBounds bounds;
-    GLuint heights = 0;  // the height map's texture; 0: flat
-    GLuint cover = 0;    // uniform buffer of CoverGlobals
-    std::array<GLuint, MAX_SPECIES> densities{};
-    GLuint orientation = 0, vegetation = 0, occlusion = 0, forces = 0, bladeHeights = 0;
+    GLuint heights = 0;                 // the height map's texture; 0: flat
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
-    std::array<BladeDraws, MAX_SPECIES> blades{};
-    std::array<BladeShade, MAX_SPECIES> shades{};
     ForceTarget forceTarget;
     GLuint reflection = 0;         // what the water mirrors; 0: nothing
     glm::vec2 reflectionScale{0};  // of its texture coordinates, a clip unit
@@ -149,8 +131,9 @@ struct DrawContext {
         return *static_cast<S*>(state);
     }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
-    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n".
-    bool use(size_t program = 0, const std::string& constants = {});
+    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `of`: the features that it is
+    // compiled for, where those are not the whole scene's.
+    bool use(size_t program = 0, const std::string& constants = {}, const FeatureSet* of = nullptr);
     std::string error = {};  // the first program that failed
 };
 

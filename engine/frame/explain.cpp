@@ -115,7 +115,7 @@ std::string ownerOf(Feature f) {
 
 Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu) {
     Made m;
-    m.because = entitiesWith(project.registry, tables.components, f);
+    m.because = entitiesWith(project.registry, tables, f);
     m.bytes = bytesOf(gpu, ownerOf(f));
     std::set<std::string> programs;
     for (const EffectRow* e : plan.effects) {

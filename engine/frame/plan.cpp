@@ -53,11 +53,6 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
     return plan;
 }
 
-FeatureSet coarseFeatures(FeatureSet scene) {
-    if (has(scene, Feature::GrassSlices)) scene &= ~featureSet(Feature::GrassGeometry);
-    return scene & ~featureSet(Feature::GroundShadows);
-}
-
 std::vector<std::string> FramePlan::programs() const {
     std::set<std::string> names;
     for (const PlannedPass& p : passes)

@@ -30,10 +30,6 @@ struct FramePlan {
 // effect whose passes all serve other views do not tick.
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
 
-// What a coarse view draws of a scene: blades not one by one where vertical slices stand for them, and no shadow of
-// each blade.
-FeatureSet coarseFeatures(FeatureSet scene);
-
 // "const bool NAME = true;" for each declared feature, by what the scene has.
 std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene);
 

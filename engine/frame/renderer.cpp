@@ -140,10 +140,10 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     return calls;
 }
 
-bool DrawContext::use(size_t index, const std::string& constants) {
+bool DrawContext::use(size_t index, const std::string& constants, const FeatureSet* of) {
     const ProgramRow& p = row->programs[index];
     auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                featureConstants(p.features, plan.features) + constants);
+                                featureConstants(p.features, of ? *of : plan.features) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;
@@ -187,13 +187,13 @@ struct Renderer::Impl {
     }
 
     void replan(const Project& project) {
-        FramePlan next = planFrame(sceneFeatures(project.registry, tables.components), kViewMain, tables.effects);
+        FramePlan next = planFrame(sceneFeatures(project.registry, tables), kViewMain, tables.effects);
         if (planned && next == plan) return;
         plan = std::move(next);
         planned = true;
         within = {};
         if (has(plan.features, Feature::WaterReflection))
-            within = planFrame(coarseFeatures(plan.features), kViewReflection, tables.effects);
+            within = planFrame(sceneFeatures(project.registry, tables, true), kViewReflection, tables.effects);
         std::erase_if(states, [&](const auto& s) {
             return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end();
         });

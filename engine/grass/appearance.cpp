@@ -115,13 +115,13 @@ glm::vec3 sliceLight(const Posed& p, const glm::vec3& n, const FieldLight& l, co
     const Stored s = stored(p, n, l);
     for (size_t i = 0; i < weights.size(); ++i) {
         glm::vec3 plus = glm::max(l.suns[i].first, glm::vec3(0)), minus = glm::max(-l.suns[i].first, glm::vec3(0));
-        if (l.weighting != static_cast<int>(LightWeighting::Cosine)) {
+        if (l.weighting != LightWeighting::Cosine) {
             const glm::vec4& w = weights[i];
             plus = {w.x, w.y, w.z}, minus = {w.w, 0, 1 - (w.x + w.y + w.z + w.w)};
         }
         float toward = glm::dot(s.plus, plus) + glm::dot(s.minus, minus),
               away = glm::dot(s.plus, minus) + glm::dot(s.minus, plus);
-        if (l.weighting == static_cast<int>(LightWeighting::Cosine))
+        if (l.weighting == LightWeighting::Cosine)
             std::tie(toward, away) = std::pair{std::max(toward - away, 0.0f), std::max(away - toward, 0.0f)};
         sum += l.suns[i].second * (p.color * toward + f32::leafThrough(p.color) * (l.translucency * away));
     }
@@ -242,10 +242,10 @@ float lightLeft(const Look& look, float sinElevation) {
     return std::exp(-std::sqrt(across * across + look.above * look.above * y * y) / y);
 }
 
-glm::vec4 imageWeights(const glm::vec3& l, int weighting) {
+glm::vec4 imageWeights(const glm::vec3& l, LightWeighting weighting) {
     const f32::LightOctant o = f32::lightOctant(l);
     glm::vec3 w;
-    switch (static_cast<LightWeighting>(weighting)) {
+    switch (weighting) {
         case LightWeighting::Poly9:
             w = f32::weightsPoly9(o);
             break;

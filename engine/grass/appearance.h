@@ -13,10 +13,18 @@
 
 #include "frame/draw_context.h"
 #include "frame/tiles.h"
+#include "grass/slice_settings.h"
 #include "scene/population.h"
 #include "shared/frame.h"
 
 namespace sward {
+
+// How a species' blades shade each other, made by grass/mask. Texture 0: they do not.
+struct BladeShade {
+    GLuint texture = 0;
+    float radius = 0, top = 0;  // of the mask's cylinder, metres
+    std::vector<float> rows;    // mean of the mask's rows at density 1, from the ground up
+};
 
 // A point of a blade that stands for others.
 struct LookPoint {
@@ -48,7 +56,7 @@ struct FieldLight {
     std::vector<std::pair<glm::vec3, glm::vec3>> suns;    // towards the light (unit), colour
     float roughness = 0.5f, gloss = 0, translucency = 0;  // of the leaves
     const BladeShade* shade = nullptr;  // how blades shade blades in direct light; null: depth below the tips does
-    int weighting = 0;                  // LightWeighting: how slices weigh their images
+    LightWeighting weighting = LightWeighting::Cosine;  // how slices weigh their images
     float lean = 0;        // that paint or wind gives, m per m: where their change is taken; 0: neither is there
     bool pressed = false;  // whether something may press blades down
 };
@@ -65,6 +73,6 @@ struct Gains {
 Gains gainsOf(const Look& look, const FieldLight& light);
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
 // so is the published one where it has no value (B-1, B-4).
-glm::vec4 imageWeights(const glm::vec3& towardsLight, int weighting);
+glm::vec4 imageWeights(const glm::vec3& towardsLight, LightWeighting weighting);
 
 }  // namespace sward

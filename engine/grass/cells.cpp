@@ -135,21 +135,6 @@ glm::vec2 texelsPerCell(const CellQuery& q) {
 bool gpuMayChoose(const CellQuery& q) { return !q.unique && !(q.density && q.densityTiling.repeats); }
 glm::ivec2 fieldCells(const CellQuery& q) { return glm::ivec2(glm::ceil(q.terrain.size / q.cellSize)); }
 
-GeometryRange geometryRange(const GrassField& f) {
-    const float inf = std::numeric_limits<float>::infinity();
-    switch (static_cast<Technique>(f.technique)) {
-        case Technique::Geometry:
-            return {0, 0, inf};
-        case Technique::Slices:
-        case Technique::Flat:
-            return {0, -1, 0};
-        case Technique::Tessellated:
-            return {f.maxDistance, -1, f.maxDistance};
-        default:
-            return {f.minGeom, f32::lodInverse(f.minGeom, f.maxGeom), std::max(f.minGeom, f.maxGeom)};
-    }
-}
-
 float bladeSagitta(const Patch& patch) {
     float most = 0;
     for (const Blade& b : patch.blades) most = std::max(most, glm::length(b.tip - 2.0f * b.control) / 4);
@@ -163,23 +148,23 @@ float bladeReach(const Species& species, const Patch& patch) {
     return reach * (1 + clumps);
 }
 
-CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species,
-                    const Patch& patch, const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre) {
-    return {terrain,
-            bounds,
-            species.density.present() ? &species.density.map : nullptr,
-            tilingOf(terrain, species.densityTiling),
-            patch,
-            field.cellSize,
-            bladeReach(species, patch),
-            bladeSagitta(patch),
-            geometryRange(field),
-            isUnique(field) ? 0 : field.fade,
-            static_cast<uint32_t>(field.seed),
-            species.segments,
-            pixelsPerMetre,
-            eye,
-            frustum};
+CellQuery cellQuery(const QueryOf& of, const QueryFrom& from) {
+    const Species& s = of.species;
+    return {of.terrain,
+            of.bounds,
+            s.density.present() ? &s.density.map : nullptr,
+            tilingOf(of.terrain, s.densityTiling),
+            of.patch,
+            of.field.cellSize,
+            bladeReach(s, of.patch),
+            bladeSagitta(of.patch),
+            of.blades,
+            isUnique(of.field) ? 0 : of.fade,
+            static_cast<uint32_t>(of.field.seed),
+            s.segments,
+            from.pixelsPerMetre,
+            from.eye,
+            from.frustum};
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "scene/population.h"
+#include "scene/technique.h"
 #include "scene/unique.h"
 
 namespace sward {
@@ -41,11 +42,6 @@ uint32_t bladesDrawn(const CellDraw& c, float detail);
 DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance,
                         uint32_t verticesABlade = 0);
 
-// Where blades are drawn, by technique: minGeom, lodInverse(minGeom, maxGeom) (numerics/lod.h), maxGeom.
-struct GeometryRange {
-    float min, inv, max;
-};
-GeometryRange geometryRange(const GrassField& field);
 // Quads of a shadow on the ground, at most; one would lose a quarter of its area.
 inline constexpr int kShadowQuads = 2;
 // The farthest that a blade's middle is from its chord, metres: |tip - 2 control| / 4.
@@ -69,9 +65,9 @@ struct CellQuery {
     Tiling densityTiling;
     const Patch& patch;
     double cellSize;
-    float reach;    // bladeReach
-    float sagitta;  // bladeSagitta
-    GeometryRange range;
+    float reach;           // bladeReach
+    float sagitta;         // bladeSagitta
+    FadeRange range;       // where blades are drawn one by one
     float fade;            // omega
     uint32_t seed;         // the field's
     int segments;          // the species': the most that are drawn
@@ -85,8 +81,23 @@ struct CellQuery {
     float shadow =
         0;  // how far shadows on the ground reach beyond `reach`: cells of which only those are seen count too
 };
-CellQuery cellQuery(const Terrain& terrain, const HeightBounds& bounds, const GrassField& field, const Species& species,
-                    const Patch& patch, const glm::dvec3& eye, const Frustum& frustum, float pixelsPerMetre);
+// What a cell query is of: a species of a field, as it is drawn (scene/technique.h), over ground.
+struct QueryOf {
+    const Terrain& terrain;
+    const HeightBounds& bounds;
+    const GrassField& field;
+    const Species& species;
+    const Patch& patch;
+    FadeRange blades;  // FieldTiers::blades
+    float fade;        // GrassDrawing::fade
+};
+// The eye's and the view's part of a query.
+struct QueryFrom {
+    glm::dvec3 eye;  // relative to the terrain's corner
+    const Frustum& frustum;
+    float pixelsPerMetre;  // at a distance of 1 m
+};
+CellQuery cellQuery(const QueryOf& of, const QueryFrom& from);
 
 // A node of f32::kNodeSide x kNodeSide cells of which some may be chosen: where its first cell is, and between which
 // heights relative to the eye its ground lies.

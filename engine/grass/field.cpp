@@ -3,6 +3,9 @@
 #include "core/hash.h"
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "grass/drawing.h"
+#include "grass/grass_fields.h"
+#include "grass/mask.h"
 #include "scene/tiling.h"
 #include "world/wind.h"
 
@@ -18,9 +21,10 @@ void updatePatch(FieldSpecies& s, const Species& species, const GrassField& fiel
     s.patch = makePatch(species, field.cellSize, static_cast<uint32_t>(field.seed));
 }
 
-void updateUnique(const DrawContext& ctx, FieldSpecies& s, const Species& species, const GrassField& field) {
+void updateUnique(const DrawContext& ctx, FieldSpecies& s, const Species& species, const Field& of) {
     const Terrain& t = *ctx.shared.ground.terrain;
-    if (!has(ctx.plan.features, Feature::GrassUnique)) {
+    const GrassField& field = of.grows();
+    if (!has(of.view->own, Feature::GrassUnique)) {
         s.unique = {}, s.uniqueOf = 0, s.uniqueDensity = {};
         return;
     }
@@ -39,134 +43,226 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
     s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
 }
 
-void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const GrassField& f, int index) {
+void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Field& field, size_t index) {
+    const GrassField& f = field.grows();
+    const Species& sp = f.species[index];
     SpeciesGlobals g;
     g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
     g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
     g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
     g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), isUnique(f) ? 0 : f.fade,
-                static_cast<float>(index)};
+    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed),
+                isUnique(f) ? 0 : field.view->settings<GrassDrawing>().fade, static_cast<float>(index)};
     g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
-    const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
-    g.mask = {shade.radius, shade.top, 0, 0};
+    g.mask = {s.shade.radius, s.shade.top, 0, 0};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
-// All species are drawn by one program, which reads a density map if any of them has one.
-void publishDensities(DrawContext& ctx, FieldState& state, const GrassField& f) {
+// All species of a field are drawn by one program, which reads a density map if any of them has one.
+void publishDensities(DrawContext& ctx, Field& field) {
+    const GrassField& f = field.grows();
     const Terrain& t = *ctx.shared.ground.terrain;
     const auto bare = [](const Species& s) { return !s.density.present(); };
     const bool some =
-        has(ctx.plan.features, Feature::GrassDensity) && std::any_of(f.species.begin(), f.species.end(), bare);
-    if (!some) state.everywhere = {};
-    if (some && !state.everywhere.id()) {
+        has(field.view->own, Feature::GrassDensity) && std::any_of(f.species.begin(), f.species.end(), bare);
+    if (!some) field.everywhere = {};
+    if (some && !field.everywhere.id()) {
         const uint8_t one = 255;
-        state.everywhere = makeTexture2D(ctx.gpu, "grass/density", GL_R8, 1, 1);
-        glTextureSubImage2D(state.everywhere.id(), 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &one);
+        field.everywhere = makeTexture2D(ctx.gpu, "grass/density", GL_R8, 1, 1);
+        glTextureSubImage2D(field.everywhere.id(), 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &one);
     }
-    ctx.shared.densities.fill(0);
-    for (size_t i = 0; i < f.species.size() && i < MAX_SPECIES; ++i)
-        ctx.shared.densities[i] =
-            bare(f.species[i]) ? state.everywhere.id()
-                               : ctx.maps.get("grass/density", "density." + std::to_string(i), f.species[i].density.map,
-                                              false, tilingOf(t, f.species[i].densityTiling).repeats);
+    for (size_t i = 0; i < f.species.size(); ++i)
+        field.species[i]->density =
+            bare(f.species[i])
+                ? field.everywhere.id()
+                : ctx.maps.get("grass/density", fmt::format("{}.density.{}", field.name, i), f.species[i].density.map,
+                               false, tilingOf(t, f.species[i].densityTiling).repeats);
 }
 
-void publishMaps(DrawContext& ctx, FieldState& state, const GrassField& f) {
+void publishMaps(DrawContext& ctx, Field& field) {
+    const GrassField& f = field.grows();
     const Terrain& t = *ctx.shared.ground.terrain;
-    publishDensities(ctx, state, f);
-    const auto publish = [&](GLuint& to, const MapField& m, const char* owner, bool srgb) {
-        to = m.present() ? ctx.maps.get(owner, owner, m.map, srgb, true) : 0;
+    publishDensities(ctx, field);
+    const auto texture = [&](const MapField& m, const char* owner, bool srgb, bool repeats) {
+        return m.present() ? ctx.maps.get(owner, field.name + "." + owner, m.map, srgb, repeats) : 0;
     };
-    publish(ctx.shared.orientation, f.orientation, "grass/orientation", false);
-    publish(ctx.shared.vegetation, f.vegetation, "grass/vegetation", true);
-    publish(ctx.shared.forces, f.forces, "grass/force-map", false);
-    ctx.shared.bladeHeights = f.bladeHeight.present()
-                                  ? ctx.maps.get("grass/heights", "grass/heights", f.bladeHeight.map, false,
-                                                 tilingOf(t, f.bladeHeightTiling).repeats)
-                                  : 0;
-    publish(ctx.shared.occlusion, f.ambientOcclusion, "grass/occlusion", false);
+    field.orientation = texture(f.orientation, "grass/orientation", false, true);
+    field.vegetation = texture(f.vegetation, "grass/vegetation", true, true);
+    field.forces = texture(f.forces, "grass/force-map", false, true);
+    field.bladeHeights = texture(f.bladeHeight, "grass/heights", false, tilingOf(t, f.bladeHeightTiling).repeats);
+    field.occlusion = texture(f.ambientOcclusion, "grass/occlusion", false, true);
 }
 
-// Where blades and slices stop shading the soil one by one: as far as vertical slices are seen.
-std::pair<float, float> shadowRange(const GrassField& f) {
-    const float inf = std::numeric_limits<float>::infinity();
-    switch (static_cast<Technique>(f.technique)) {
-        case Technique::Geometry:
-            return {inf, inf};
-        case Technique::Tessellated:
-            return {0, 0};  // soil is shaded in the mean alone
-        case Technique::Slices:
-        case Technique::Flat:
-            return {f.minBTF, f.maxBTF};
-        default:
-            return {std::max(f.minBTF, f.maxGeom), std::max(f.maxBTF, f.maxGeom)};
-    }
-}
-
-void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
-    const GeometryRange range = geometryRange(f);
+void writeCover(DrawContext& ctx, Field& field) {
+    const GrassField& f = field.grows();
+    const FieldTiers& tiers = field.view->tiers;
+    const FarLook& far = field.view->settings<FarLook>();
     CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
+    cover.tiers = {static_cast<float>(field.species.size()), tiers.blades.min, tiers.blades.inv, f.cellSize};
     cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
     const Terrain& t = *ctx.shared.ground.terrain;
     cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
-    for (size_t i = 0; i < state.species.size(); ++i) {
+    for (size_t i = 0; i < field.species.size(); ++i) {
         cover.densities[static_cast<int>(i)] = shaderTiling(t, f.species[i].densityTiling);
-        cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
-        cover.height[static_cast<int>(i)] = state.species[i]->look.height;
+        cover.shade[static_cast<int>(i)] = lightLeft(field.species[i]->look, ctx.globals.sunDirection.y);
+        cover.height[static_cast<int>(i)] = field.species[i]->look.height;
         cover.gusts[static_cast<int>(i)] = wind ? windStrength(*wind, f.species[i]) : 0;
     }
-    const auto [from, upTo] = shadowRange(f);
-    cover.shadows = {from, f32::lodInverse(from, upTo), f.farDarkening, f.farDarkeningDistance};
-    writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
-    ctx.shared.cover = state.cover.id();
+    cover.shadows = {tiers.soil.min, tiers.soil.inv, far.farDarkening, far.farDarkeningDistance};
+    writeBuffer(ctx.gpu, field.cover, kOwner, sizeof(cover), &cover);
 }
 
-// For the whole frame: nothing else uses the bindings.
-void bindField(const SharedResources& r) {
-    static_assert(TEX_ORIENTATION == TEX_BLADE_HEIGHT + 1 && TEX_VEGETATION == TEX_BLADE_HEIGHT + 2 &&
-                  TEX_OCCLUSION == TEX_BLADE_HEIGHT + 3);
-    const GLuint maps[] = {r.bladeHeights, r.orientation, r.vegetation, r.occlusion};
-    glBindTextures(TEX_BLADE_HEIGHT, 4, maps);
-    if (r.forces) glBindTextureUnit(TEX_FORCE_MAP, r.forces);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, r.cover);
+// --- what the ground is told of what grows on it
+// ----------------------------------------------------------------------- A texture among those that the ground reads,
+// as its number; -1: none, or no room (check refuses such scenes).
+int soilMap(SoilCover& soil, GLuint texture) {
+    if (!texture) return -1;
+    const auto at = std::find(soil.maps.begin(), soil.maps.end(), texture);
+    if (at == soil.maps.end() && soil.maps.size() >= MAX_SOIL_MAPS) return -1;
+    const auto number = static_cast<int>(at - soil.maps.begin());
+    if (at == soil.maps.end()) soil.maps.push_back(texture);
+    return number;
+}
+
+// What the ground's shader is compiled with: how much there is to add up, and which texture holds what.
+struct SoilNumbers {
+    std::vector<int> fieldOf, density;   // by species
+    std::vector<int> height, occlusion;  // by field
+};
+std::string listed(const char* name, std::vector<int> numbers) {
+    if (numbers.empty()) numbers.push_back(-1);
+    return fmt::format("const int {}[{}] = int[{}]({});\n", name, numbers.size(), numbers.size(),
+                       fmt::join(numbers, ", "));
+}
+std::string soilText(const SoilNumbers& n) {
+    return fmt::format("const int SOIL_FIELDS = {};\nconst int SOIL_SPECIES = {};\n", n.height.size(),
+                       n.density.size()) +
+           listed("SOIL_FIELD_OF", n.fieldOf) + listed("SOIL_DENSITY", n.density) + listed("SOIL_HEIGHT", n.height) +
+           listed("SOIL_OCCLUSION", n.occlusion);
+}
+
+void publishSoil(DrawContext& ctx, GrassFields& grass) {
+    const Terrain& t = *ctx.shared.ground.terrain;
+    SoilCover& soil = ctx.shared.soil;
+    soil.maps.clear();
+    SoilGlobals g{};
+    SoilNumbers numbers;
+    for (size_t i = 0; i < std::min<size_t>(grass.all.size(), MAX_FIELDS); ++i) {
+        const Field& field = *grass.all[i];
+        const GrassField& f = field.grows();
+        // Where its blades shade no ground, the mean does from the eye on.
+        const bool drawn = has(field.view->own, Feature::GroundShadows);
+        const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
+        g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
+        numbers.height.push_back(soilMap(soil, field.bladeHeights));
+        numbers.occlusion.push_back(soilMap(soil, field.occlusion));
+        for (size_t k = 0; k < field.species.size() && numbers.density.size() < MAX_SOIL_SPECIES; ++k) {
+            const FieldSpecies& s = *field.species[k];
+            g.species[numbers.density.size()] = {lightLeft(s.look, ctx.globals.sunDirection.y),
+                                                 shaderTiling(t, f.species[k].densityTiling), 0, 0};
+            numbers.fieldOf.push_back(static_cast<int>(i));
+            numbers.density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
+        }
+    }
+    soil.constants = soilText(numbers);
+    writeBuffer(ctx.gpu, grass.soil, kOwner, sizeof(g), &g);
+    soil.globals = grass.soil.id();
+}
+
+// --- fields
+// ------------------------------------------------------------------------------------------------------------ The
+// scene's features, but of fields only this one's.
+FeatureSet featuresFor(const DrawContext& ctx, const FeatureSet& own) {
+    return (ctx.plan.features & ~featuresOfFields()) | own;
+}
+
+void updateSpecies(DrawContext& ctx, Field& field, size_t i) {
+    const GrassField& f = field.grows();
+    FieldSpecies& s = *field.species[i];
+    updatePatch(s, f.species[i], f);
+    updateUnique(ctx, s, f.species[i], field);
+    updateTexture(ctx, s, f.species[i]);
+    s.shade = shadeOf(ctx, field.name, i);
+    updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
+    writeGlobals(ctx, s, field, i);
+    s.draws = {};
+    if (!has(field.view->own, Feature::GrassFar))
+        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
+}
+
+void updateField(DrawContext& ctx, Field& field) {
+    field.species.resize(field.grows().species.size());
+    for (auto& s : field.species)
+        if (!s) s = std::make_unique<FieldSpecies>();
+    publishMaps(ctx, field);
+    for (size_t i = 0; i < field.species.size(); ++i) updateSpecies(ctx, field, i);
+    writeCover(ctx, field);
+}
+
+// Fields keep their state by name; those that grow nothing have none.
+void findFields(DrawContext& ctx, GrassFields& grass) {
+    std::vector<std::unique_ptr<Field>> now;
+    for (const auto& [name, entity] : fieldsOf(ctx.project)) {
+        const FeatureSet own = fieldFeatures(ctx.tables.techniques, entity, ctx.settings.coarse);
+        if (own.none()) continue;
+        const auto old =
+            std::find_if(grass.all.begin(), grass.all.end(), [&](const auto& f) { return f && f->name == name; });
+        now.push_back(old != grass.all.end() ? std::move(*old) : std::make_unique<Field>());
+        now.back()->name = name;
+        now.back()->view.emplace(
+            GrassView{entity, own, featuresFor(ctx, own), tiersOf(ctx.tables.techniques, entity, ctx.settings.coarse)});
+    }
+    grass.all = std::move(now);
 }
 
 void update(DrawContext& ctx) {
-    FieldState& state = ctx.own<FieldState>();
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
+    GrassFields& grass = ctx.own<GrassFields>();
     if (!ctx.shared.ground.terrain) return;
-    publishMaps(ctx, state, f);
-    state.species.resize(std::min<size_t>(f.species.size(), MAX_SPECIES));
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        if (!state.species[i]) state.species[i] = std::make_unique<FieldSpecies>();
-        FieldSpecies& s = *state.species[i];
-        updatePatch(s, f.species[i], f);
-        updateUnique(ctx, s, f.species[i], f);
-        updateTexture(ctx, s, f.species[i]);
-        updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
-        writeGlobals(ctx, s, f.species[i], f, static_cast<int>(i));
-        if (!has(ctx.plan.features, Feature::GrassFar))
-            s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.sliceGlobals = {};
-    }
-    writeCover(ctx, state, f);
-    bindField(ctx.shared);
-    ctx.shared.grass = &state;
+    findFields(ctx, grass);
+    for (const std::unique_ptr<Field>& field : grass.all) updateField(ctx, *field);
+    publishSoil(ctx, grass);
+    ctx.shared.grass = &grass;
 }
 
 const System kSystems[] = {{"grass/field", update}};
 
 }  // namespace
 
-CellQuery drawnQuery(const DrawContext& ctx, const GrassField& f, size_t i) {
-    const FieldSpecies& s = *ctx.shared.grass->species[i];
-    CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], s.drawn(), ctx.eye,
-                            ctx.frustum, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+void bindField(const Field& f) {
+    static_assert(TEX_ORIENTATION == TEX_BLADE_HEIGHT + 1 && TEX_VEGETATION == TEX_BLADE_HEIGHT + 2 &&
+                  TEX_OCCLUSION == TEX_BLADE_HEIGHT + 3);
+    const GLuint maps[] = {f.bladeHeights, f.orientation, f.vegetation, f.occlusion};
+    glBindTextures(TEX_BLADE_HEIGHT, 4, maps);
+    if (f.forces) glBindTextureUnit(TEX_FORCE_MAP, f.forces);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, f.cover.id());
+}
+
+std::vector<Field*> fieldsWith(const DrawContext& ctx, Feature f) {
+    std::vector<Field*> out;
+    if (!ctx.shared.grass) return out;
+    for (const std::unique_ptr<Field>& field : ctx.shared.grass->all)
+        if (has(field->view->own, f)) out.push_back(field.get());
+    return out;
+}
+
+namespace {
+CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i, const Patch& patch, float pixels) {
+    const GrassField& f = field.grows();
+    return cellQuery({*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], patch, field.view->tiers.blades,
+                      field.view->settings<GrassDrawing>().fade},
+                     {ctx.eye, ctx.frustum, pixels});
+}
+}  // namespace
+
+CellQuery drawnQuery(const DrawContext& ctx, const Field& field, size_t i) {
+    const FieldSpecies& s = *field.species[i];
+    CellQuery q = queryOf(ctx, field, i, s.drawn(), pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     if (!s.unique.empty()) q.unique = &s.unique;
     return q;
+}
+CellQuery patchQuery(const DrawContext& ctx, const Field& field, size_t i, float pixels) {
+    return queryOf(ctx, field, i, field.species[i]->patch, pixels);
 }
 
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
@@ -187,13 +283,13 @@ void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
     glVertexArrayElementBuffer(mesh, indices);
 }
 
-void beginTransparency(const DrawContext& ctx, const GrassField& field) {
+void beginTransparency(const DrawContext& ctx, const Field& field) {
     if (ctx.settings.mode == ViewMode::Overdraw) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
         return;
     }
-    const auto way = static_cast<Transparency>(field.transparency);
+    const Transparency way = field.view->settings<GrassDrawing>().transparency;
     if (way == Transparency::Both || way == Transparency::Blend) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -206,36 +302,46 @@ Rgba8 bladeImage(const Project& project, const Species& species) {
     return image.pixels.empty() ? makeBladeImage(32, 128) : image;
 }
 
-std::string fieldConstants(const GrassField& f) {
+namespace {
+std::string constantsOf(const GrassDrawing& drawing, const GrassSlices& slices) {
     return fmt::format(
         "const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool "
         "WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
-        f.transparency, f.storage, f.lightWeights == static_cast<int>(LightWeighting::Cosine),
-        f.weightsAt == static_cast<int>(WeightsAt::Pixel), f.sliceCover == static_cast<int>(SliceCover::Conserving));
+        static_cast<int>(drawing.transparency), static_cast<int>(slices.storage),
+        slices.lightWeights == LightWeighting::Cosine, slices.weightsAt == WeightsAt::Pixel,
+        slices.sliceCover == SliceCover::Conserving);
+}
+}  // namespace
+
+std::string fieldConstants(const FieldEntity& f) {
+    return constantsOf(f.settings<GrassDrawing>(), f.settings<GrassSlices>());
 }
 
 std::vector<std::string> fieldVariants() {
     std::vector<std::string> out;
-    GrassField f;
-    const auto add = [&](int& field, int value) {
-        field = value;
-        out.push_back(fieldConstants(f));
-    };
+    GrassDrawing drawing;
+    GrassSlices slices;
+    const auto add = [&] { out.push_back(constantsOf(drawing, slices)); };
     for (const Storage storage : {Storage::Factored, Storage::Compressed, Storage::Full})
         for (const LightWeighting weights : {LightWeighting::Atan, LightWeighting::Cosine})
             for (const WeightsAt at : {WeightsAt::Vertex, WeightsAt::Pixel}) {
-                f.storage = static_cast<int>(storage), f.lightWeights = static_cast<int>(weights);
-                add(f.weightsAt, static_cast<int>(at));
+                slices.storage = storage, slices.lightWeights = weights, slices.weightsAt = at;
+                add();
             }
-    for (const Transparency way : {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend})
-        add(f.transparency, static_cast<int>(way));
-    add(f.sliceCover, static_cast<int>(SliceCover::Published));
+    for (const Transparency way :
+         {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend}) {
+        drawing.transparency = way;
+        add();
+    }
+    slices.sliceCover = SliceCover::Published;
+    add();
     return out;
 }
 
-void FieldState::jobs(std::vector<JobNews>& out) const {
-    for (const auto& s : species)
-        if (s && s->bake.active()) out.push_back(s->bake.news());
+void GrassFields::jobs(std::vector<JobNews>& out) const {
+    for (const auto& field : all)
+        for (const auto& s : field->species)
+            if (s && s->bake.active()) out.push_back(s->bake.news());
 }
 
 const EffectRow& fieldEffect() {
@@ -244,7 +350,7 @@ const EffectRow& fieldEffect() {
         featureSet(Feature::Grass, Feature::Terrain),
         kSystems,
         {},
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FieldState>(); },
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GrassFields>(); },
         "there is grass: its patches, maps and textures"};
     return row;
 }

@@ -3,6 +3,8 @@
 #include "core/hash.h"
 #include "core/numerics.h"
 #include "frame/draw_context.h"
+#include "grass/drawing.h"
+#include "grass/grass_fields.h"
 
 namespace sward {
 namespace {
@@ -83,14 +85,18 @@ uint8_t freeShare(const Section& s, int x, int y, float density) {
     return static_cast<uint8_t>((open * 255 + kFine * kFine / 2) / (kFine * kFine));
 }
 
+}  // namespace
+
 struct MaskState : EffectState {
     struct One {
         uint64_t key = 0;
         Texture texture;
         BladeShade shade;
     };
-    std::array<One, MAX_SPECIES> species;
+    std::map<std::string, std::vector<One>> fields;  // by name, each by species
 };
+
+namespace {
 
 // Two levels and no more: a thin blade's coordinates leap from pixel to pixel, and the mean over all heights that they
 // would ask for is the dark of the roots, where what is seen of dense grass are its tips.
@@ -113,27 +119,30 @@ std::vector<float> rowMeans(const BladeMask& m) {
     return rows;
 }
 
-void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, const GrassField& f) {
+void updateMask(DrawContext& ctx, MaskState::One& one, const Species& species, const FieldEntity& field) {
+    const GrassField& f = field.grows;
+    const int width = field.settings<GrassDrawing>().shadowMask;
     const uint32_t seed = static_cast<uint32_t>(f.seed);
-    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(f.shadowMask)},
+    const uint64_t parts[] = {patchKey(species, f.cellSize, seed), static_cast<uint64_t>(width)},
                    key = hashBytes(parts, sizeof(parts));
     if (one.key == key && one.texture.id()) return;
     one.key = key;
-    const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, f.shadowMask);
+    const BladeMask mask = makeBladeMask(species, makePatch(species, f.cellSize, seed), f.cellSize, width);
     one.texture = uploadMask(ctx.gpu, mask);
     one.shade = {one.texture.id(), mask.radius, mask.top, rowMeans(mask)};
 }
 
 void update(DrawContext& ctx) {
     MaskState& state = ctx.own<MaskState>();
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    for (size_t i = 0; i < MAX_SPECIES; ++i) {
-        if (i < f.species.size())
-            updateMask(ctx, state.species[i], f.species[i], f);
-        else
-            state.species[i] = {};
-        ctx.shared.shades[i] = state.species[i].shade;
+    std::map<std::string, std::vector<MaskState::One>> now;
+    for (const auto& [name, field] : fieldsOf(ctx.project)) {
+        if (!has(fieldFeatures(ctx.tables.techniques, field), Feature::BladeShadows)) continue;
+        std::vector<MaskState::One>& species = now[name] = std::move(state.fields[name]);
+        species.resize(field.grows.species.size());
+        for (size_t i = 0; i < species.size(); ++i) updateMask(ctx, species[i], field.grows.species[i], field);
     }
+    state.fields = std::move(now);
+    ctx.shared.masks = &state;
 }
 
 const System kSystems[] = {{"grass/mask", update}};
@@ -158,6 +167,13 @@ BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSi
                 m.pixels[static_cast<size_t>((y * m.width + x) * 4 + c)] =
                     freeShare(s, x, y, 0.25f * static_cast<float>(c + 1));
     return m;
+}
+
+BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species) {
+    if (!ctx.shared.masks) return {};
+    const auto found = ctx.shared.masks->fields.find(field);
+    if (found == ctx.shared.masks->fields.end() || species >= found->second.size()) return {};
+    return found->second[species].shade;
 }
 
 const EffectRow& maskEffect() {

@@ -447,7 +447,7 @@ Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpe
 
 std::vector<SliceSpec> projectSlices(const Project& project, const Tables& tables) {
     std::vector<SliceSpec> out;
-    const FeatureSet features = sceneFeatures(project.registry, tables.components);
+    const FeatureSet features = sceneFeatures(project.registry, tables);
     if (!has(features, Feature::GrassFar)) return out;
     for (const auto& [name, e] : project.entities)
         if (const GrassField* f = project.registry.get<GrassField>(e))

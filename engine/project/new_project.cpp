@@ -28,14 +28,14 @@ Project emptyProject(const fs::path& dir) {
 
 }  // namespace
 
-Result<Project> newProject(const fs::path& dir) {
+Result<Project> newProject(const fs::path& dir, std::span<const ComponentRow> rows) {
     std::error_code fault;
     const bool existed = fs::exists(dir, fault);
     if (existed && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
         return Error{
             ExitCode::Failed, "exists and is not an empty folder", dir.string(), 0, 0, "name a new or an empty folder"};
     Project p = emptyProject(dir);
-    if (auto saved = saveProject(p, sharedComponentRows()); !saved) {
+    if (auto saved = saveProject(p, rows); !saved) {
         if (!existed) fs::remove_all(dir, fault);
         return saved.error();
     }

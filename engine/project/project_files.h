@@ -40,7 +40,7 @@ Result<std::vector<std::string>> saveProject(const Project& p, std::span<const C
                                              const Project* saved = nullptr);
 // A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
 // Fails if dir exists and is not empty; leaves nothing behind then.
-Result<Project> newProject(const std::filesystem::path& dir);
+Result<Project> newProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
 
 // Names all that a project is: its fields, its maps' texels, its files' bytes; not its folder. Reads every texel.
 uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows);

@@ -18,7 +18,7 @@ inline constexpr size_t kMaxListElements = 1024;  // longer lists in a project f
 using Upgrade = Status (*)(Json& project);
 // The steps from format 1 to today's; today's format is one more than their number.
 std::span<const Upgrade> projectUpgrades();
-inline constexpr int kProjectFormat = 1;
+inline constexpr int kProjectFormat = 2;
 // Checks "format" (absent: 1) and brings the tree up to 1 + steps.size(). Unsound error if it is newer or no format.
 Status upgradeProject(Json& project, const std::string& file, std::span<const Upgrade> steps);
 

@@ -89,11 +89,13 @@ void readBool(ProjectReader& r, const std::string& path, const Json& j, void* ou
     *static_cast<bool*>(out) = j.boolean;
 }
 
-void readEnum(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, void* out) {
+// Calls set(number) for the option that is named.
+template <class Set>
+void readOption(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, Set&& set) {
     std::string names;
     for (size_t i = 0; i < row.options.size(); ++i) {
         if (j.isString() && j.text == row.options[i]) {
-            *static_cast<int*>(out) = static_cast<int>(i);
+            set(i);
             return;
         }
         names += fmt::format("{}\"{}\"", i ? ", " : "", row.options[i]);
@@ -176,7 +178,9 @@ void readField(ProjectReader& r, const FieldRow& row, const std::string& path, c
         case FieldType::String:
             return readString(r, row, path, j, out);
         case FieldType::Enum:
-            return readEnum(r, row, path, j, out);
+            return readOption(r, row, path, j, [&](size_t i) { setEnumIndex(out, static_cast<int>(i)); });
+        case FieldType::Name:
+            return readOption(r, row, path, j, [&](size_t i) { *static_cast<std::string*>(out) = row.options[i]; });
         case FieldType::Map:
             return readMapFile(r, path, j, out);
         case FieldType::List:
@@ -253,36 +257,6 @@ void readName(ProjectReader& r, const Json& j) {
 }
 
 }  // namespace
-
-// --- format ------------------------------------------------------------------------------------------------------
-std::span<const Upgrade> projectUpgrades() { return {}; }
-
-Status upgradeProject(Json& project, const std::string& file, std::span<const Upgrade> steps) {
-    if (!project.isObject())
-        return Error{ExitCode::Unsound,
-                     fmt::format("a project is an object, not {}", jsonTypeName(project.type)),
-                     file,
-                     project.line,
-                     project.column,
-                     {}};
-    const int newest = 1 + static_cast<int>(steps.size());
-    const Json* format = project.find("format");
-    if (!format) return {};
-    const auto refuseFormat = [&](std::string message, std::string remedy) {
-        return Error{ExitCode::Unsound, std::move(message), file, format->line, format->column, std::move(remedy)};
-    };
-    const double n = format->number;
-    if (!format->isNumber() || n < 1 || n != std::floor(n))
-        return refuseFormat("format: must be a whole number from 1", fmt::format("this Sward reads up to {}", newest));
-    if (n > newest)
-        return refuseFormat(
-            fmt::format("format {} is newer than this Sward, which reads up to {}", format->text, newest),
-            "open it with the Sward that saved it, or a newer one");
-    for (int i = static_cast<int>(n); i < newest; ++i)
-        if (Status s = steps[size_t(i - 1)](project); !s) return s;
-    project["format"] = Json(newest);
-    return {};
-}
 
 void ProjectReader::read(const Json& root) {
     for (const auto& [key, value] : root.object) {

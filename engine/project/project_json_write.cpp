@@ -82,6 +82,8 @@ Json fieldJson(const Writer& w, const FieldRow& row, const void* value, const st
             Json j = mapJson(w, value);
             return j.text.empty() ? Json() : j;
         }
+        case FieldType::Name:
+            return Json(*static_cast<const std::string*>(value));
         case FieldType::String: {
             const auto& text = *static_cast<const std::string*>(value);
             return row.isFile && text.empty() ? Json() : Json(text);
@@ -98,6 +100,11 @@ Json fieldsJson(const Writer& w, std::span<const FieldRow> rows, const void* bas
     }
     addUnknown(w, path, j);
     return j;
+}
+
+// Whether settings are written as their defaults would be: those that are absent hold the same.
+bool isUsual(const Writer& w, const ComponentRow& row, const Json& fields) {
+    return writeJson(fields) == writeJson(fieldsJson(w, row.fields, row.defaults(), "."));
 }
 
 Json importsJson(const Project& p) {
@@ -178,8 +185,10 @@ Json projectJson(const Project& p, std::span<const ComponentRow> rows,
     for (const auto& [name, entity] : p.entities) {
         Json& one = entities[name] = Json::makeObject();
         for (const ComponentRow& row : rows)
-            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity))
-                one[row.name] = fieldsJson(w, row.fields, component, name + "." + row.name);
+            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity)) {
+                Json fields = fieldsJson(w, row.fields, component, name + "." + row.name);
+                if (!row.settingsOf || !isUsual(w, row, fields)) one[row.name] = std::move(fields);
+            }
         addUnknown(w, name, one);
     }
     addUnknown(w, "", j);

@@ -382,7 +382,7 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
                                             const JobControl& control) {
     auto impl = std::make_unique<Impl>();
     impl->project = snapshot(p, tables.components);
-    impl->features = sceneFeatures(impl->project.registry, tables.components);
+    impl->features = sceneFeatures(impl->project.registry, tables);
     impl->time = time;
     auto solids = Solids::make(impl->project, control);
     if (!solids) return solids.error();

@@ -2,78 +2,16 @@
 // · Water · Flowers · StaticMesh · Rolling · Camera · CameraPath · rows · features of a scene.
 #include "scene/components.h"
 
-#include <cstddef>
+#include <cmath>
+
+#include "scene/field_rows.h"
 
 namespace sward {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kFarM = 1e8;         // no position lies farther from the origin
-constexpr double kBrightest = 65504;  // the largest half: brighter light would turn infinite in a render target
-
-// --- field helpers: one a type, so that a table's line says only what differs -----------------------------------
-struct Range {
-    double hardMin, hardMax, softMin, softMax;
-};
-constexpr Range kShare{0, 1, 0, 1};
-constexpr Range kTiling{0.001, 10000, 1, 50};
-
-constexpr FieldRow number(FieldType type, const char* name, size_t offset, const char* unit, Range r,
-                          const char* help) {
-    return {name, type, offset, unit, r.hardMin, r.hardMax, r.softMin, r.softMax, help};
-}
-constexpr FieldRow real(const char* name, size_t offset, const char* unit, Range r, const char* help) {
-    return number(FieldType::Float, name, offset, unit, r, help);
-}
-constexpr FieldRow distance(const char* name, size_t offset, Range r, const char* help) {
-    FieldRow row = real(name, offset, "m", r, help);
-    row.allowInf = true;
-    return row;
-}
-constexpr FieldRow seconds(const char* name, size_t offset, Range r, const char* help) {
-    FieldRow row = distance(name, offset, r, help);
-    row.unit = "s";
-    return row;
-}
-constexpr FieldRow color(const char* name, size_t offset, Range r, const char* help) {
-    return number(FieldType::Color, name, offset, "", r, help);
-}
-constexpr FieldRow text(const char* name, size_t offset, const char* help) {
-    return number(FieldType::String, name, offset, "", {}, help);
-}
-constexpr FieldRow imageFile(const char* name, size_t offset, const char* help) {
-    FieldRow row = text(name, offset, help);
-    row.isFile = true;
-    return row;
-}
-constexpr FieldRow meshFile(const char* name, size_t offset, const char* help) {
-    FieldRow row = imageFile(name, offset, help);
-    row.isMesh = true;
-    return row;
-}
-constexpr FieldRow flag(const char* name, size_t offset, const char* help) {
-    return number(FieldType::Bool, name, offset, "", {}, help);
-}
-constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType type, const char* help) {
-    FieldRow row = number(FieldType::Map, name, offset, "", {}, help);
-    row.mapChannels = channels;
-    row.mapType = type;
-    return row;
-}
-constexpr FieldRow forces(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 4, PixelType::U8, help);
-    row.isForce = true;
-    return row;
-}
-constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 1, PixelType::F32, help);
-    row.unit = "m";
-    row.isHeight = true;
-    return row;
-}
 
 // --- Transform ---------------------------------------------------------------------------------------------------
-constexpr Range kPosition{-kFarM, kFarM, -1000, 1000};
 constexpr FieldRow kTransformFields[] = {
     number(FieldType::Vec3, "position", offsetof(Transform, position), "m", kPosition,
            "where the origin of the entity lies"),
@@ -113,210 +51,6 @@ FeatureSet terrainFeatures(const void* component) {
     if (t.height.present()) s |= featureSet(Feature::TerrainHeights);
     if (t.terrainMap.present()) s |= featureSet(Feature::TerrainMap);
     if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows);
-    return s;
-}
-
-// --- GrassField --------------------------------------------------------------------------------------------------
-constexpr Range kReflectance{0, 1, 0, 0.5};
-constexpr FieldRow kSpeciesFields[] = {
-    text("name", offsetof(Species, name), "how paths and map files name the species"),
-    map("density", offsetof(Species, density), 1, PixelType::U16,
-        "where it grows: share of bladesPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Species, densityTiling), "", kTiling,
-         "repeats of the density map over the terrain's mapSize"),
-    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
-         "blades on a square metre at density 1"),
-    real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
-    real("heightVariation", offsetof(Species, heightVariation), "", kShare,
-         "how much lengths differ, as a share, both ways"),
-    real("width", offsetof(Species, width), "m", {0, 1, 0.001, 0.05}, "width at the widest place of a blade"),
-    real("bend", offsetof(Species, bend), "", {0, 2, 0, 1}, "how far the tip droops, as a share of the length"),
-    real("leanDeg", offsetof(Species, leanDeg), "deg", {0, 90, 0, 60}, "mean lean from the vertical"),
-    real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
-         "how much the lean differs, both ways"),
-    real("stiffness", offsetof(Species, stiffness), "", {0.05, 100, 0.25, 4},
-         "how much it resists the wind: 2 leans half as far, 0.5 twice as far; what presses it lays it down all the "
-         "same"),
-    number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
-    number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16},
-           "quads along a blade at most, where it is tessellated"),
-    imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
-    color("rootColor", offsetof(Species, rootColor), kReflectance, "reflectance at the root"),
-    color("midColor", offsetof(Species, midColor), kReflectance, "reflectance half-way up"),
-    color("tipColor", offsetof(Species, tipColor), kReflectance, "reflectance at the tip"),
-    real("hueVariationDeg", offsetof(Species, hueVariationDeg), "deg", {0, 180, 0, 30},
-         "how much the hue differs by blade, both ways"),
-    real("lightnessVariation", offsetof(Species, lightnessVariation), "", kShare,
-         "how much the lightness differs by blade, both ways"),
-    real("rootOcclusion", offsetof(Species, rootOcclusion), "", kShare, "share of ambient light left at the root"),
-    real("clumpSize", offsetof(Species, clumpSize), "m", {0, 1000, 0, 3}, "size of clumps; 0: none"),
-    real("clumpStrength", offsetof(Species, clumpStrength), "", kShare,
-         "share of lean, height and tint that a clump has in common"),
-    real("translucency", offsetof(Species, translucency), "", {0, 2, 0, 1},
-         "light that shines through a blade, as a share of what it reflects; 0: none"),
-    real("gloss", offsetof(Species, gloss), "", {0, 10, 0, 2}, "waxy highlight, as a factor of a leaf's; 0: none"),
-    real("roughness", offsetof(Species, roughness), "", {0.05, 1, 0.3, 0.8}, "spread of the highlight"),
-};
-constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
-
-constexpr Range kTierDistance{0, 1e6, 0, 200};
-constexpr FieldRow choice(const char* name, size_t offset, std::span<const char* const> options, const char* help) {
-    FieldRow row = number(FieldType::Enum, name, offset, "", {}, help);
-    row.options = options;
-    return row;
-}
-constexpr FieldRow whole(const char* name, size_t offset, const char* unit, Range r, const char* help) {
-    return number(FieldType::Int, name, offset, unit, r, help);
-}
-constexpr Range kSliceTexels{8, 2048, 32, 512};
-constexpr FieldRow speciesField() {
-    FieldRow row =
-        number(FieldType::List, "species", offsetof(GrassField, species), "", {}, "the kinds of blade that grow here");
-    row.list = &kSpeciesList;
-    return row;
-}
-constexpr FieldRow kGrassFieldFields[] = {
-    choice("technique", offsetof(GrassField, technique), kTechniques, "how the grass is drawn"),
-    speciesField(),
-    real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4},
-         "side of the square of blades that is repeated"),
-    number(FieldType::Int, "seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000},
-           "another number: other blades"),
-    distance("minGeom", offsetof(GrassField, minGeom), kTierDistance, "up to here every blade is drawn by itself"),
-    distance("maxGeom", offsetof(GrassField, maxGeom), kTierDistance,
-             "from here no blade is drawn by itself; inf: never fades"),
-    distance("minBTF", offsetof(GrassField, minBTF), kTierDistance, "up to here every vertical slice is drawn"),
-    distance("maxBTF", offsetof(GrassField, maxBTF), kTierDistance,
-             "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
-    whole("slices", offsetof(GrassField, slices), "", {1, 64, 4, 20},
-          "vertical slices through a cell along x, and as many along z"),
-    whole("sliceWidth", offsetof(GrassField, sliceWidth), "texels", kSliceTexels,
-          "width of a vertical slice's images, made a power of two"),
-    whole("sliceHeight", offsetof(GrassField, sliceHeight), "texels", kSliceTexels,
-          "height of a vertical slice's images, made a power of two"),
-    whole("farSize", offsetof(GrassField, farSize), "texels", kSliceTexels,
-          "side of the horizontal slice's images, made a power of two"),
-    real("farHeight", offsetof(GrassField, farHeight), "", kShare,
-         "where the horizontal slice lies, as a share of the tallest blade's height"),
-    choice("storage", offsetof(GrassField, storage), kStorages,
-           "how slices are stored: factored, compressed, or an image a light as published"),
-    choice("sliceCover", offsetof(GrassField, sliceCover), kSliceCovers,
-           "slices cover what the blades would in this view, or all that they hold, as published"),
-    choice(
-        "lightWeights", offsetof(GrassField, lightWeights), kLightWeights,
-        "how a slice's images are weighted by the light: by its cosine, or interpolated by a form of equations 8-13"),
-    choice("weightsAt", offsetof(GrassField, weightsAt), kWeightsAt, "where point lights' weights are computed"),
-    choice("transparency", offsetof(GrassField, transparency), kTransparencies,
-           "how part-covered pixels are drawn (figure 21)"),
-    choice("filtering", offsetof(GrassField, filtering), kFilterings, "how the horizontal slice is filtered"),
-    real("sharpness", offsetof(GrassField, sharpness), "levels", {-2, 8, 0, 4},
-         "how much finer than a pixel slices are sampled: 0 smooth, more as grainy as blades"),
-    whole("shadowMask", offsetof(GrassField, shadowMask), "texels", {0, 1024, 0, 256},
-          "width of the mask by which blades shade blades; 0: they do not"),
-    number(FieldType::Bool, "groundShadows", offsetof(GrassField, groundShadows), "", {}, "blades shade the ground"),
-    real("maxDistance", offsetof(GrassField, maxDistance), "m", {0.1, 1e6, 5, 200},
-         "tessellated: from here no blade is drawn"),
-    choice("levelBy", offsetof(GrassField, levelBy), kLevelsBy,
-           "tessellated: what says how fine a blade is, its distance or its length on screen"),
-    real("pixelsPerQuad", offsetof(GrassField, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40},
-         "tessellated by pixels: length of a blade's quad on screen"),
-    real("thinning", offsetof(GrassField, thinning), "", kShare,
-         "tessellated: share of the blades that is missing at maxDistance"),
-    flag("widening", offsetof(GrassField, widening),
-         "tessellated: blades that are left are wider, so as to cover as much"),
-    real("lowerFrom", offsetof(GrassField, lowerFrom), "", kShare,
-         "tessellated: share of maxDistance from which blades get lower; 1: they do not"),
-    choice("beyond", offsetof(GrassField, beyond), kBeyonds,
-           "tessellated: what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
-    choice("tessellation", offsetof(GrassField, tessellation), kTessellations,
-           "tessellated: by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
-    choice("culling", offsetof(GrassField, culling), kCullings,
-           "who chooses the cells of which blades are drawn: the CPU, or the GPU; auto: what is faster here. The "
-           "picture is the same"),
-    real("fade", offsetof(GrassField, fade), "", kShare, "half the width of the opacity ramp over density; 0: a step"),
-    choice("farBlur", offsetof(GrassField, farBlur), kFarBlurs,
-           "blurs what is far, against sparkling: with equal weights, or a bell's"),
-    real("farBlurDistance", offsetof(GrassField, farBlurDistance), "m", {0.1, 1e6, 10, 300},
-         "distance at which that blur is full"),
-    real("farDarkening", offsetof(GrassField, farDarkening), "", kShare,
-         "share of their light that far blades lose, which shows depth; 0: none"),
-    real("farDarkeningDistance", offsetof(GrassField, farDarkeningDistance), "m", {0.1, 1e6, 10, 300},
-         "distance at which they have lost it"),
-    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
-        "direction x, z about 0.5 in which blades lean"),
-    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
-        "colour and opacity over the blades' own colour"),
-    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
-        "share of the sky that the ground sees"),
-    forces("forces", offsetof(GrassField, forces),
-           "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
-    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8,
-        "share of their height that blades have; none: all of it"),
-    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
-         "repeats of the orientation map over the terrain's mapSize"),
-    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
-         "repeats of the vegetation map over the terrain's mapSize"),
-    real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
-         "repeats of the ambient-occlusion map over the terrain's mapSize"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling,
-         "repeats of the map of forces over the terrain's mapSize"),
-    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling,
-         "repeats of the blade-height map over the terrain's mapSize"),
-    choice("population", offsetof(GrassField, population), kPopulations,
-           "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
-};
-// Which tiers a field is drawn with.
-FeatureSet tierFeatures(const GrassField& g) {
-    switch (static_cast<Technique>(g.technique)) {
-        case Technique::Geometry:
-            return featureSet(Feature::GrassGeometry);
-        case Technique::Slices:
-            return featureSet(Feature::GrassSlices, Feature::GrassFar);
-        case Technique::Flat:
-            return featureSet(Feature::GrassFar);
-        case Technique::Tessellated:
-            return g.beyond == static_cast<int>(Beyond::Slice)
-                       ? featureSet(Feature::GrassTessellated, Feature::GrassFar)
-                       : featureSet(Feature::GrassTessellated);
-        default:
-            break;
-    }
-    FeatureSet s;
-    if (g.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
-    if (std::isinf(g.minGeom)) return s;
-    if (g.maxBTF > g.minGeom) s |= featureSet(Feature::GrassSlices);
-    return s | featureSet(Feature::GrassFar);
-}
-FeatureSet grassFeatures(const void* component) {
-    const auto& g = *static_cast<const GrassField*>(component);
-    bool grows = false, density = false, clumps = false, translucency = false, gloss = false;
-    for (const Species& s : g.species) {
-        if (!(s.bladesPerM2 > 0)) continue;
-        grows = true;
-        density |= s.density.present();
-        clumps |= s.clumpSize > 0 && s.clumpStrength > 0;
-        translucency |= s.translucency > 0;
-        gloss |= s.gloss > 0;
-    }
-    if (!grows) return {};
-    FeatureSet s = featureSet(Feature::Grass) | tierFeatures(g);
-    if (density) s |= featureSet(Feature::GrassDensity);
-    if (g.transparency != static_cast<int>(Transparency::Coverage)) s |= featureSet(Feature::GrassBlended);
-    if (clumps) s |= featureSet(Feature::GrassClumps);
-    const bool stands = has(s, Feature::GrassGeometry) || has(s, Feature::GrassSlices);
-    if ((stands || has(s, Feature::GrassTessellated)) && g.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
-    if (stands && g.groundShadows) s |= featureSet(Feature::GroundShadows);
-    if (translucency) s |= featureSet(Feature::Translucency);
-    if (gloss) s |= featureSet(Feature::Gloss);
-    if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
-    if (g.bladeHeight.present()) s |= featureSet(Feature::GrassHeights);
-    const bool blades = has(s, Feature::GrassGeometry) || has(s, Feature::GrassTessellated);
-    if (blades && g.population == static_cast<int>(Population::Unique)) s |= featureSet(Feature::GrassUnique);
-    if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
-    if (g.farBlur != static_cast<int>(FarBlur::None)) s |= featureSet(Feature::FarBlur);
-    if (g.farDarkening > 0) s |= featureSet(Feature::FarDarkening);
-    if (g.forces.present()) s |= featureSet(Feature::ForceMap);
-    if (g.ambientOcclusion.present()) s |= featureSet(Feature::GrassOcclusion);
     return s;
 }
 
@@ -497,6 +231,17 @@ constexpr FieldRow kCameraFields[] = {
     real("exposure", offsetof(Camera, exposure), "stops", {-20, 20, -4, 4}, "brightens (+) or darkens (-) the picture"),
 };
 FeatureSet cameraFeatures(const void*) { return {}; }
+std::vector<std::string> repairCamera(void* component) {
+    auto& c = *static_cast<Camera*>(component);
+    if (c.eye != c.target) return {};
+    c.target.z -= 1;
+    return {"eye and target were the same point; target is now 1 m to the north"};
+}
+constexpr ComponentRow cameraRow() {
+    ComponentRow row = componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures);
+    row.repair = repairCamera;
+    return row;
+}
 
 // --- CameraPath --------------------------------------------------------------------------------------------------
 constexpr FieldRow kCameraKeyFields[] = {
@@ -527,7 +272,6 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Transform>("Transform", "Where the entity and what stands on it is moved to.", kTransformFields,
                                 transformFeatures),
         componentRow<Terrain>("Terrain", "The ground: heights and colour.", kTerrainFields, terrainFeatures),
-        componentRow<GrassField>("GrassField", "Grass over the whole terrain.", kGrassFieldFields, grassFeatures),
         componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
         componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
@@ -539,7 +283,7 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Flowers>("Flowers", "Flowers over the terrain.", kFlowersFields, flowersFeatures),
         componentRow<StaticMesh>("StaticMesh", "An object from a glTF file.", kStaticMeshFields, staticMeshFeatures),
         componentRow<Rolling>("Rolling", "It rolls in a playtest.", kRollingFields, rollingFeatures),
-        componentRow<Camera>("Camera", "A place to take pictures from.", kCameraFields, cameraFeatures),
+        cameraRow(),
         componentRow<CameraPath>("CameraPath", "A way of the camera, for films.", kCameraPathFields,
                                  cameraPathFeatures),
     };

@@ -69,96 +69,38 @@ struct Species {
     float roughness = 0.5f;       // of the highlight
 };
 
-// Grass over the whole terrain: what grows (population) and how it is drawn (technique, distances).
+// Which blades there are: one cell's, repeated in every cell; or each cell's own (scene/unique.h).
+enum class Population { Patch, Unique };
+inline constexpr auto kPopulations = enumNames<Population>("patch", "unique");
+
+// Grass over the whole terrain: what grows, and the name of how it is drawn (scene/technique.h). The technique's
+// settings are components beside it. Tilings are repeats over Terrain.mapSize.
 struct GrassField {
-    int technique = 0;  // index into kTechniques
+    std::string technique = "hybrid";
     std::vector<Species> species{1};
     float cellSize = 0.5f;  // metres; the patch that is repeated covers one cell
     int seed = 1;
-    float minGeom = 4;                       // blades are all there up to here ...
-    float maxGeom = 12;                      // ... and gone from here; infinite: never fades
-    float minBTF = 25;                       // vertical slices are all there up to here ...
-    float maxBTF = 40;                       // ... and gone from here
-    int slices = 10;                         // vertical slices through a cell along x, and as many along z
-    int sliceWidth = 256, sliceHeight = 64;  // texels of a vertical slice
-    int farSize = 256;                       // texels of the horizontal slice, each way
-    float farHeight = 0.3f;     // where the horizontal slice lies, as a share of the tallest blade's height
-    int storage = 0;            // index into kStorages
-    int sliceCover = 0;         // index into kSliceCovers
-    int lightWeights = 0;       // index into kLightWeights
-    int weightsAt = 0;          // index into kWeightsAt
-    int transparency = 0;       // index into kTransparencies
-    int filtering = 0;          // index into kFilterings
-    float sharpness = 2;        // levels of detail by which slices are sampled finer than a pixel
-    int shadowMask = 64;        // texels around a blade of what shades it (section 3.5); 0: blades do not shade blades
-    bool groundShadows = true;  // blades shade the ground
-    // Of the technique "tessellated" (Jahrmann and Wimmer 2013):
-    float maxDistance = 25;   // metres from which no blade is drawn
-    int levelBy = 0;          // index into kLevelsBy
-    float pixelsPerQuad = 8;  // that a quad of a blade is long, by pixels
-    float thinning = 0.75f;   // share of the blades that is missing at maxDistance; linear in the distance
-    bool widening = true;     // those that are left are wider, so as to cover as much
-    float lowerFrom = 0.8f;   // share of maxDistance from which blades get lower, to nothing at its end; 1: they do not
-    int beyond = 0;           // index into kBeyonds
-    int tessellation = 0;     // index into kTessellations
-    int culling = 0;          // index into kCullings
-    float fade = 0.4f;        // omega: half the width of the opacity ramp over density; 0: a step
-    int farBlur = 0;          // index into kFarBlurs
+    MapField orientation;       // two channels: direction x, z in [0,1] about 0.5; its length is the strength
+    MapField vegetation;        // RGBA: colour (sRGB) and opacity over the blades' own
+    MapField forces;            // RGBA: push x, z about 0.5, press; times A
+    MapField ambientOcclusion;  // one channel: share of the sky that the ground sees
+    MapField bladeHeight;       // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
+    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1,
+          bladeHeightTiling = 1;
+    Population population = Population::Patch;
+};
+
+// Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a
+// bell's.
+enum class FarBlur { None, Mean, Gaussian };
+inline constexpr auto kFarBlurs = enumNames<FarBlur>("none", "mean", "gaussian");
+// How a field far away is shown: beside a GrassField. The picture is blurred as the first field by name asks.
+struct FarLook {
+    FarBlur farBlur = FarBlur::None;
     float farBlurDistance = 80;       // metres at which the blur is full
     float farDarkening = 0;           // share of light that far grass loses; 0: none
     float farDarkeningDistance = 80;  // metres at which it has lost it
-    MapField orientation;             // two channels: direction x, z in [0,1] about 0.5; its length is the strength
-    MapField vegetation;              // RGBA: colour (sRGB) and opacity over the blades' own
-    MapField forces;                  // RGBA: push x, z about 0.5, press; times A
-    MapField ambientOcclusion;        // one channel: share of the sky that the ground sees
-    MapField bladeHeight;  // one channel: share of their height that blades have; absent: 1 (section 4.1.1, blue)
-    float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1,
-          bladeHeightTiling = 1;  // over Terrain.mapSize
-    int population = 0;           // index into kPopulations
 };
-inline constexpr const char* kTechniques[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
-enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
-// Which blades there are: one cell's, repeated in every cell; or each cell's own (scene/unique.h).
-inline constexpr const char* kPopulations[] = {"patch", "unique"};
-enum class Population { Patch, Unique };
-// How slices are stored: reflectance once and a number a light direction; that compressed; the paper's, an image a
-// light.
-inline constexpr const char* kStorages[] = {"factored", "compressed", "full"};
-enum class Storage { Factored, Compressed, Full };
-// How much of slices shows: as much as blades would cover in this view; or all of every slice, as published.
-inline constexpr const char* kSliceCovers[] = {"conserving", "published"};
-enum class SliceCover { Conserving, Published };
-// How a slice's images are weighted by a directional light: by the cosine that their differences give (exact where a
-// texel shows one blade), or interpolated as published, by a form of equations 8-13 (docs/numerics.md has what each
-// costs).
-inline constexpr const char* kLightWeights[] = {"cosine", "atan",   "poly9",   "poly7",    "poly5",
-                                                "poly3",  "linear", "squares", "published"};
-enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
-inline constexpr const char* kWeightsAt[] = {"vertex", "pixel"};
-enum class WeightsAt { Vertex, Pixel };
-// By what a blade is tessellated: its distance (equation 4) or its length on screen (equation 5).
-inline constexpr const char* kLevelsBy[] = {"distance", "pixels"};
-enum class LevelBy { Distance, Pixels };
-// Who tessellates: the GPU's tessellation stages; a compute pass that writes strips; whichever is the faster of them
-// here.
-inline constexpr const char* kTessellations[] = {"auto", "stages", "strips"};
-enum class Tessellation { Auto, Stages, Strips };
-// Who chooses the cells of which blades are drawn: the CPU; the GPU, from the quadtree's nodes; whichever is the faster
-// of them here.
-inline constexpr const char* kCullings[] = {"auto", "cpu", "gpu"};
-enum class Culling { Auto, Cpu, Gpu };
-// How part-covered pixels are drawn (section 4.2, figure 21).
-inline constexpr const char* kTransparencies[] = {"coverage", "both", "test", "blend"};
-enum class Transparency { Coverage, Both, Test, Blend };
-// What is drawn where tessellated blades end: the hybrid's horizontal slice; or, as published, bare ground.
-inline constexpr const char* kBeyonds[] = {"slice", "nothing"};
-enum class Beyond { Slice, Nothing };
-// Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a
-// bell's.
-inline constexpr const char* kFarBlurs[] = {"none", "mean", "gaussian"};
-enum class FarBlur { None, Mean, Gaussian };
-inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
-enum class Filtering { Trilinear, Anisotropic };
 
 // A light. The first directional one, in the order of names, is the sun: its strength and colour follow from its
 // elevation and the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h):
@@ -305,7 +247,7 @@ struct CameraPath {
     float exposure = 0;           // stops
 };
 
-// The rows of the components above, in file order.
+// The rows of the components above, but for those whose stems have them (GrassField, FarLook), in file order.
 std::span<const ComponentRow> sharedComponentRows();
 
 // The first directional light by name, whether it shines or not; kNoEntity if there is none.
@@ -313,9 +255,9 @@ Entity sunEntity(const Registry& registry);
 // Whether a light gives any.
 bool shines(const Light& light);
 
-// The union of what all components ask for.
-FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows);
+// The union of what all components ask for. coarse: in a view that needs no more, such as a mirror's.
+FeatureSet sceneFeatures(const Registry& registry, const Tables& tables, bool coarse = false);
 // Which entities ask for a feature; in the order of their names.
-std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f);
+std::vector<std::string> entitiesWith(const Registry& registry, const Tables& tables, Feature f);
 
 }  // namespace sward

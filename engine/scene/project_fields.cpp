@@ -1,6 +1,7 @@
 // Fields by PATH: finding, listing. Their values as text: project_values.cpp.
 #include <charconv>
 
+#include "scene/moved_fields.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -113,6 +114,18 @@ Result<size_t> findElement(const FieldRef& list, const std::string& selector) {
                  "there are: " + listNames(names, [](const std::string& s) { return s; }));
 }
 
+namespace {
+// Settings that are absent beside their owner are there, with their defaults, as soon as somebody asks for them.
+void* settingsOrComponent(Project& p, std::span<const ComponentRow> rows, const ComponentRow& row, Entity e) {
+    void* own = row.get(p.registry, e);
+    if (own || !row.settingsOf) return own;
+    const ComponentRow* owner = findComponent(rows, row.settingsOf);
+    if (!owner || !owner->get(p.registry, e)) return nullptr;
+    row.assign(p.registry, e, nullptr);
+    return row.get(p.registry, e);
+}
+}  // namespace
+
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
     const std::vector<std::string> parts = splitPath(path);
     if (parts.size() < 2)
@@ -124,8 +137,9 @@ Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const
     std::vector<std::string> present;
     for (const ComponentRow& row : rows)
         if (row.get(p.registry, e)) present.push_back(row.name);
-    const ComponentRow* component = findComponent(rows, parts[1]);
-    void* base = component ? component->get(p.registry, e) : nullptr;
+    const char* moved = parts.size() > 2 ? movedTo(parts[1], parts[2]) : nullptr;
+    const ComponentRow* component = findComponent(rows, moved ? moved : parts[1]);
+    void* base = component ? settingsOrComponent(p, rows, *component, e) : nullptr;
     if (!base)
         return usage(fmt::format("{}: \"{}\" has no component \"{}\"", path, parts[0], parts[1]),
                      "it has: " + listNames(present, [](const std::string& s) { return s; }));

@@ -76,11 +76,13 @@ Status setInt(const FieldRef& f, const std::string& text) {
     return {};
 }
 
-Status setEnum(const FieldRef& f, const std::string& text) {
+// Calls set(number) for the option that the text names.
+template <class Set>
+Status setOption(const FieldRef& f, const std::string& text, Set&& set) {
     std::string names;
     for (size_t i = 0; i < f.row->options.size(); ++i) {
         if (text == f.row->options[i]) {
-            *static_cast<int*>(f.value) = static_cast<int>(i);
+            set(i);
             return {};
         }
         names += fmt::format("{}{}", i ? ", " : "", f.row->options[i]);
@@ -113,35 +115,6 @@ std::string listText(const FieldRef& f) {
     return fmt::format("{} element{}", f.row->list->size(f.value), f.row->list->size(f.value) == 1 ? "" : "s");
 }
 
-// A pair of tier distances in order, so that a formula may divide by their difference. Both infinite: never fades, and
-// is kept. Appends what was done.
-void repairRange(const char* nearName, float& near, const char* farName, float& far, std::vector<std::string>& said) {
-    if (near < far || (std::isinf(near) && std::isinf(far))) return;
-    if (near > far) {
-        std::swap(near, far);
-        said.push_back(fmt::format("{} was greater than {}; swapped to {} and {}", nearName, farName,
-                                   shortestText(near), shortestText(far)));
-        return;
-    }
-    const float widened = near + std::max(0.1f, near * 0.1f);
-    said.push_back(fmt::format("{} and {} were both {}; {} is now {}", nearName, farName, shortestText(near), farName,
-                               shortestText(widened)));
-    far = widened;
-}
-
-std::vector<std::string> repairGrass(GrassField& g) {
-    std::vector<std::string> said;
-    repairRange("minGeom", g.minGeom, "maxGeom", g.maxGeom, said);
-    repairRange("minBTF", g.minBTF, "maxBTF", g.maxBTF, said);
-    return said;
-}
-
-std::vector<std::string> repairCamera(Camera& c) {
-    if (c.eye != c.target) return {};
-    c.target.z -= 1;
-    return {"eye and target were the same point; target is now 1 m to the north"};
-}
-
 }  // namespace
 
 std::string fieldText(const FieldRef& f) {
@@ -159,6 +132,7 @@ std::string fieldText(const FieldRef& f) {
         case FieldType::Color:
             return vectorText(*static_cast<const glm::vec3*>(f.value));
         case FieldType::String:
+        case FieldType::Name:
             return *static_cast<const std::string*>(f.value);
         case FieldType::Enum:
             return f.row->options[size_t(*static_cast<const int*>(f.value))];
@@ -192,7 +166,9 @@ Status setFieldText(const FieldRef& f, const std::string& given) {
         case FieldType::String:
             return setString(f, given);
         case FieldType::Enum:
-            return setEnum(f, text);
+            return setOption(f, text, [&](size_t i) { setEnumIndex(f.value, static_cast<int>(i)); });
+        case FieldType::Name:
+            return setOption(f, text, [&](size_t i) { *static_cast<std::string*>(f.value) = f.row->options[i]; });
         case FieldType::Map:
             if (!text.empty()) return usage(f, "a map cannot be set by text", "import a file into it");
             *static_cast<MapField*>(f.value) = {};
@@ -204,10 +180,7 @@ Status setFieldText(const FieldRef& f, const std::string& given) {
 }
 
 std::vector<std::string> repairComponent(const ComponentRow& row, void* component) {
-    const std::string_view name = row.name;
-    if (name == "GrassField") return repairGrass(*static_cast<GrassField*>(component));
-    if (name == "Camera") return repairCamera(*static_cast<Camera*>(component));
-    return {};
+    return row.repair ? row.repair(component) : std::vector<std::string>{};
 }
 
 }  // namespace sward

@@ -27,6 +27,7 @@ enum class FieldType {
     String,  // std::string
     Enum,    // int, an index into options
     Map,     // MapField
+    Name,    // std::string, one of options: the name of a row of a table
     List,    // std::vector of structs, described by list
 };
 
@@ -60,6 +61,8 @@ struct FieldRow {
     bool isMesh = false;                        // ... or an object (glTF)
 };
 
+struct Tables;
+
 struct ComponentRow {
     const char* name;
     const char* help;
@@ -70,6 +73,15 @@ struct ComponentRow {
     void (*remove)(Registry&, Entity);
     std::shared_ptr<void> (*clone)(const void* value);  // maps share their tiles
     const void* (*defaults)();
+    // What it asks for together with what else its entity has, in a full or in a coarse view (such as a mirror's);
+    // null: nothing beside `features`.
+    FeatureSet (*featuresOnEntity)(const Registry&, Entity, const Tables&, bool coarse) = nullptr;
+    // Pulls fields into order that must be; says what it changed. Null: no rule holds between them.
+    std::vector<std::string> (*repair)(void* component) = nullptr;
+    // The component beside which it holds settings: where it is absent, its defaults hold, and where all its fields
+    // have them, it is not saved. Null: it stands for itself.
+    const char* settingsOf = nullptr;
+    bool readByTruth = false;  // settings that change the ray-traced truth, too
 };
 
 template <class C>
@@ -87,6 +99,15 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
                 static const C value{};
                 return &value;
             }};
+}
+
+// A row of settings that stand beside a component named `owner`.
+template <class C>
+constexpr ComponentRow settingsRow(const char* name, const char* help, std::span<const FieldRow> fields,
+                                   const char* owner) {
+    ComponentRow row = componentRow<C>(name, help, fields, [](const void*) { return FeatureSet{}; });
+    row.settingsOf = owner;
+    return row;
 }
 
 template <class E>
@@ -183,9 +204,11 @@ struct EffectRow {
 };
 
 // The tables, as low layers see them; defined in techniques.cpp.
+struct TechniqueRow;  // scene/technique.h
 struct Tables {
     std::span<const ComponentRow> components;
     std::span<const EffectRow> effects;
+    std::span<const TechniqueRow> techniques;
 };
 
 // How a path selects each element of a list: by its name (the first String field) where that is one and no other's,

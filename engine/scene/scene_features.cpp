@@ -27,29 +27,32 @@ bool presses(const Registry& registry, Entity e) {
     return s && (registry.get<Transform>(e) || !s->tracks.empty());
 }
 // What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
-FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
+FeatureSet entityFeatures(const Registry& registry, const Tables& tables, Entity e, Entity sun, bool coarse) {
     FeatureSet all;
-    for (const ComponentRow& row : rows)
-        if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
+    for (const ComponentRow& row : tables.components)
+        if (const void* component = row.get(const_cast<Registry&>(registry), e)) {
+            all |= row.features(component);
+            if (row.featuresOnEntity) all |= row.featuresOnEntity(registry, e, tables, coarse);
+        }
     if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
     if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;
 }
 }  // namespace
 
-FeatureSet sceneFeatures(const Registry& registry, std::span<const ComponentRow> rows) {
+FeatureSet sceneFeatures(const Registry& registry, const Tables& tables, bool coarse) {
     FeatureSet all;
     const Entity sun = sunEntity(registry);
-    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, rows, e, sun); });
+    registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, tables, e, sun, coarse); });
     if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
     return all;
 }
 
-std::vector<std::string> entitiesWith(const Registry& registry, std::span<const ComponentRow> rows, Feature f) {
+std::vector<std::string> entitiesWith(const Registry& registry, const Tables& tables, Feature f) {
     std::vector<std::string> names;
     const Entity sun = sunEntity(registry);
     registry.each<Name>([&](Entity e, const Name& name) {
-        if (has(entityFeatures(registry, rows, e, sun), f)) names.push_back(name.value);
+        if (has(entityFeatures(registry, tables, e, sun, false), f)) names.push_back(name.value);
     });
     std::sort(names.begin(), names.end());
     return names;

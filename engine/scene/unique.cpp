@@ -38,7 +38,7 @@ std::vector<Blade> bladesOfCell(const Species& s, const GrassField& f, const Ter
 
 }  // namespace
 
-bool isUnique(const GrassField& f) { return f.population == static_cast<int>(Population::Unique); }
+bool isUnique(const GrassField& f) { return f.population == Population::Unique; }
 
 std::pair<uint32_t, uint32_t> UniqueBlades::range(int x, int z, float low, float high) const {
     const size_t cell = static_cast<size_t>(z) * static_cast<size_t>(cellsX) + static_cast<size_t>(x);

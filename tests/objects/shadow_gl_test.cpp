@@ -138,7 +138,7 @@ TEST(Shadows, TheSunAtTheHorizonOrBelowMakesNoWork) {
 TEST(Shadows, NeedASunAndACaster) {
     const TempDir dir;
     Project p = cubeScene(dir.path);
-    const auto shadows = [&] { return has(sceneFeatures(p.registry, tables().components), Feature::ObjectShadows); };
+    const auto shadows = [&] { return has(sceneFeatures(p.registry, tables()), Feature::ObjectShadows); };
     EXPECT_TRUE(shadows());
     p.registry.get<StaticMesh>(findEntity(p, "cube"))->castShadows = false;
     EXPECT_FALSE(shadows());

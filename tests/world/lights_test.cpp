@@ -25,14 +25,14 @@ Light dark() {
 }
 
 TEST(Lights, TheFirstDirectionalLightByNameIsTheSunAndAllOthersAreLamps) {
-    const auto features = [](const Project& p) { return sceneFeatures(p.registry, tables().components); };
+    const auto features = [](const Project& p) { return sceneFeatures(p.registry, tables()); };
     const Project one = withLights({{"m", {}}});
     EXPECT_TRUE(has(features(one), Feature::Sun));
     EXPECT_FALSE(has(features(one), Feature::Lamps));
     const Project p = withLights({{"m", {}}, {"z", {}}, {"a", point()}});
     EXPECT_EQ(sunLight(p), p.registry.get<Light>(findEntity(p, "m")));
-    EXPECT_EQ(entitiesWith(p.registry, tables().components, Feature::Sun), (std::vector<std::string>{"m"}));
-    EXPECT_EQ(entitiesWith(p.registry, tables().components, Feature::Lamps), (std::vector<std::string>{"a", "z"}));
+    EXPECT_EQ(entitiesWith(p.registry, tables(), Feature::Sun), (std::vector<std::string>{"m"}));
+    EXPECT_EQ(entitiesWith(p.registry, tables(), Feature::Lamps), (std::vector<std::string>{"a", "z"}));
     const Project lanterns = withLights({{"a", point()}});
     EXPECT_EQ(sunLight(lanterns), nullptr);
     EXPECT_FALSE(has(features(lanterns), Feature::Sun));

@@ -1,0 +1,41 @@
+// The table of contents of what draws: every effect row, side by side.
+#include "grass/field.h"
+#include "grass/flowers.h"
+#include "grass/force_outlines.h"
+#include "grass/forces.h"
+#include "grass/geometry.h"
+#include "grass/ground_shadow.h"
+#include "grass/mask.h"
+#include "grass/slices.h"
+#include "grass/tessellated.h"
+#include "objects/mesh.h"
+#include "objects/shadow.h"
+#include "post/far_blur.h"
+#include "post/map_overlay.h"
+#include "post/tonemap.h"
+#include "sky/lamps.h"
+#include "sky/sky.h"
+#include "sky/wind.h"
+#include "techniques.h"
+#include "terrain/ground.h"
+#include "terrain/shade.h"
+#include "water/reflection.h"
+#include "water/surface.h"
+
+namespace sward {
+
+std::span<const EffectRow> effectRows() {
+    static const EffectRow kRows[] = {
+        sunEffect(),         skyEffect(),           hazeEffect(),       lampsEffect(),                       // light
+        windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
+        meshEffect(),        shadowEffect(),                                                                 // objects
+        forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
+        geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
+        tessellatedEffect(), flowersEffect(),                                           // grass
+        waterEffect(),       reflectionEffect(),                                        // water
+        farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
+    };
+    return kRows;
+}
+
+}  // namespace sward

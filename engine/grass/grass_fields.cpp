@@ -1,0 +1,166 @@
+#include "grass/grass_fields.h"
+
+#include <algorithm>
+
+#include "grass/drawing.h"
+#include "scene/field_rows.h"
+
+namespace sward {
+namespace {
+
+constexpr FieldRow kSpeciesFields[] = {
+    text("name", offsetof(Species, name), "how paths and map files name the species"),
+    map("density", offsetof(Species, density), 1, PixelType::U16,
+        "where it grows: share of bladesPerM2; none: everywhere"),
+    real("densityTiling", offsetof(Species, densityTiling), "", kTiling,
+         "repeats of the density map over the terrain's mapSize"),
+    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
+         "blades on a square metre at density 1"),
+    real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
+    real("heightVariation", offsetof(Species, heightVariation), "", kShare,
+         "how much lengths differ, as a share, both ways"),
+    real("width", offsetof(Species, width), "m", {0, 1, 0.001, 0.05}, "width at the widest place of a blade"),
+    real("bend", offsetof(Species, bend), "", {0, 2, 0, 1}, "how far the tip droops, as a share of the length"),
+    real("leanDeg", offsetof(Species, leanDeg), "deg", {0, 90, 0, 60}, "mean lean from the vertical"),
+    real("leanVariationDeg", offsetof(Species, leanVariationDeg), "deg", {0, 90, 0, 45},
+         "how much the lean differs, both ways"),
+    real("stiffness", offsetof(Species, stiffness), "", {0.05, 100, 0.25, 4},
+         "how much it resists the wind: 2 leans half as far, 0.5 twice as far; what presses it lays it down all the "
+         "same"),
+    number(FieldType::Int, "segments", offsetof(Species, segments), "", {1, 16, 1, 8}, "quads along a blade"),
+    number(FieldType::Int, "smoothness", offsetof(Species, smoothness), "", {1, 64, 1, 16},
+           "quads along a blade at most, where it is tessellated"),
+    imageFile("texture", offsetof(Species, texture), "image of a blade with alpha; none: made by the program"),
+    color("rootColor", offsetof(Species, rootColor), kReflectance, "reflectance at the root"),
+    color("midColor", offsetof(Species, midColor), kReflectance, "reflectance half-way up"),
+    color("tipColor", offsetof(Species, tipColor), kReflectance, "reflectance at the tip"),
+    real("hueVariationDeg", offsetof(Species, hueVariationDeg), "deg", {0, 180, 0, 30},
+         "how much the hue differs by blade, both ways"),
+    real("lightnessVariation", offsetof(Species, lightnessVariation), "", kShare,
+         "how much the lightness differs by blade, both ways"),
+    real("rootOcclusion", offsetof(Species, rootOcclusion), "", kShare, "share of ambient light left at the root"),
+    real("clumpSize", offsetof(Species, clumpSize), "m", {0, 1000, 0, 3}, "size of clumps; 0: none"),
+    real("clumpStrength", offsetof(Species, clumpStrength), "", kShare,
+         "share of lean, height and tint that a clump has in common"),
+    real("translucency", offsetof(Species, translucency), "", {0, 2, 0, 1},
+         "light that shines through a blade, as a share of what it reflects; 0: none"),
+    real("gloss", offsetof(Species, gloss), "", {0, 10, 0, 2}, "waxy highlight, as a factor of a leaf's; 0: none"),
+    real("roughness", offsetof(Species, roughness), "", {0.05, 1, 0.3, 0.8}, "spread of the highlight"),
+};
+constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
+
+constexpr FieldRow kFields[] = {
+    name("technique", offsetof(GrassField, technique), "how the grass is drawn"),
+    listOf("species", offsetof(GrassField, species), &kSpeciesList, "the kinds of blade that grow here"),
+    real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4},
+         "side of the square of blades that is repeated"),
+    number(FieldType::Int, "seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000},
+           "another number: other blades"),
+    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
+        "direction x, z about 0.5 in which blades lean"),
+    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
+        "colour and opacity over the blades' own colour"),
+    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
+        "share of the sky that the ground sees"),
+    forces("forces", offsetof(GrassField, forces),
+           "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8,
+        "share of their height that blades have; none: all of it"),
+    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
+         "repeats of the orientation map over the terrain's mapSize"),
+    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
+         "repeats of the vegetation map over the terrain's mapSize"),
+    real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
+         "repeats of the ambient-occlusion map over the terrain's mapSize"),
+    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling,
+         "repeats of the map of forces over the terrain's mapSize"),
+    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling,
+         "repeats of the blade-height map over the terrain's mapSize"),
+    choice("population", &GrassField::population, offsetof(GrassField, population), kPopulations,
+           "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
+};
+
+// What grows, whoever draws it.
+FeatureSet populationFeatures(const GrassField& g) {
+    FeatureSet s = featureSet(Feature::Grass);
+    for (const Species& species : g.species) {
+        if (!(species.bladesPerM2 > 0)) continue;
+        if (species.density.present()) s |= featureSet(Feature::GrassDensity);
+        if (species.clumpSize > 0 && species.clumpStrength > 0) s |= featureSet(Feature::GrassClumps);
+        if (species.translucency > 0) s |= featureSet(Feature::Translucency);
+        if (species.gloss > 0) s |= featureSet(Feature::Gloss);
+    }
+    if (g.orientation.present()) s |= featureSet(Feature::GrassOrientation);
+    if (g.bladeHeight.present()) s |= featureSet(Feature::GrassHeights);
+    if (g.vegetation.present()) s |= featureSet(Feature::GrassVegetation);
+    if (g.forces.present()) s |= featureSet(Feature::ForceMap);
+    if (g.ambientOcclusion.present()) s |= featureSet(Feature::GrassOcclusion);
+    return s;
+}
+
+// What settings ask for of grass that is drawn as `drawn` says.
+FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
+    const auto& drawing = field.settings<GrassDrawing>();
+    const auto& far = field.settings<FarLook>();
+    const bool stands = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassSlices);
+    const bool blades = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassTessellated);
+    FeatureSet s;
+    if (drawing.transparency != Transparency::Coverage) s |= featureSet(Feature::GrassBlended);
+    if ((stands || blades) && drawing.shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    if (stands && drawing.groundShadows) s |= featureSet(Feature::GroundShadows);
+    if (blades && field.grows.population == Population::Unique) s |= featureSet(Feature::GrassUnique);
+    if (far.farBlur != FarBlur::None) s |= featureSet(Feature::FarBlur);
+    if (far.farDarkening > 0) s |= featureSet(Feature::FarDarkening);
+    return s;
+}
+
+FeatureSet featuresOnEntity(const Registry& registry, Entity e, const Tables& tables, bool coarse) {
+    return fieldFeatures(tables.techniques, {registry, e, *registry.get<GrassField>(e)}, coarse);
+}
+
+}  // namespace
+
+FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEntity& field, bool coarse) {
+    const auto grows = [](const Species& s) { return s.bladesPerM2 > 0; };
+    if (std::none_of(field.grows.species.begin(), field.grows.species.end(), grows)) return {};
+    const TechniqueRow* row = findTechnique(techniques, field.grows.technique);
+    const FeatureSet drawn = row ? row->features(field) : FeatureSet{};
+    const FeatureSet all = populationFeatures(field.grows) | drawn | settingsFeatures(field, drawn);
+    if (!coarse) return all;
+    return (row && row->coarse ? row->coarse(all) : all) & ~featureSet(Feature::GroundShadows);
+}
+
+const FeatureSet& featuresOfFields() {
+    static const FeatureSet all =
+        featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar,
+                   Feature::GrassTessellated, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassUnique,
+                   Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassBlended,
+                   Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::BladeShadows,
+                   Feature::GroundShadows, Feature::ForceMap, Feature::FarDarkening, Feature::FarBlur);
+    return all;
+}
+
+ComponentRow grassFieldRow(std::span<const char* const> techniques, std::vector<FieldRow>& fields) {
+    fields.assign(std::begin(kFields), std::end(kFields));
+    fields[0].options = techniques;
+    ComponentRow row = componentRow<GrassField>("GrassField", "Grass over the whole terrain.", fields,
+                                                [](const void*) { return FeatureSet{}; });
+    row.featuresOnEntity = featuresOnEntity;
+    return row;
+}
+
+ComponentRow farLookRow() {
+    static constexpr FieldRow kFarFields[] = {
+        choice("farBlur", &FarLook::farBlur, offsetof(FarLook, farBlur), kFarBlurs,
+               "blurs what is far, against sparkling: with equal weights, or a bell's"),
+        real("farBlurDistance", offsetof(FarLook, farBlurDistance), "m", {0.1, 1e6, 10, 300},
+             "distance at which that blur is full"),
+        real("farDarkening", offsetof(FarLook, farDarkening), "", kShare,
+             "share of their light that far blades lose, which shows depth; 0: none"),
+        real("farDarkeningDistance", offsetof(FarLook, farDarkeningDistance), "m", {0.1, 1e6, 10, 300},
+             "distance at which they have lost it"),
+    };
+    return settingsRow<FarLook>("FarLook", "How grass far away is blurred and darkened.", kFarFields, "GrassField");
+}
+
+}  // namespace sward

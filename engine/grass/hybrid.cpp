@@ -1,0 +1,222 @@
+#include "grass/hybrid.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/json.h"
+#include "grass/slice_settings.h"
+#include "scene/field_rows.h"
+
+namespace sward {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// --- distances -------------------------------------------------------------------------------------------------------
+// A pair of distances in order, so that a formula may divide by their difference. Both infinite: never fades, and is
+// kept. Appends what was done.
+void repairPair(const char* nearName, float& near, const char* farName, float& far, std::vector<std::string>& said) {
+    if (near < far || (std::isinf(near) && std::isinf(far))) return;
+    if (near > far) {
+        std::swap(near, far);
+        said.push_back(fmt::format("{} was greater than {}; swapped to {} and {}", nearName, farName,
+                                   shortestText(near), shortestText(far)));
+        return;
+    }
+    const float widened = near + std::max(0.1f, near * 0.1f);
+    said.push_back(fmt::format("{} and {} were both {}; {} is now {}", nearName, farName, shortestText(near), farName,
+                               shortestText(widened)));
+    far = widened;
+}
+std::vector<std::string> repairTiers(void* component) {
+    auto& t = *static_cast<HybridTiers*>(component);
+    std::vector<std::string> said;
+    repairPair("minGeom", t.minGeom, "maxGeom", t.maxGeom, said);
+    repairPair("minBTF", t.minBTF, "maxBTF", t.maxBTF, said);
+    return said;
+}
+
+// --- what is drawn where ---------------------------------------------------------------------------------------------
+FeatureSet hybridFeatures(const FieldEntity& field) {
+    const auto& t = field.settings<HybridTiers>();
+    FeatureSet s;
+    if (t.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
+    if (std::isinf(t.minGeom)) return s;
+    if (t.maxBTF > t.minGeom) s |= featureSet(Feature::GrassSlices);
+    return s | featureSet(Feature::GrassFar);
+}
+// What all four have in common.
+FieldTiers flatTiers(const FieldEntity& field) {
+    const auto& t = field.settings<HybridTiers>();
+    FieldTiers tiers;
+    tiers.flat = fadeRange(t.minBTF, t.maxBTF);
+    tiers.soil = tiers.flat;
+    tiers.shadowsTo = std::max(t.maxBTF, t.maxGeom);
+    return tiers;
+}
+FieldTiers hybridTiers(const FieldEntity& field) {
+    const auto& t = field.settings<HybridTiers>();
+    FieldTiers tiers = flatTiers(field);
+    tiers.blades = tiers.images = fadeRange(t.minGeom, t.maxGeom);
+    tiers.slicesFrom = tiers.flatFrom = t.minGeom;
+    tiers.slicesTo = t.maxBTF;
+    tiers.soil = fadeRange(std::max(t.minBTF, t.maxGeom), std::max(t.maxBTF, t.maxGeom));
+    return tiers;
+}
+// Vertical slices stand for what else is drawn blade by blade.
+FeatureSet withoutBlades(FeatureSet s) {
+    return has(s, Feature::GrassSlices) ? s & ~featureSet(Feature::GrassGeometry) : s;
+}
+FieldTiers hybridCoarseTiers(const FieldEntity& field) {
+    FieldTiers tiers = hybridTiers(field);
+    if (!has(hybridFeatures(field), Feature::GrassSlices)) return tiers;
+    tiers.images = fadeRange(0, 0);
+    tiers.slicesFrom = tiers.flatFrom = -1;
+    return tiers;
+}
+
+FeatureSet geometryFeatures(const FieldEntity&) { return featureSet(Feature::GrassGeometry); }
+FieldTiers geometryTiers(const FieldEntity& field) {
+    FieldTiers tiers = flatTiers(field);
+    tiers.blades = {0, 0, kInf};
+    tiers.soil = fadeRange(kInf, kInf);
+    return tiers;
+}
+
+FeatureSet slicesFeatures(const FieldEntity&) { return featureSet(Feature::GrassSlices, Feature::GrassFar); }
+FieldTiers slicesTiers(const FieldEntity& field) {
+    FieldTiers tiers = flatTiers(field);
+    tiers.flat = {0, 0, kInf};
+    tiers.slicesTo = kInf;
+    return tiers;
+}
+
+FeatureSet flatFeatures(const FieldEntity&) { return featureSet(Feature::GrassFar); }
+
+// --- what a sweep tries ----------------------------------------------------------------------------------------------
+std::string scaled(const char* name, float own, double factor) {
+    return std::string(name) + "=" +
+           shortestText(static_cast<float>(std::round(static_cast<double>(own) * factor * 1000) / 1000));
+}
+// Where blades give way to slices, and slices to the ground's one, as factors of the field's own distances.
+SettingValues scaledTiers(const HybridTiers& t, double near, double far, const char* msaa) {
+    const double least = std::isfinite(t.maxGeom) ? t.maxGeom * near / std::max(t.minBTF, 1e-3f) : 0;
+    far = std::max(far, std::min(least, 1e3));
+    return {scaled("minGeom", t.minGeom, near), scaled("maxGeom", t.maxGeom, near), scaled("minBTF", t.minBTF, far),
+            scaled("maxBTF", t.maxBTF, far), msaa};
+}
+std::vector<SettingValues> hybridSweep(const FieldEntity& field) {
+    const auto& own = field.settings<HybridTiers>();
+    std::vector<SettingValues> out;
+    for (const double near : {0.25, 0.5, 0.7071, 1.0, 1.4142, 2.0})
+        for (const double far : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, far, "msaa=4"));
+    for (const double near : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, 1, "msaa=1"));
+    for (const char* one : {"sharpness=0", "sharpness=1", "sharpness=2", "filtering=trilinear", "sliceCover=published",
+                            "lightWeights=published", "transparency=both", "storage=compressed"})
+        out.push_back({one, "msaa=4"});
+    return out;
+}
+// At less detail there are fewer and wider blades.
+std::vector<SettingValues> geometrySweep(const FieldEntity&) {
+    std::vector<SettingValues> out;
+    for (const char* detail : {"detail=0.125", "detail=0.25", "detail=0.5", "detail=1"})
+        for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({detail, msaa});
+    return out;
+}
+std::vector<SettingValues> slicesSweep(const FieldEntity& field) {
+    const auto& own = field.settings<HybridTiers>();
+    std::vector<SettingValues> out;
+    for (const double far : {0.5, 1.0, 2.0})
+        out.push_back({scaled("minBTF", own.minBTF, far), scaled("maxBTF", own.maxBTF, far), "msaa=4"});
+    out.push_back({"msaa=1"});
+    return out;
+}
+std::vector<SettingValues> flatSweep(const FieldEntity&) { return {{"msaa=1"}, {"msaa=4"}}; }
+
+// --- what a fit turns ------------------------------------------------------------------------------------------------
+enum Knob { kNear, kFar, kFade, kSharpness };
+constexpr KnobRow kHybridKnobs[] = {{"near", true, 1, 0, 1e30, true},
+                                    {"far", true, 1, 0, 1e30, true},
+                                    {"fade", true, 1, 1, 4, false},
+                                    {"sharpness", false, 0, -8, 8, true}};
+std::string rounded(const char* name, double v) {
+    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
+}
+// Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
+SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) {
+    const auto& own = field.settings<HybridTiers>();
+    const double maxGeom = std::clamp(own.maxGeom * k[kNear], 0.1, 1e5);
+    const double minGeom = std::clamp(own.minGeom * k[kNear] / k[kFade], 0.0, maxGeom);
+    const double maxBTF = std::max(own.maxBTF * k[kFar], maxGeom);
+    const double minBTF = std::clamp(own.minBTF * k[kFar] / k[kFade], std::min(maxGeom, maxBTF), maxBTF);
+    const double sharpness =
+        std::clamp(static_cast<double>(field.settings<GrassSlices>().sharpness) + k[kSharpness], 0.0, 8.0);
+    return {rounded("minGeom", minGeom), rounded("maxGeom", maxGeom), rounded("minBTF", minBTF),
+            rounded("maxBTF", maxBTF), rounded("sharpness", sharpness)};
+}
+
+constexpr const char* kAllSettings[] = {"HybridTiers", "GrassSlices", "GrassDrawing", "FarLook"};
+constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
+
+}  // namespace
+
+ComponentRow hybridTiersRow() {
+    static constexpr Range kDistance{0, 1e6, 0, 200};
+    static constexpr FieldRow kFields[] = {
+        distance("minGeom", offsetof(HybridTiers, minGeom), kDistance, "up to here every blade is drawn by itself"),
+        distance("maxGeom", offsetof(HybridTiers, maxGeom), kDistance,
+                 "from here no blade is drawn by itself; inf: never fades"),
+        distance("minBTF", offsetof(HybridTiers, minBTF), kDistance, "up to here every vertical slice is drawn"),
+        distance("maxBTF", offsetof(HybridTiers, maxBTF), kDistance,
+                 "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
+    };
+    ComponentRow row = settingsRow<HybridTiers>(
+        "HybridTiers", "From where to where grass is blades, slices, and one slice over the ground.", kFields,
+        "GrassField");
+    row.repair = repairTiers;
+    return row;
+}
+
+std::span<const TechniqueRow> hybridTechniques() {
+    static constexpr TechniqueRow kRows[] = {
+        {.name = "hybrid",
+         .label = "Hybrid",
+         .help = "blades near the eye, slices of them farther away, one slice over the ground beyond (Boulanger 2006)",
+         .color = 0x009e73,
+         .settings = kAllSettings,
+         .features = hybridFeatures,
+         .tiers = hybridTiers,
+         .coarse = withoutBlades,
+         .coarseTiers = hybridCoarseTiers,
+         .sweep = hybridSweep,
+         .knobs = kHybridKnobs,
+         .turned = hybridTurned},
+        {.name = "geometry",
+         .label = "Geometry",
+         .help = "every blade by itself, however far",
+         .color = 0xd55e00,
+         .settings = kBladeSettings,
+         .features = geometryFeatures,
+         .tiers = geometryTiers,
+         .sweep = geometrySweep},
+        {.name = "slices",
+         .label = "Slices",
+         .help = "vertical slices from the eye on",
+         .color = 0x0072b2,
+         .settings = kAllSettings,
+         .features = slicesFeatures,
+         .tiers = slicesTiers,
+         .sweep = slicesSweep},
+        {.name = "flat",
+         .label = "Flat",
+         .help = "one slice over the ground everywhere",
+         .color = 0xcc79a7,
+         .settings = kAllSettings,
+         .features = flatFeatures,
+         .tiers = flatTiers,
+         .sweep = flatSweep},
+    };
+    return kRows;
+}
+
+}  // namespace sward

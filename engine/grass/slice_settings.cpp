@@ -1,0 +1,38 @@
+#include "grass/slice_settings.h"
+
+#include "scene/field_rows.h"
+
+namespace sward {
+
+ComponentRow grassSlicesRow() {
+    static constexpr Range kTexels{8, 2048, 32, 512};
+    static constexpr FieldRow kFields[] = {
+        whole("slices", offsetof(GrassSlices, slices), "", {1, 64, 4, 20},
+              "vertical slices through a cell along x, and as many along z"),
+        whole("sliceWidth", offsetof(GrassSlices, sliceWidth), "texels", kTexels,
+              "width of a vertical slice's images, made a power of two"),
+        whole("sliceHeight", offsetof(GrassSlices, sliceHeight), "texels", kTexels,
+              "height of a vertical slice's images, made a power of two"),
+        whole("farSize", offsetof(GrassSlices, farSize), "texels", kTexels,
+              "side of the horizontal slice's images, made a power of two"),
+        real("farHeight", offsetof(GrassSlices, farHeight), "", kShare,
+             "where the horizontal slice lies, as a share of the tallest blade's height"),
+        choice("storage", &GrassSlices::storage, offsetof(GrassSlices, storage), kStorages,
+               "how slices are stored: factored, compressed, or an image a light as published"),
+        choice("sliceCover", &GrassSlices::sliceCover, offsetof(GrassSlices, sliceCover), kSliceCovers,
+               "slices cover what the blades would in this view, or all that they hold, as published"),
+        choice("lightWeights", &GrassSlices::lightWeights, offsetof(GrassSlices, lightWeights), kLightWeights,
+               "how a slice's images are weighted by the light: by its cosine, or interpolated by a form of equations "
+               "8-13"),
+        choice("weightsAt", &GrassSlices::weightsAt, offsetof(GrassSlices, weightsAt), kWeightsAt,
+               "where point lights' weights are computed"),
+        choice("filtering", &GrassSlices::filtering, offsetof(GrassSlices, filtering), kFilterings,
+               "how the horizontal slice is filtered"),
+        real("sharpness", offsetof(GrassSlices, sharpness), "levels", {-2, 8, 0, 4},
+             "how much finer than a pixel slices are sampled: 0 smooth, more as grainy as blades"),
+    };
+    return settingsRow<GrassSlices>("GrassSlices", "How the images of distant blades are made and shown.", kFields,
+                                    "GrassField");
+}
+
+}  // namespace sward

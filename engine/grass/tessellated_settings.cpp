@@ -1,0 +1,92 @@
+#include "grass/tessellated_settings.h"
+
+#include <cmath>
+
+#include "core/json.h"
+#include "grass/hybrid.h"
+#include "scene/field_rows.h"
+
+namespace sward {
+namespace {
+
+FeatureSet features(const FieldEntity& field) {
+    const FeatureSet blades = featureSet(Feature::GrassTessellated);
+    return field.settings<TessellatedBlades>().beyond == Beyond::Slice ? blades | featureSet(Feature::GrassFar)
+                                                                       : blades;
+}
+
+FieldTiers tiers(const FieldEntity& field) {
+    const auto& own = field.settings<TessellatedBlades>();
+    const auto& slices = field.settings<HybridTiers>();
+    FieldTiers t;
+    t.blades = {own.maxDistance, -1, own.maxDistance};
+    t.images = fadeRange(own.lowerFrom * own.maxDistance, own.maxDistance);  // take over while blades get lower
+    t.flat = fadeRange(slices.minBTF, slices.maxBTF);
+    t.soil = fadeRange(0, 0);  // soil is shaded in the mean alone
+    t.shadowsTo = std::max(slices.maxBTF, slices.maxGeom);
+    return t;
+}
+
+std::string rounded(const char* name, double v) {
+    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
+}
+// Fewer blades and less far, coarser blades, and who tessellates.
+std::vector<SettingValues> sweep(const FieldEntity& field) {
+    const auto& own = field.settings<TessellatedBlades>();
+    std::vector<SettingValues> out;
+    for (const double far : {0.5, 1.0})
+        out.push_back({rounded("maxDistance", static_cast<double>(own.maxDistance) * far), "msaa=4"});
+    for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1"}) out.push_back({one});
+    return out;
+}
+
+constexpr KnobRow kKnobs[] = {{"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}};
+// far: how far blades are drawn; kept: share of the blades that is left there.
+SettingValues turned(const FieldEntity& field, std::span<const double> k) {
+    const auto& own = field.settings<TessellatedBlades>();
+    const double kept = (1 - static_cast<double>(own.thinning)) * k[1];
+    return {rounded("maxDistance", std::clamp(static_cast<double>(own.maxDistance) * k[0], 0.1, 1e6)),
+            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0))};
+}
+
+constexpr const char* kSettings[] = {"TessellatedBlades", "GrassSlices", "GrassDrawing", "FarLook"};
+
+}  // namespace
+
+ComponentRow tessellatedBladesRow() {
+    static constexpr FieldRow kFields[] = {
+        real("maxDistance", offsetof(TessellatedBlades, maxDistance), "m", {0.1, 1e6, 5, 200},
+             "from here no blade is drawn"),
+        choice("levelBy", &TessellatedBlades::levelBy, offsetof(TessellatedBlades, levelBy), kLevelsBy,
+               "what says how fine a blade is, its distance or its length on screen"),
+        real("pixelsPerQuad", offsetof(TessellatedBlades, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40},
+             "by pixels: length of a blade's quad on screen"),
+        real("thinning", offsetof(TessellatedBlades, thinning), "", kShare,
+             "share of the blades that is missing at maxDistance"),
+        flag("widening", offsetof(TessellatedBlades, widening),
+             "blades that are left are wider, so as to cover as much"),
+        real("lowerFrom", offsetof(TessellatedBlades, lowerFrom), "", kShare,
+             "share of maxDistance from which blades get lower; 1: they do not"),
+        choice("beyond", &TessellatedBlades::beyond, offsetof(TessellatedBlades, beyond), kBeyonds,
+               "what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
+        choice("tessellation", &TessellatedBlades::tessellation, offsetof(TessellatedBlades, tessellation),
+               kTessellations, "by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
+    };
+    return settingsRow<TessellatedBlades>("TessellatedBlades", "How blades are tessellated by distance, and how far.",
+                                          kFields, "GrassField");
+}
+
+TechniqueRow tessellatedTechnique() {
+    return {.name = "tessellated",
+            .label = "Tessellated",
+            .help = "blades one by one, each as finely as its distance asks (Jahrmann 2013)",
+            .color = 0x56b4e9,
+            .settings = kSettings,
+            .features = features,
+            .tiers = tiers,
+            .sweep = sweep,
+            .knobs = kKnobs,
+            .turned = turned};
+}
+
+}  // namespace sward

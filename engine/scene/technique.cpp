@@ -1,0 +1,42 @@
+#include "scene/technique.h"
+
+#include <fmt/format.h>
+
+#include "core/numerics.h"
+#include "scene/project.h"
+
+namespace sward {
+
+FadeRange fadeRange(float min, float max) { return {min, f32::lodInverse(min, max), std::max(min, max)}; }
+
+const TechniqueRow* findTechnique(std::span<const TechniqueRow> rows, std::string_view name) {
+    for (const TechniqueRow& row : rows)
+        if (name == row.name) return &row;
+    return nullptr;
+}
+
+std::string techniqueNames(std::span<const TechniqueRow> rows) {
+    std::string out;
+    for (const TechniqueRow& row : rows) out += (out.empty() ? "" : ", ") + std::string(row.name);
+    return out;
+}
+
+std::string techniqueColor(std::span<const TechniqueRow> rows, std::string_view name) {
+    const TechniqueRow* row = findTechnique(rows, name);
+    return fmt::format("#{:06x}", row ? row->color : 0x808080u);
+}
+
+FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, bool coarse) {
+    const TechniqueRow* row = findTechnique(rows, field.grows.technique);
+    if (!row) return {};
+    return coarse && row->coarseTiers ? row->coarseTiers(field) : row->tiers(field);
+}
+
+std::vector<std::pair<std::string, FieldEntity>> fieldsOf(const Project& project) {
+    std::vector<std::pair<std::string, FieldEntity>> out;
+    for (const auto& [name, e] : project.entities)
+        if (const GrassField* f = project.registry.get<GrassField>(e)) out.push_back({name, {project.registry, e, *f}});
+    return out;
+}
+
+}  // namespace sward
