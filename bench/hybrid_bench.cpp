@@ -118,8 +118,7 @@ SWARD_LIMITS("hybrid-walk", [] {
     }
 });
 
-// --- 25 times the field, from high above
-// -------------------------------------------------------------------------------
+// --- 25 times the field, from high above -------------------------------------------------------------------
 
 double coveredShare(Timed& t, const ViewCamera& c, const ViewSettings& s) {
     ViewSettings tiers = s;
@@ -148,8 +147,7 @@ SWARD_LIMITS("hybrid-whole", [] {
                 median(large.ms) / largePixels / (median(small.ms) / smallPixels), 1.2, "x");
 });
 
-// --- making and loading slices
-// -----------------------------------------------------------------------------------------
+// --- making and loading slices -----------------------------------------------------------------------------
 
 SWARD_LIMITS("slices", [] {
     GrassField f;

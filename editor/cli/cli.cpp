@@ -1,5 +1,7 @@
 #include "cli/cli.h"
 
+#include "techniques.h"
+
 #include <CLI/CLI.hpp>
 
 #include "core/log.h"
@@ -65,7 +67,7 @@ struct Verbs {
         v->add_option("--path", o.path, "name of a CameraPath to film along, instead of cameras");
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
         v->add_option("--technique", o.technique,
-                      "hybrid, tessellated, geometry, slices or flat (default: the project's)");
+                      techniqueNames(tables().techniques) + " (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
         v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")
@@ -121,7 +123,7 @@ struct Verbs {
             "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
         c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
         c->add_option("--technique", cost.technique,
-                      "sweep one alone: hybrid, tessellated, geometry, slices or flat (default: all)");
+                      "sweep one alone: " + techniqueNames(tables().techniques) + " (default: all)");
         c->add_option("--out", cost.out,
                       "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for "
                       "numerics.csv and numerics.json");

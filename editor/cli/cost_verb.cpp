@@ -131,7 +131,7 @@ int costVerb(const CostOptions& o) {
     if (!project) return report(project.error());
     auto request = costRequest(o, *project);
     if (!request) return report(request.error());
-    auto settings = costSettings(*project, o.technique);
+    auto settings = costSettings(*project, tables(), o.technique);
     if (!settings) return report(settings.error());
     request->settings = std::move(*settings);
     request->folder = fs::path(o.out) / "work";
@@ -140,7 +140,7 @@ int costVerb(const CostOptions& o) {
     const Interruptible here;
     const auto run = runCost(*request, *project, tables(), **gpu, costProgress());
     if (!run) return report(run.error());
-    if (Status s = writeCostFiles(*run, o.out, request->folder); !s) return report(s.error());
+    if (Status s = writeCostFiles(*run, o.out, request->folder, tables().techniques); !s) return report(s.error());
     printRun(*run, o.out);
     return 0;
 }

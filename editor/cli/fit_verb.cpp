@@ -49,11 +49,11 @@ void printFit(const FitResult& r) {
 std::filesystem::path truthFolder() { return cacheDir() / "truths"; }
 
 // The file as it is, without --set, gets the settings.
-Status save(const FitOptions& o, const FitCandidate& best) {
+Status save(const FitOptions& o, const FitResult& found) {
     auto project = loadProject(o.project, tables().components);
     if (!project) return project.error();
     ViewSettings view;
-    if (Status s = applySetting(*project, tables(), {"hybrid", best.values}, view); !s) return s;
+    if (Status s = applySetting(*project, tables(), {found.technique, found.best.values}, view); !s) return s;
     auto written = saveProject(*project, tables().components);
     return written ? Status() : Status(written.error());
 }

@@ -91,7 +91,7 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
     s.measure = true;
     if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
     record.stats = shot.renderer.stats();
-    record.stats.bladesVisible = visibleBlades(shot.project, shot.view, s.width, s.height);
+    record.stats.bladesVisible = visibleBlades(shot.project, tables(), shot.view, s.width, s.height);
     return record;
 }
 

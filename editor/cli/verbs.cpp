@@ -10,7 +10,7 @@
 namespace sward {
 
 int newVerb(const std::string& dir) {
-    auto p = newProject(dir);
+    auto p = newProject(dir, tables().components);
     if (!p) return report(p.error());
     std::printf("%s: a new project; open it with: sward edit %s\n", dir.c_str(), dir.c_str());
     return 0;

@@ -115,7 +115,7 @@ Status Document::open(const fs::path& dir) {
 
 Status Document::create(const fs::path& dir) {
     if (impl_->play) return notWhilePlaying();
-    Result<Project> made = newProject(dir);
+    Result<Project> made = newProject(dir, impl_->rows());
     if (!made) return made.error();
     impl_->show(std::move(*made));
     return {};

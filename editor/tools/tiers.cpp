@@ -23,7 +23,7 @@ bool inOrder(size_t i, double a, double b) {
 
 }  // namespace
 
-TierDistances tiersOf(const GrassField& f) { return {f.minGeom, f.maxGeom, f.minBTF, f.maxBTF}; }
+TierDistances tiersOf(const HybridTiers& f) { return {f.minGeom, f.maxGeom, f.minBTF, f.maxBTF}; }
 
 bool tiersInOrder(const TierDistances& t) {
     for (size_t i = 0; i + 1 < kTierCount; ++i)

@@ -5,7 +5,7 @@
 #pragma once
 #include <array>
 
-#include "scene/components.h"
+#include "grass/hybrid.h"
 
 namespace sward {
 
@@ -15,7 +15,7 @@ inline constexpr double kTierGap = 0.1;  // metres over which a tier fades at le
 
 using TierDistances = std::array<double, kTierCount>;  // metres; infinity: never
 
-TierDistances tiersOf(const GrassField& field);
+TierDistances tiersOf(const HybridTiers& field);
 bool tiersInOrder(const TierDistances& t);
 // What a drag of tier i towards `wanted` gives: as near to it as its neighbours allow; nothing new where they leave no
 // room. Where these are out of order themselves they do not count.

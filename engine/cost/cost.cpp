@@ -135,17 +135,31 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 }
 
 // --- what it will take -------------------------------------------------------------------------------------------
+// Grass without blades by the technique that asks least of the scene.
+std::optional<CostSetting> plainest(const Sweep& s, const Prepared& p) {
+    const FieldEntity field = fieldsOf(p.project).front().second;
+    const TechniqueRow* least = nullptr;
+    for (const TechniqueRow& row : s.tables.techniques)
+        if (row.tiers(field).blades.max <= 0 && (!least || row.features(field).count() < least->features(field).count()))
+            least = &row;
+    return least ? std::optional(CostSetting{least->name, {}}) : std::nullopt;
+}
+// Some blades near the eye, by the first technique that can draw a few.
+std::optional<CostSetting> fewBlades(const Sweep& s) {
+    for (const TechniqueRow& row : s.tables.techniques)
+        if (!row.fewBlades.empty()) return CostSetting{row.name, {row.fewBlades.begin(), row.fewBlades.end()}};
+    return std::nullopt;
+}
 // Milliseconds a blade and of everything else, from two pictures: the field as flat ground, and with blades up to a few
 // metres; and the limit, from a third.
 Status calibrate(Sweep& s, const std::string& camera) {
     Prepared p = asItIs(s, camera);
-    const GrassField own = *firstOf<GrassField>(p.project);
     double ms[3] = {0, 0, 0};
     uint64_t blades = 0;
-    const CostSetting settings[] = {
-        {kTechniques[own.technique], {}}, {"flat", {}}, {"hybrid", {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"}}};
+    const std::optional<CostSetting> settings[] = {std::nullopt, plainest(s, p), fewBlades(s)};
     for (size_t i = 0; i < 3; ++i) {
-        if (Status st = applySetting(p.project, s.tables, settings[i], p.view); !st) return st;
+        if (settings[i])
+            if (Status st = applySetting(p.project, s.tables, *settings[i], p.view); !st) return st;
         for (int frame = 0; frame < 3;
              ++frame) {  // the first makes what it draws with; of the others the quicker, since load only adds
             auto took = frameMs(s, p);
@@ -168,7 +182,7 @@ std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
         if (s.run.rows[slow].camera == s.run.rows[row].camera &&
             drawsNoLess(setting, s.request.settings[s.settings[slow]]))
             return fmt::format("draws no less than {}: {}", s.run.rows[slow].settings, s.run.rows[slow].skipped);
-    const double blades = static_cast<double>(submittedBlades(p.project, p.camera, p.view.width, p.view.height)) *
+    const double blades = static_cast<double>(submittedBlades(p.project, s.tables, p.camera, p.view.width, p.view.height)) *
                           static_cast<double>(p.view.detail);
     const double expected = s.msOfRest + s.msPerBlade * blades;
     return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}",

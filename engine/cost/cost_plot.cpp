@@ -65,12 +65,13 @@ void drawFloors(Plot& p, const CostFloors& f, const Axis& x, const Axis& y) {
     }
 }
 
-void drawRows(Plot& p, const std::vector<const CostRow*>& rows, const Axis& x, const Axis& y) {
+void drawRows(Plot& p, const std::vector<const CostRow*>& rows, const Axis& x, const Axis& y,
+              std::span<const TechniqueRow> techniques) {
     std::vector<glm::dvec2> frontier;
     for (const CostRow* r : rows) {
         const Appearance& a = r->metrics.appearance;
         const glm::dvec2 at(x.at(r->msMedian), y.at(a.distance));
-        const std::string color = techniqueColor(r->technique);
+        const std::string color = techniqueColor(techniques, r->technique);
         if (a.sigma > 0)
             p.lines.push_back(
                 {{{at.x, y.at(a.distance + a.sigma)}, {at.x, y.at(std::max(a.distance - a.sigma, y.low))}},
@@ -85,13 +86,13 @@ void drawRows(Plot& p, const std::vector<const CostRow*>& rows, const Axis& x, c
     p.lines.push_back({frontier, kInk, 1.6});
 }
 
-void drawLegend(Plot& p, const std::vector<const CostRow*>& rows) {
+void drawLegend(Plot& p, const std::vector<const CostRow*>& rows, std::span<const TechniqueRow> techniques) {
     std::vector<std::string> names;
     for (const CostRow* r : rows)
         if (std::find(names.begin(), names.end(), r->technique) == names.end()) names.push_back(r->technique);
     double x = kLeft + 4;
     for (const std::string& n : names) {
-        p.dots.push_back({{x, kTop - 12}, 5, techniqueColor(n), true, n});
+        p.dots.push_back({{x, kTop - 12}, 5, techniqueColor(techniques, n), true, n});
         p.texts.push_back({{x + 10, kTop - 8}, n, kInk, 12});
         x += 36 + 8 * static_cast<double>(n.size());
     }
@@ -100,15 +101,8 @@ void drawLegend(Plot& p, const std::vector<const CostRow*>& rows) {
 
 }  // namespace
 
-std::string techniqueColor(const std::string& technique) {
-    const std::pair<const char*, const char*> colors[] = {
-        {"hybrid", "#009e73"}, {"geometry", "#d55e00"}, {"slices", "#0072b2"}, {"flat", "#cc79a7"}};
-    for (const auto& [name, color] : colors)
-        if (technique == name) return color;
-    return "#56b4e9";
-}
-
-Plot costPlot(const CostRun& run, const std::string& camera, int width, int height) {
+Plot costPlot(const CostRun& run, const std::string& camera, std::span<const TechniqueRow> techniques, int width,
+              int height) {
     std::vector<const CostRow*> rows;
     std::vector<double> ms, errors;
     for (const CostRow& r : run.rows) {
@@ -127,8 +121,8 @@ Plot costPlot(const CostRun& run, const std::string& camera, int width, int heig
     const Axis x = axisOf(ms, kLeft, width - kRight), y = axisOf(errors, height - kBottom, kTop);
     drawAxes(p, x, y);
     if (floors != run.floors.end()) drawFloors(p, *floors, x, y);
-    drawRows(p, rows, x, y);
-    drawLegend(p, rows);
+    drawRows(p, rows, x, y, techniques);
+    drawLegend(p, rows, techniques);
     p.texts.push_back(
         {{kLeft - 60, 18}, fmt::format("{}, camera {}, {}x{}", run.project, camera, run.width, run.height), kInk, 14});
     return p;

@@ -7,8 +7,7 @@
 namespace sward {
 
 // Empty (width 0) if no row of the camera was drawn and timed.
-Plot costPlot(const CostRun& run, const std::string& camera, int width = 900, int height = 600);
-// The technique's colour, "#rrggbb": told apart by people who do not see red and green alike (Okabe and Ito 2008).
-std::string techniqueColor(const std::string& technique);
+Plot costPlot(const CostRun& run, const std::string& camera, std::span<const TechniqueRow> techniques,
+              int width = 900, int height = 600);
 
 }  // namespace sward

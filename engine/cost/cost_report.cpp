@@ -109,9 +109,10 @@ std::string floorsText(const CostFloors& f) {
 }
 
 // --- the page ----------------------------------------------------------------------------------------------------
-std::string cameraPart(const CostRun& run, const CostFloors& f, const fs::path& work) {
+std::string cameraPart(const CostRun& run, const CostFloors& f, const fs::path& work,
+                       std::span<const TechniqueRow> techniques) {
     std::string out = "<h2>Camera " + escaped(f.camera) + "</h2>\n" + floorsText(f);
-    if (const Plot plot = costPlot(run, f.camera); plot.width > 0) out += plotSvg(plot);
+    if (const Plot plot = costPlot(run, f.camera, techniques); plot.width > 0) out += plotSvg(plot);
     out += tableOf(run, f.camera) + leftOut(run, f.camera);
     std::vector<const CostRow*> frontier;
     for (const CostRow& r : run.rows)
@@ -124,7 +125,7 @@ std::string cameraPart(const CostRun& run, const CostFloors& f, const fs::path& 
                strip(*r, f, work);
     return out;
 }
-std::string page(const CostRun& run, const fs::path& work) {
+std::string page(const CostRun& run, const fs::path& work, std::span<const TechniqueRow> techniques) {
     std::string out = kHead;
     out +=
         fmt::format("<title>{0}: what accuracy costs</title></head><body>\n<h1>{0}: what accuracy costs in time</h1>\n",
@@ -138,7 +139,7 @@ std::string page(const CostRun& run, const fs::path& work) {
     for (const CostMachine& m : run.machines)
         out += fmt::format("<li>{}, {} cores ({})\n", escaped(m.renderer), m.cores, m.timing);
     out += "</ul>\n";
-    for (const CostFloors& f : run.floors) out += cameraPart(run, f, work);
+    for (const CostFloors& f : run.floors) out += cameraPart(run, f, work, techniques);
     return out + kSort + "</body></html>\n";
 }
 
@@ -157,11 +158,12 @@ std::string base64(std::string_view bytes) {
 }
 
 // --- files -------------------------------------------------------------------------------------------------------
-Status writeCostFiles(const CostRun& run, const fs::path& folder, const fs::path& work) {
+Status writeCostFiles(const CostRun& run, const fs::path& folder, const fs::path& work,
+                      std::span<const TechniqueRow> techniques) {
     if (Status s = writeFileAtomic(folder / "cost.csv", costCsv(run)); !s) return s;
     if (Status s = writeFileAtomic(folder / "cost.json", writeJson(costJson(run))); !s) return s;
     for (const CostFloors& f : run.floors) {
-        const Plot plot = costPlot(run, f.camera);
+        const Plot plot = costPlot(run, f.camera, techniques);
         if (plot.width == 0) continue;
         if (Status s = writeFileAtomic(folder / ("plot-" + f.camera + ".svg"), plotSvg(plot)); !s) return s;
         if (Status s =
@@ -169,7 +171,7 @@ Status writeCostFiles(const CostRun& run, const fs::path& folder, const fs::path
             !s)
             return s;
     }
-    return writeFileAtomic(folder / "report.html", page(run, work));
+    return writeFileAtomic(folder / "report.html", page(run, work, techniques));
 }
 
 }  // namespace sward

@@ -5,50 +5,6 @@
 namespace sward {
 namespace {
 
-std::string distance(const char* name, float own, double factor) {
-    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(own * factor * 1000) / 1000));
-}
-
-// Where blades give way to slices, and slices to the ground's one, as factors of the field's own distances.
-std::vector<std::string> tiers(const GrassField& f, double near, double far) {
-    const double least = std::isfinite(f.maxGeom) ? f.maxGeom * near / std::max(f.minBTF, 1e-3f) : 0;
-    far = std::max(far, std::min(least, 1e3));
-    return {distance("minGeom", f.minGeom, near), distance("maxGeom", f.maxGeom, near),
-            distance("minBTF", f.minBTF, far), distance("maxBTF", f.maxBTF, far)};
-}
-std::vector<std::string> with(std::vector<std::string> values, std::initializer_list<const char*> more) {
-    values.insert(values.end(), more.begin(), more.end());
-    return values;
-}
-
-void addHybrid(const GrassField& own, std::vector<CostSetting>& out) {
-    for (const double near : {0.25, 0.5, 0.7071, 1.0, 1.4142, 2.0})
-        for (const double far : {0.5, 1.0, 2.0}) out.push_back({"hybrid", with(tiers(own, near, far), {"msaa=4"})});
-    for (const double near : {0.5, 1.0, 2.0}) out.push_back({"hybrid", with(tiers(own, near, 1), {"msaa=1"})});
-    for (const char* one : {"sharpness=0", "sharpness=1", "sharpness=2", "filtering=trilinear", "sliceCover=published",
-                            "lightWeights=published", "transparency=both", "storage=compressed"})
-        out.push_back({"hybrid", {one, "msaa=4"}});
-}
-// At less detail there are fewer and wider blades.
-void addGeometry(const GrassField&, std::vector<CostSetting>& out) {
-    for (const char* detail : {"detail=0.125", "detail=0.25", "detail=0.5", "detail=1"})
-        for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"geometry", {detail, msaa}});
-}
-void addSlices(const GrassField& own, std::vector<CostSetting>& out) {
-    for (const double far : {0.5, 1.0, 2.0})
-        out.push_back({"slices", {distance("minBTF", own.minBTF, far), distance("maxBTF", own.maxBTF, far), "msaa=4"}});
-    out.push_back({"slices", {"msaa=1"}});
-}
-void addFlat(const GrassField&, std::vector<CostSetting>& out) {
-    for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"flat", {msaa}});
-}
-// Fewer blades and less far, coarser blades, and who tessellates.
-void addTessellated(const GrassField& own, std::vector<CostSetting>& out) {
-    for (const double far : {0.5, 1.0})
-        out.push_back({"tessellated", {distance("maxDistance", own.maxDistance, far), "msaa=4"}});
-    for (const char* one : {"thinning=0", "levelBy=pixels", "msaa=1"}) out.push_back({"tessellated", {one}});
-}
-
 // Name and number of a value that more of makes more work; nothing of another value.
 std::optional<std::pair<std::string, double>> amountOf(const std::string& value) {
     const size_t equals = value.find('=');
@@ -81,34 +37,44 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
 
 }  // namespace
 
+std::string settingPath(const Tables& tables, const std::string& entity, const std::string& technique,
+                        const std::string& name) {
+    const TechniqueRow* row = findTechnique(tables.techniques, technique);
+    const auto has = [&](const ComponentRow& c) {
+        return std::any_of(c.fields.begin(), c.fields.end(), [&](const FieldRow& f) { return name == f.name; });
+    };
+    if (row)
+        for (const char* settings : row->settings)
+            if (const ComponentRow* c = findComponent(tables.components, settings); c && has(*c))
+                return entity + "." + settings + "." + name;
+    return entity + ".GrassField." + name;
+}
+
 std::string CostSetting::text() const {
     std::string all;
     for (const std::string& v : values) all += (all.empty() ? "" : " ") + v;
     return all.empty() ? "as it is" : all;
 }
 
-std::span<const CostTechnique> costTechniques() {
-    static constexpr CostTechnique kRows[] = {{"hybrid", addHybrid},
-                                              {"geometry", addGeometry},
-                                              {"slices", addSlices},
-                                              {"flat", addFlat},
-                                              {"tessellated", addTessellated}};
-    return kRows;
-}
-
-Result<std::vector<CostSetting>> costSettings(const Project& project, const std::string& technique) {
-    const GrassField* field = nullptr;
-    for (const auto& [name, e] : project.entities)
-        if (!field) field = project.registry.get<GrassField>(e);
-    if (!field)
+Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
+                                              const std::string& technique) {
+    const auto fields = fieldsOf(project);
+    if (fields.empty())
         return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    if (!technique.empty() && !findTechnique(tables.techniques, technique))
+        return Error{ExitCode::Usage,
+                     "there is no technique \"" + technique + "\"",
+                     "",
+                     0,
+                     0,
+                     techniqueNames(tables.techniques)};
     std::vector<CostSetting> out;
-    std::string names;
-    for (const CostTechnique& row : costTechniques()) {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-        if (technique.empty() || technique == row.name) row.add(*field, out);
+    for (const TechniqueRow& row : tables.techniques) {
+        if (!technique.empty() && technique != row.name) continue;
+        const std::vector<SettingValues> values =
+            row.sweep ? row.sweep(fields.front().second) : std::vector<SettingValues>{{}};
+        for (const SettingValues& v : values) out.push_back({row.name, v});
     }
-    if (out.empty()) return Error{ExitCode::Usage, "there is no technique \"" + technique + "\"", "", 0, 0, names};
     return out;
 }
 
@@ -124,18 +90,20 @@ bool drawsNoLess(const CostSetting& a, const CostSetting& b) {
 
 Status applySetting(Project& project, const Tables& tables, const CostSetting& setting, ViewSettings& view) {
     for (const auto& [name, e] : project.entities) {
-        if (!project.registry.get<GrassField>(e)) continue;
-        const std::string at = name + ".GrassField.";
-        if (Status s = setField(project, tables, at + "technique", setting.technique); !s) return s;
+        const GrassField* field = project.registry.get<GrassField>(e);
+        if (!field) continue;
+        if (!setting.technique.empty())
+            if (Status s = setField(project, tables, name + ".GrassField.technique", setting.technique); !s) return s;
         for (const std::string& value : setting.values) {
             const size_t equals = value.find('=');
             if (equals == std::string::npos)
                 return Error{ExitCode::Usage, "\"" + value + "\" has no '='", "", 0, 0, "write NAME=VALUE"};
-            const auto view_ = setView(view, value.substr(0, equals), value.substr(equals + 1));
-            if (!view_) return view_.error();
-            if (*view_) continue;
-            if (Status s = setField(project, tables, at + value.substr(0, equals), value.substr(equals + 1)); !s)
-                return s;
+            const std::string what = value.substr(0, equals), to = value.substr(equals + 1);
+            const auto ofView = setView(view, what, to);
+            if (!ofView) return ofView.error();
+            if (*ofView) continue;
+            const std::string path = settingPath(tables, name, field->technique, what);
+            if (Status s = setField(project, tables, path, to); !s) return s;
         }
     }
     return {};

@@ -33,15 +33,9 @@ uint64_t populationHash(const Project& p, const Tables& tables) {
     Project plain = snapshot(p, tables.components);
     const GrassField usual;
     for (const auto& [name, e] : plain.entities) {
-        GrassField* f = plain.registry.get<GrassField>(e);
-        if (!f) continue;
-        f->technique = usual.technique, f->minGeom = usual.minGeom, f->maxGeom = usual.maxGeom,
-        f->minBTF = usual.minBTF, f->maxBTF = usual.maxBTF;
-        f->slices = usual.slices, f->sliceWidth = usual.sliceWidth, f->sliceHeight = usual.sliceHeight,
-        f->farSize = usual.farSize, f->farHeight = usual.farHeight;
-        f->storage = usual.storage, f->sliceCover = usual.sliceCover, f->lightWeights = usual.lightWeights,
-        f->weightsAt = usual.weightsAt;
-        f->transparency = usual.transparency, f->filtering = usual.filtering, f->sharpness = usual.sharpness;
+        if (GrassField* f = plain.registry.get<GrassField>(e)) f->technique = usual.technique;
+        for (const ComponentRow& row : tables.components)
+            if (row.settingsOf && !row.readByTruth) row.remove(plain.registry, e);
     }
     return projectHash(plain, tables.components);
 }

@@ -18,27 +18,8 @@ constexpr double kHopeless =
 constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
-// What the search moves, each as a factor of the field's own value (sharpness: as a sum).
-struct Knobs {
-    double near = 1, far = 1, fade = 1, sharpness = 0;
-    auto operator<=>(const Knobs&) const = default;
-};
-constexpr double Knobs::*kFactors[] = {&Knobs::near, &Knobs::far, &Knobs::fade};
-
-std::string value(const char* name, double v) {
-    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
-}
-
-// Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
-std::vector<std::string> valuesOf(const GrassField& own, const Knobs& k) {
-    const double maxGeom = std::clamp(own.maxGeom * k.near, 0.1, 1e5);
-    const double minGeom = std::clamp(own.minGeom * k.near / k.fade, 0.0, maxGeom);
-    const double maxBTF = std::max(own.maxBTF * k.far, maxGeom),
-                 minBTF = std::clamp(own.minBTF * k.far / k.fade, std::min(maxGeom, maxBTF), maxBTF);
-    const double sharpness = std::clamp(own.sharpness + k.sharpness, 0.0, 8.0);
-    return {value("minGeom", minGeom), value("maxGeom", maxGeom), value("minBTF", minBTF), value("maxBTF", maxBTF),
-            value("sharpness", sharpness)};
-}
+// How far each of the technique's knobs is turned (KnobRow), in the order of its rows.
+using Knobs = std::vector<double>;
 
 struct Seen {
     const CostView& view;
@@ -51,7 +32,7 @@ struct Search {
     Gpu& gpu;
     const CostProgress& progress;
     Renderer renderer{gpu, tables};
-    GrassField own = {};
+    const TechniqueRow* technique = nullptr;
     std::vector<Seen> views = {};
     std::map<std::vector<std::string>, FitCandidate> seen = {};
     int limit = 0;
@@ -71,7 +52,7 @@ Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, con
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
     d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
     d.view.time = s.request.cost.time + from.since;
-    if (Status st = applySetting(d.project, s.tables, {"hybrid", values}, d.view); !st) return st.error();
+    if (Status st = applySetting(d.project, s.tables, {s.technique->name, values}, d.view); !st) return st.error();
     return d;
 }
 Result<double> frameMs(Search& s, Drawing& d) {
@@ -138,30 +119,40 @@ bool better(const FitCandidate& a, const FitCandidate& b, double budget) {
     if (fitsA != fitsB) return fitsA;
     return fitsA ? a.appearance < b.appearance : a.ms < b.ms;
 }
-std::vector<Knobs> around(const Knobs& k, double step) {
+Knobs asItIs(const TechniqueRow& t) {
+    Knobs k;
+    for (const KnobRow& row : t.knobs) k.push_back(row.start);
+    return k;
+}
+std::vector<std::string> valuesOf(const Search& s, const Knobs& k) {
+    return s.technique->turned(fieldsOf(s.project).front().second, k);
+}
+// The neighbours: each knob the step's factor up and down, then those that are added to.
+std::vector<Knobs> around(const Search& s, const Knobs& k, double step) {
     std::vector<Knobs> out;
-    for (const auto knob : kFactors)
-        for (const double factor : {step, 1 / step}) {
-            Knobs n = k;
-            n.*knob *= factor;
-            if (n.fade >= 1 && n.fade <= 4) out.push_back(n);
+    for (const bool factors : {true, false})
+        for (size_t i = 0; i < k.size(); ++i) {
+            const KnobRow& row = s.technique->knobs[i];
+            if (row.factor != factors) continue;
+            const double turned[] = {row.factor ? k[i] * step : k[i] - std::log2(step),
+                                     row.factor ? k[i] / step : k[i] + std::log2(step)};
+            for (const double value : turned) {
+                if (value < row.least || value > row.most) continue;
+                out.push_back(k);
+                out.back()[i] = value;
+            }
         }
-    for (const double add : {-std::log2(step), std::log2(step)}) {
-        Knobs n = k;
-        n.sharpness += add;
-        out.push_back(n);
-    }
     return out;
 }
 // From a start: to the best neighbour as long as one is better, then with smaller steps.
 Status search(Search& s, Knobs at) {
-    auto here = measured(s, valuesOf(s.own, at));
+    auto here = measured(s, valuesOf(s, at));
     if (!here) return here.error();
     for (double step = kStep; step >= kLeastStep && static_cast<int>(s.seen.size()) < s.limit;) {
         std::optional<Knobs> next;
-        for (const Knobs& k : around(at, step)) {
+        for (const Knobs& k : around(s, at, step)) {
             if (static_cast<int>(s.seen.size()) >= s.limit) break;
-            auto there = measured(s, valuesOf(s.own, k));
+            auto there = measured(s, valuesOf(s, k));
             if (!there) return there.error();
             if (better(*there, *here, s.request.budgetMs)) here = there, next = k;
         }
@@ -174,15 +165,28 @@ Status search(Search& s, Knobs at) {
 }
 
 // --- the grid ----------------------------------------------------------------------------------------------------
+// All points with each of the knobs that stand in it at three values, the first knob's changing last.
+std::vector<Knobs> gridPoints(const TechniqueRow& t) {
+    std::vector<Knobs> points{asItIs(t)};
+    for (size_t i = 0; i < t.knobs.size(); ++i) {
+        if (!t.knobs[i].inGrid) continue;
+        std::vector<Knobs> more;
+        for (const Knobs& at : points)
+            for (const double step : {-1.0, 0.0, 1.0}) {
+                more.push_back(at);
+                more.back()[i] = t.knobs[i].factor ? at[i] * std::exp2(step) : at[i] + step;
+            }
+        points = std::move(more);
+    }
+    return points;
+}
 Result<FitCandidate> gridBest(Search& s) {
     FitCandidate best;
-    for (const double near : {0.5, 1.0, 2.0})
-        for (const double far : {0.5, 1.0, 2.0})
-            for (const double sharpness : {-1.0, 0.0, 1.0}) {
-                auto c = measured(s, valuesOf(s.own, {near, far, 1, sharpness}));
-                if (!c) return c;
-                if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
-            }
+    for (const Knobs& k : gridPoints(*s.technique)) {
+        auto c = measured(s, valuesOf(s, k));
+        if (!c) return c;
+        if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
+    }
     return best;
 }
 
@@ -249,6 +253,17 @@ ViewCamera heldOutCamera(ViewCamera c) {
     return c;
 }
 
+Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables) {
+    const auto fields = fieldsOf(project);
+    if (fields.empty())
+        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    const TechniqueRow* own = findTechnique(tables.techniques, fields.front().second.grows.technique);
+    if (own && !own->knobs.empty()) return own;
+    for (const TechniqueRow& row : tables.techniques)
+        if (!row.knobs.empty()) return &row;
+    return Error{ExitCode::Failed, "no technique has anything to turn", "", 0, 0, ""};
+}
+
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress) {
     std::error_code ec;
@@ -258,21 +273,18 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
                      "choose another"};
     Search s{request, project, tables, gpu, progress};
     s.limit = request.candidates;
-    const GrassField* field = nullptr;
-    for (const auto& [name, e] : project.entities)
-        if (!field) field = project.registry.get<GrassField>(e);
-    if (field) s.own = *field;
-    if (!field)
-        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    auto technique = techniqueToFit(project, tables);
+    if (!technique) return technique.error();
+    s.technique = *technique;
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
-    auto shipped = measured(s, valuesOf(s.own, {}), true);
+    auto shipped = measured(s, valuesOf(s, asItIs(*s.technique)), true);
     if (!shipped) return shipped.error();
-    if (Status st = search(s, {}); !st) return st.error();
+    if (Status st = search(s, asItIs(*s.technique)); !st) return st.error();
     auto grid = gridBest(s);
     if (!grid) return grid.error();
     choose(s, r);
-    r.shipped = *shipped, r.gridBest = *grid;
+    r.technique = s.technique->name, r.shipped = *shipped, r.gridBest = *grid;
     if (r.fits) {
         auto held = heldOut(s, r);
         if (!held) return held.error();

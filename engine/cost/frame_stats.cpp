@@ -1,11 +1,14 @@
 #include "cost/frame_stats.h"
 
+#include <set>
+
 #include <sys/resource.h>
 
 #include "core/json.h"
 #include "frame/draw_context.h"
 #include "gpu/timer.h"
 #include "grass/cells.h"
+#include "grass/drawing.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -43,10 +46,13 @@ Json names(const std::vector<std::string>& list) {
     return j;
 }
 
-const char* techniqueOf(const Project& p) {
-    for (const auto& [name, e] : p.entities)
-        if (const GrassField* f = p.registry.get<GrassField>(e)) return kTechniques[f->technique];
-    return "none";
+// Of all fields; names of several are joined by "+".
+std::string techniqueOf(const Project& p) {
+    std::string out;
+    std::set<std::string> seen;
+    for (const auto& [name, field] : fieldsOf(p))
+        if (seen.insert(field.grows.technique).second) out += (out.empty() ? "" : "+") + field.grows.technique;
+    return out.empty() ? "none" : out;
 }
 
 Json bladesJson(const FrameStats& s) {
@@ -92,40 +98,50 @@ Json recordJson(const FrameRecord& r, const Project& project, const Gpu& gpu, in
     return j;
 }
 
-// count(query) over the species of the field that is drawn: the first by name.
+// What is looked at, for counts.
+struct Counted {
+    const Project& project;
+    std::span<const TechniqueRow> techniques;
+    const ViewCamera& camera;
+    int width, height;
+};
+
+float fadeOf(const FieldEntity& field) { return field.settings<GrassDrawing>().fade; }
+
+// count(query) over the species of all fields.
 template <class F>
-uint64_t sumOverSpecies(const Project& project, const ViewCamera& camera, int width, int height, F&& count) {
-    const Ground ground = findGround(project);
+uint64_t sumOverSpecies(const Counted& c, F&& count) {
+    const Ground ground = findGround(c.project);
     if (!ground.terrain) return 0;
     HeightBounds bounds;
     updateHeightBounds(bounds, *ground.terrain);
-    const Frustum frustum = frustumOf(viewProjection(camera, width, height));
+    const Frustum frustum = frustumOf(viewProjection(c.camera, c.width, c.height));
+    const QueryFrom from{c.camera.eye - ground.origin, frustum, pixelsPerMetre(c.camera, c.height)};
     uint64_t sum = 0;
-    for (const auto& [name, e] : project.entities) {
-        const GrassField* f = project.registry.get<GrassField>(e);
-        if (!f) continue;
-        for (size_t i = 0; i < std::min<size_t>(f->species.size(), MAX_SPECIES); ++i) {
-            const Species& s = f->species[i];
-            const UniqueBlades own = isUnique(*f) ? makeUnique(s, *f, *ground.terrain) : UniqueBlades{};
-            const Patch patch = isUnique(*f) ? own.patch : makePatch(s, f->cellSize, static_cast<uint32_t>(f->seed));
-            CellQuery q = cellQuery(*ground.terrain, bounds, *f, s, patch, camera.eye - ground.origin, frustum,
-                                    pixelsPerMetre(camera, height));
+    for (const auto& [name, field] : fieldsOf(c.project)) {
+        const GrassField& f = field.grows;
+        for (const Species& s : f.species) {
+            const UniqueBlades own = isUnique(f) ? makeUnique(s, f, *ground.terrain) : UniqueBlades{};
+            const Patch patch = isUnique(f) ? own.patch : makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed));
+            CellQuery q = cellQuery({*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades,
+                                     fadeOf(field)},
+                                    from);
             if (!own.empty()) q.unique = &own;
             sum += count(q);
         }
-        break;
     }
     return sum;
 }
 
 }  // namespace
 
-uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int width, int height) {
-    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) { return countVisible(q); });
+uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height) {
+    return sumOverSpecies({project, tables.techniques, camera, width, height}, [](const CellQuery& q) { return countVisible(q); });
 }
 
-uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int width, int height) {
-    return sumOverSpecies(project, camera, width, height, [](const CellQuery& q) {
+uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width,
+                         int height) {
+    return sumOverSpecies({project, tables.techniques, camera, width, height}, [](const CellQuery& q) {
         uint64_t sum = 0;
         for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
         return sum;

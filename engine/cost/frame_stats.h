@@ -16,10 +16,10 @@ struct FrameRecord {
 };
 
 // Blades whose opacity is above 0 and whose root is in view, counted on the CPU by the shaders' own rule.
-uint64_t visibleBlades(const Project& project, const ViewCamera& camera, int width, int height);
+uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height);
 
 // Blades that the view would submit, at full detail, by technique and distances; without drawing.
-uint64_t submittedBlades(const Project& project, const ViewCamera& camera, int width, int height);
+uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height);
 
 // One camera: its object; several: {"cameras": [...]}.
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,

@@ -5,6 +5,7 @@
 #include "frame/map_textures.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
+#include "frame/soil.h"
 #include "gpu/program.h"
 #include "gpu/resources.h"
 #include "shared/frame.h"
@@ -40,13 +41,6 @@ struct GroundMesh {
 };
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
-
-// What grows on the soil, for who lights it (shaders/lib/soil.glsl).
-struct SoilCover {
-    GLuint globals = 0;        // SoilGlobals
-    std::string constants;     // how many fields and species there are, and which textures they read
-    std::vector<GLuint> maps;  // bound from TEX_SOIL on
-};
 
 struct GrassFields;  // grass/field.h
 struct MaskState;    // grass/mask.h

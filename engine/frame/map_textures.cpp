@@ -103,6 +103,11 @@ void withPixelType(PixelType type, F&& f) {
 
 }  // namespace
 
+GLuint MapTextures::shared(const std::string& path) const {
+    const auto found = entries_.find(path);
+    return found != entries_.end() && found->second.used ? found->second.texture.id() : 0;
+}
+
 GLuint MapTextures::get(const std::string& owner, const std::string& key, const Map& map, bool srgb, bool repeat) {
     Entry& e = entries_[key];
     e.used = true;

@@ -19,6 +19,8 @@ class MapTextures {
     // R32F/RG32F/RGBA32F.
     GLuint get(const std::string& owner, const std::string& key, const Map& map, bool srgb = false,
                bool repeat = false);
+    // The texture of a map that something asked for in this frame, by its PATH; 0 if nothing did.
+    GLuint shared(const std::string& path) const;
     void beginFrame();
     void endFrame();                                      // frees what was not asked for since beginFrame
     uint64_t uploadedBytes() const { return uploaded_; }  // since beginFrame

@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "scene/field_limits.h"
 #include "scene/unique.h"
 #include "world/view_camera.h"
 
@@ -359,6 +360,7 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
     r.replan(project);
+    if (Status s = checkFields(project); !s) return s;
     if (has(r.plan.features, Feature::GrassUnique))
         if (Status s = checkUnique(project, r.population(project)); !s) return s;
     ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa,

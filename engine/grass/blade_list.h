@@ -8,6 +8,7 @@
 #include <span>
 
 #include "grass/cells.h"
+#include "grass/drawing.h"
 
 namespace sward {
 

@@ -6,6 +6,7 @@
 #include "grass/drawing.h"
 #include "grass/grass_fields.h"
 #include "grass/mask.h"
+#include "grass/slice_settings.h"
 #include "scene/tiling.h"
 #include "world/wind.h"
 
@@ -71,26 +72,29 @@ void publishDensities(DrawContext& ctx, Field& field) {
         field.everywhere = makeTexture2D(ctx.gpu, "grass/density", GL_R8, 1, 1);
         glTextureSubImage2D(field.everywhere.id(), 0, 0, 0, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &one);
     }
+    const std::vector<std::string> selectors = elementSelectors(speciesList(), &f.species);
     for (size_t i = 0; i < f.species.size(); ++i)
         field.species[i]->density =
             bare(f.species[i])
                 ? field.everywhere.id()
-                : ctx.maps.get("grass/density", fmt::format("{}.density.{}", field.name, i), f.species[i].density.map,
-                               false, tilingOf(t, f.species[i].densityTiling).repeats);
+                : ctx.maps.get("grass/density",
+                               fmt::format("{}.GrassField.species[{}].density", field.name, selectors[i]),
+                               f.species[i].density.map, false, tilingOf(t, f.species[i].densityTiling).repeats);
 }
 
 void publishMaps(DrawContext& ctx, Field& field) {
     const GrassField& f = field.grows();
     const Terrain& t = *ctx.shared.ground.terrain;
     publishDensities(ctx, field);
-    const auto texture = [&](const MapField& m, const char* owner, bool srgb, bool repeats) {
-        return m.present() ? ctx.maps.get(owner, field.name + "." + owner, m.map, srgb, repeats) : 0;
+    const auto texture = [&](const MapField& m, const char* name, const char* owner, bool srgb, bool repeats) {
+        return m.present() ? ctx.maps.get(owner, field.name + ".GrassField." + name, m.map, srgb, repeats) : 0;
     };
-    field.orientation = texture(f.orientation, "grass/orientation", false, true);
-    field.vegetation = texture(f.vegetation, "grass/vegetation", true, true);
-    field.forces = texture(f.forces, "grass/force-map", false, true);
-    field.bladeHeights = texture(f.bladeHeight, "grass/heights", false, tilingOf(t, f.bladeHeightTiling).repeats);
-    field.occlusion = texture(f.ambientOcclusion, "grass/occlusion", false, true);
+    field.orientation = texture(f.orientation, "orientation", "grass/orientation", false, true);
+    field.vegetation = texture(f.vegetation, "vegetation", "grass/vegetation", true, true);
+    field.forces = texture(f.forces, "forces", "grass/force-map", false, true);
+    field.bladeHeights = texture(f.bladeHeight, "bladeHeight", "grass/heights", false,
+                                 tilingOf(t, f.bladeHeightTiling).repeats);
+    field.occlusion = texture(f.ambientOcclusion, "ambientOcclusion", "grass/occlusion", false, true);
 }
 
 void writeCover(DrawContext& ctx, Field& field) {
@@ -104,17 +108,16 @@ void writeCover(DrawContext& ctx, Field& field) {
     cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
     for (size_t i = 0; i < field.species.size(); ++i) {
-        cover.densities[static_cast<int>(i)] = shaderTiling(t, f.species[i].densityTiling);
-        cover.shade[static_cast<int>(i)] = lightLeft(field.species[i]->look, ctx.globals.sunDirection.y);
-        cover.height[static_cast<int>(i)] = field.species[i]->look.height;
-        cover.gusts[static_cast<int>(i)] = wind ? windStrength(*wind, f.species[i]) : 0;
+        cover.species[i].of = {shaderTiling(t, f.species[i].densityTiling),
+                               lightLeft(field.species[i]->look, ctx.globals.sunDirection.y),
+                               field.species[i]->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
     }
     cover.shadows = {tiers.soil.min, tiers.soil.inv, far.farDarkening, far.farDarkeningDistance};
     writeBuffer(ctx.gpu, field.cover, kOwner, sizeof(cover), &cover);
 }
 
-// --- what the ground is told of what grows on it
-// ----------------------------------------------------------------------- A texture among those that the ground reads,
+// --- what the ground is told of what grows on it -----------------------------------------------------------
+// A texture among those that the ground reads,
 // as its number; -1: none, or no room (check refuses such scenes).
 int soilMap(SoilCover& soil, GLuint texture) {
     if (!texture) return -1;
@@ -123,23 +126,6 @@ int soilMap(SoilCover& soil, GLuint texture) {
     const auto number = static_cast<int>(at - soil.maps.begin());
     if (at == soil.maps.end()) soil.maps.push_back(texture);
     return number;
-}
-
-// What the ground's shader is compiled with: how much there is to add up, and which texture holds what.
-struct SoilNumbers {
-    std::vector<int> fieldOf, density;   // by species
-    std::vector<int> height, occlusion;  // by field
-};
-std::string listed(const char* name, std::vector<int> numbers) {
-    if (numbers.empty()) numbers.push_back(-1);
-    return fmt::format("const int {}[{}] = int[{}]({});\n", name, numbers.size(), numbers.size(),
-                       fmt::join(numbers, ", "));
-}
-std::string soilText(const SoilNumbers& n) {
-    return fmt::format("const int SOIL_FIELDS = {};\nconst int SOIL_SPECIES = {};\n", n.height.size(),
-                       n.density.size()) +
-           listed("SOIL_FIELD_OF", n.fieldOf) + listed("SOIL_DENSITY", n.density) + listed("SOIL_HEIGHT", n.height) +
-           listed("SOIL_OCCLUSION", n.occlusion);
 }
 
 void publishSoil(DrawContext& ctx, GrassFields& grass) {
@@ -154,24 +140,24 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         // Where its blades shade no ground, the mean does from the eye on.
         const bool drawn = has(field.view->own, Feature::GroundShadows);
         const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
-        g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
+        g.fields[i] = {{from.min, from.inv}, {shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling}};
         numbers.height.push_back(soilMap(soil, field.bladeHeights));
         numbers.occlusion.push_back(soilMap(soil, field.occlusion));
         for (size_t k = 0; k < field.species.size() && numbers.density.size() < MAX_SOIL_SPECIES; ++k) {
             const FieldSpecies& s = *field.species[k];
-            g.species[numbers.density.size()] = {lightLeft(s.look, ctx.globals.sunDirection.y),
-                                                 shaderTiling(t, f.species[k].densityTiling), 0, 0};
+            g.species[numbers.density.size()].shade = {lightLeft(s.look, ctx.globals.sunDirection.y),
+                                                       shaderTiling(t, f.species[k].densityTiling)};
             numbers.fieldOf.push_back(static_cast<int>(i));
             numbers.density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
     }
-    soil.constants = soilText(numbers);
+    soil.constants = soilConstants(numbers);
     writeBuffer(ctx.gpu, grass.soil, kOwner, sizeof(g), &g);
     soil.globals = grass.soil.id();
 }
 
-// --- fields
-// ------------------------------------------------------------------------------------------------------------ The
+// --- fields ------------------------------------------------------------------------------------------------
+// The
 // scene's features, but of fields only this one's.
 FeatureSet featuresFor(const DrawContext& ctx, const FeatureSet& own) {
     return (ctx.plan.features & ~featuresOfFields()) | own;
@@ -283,6 +269,14 @@ void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
     glVertexArrayElementBuffer(mesh, indices);
 }
 
+bool beginField(DrawContext& ctx, const Field& field, size_t program, const std::string& constants) {
+    endTransparency();
+    if (!ctx.use(program, constants, &field.view->features)) return false;
+    bindField(field);
+    beginTransparency(ctx, field);
+    return true;
+}
+
 void beginTransparency(const DrawContext& ctx, const Field& field) {
     if (ctx.settings.mode == ViewMode::Overdraw) {
         glEnable(GL_BLEND);
@@ -302,8 +296,7 @@ Rgba8 bladeImage(const Project& project, const Species& species) {
     return image.pixels.empty() ? makeBladeImage(32, 128) : image;
 }
 
-namespace {
-std::string constantsOf(const GrassDrawing& drawing, const GrassSlices& slices) {
+std::string fieldConstants(const GrassDrawing& drawing, const GrassSlices& slices) {
     return fmt::format(
         "const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool "
         "WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
@@ -311,17 +304,15 @@ std::string constantsOf(const GrassDrawing& drawing, const GrassSlices& slices) 
         slices.lightWeights == LightWeighting::Cosine, slices.weightsAt == WeightsAt::Pixel,
         slices.sliceCover == SliceCover::Conserving);
 }
-}  // namespace
-
 std::string fieldConstants(const FieldEntity& f) {
-    return constantsOf(f.settings<GrassDrawing>(), f.settings<GrassSlices>());
+    return fieldConstants(f.settings<GrassDrawing>(), f.settings<GrassSlices>());
 }
 
 std::vector<std::string> fieldVariants() {
     std::vector<std::string> out;
     GrassDrawing drawing;
     GrassSlices slices;
-    const auto add = [&] { out.push_back(constantsOf(drawing, slices)); };
+    const auto add = [&] { out.push_back(fieldConstants(drawing, slices)); };
     for (const Storage storage : {Storage::Factored, Storage::Compressed, Storage::Full})
         for (const LightWeighting weights : {LightWeighting::Atan, LightWeighting::Cosine})
             for (const WeightsAt at : {WeightsAt::Vertex, WeightsAt::Pixel}) {

@@ -5,6 +5,8 @@
 #include "frame/tiles.h"
 #include "grass/appearance.h"
 #include "grass/cells.h"
+#include "grass/drawing.h"
+#include "grass/slice_settings.h"
 #include "grass/slice_textures.h"
 #include "scene/technique.h"
 #include "scene/unique.h"
@@ -130,6 +132,8 @@ CellQuery patchQuery(const DrawContext& ctx, const Field& field, size_t species,
 // Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell
 // are.
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices);
+// Makes the pass's program current for a field, binds its maps, and begins its transparency; false if it does not compile.
+bool beginField(DrawContext& ctx, const Field& field, size_t program, const std::string& constants);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
 void beginTransparency(const DrawContext& ctx, const Field& field);
 void endTransparency();
@@ -137,6 +141,7 @@ void endTransparency();
 Rgba8 bladeImage(const Project& project, const Species& species);
 // What shaders of this field know at compile time beside features.
 std::string fieldConstants(const FieldEntity& field);
+std::string fieldConstants(const GrassDrawing& drawing, const GrassSlices& slices);
 // One of these texts for each value of each constant, and all ways to light slices (ProgramRow::variants).
 std::vector<std::string> fieldVariants();
 

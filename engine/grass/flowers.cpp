@@ -3,6 +3,7 @@
 #include "core/numerics.h"
 #include "frame/flower_image.h"
 #include "grass/cells.h"
+#include "grass/field.h"
 
 namespace sward {
 namespace {
@@ -143,7 +144,10 @@ void update(DrawContext& ctx) {
 
 void draw(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
-    if (!ctx.use()) return;
+    // They stand among the first field's grass: its maps lower, shade and press them.
+    const Field* among = ctx.shared.grass && !ctx.shared.grass->all.empty() ? ctx.shared.grass->all.front().get() : nullptr;
+    if (!ctx.use(0, {}, among ? &among->view->features : nullptr)) return;
+    if (among) bindField(*among);
     for (const auto& [entity, k] : s.kinds) {
         if (k.drawn == 0) continue;
         if (k.density) glBindTextureUnit(TEX_FLOWERS, k.density);

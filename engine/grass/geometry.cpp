@@ -3,6 +3,7 @@
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "grass/blade_list.h"
+#include "grass/drawing.h"
 #include "grass/field.h"
 #include "grass/gpu_cells.h"
 #include "grass/ground_shadow.h"
@@ -29,7 +30,7 @@ struct SpeciesState {
     int samples = 0;
 };
 struct GeometryState : EffectState {
-    std::vector<std::unique_ptr<SpeciesState>> species;
+    PerSpecies<SpeciesState> species;
 };
 
 // For each n up to `segments`, all blades' strips of n quads in threshold order, over the same 2 (segments + 1)
@@ -95,9 +96,8 @@ float shadingShare(const Look& look, float sinElevation) {
 }
 
 // A renderer that shades vertices on the CPU has its blades listed there, unless the field wants it otherwise.
-bool gpuChooses(const GrassField& f, const Gpu& gpu) {
-    return f.culling == static_cast<int>(Culling::Gpu) ||
-           (f.culling == static_cast<int>(Culling::Auto) && !gpu.software);
+bool gpuChooses(Culling who, const Gpu& gpu) {
+    return who == Culling::Gpu || (who == Culling::Auto && !gpu.software);
 }
 
 // Cells that the CPU chooses, as instances and commands.
@@ -126,8 +126,8 @@ void selectThere(DrawContext& ctx, SpeciesState& s, const CellQuery& query) {
     s.seen = static_cast<GLsizei>(s.chosen.count);
 }
 
-void publish(DrawContext& ctx, const SpeciesState& s, const FieldSpecies& own, size_t i) {
-    BladeDraws& d = ctx.shared.blades[i];
+void publish(const DrawContext& ctx, const SpeciesState& s, FieldSpecies& own) {
+    BladeDraws& d = own.draws;
     d = {s.mesh.id(), s.indices.id(), s.blades.id(), own.globals.id(), s.selected.data(), s.selected.size()};
     d.strips = static_cast<uint32_t>(s.strips);
     d.segments = s.segments;
@@ -139,32 +139,31 @@ void publish(DrawContext& ctx, const SpeciesState& s, const FieldSpecies& own, s
     d.shadowOffset = s.chosen.count * sizeof(DrawCommand);
 }
 
+void cullSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
+    FieldSpecies& own = *field.species[i];
+    const auto& drawing = field.view->settings<GrassDrawing>();
+    const bool shades = has(field.view->own, Feature::GroundShadows);
+    updateMesh(ctx, s, own, field.grows().species[i].segments);
+    CellQuery query = drawnQuery(ctx, field, i);
+    if (shades)
+        query.shadow =
+            groundShadowReach(own.look.height, ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y);
+    if (gpuChooses(drawing.culling, ctx.gpu) && gpuMayChoose(query))
+        selectThere(ctx, s, query);
+    else
+        selectHere(ctx, s, query, drawing.transparency);
+    describeCells(s.mesh.id(), s.cells.id(), sizeof(CellInstance), s.indices.id());
+    publish(ctx, s, own);
+    s.shadowShare = shades ? ctx.settings.detail * own.draws.shading : 0;
+}
+
 void cull(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     const auto start = std::chrono::steady_clock::now();
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.shared.grass) return;
-    const FieldState& field = *ctx.shared.grass;
-    const bool castingLamps = ctx.shared.lights.count.y > 0;
-    state.species.resize(field.species.size());
-    ctx.shared.blades = {};
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
-        SpeciesState& s = *state.species[i];
-        const FieldSpecies& own = *field.species[i];
-        updateMesh(ctx, s, own, f.species[i].segments);
-        CellQuery query = drawnQuery(ctx, f, i);
-        if (has(ctx.plan.features, Feature::GroundShadows))
-            query.shadow = groundShadowReach(own.look.height, castingLamps ? 0 : ctx.globals.sunDirection.y);
-        if (gpuChooses(f, ctx.gpu) && gpuMayChoose(query))
-            selectThere(ctx, s, query);
-        else
-            selectHere(ctx, s, query, static_cast<Transparency>(f.transparency));
-        describeCells(s.mesh.id(), s.cells.id(), sizeof(CellInstance), s.indices.id());
-        publish(ctx, s, own, i);
-        s.shadowShare =
-            has(ctx.plan.features, Feature::GroundShadows) ? ctx.settings.detail * ctx.shared.blades[i].shading : 0;
-    }
+    state.species.keep(*ctx.shared.grass, Feature::GrassGeometry);
+    eachSpecies(ctx, state.species, Feature::GrassGeometry,
+                [&](const Field& field, size_t i, SpeciesState& s) { cullSpecies(ctx, field, i, s); });
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -183,38 +182,40 @@ void commandCells(const DrawContext& ctx, const SpeciesState& s) {
 // Where the GPU chooses: cells and their commands.
 void chooseThere(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
-    for (size_t i = 0; i < state.species.size() && ctx.shared.grass; ++i) {
-        SpeciesState& s = *state.species[i];
-        if (!s.chosen.byGpu || s.chosen.count == 0 || !ctx.use(kChoose)) continue;
-        runChoice(s.chosen, ctx.shared.densities[i]);
-        if (ctx.use(kCommand)) commandCells(ctx, s);
+    eachSpecies(ctx, state.species, Feature::GrassGeometry, [&](const Field& field, size_t i, SpeciesState& s) {
+        const FeatureSet* features = &field.view->features;
+        if (!s.chosen.byGpu || s.chosen.count == 0 || !ctx.use(kChoose, {}, features)) return;
+        bindField(field);
+        runChoice(s.chosen, field.species[i]->density);
+        if (ctx.use(kCommand, {}, features)) commandCells(ctx, s);
         if (ctx.settings.measure) recount(ctx, s.chosen);
-    }
+    });
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
+
+void drawSpecies(DrawContext& ctx, const FieldSpecies& shared, SpeciesState& s) {
+    if (s.seen == 0) return;
+    glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
+    if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
+    if (shared.density) glBindTextureUnit(TEX_DENSITY, shared.density);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
+    glVertexArrayElementBuffer(s.mesh.id(), s.listed.id() ? s.listed.id() : s.indices.id());
+    glBindVertexArray(s.mesh.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, s.seen, 0);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += static_cast<uint64_t>(s.seen);
 }
 
 void draw(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
-    if (!ctx.shared.grass) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    if (!ctx.use(0, fieldConstants(f))) return;
-    beginTransparency(ctx, f);
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        SpeciesState& s = *state.species[i];
-        const FieldSpecies& shared = *ctx.shared.grass->species[i];
-        if (s.seen == 0) continue;
-        glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
-        if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
-        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, s.blades.id());
-        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, shared.globals.id());
-        glVertexArrayElementBuffer(s.mesh.id(), s.listed.id() ? s.listed.id() : s.indices.id());
-        glBindVertexArray(s.mesh.id());
-        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, s.seen, 0);
-        ctx.pass->draws += 1;
-        ctx.pass->instances += static_cast<uint64_t>(s.seen);
-    }
+    const Field* begun = nullptr;
+    eachSpecies(ctx, state.species, Feature::GrassGeometry, [&](const Field& field, size_t i, SpeciesState& s) {
+        if (begun != &field && !beginField(ctx, field, 0, fieldConstants(field.view->of))) return;
+        begun = &field;
+        drawSpecies(ctx, *field.species[i], s);
+    });
     endTransparency();
 }
 

@@ -130,6 +130,8 @@ FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEn
     return (row && row->coarse ? row->coarse(all) : all) & ~featureSet(Feature::GroundShadows);
 }
 
+const ListRow& speciesList() { return kSpeciesList; }
+
 const FeatureSet& featuresOfFields() {
     static const FeatureSet all =
         featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar,

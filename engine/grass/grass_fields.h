@@ -15,6 +15,8 @@ ComponentRow grassFieldRow(std::span<const char* const> techniques, std::vector<
 FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEntity& field, bool coarse = false);
 // All features that a field may ask for.
 const FeatureSet& featuresOfFields();
+// The table of a species.
+const ListRow& speciesList();
 // The field table of FarLook.
 ComponentRow farLookRow();
 

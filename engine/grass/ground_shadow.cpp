@@ -12,15 +12,15 @@ constexpr float kLongest = 4;     // as in the shader
 constexpr float kTallest = 1.5f;  // blades, as a share of the mean
 constexpr int kLights = 7;        // that have a bit of the stencil; the eighth says where the ground is seen
 
+struct One {
+    Buffer commands;
+    Buffer listed;  // indices, where the driver shades vertices on the CPU; else those of the blades' own mesh
+    GLsizei count = 0;
+    std::vector<float> least;
+    uint64_t leastOf = 0;  // the patch's key
+};
 struct ShadowState : EffectState {
-    struct One {
-        Buffer commands;
-        Buffer listed;  // indices, where the driver shades vertices on the CPU; else those of the blades' own mesh
-        GLsizei count = 0;
-        std::vector<float> least;
-        uint64_t leastOf = 0;  // the patch's key
-    };
-    std::array<One, MAX_SPECIES> species;
+    PerSpecies<One> species;
 };
 
 std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
@@ -33,18 +33,18 @@ std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
 }
 
 // The blades whose shadows can be seen.
-BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, const BladeDraws& blades, float share) {
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    const FieldSpecies& species = *ctx.shared.grass->species[i];
+BladeList shadowList(const DrawContext& ctx, One& one, const Field& field, size_t i, float share) {
+    const FieldSpecies& species = *field.species[i];
+    const BladeDraws& blades = species.draws;
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
-    const CellQuery query = drawnQuery(ctx, f, i);
+    const CellQuery query = drawnQuery(ctx, field, i);
     const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
     return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true},
                       {blades.cells, blades.count});
 }
 
-void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
-    const BladeDraws& blades = ctx.shared.blades[i];
+void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
+    const BladeDraws& blades = field.species[i]->draws;
     const float share = ctx.settings.detail * blades.shading;
     if (blades.shadowCommands) {
         one = {};
@@ -53,7 +53,7 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
     }
     BladeList list;
     const bool listed =
-        blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, i, blades, share)).tooMany;
+        blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, field, i, share)).tooMany;
     if (listed)
         writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
     else
@@ -68,12 +68,15 @@ void makeCommands(DrawContext& ctx, ShadowState::One& one, size_t i) {
 
 void prepare(DrawContext& ctx) {
     ShadowState& state = ctx.own<ShadowState>();
-    for (size_t i = 0; i < MAX_SPECIES; ++i) makeCommands(ctx, state.species[i], i);
+    if (!ctx.shared.grass) return;
+    state.species.keep(*ctx.shared.grass, Feature::GroundShadows);
+    eachSpecies(ctx, state.species, Feature::GroundShadows,
+                [&](const Field& field, size_t i, One& one) { makeCommands(ctx, one, field, i); });
 }
 
-void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
-    const BladeDraws& blades = ctx.shared.blades[i];
-    if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+void drawSpecies(DrawContext& ctx, const FieldSpecies& species, const One& one) {
+    const BladeDraws& blades = species.draws;
+    if (species.density) glBindTextureUnit(TEX_DENSITY, species.density);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, blades.buffer);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, blades.globals);
     glVertexArrayElementBuffer(blades.mesh, one.listed.id() ? one.listed.id() : blades.indices);
@@ -85,17 +88,25 @@ void drawSpecies(DrawContext& ctx, size_t i, const ShadowState::One& one) {
     ctx.pass->instances += static_cast<uint64_t>(one.count);
 }
 
-void drawLight(DrawContext& ctx, const ShadowState& state, int light) {
-    glUniform1i(0, light);
+// The first blade of any field that shades a pixel is the only one that shades it, by each light.
+void drawLight(DrawContext& ctx, ShadowState& state, int light) {
     glStencilMask(1u << light);
     glStencilFunc(GL_EQUAL, kStencilGround, kStencilGround | 1u << light);
-    for (size_t i = 0; i < MAX_SPECIES; ++i)
-        if (state.species[i].count > 0) drawSpecies(ctx, i, state.species[i]);
+    const Field* begun = nullptr;
+    eachSpecies(ctx, state.species, Feature::GroundShadows, [&](const Field& field, size_t i, const One& one) {
+        if (begun != &field) {
+            if (!ctx.use(0, {}, &field.view->features)) return;
+            bindField(field);
+            glUniform1i(0, light);
+        }
+        begun = &field;
+        if (one.count > 0) drawSpecies(ctx, *field.species[i], one);
+    });
 }
 
 void draw(DrawContext& ctx) {
-    const ShadowState& state = ctx.own<ShadowState>();
-    if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
+    ShadowState& state = ctx.own<ShadowState>();
+    if (ctx.settings.mode != ViewMode::Final) return;
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
     glEnable(GL_BLEND);

@@ -155,6 +155,7 @@ SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) 
             rounded("maxBTF", maxBTF), rounded("sharpness", sharpness)};
 }
 
+constexpr const char* kFewBlades[] = {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"};
 constexpr const char* kAllSettings[] = {"HybridTiers", "GrassSlices", "GrassDrawing", "FarLook"};
 constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
 
@@ -189,6 +190,7 @@ std::span<const TechniqueRow> hybridTechniques() {
          .coarse = withoutBlades,
          .coarseTiers = hybridCoarseTiers,
          .sweep = hybridSweep,
+         .fewBlades = kFewBlades,
          .knobs = kHybridKnobs,
          .turned = hybridTurned},
         {.name = "geometry",

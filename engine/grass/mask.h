@@ -13,6 +13,7 @@
 #pragma once
 #include <cstdint>
 
+#include "grass/appearance.h"
 #include "scene/population.h"
 #include "scene/rows.h"
 
@@ -25,6 +26,9 @@ struct BladeMask {
 };
 // `width` texels around, at least 4; as many rows as make them square.
 BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width);
+
+// What shades a species of a field, by the entity's name; nothing where blades do not shade each other.
+BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species);
 
 const EffectRow& maskEffect();
 

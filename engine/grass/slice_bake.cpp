@@ -39,8 +39,7 @@ struct Copy {
     float x, z;  // of its root
 };
 
-// --- drawing blades
-// ---------------------------------------------------------------------------------------------------
+// --- drawing blades ----------------------------------------------------------------------------------------
 struct Corner {
     glm::vec3 p;  // right and up in samples, toward in metres
     float across, along;
@@ -146,8 +145,7 @@ std::vector<Copy> copiesNear(const Patch& patch, float cellSize) {
     return out;
 }
 
-// --- light on a sample
-// ------------------------------------------------------------------------------------------------
+// --- light on a sample -------------------------------------------------------------------------------------
 struct Shaded {
     glm::vec3 color{0};  // reflectance
     float alpha = 0, threshold = 0, open = 0;
@@ -236,8 +234,7 @@ struct Shader {
     }
 };
 
-// --- texels and mips
-// ----------------------------------------------------------------------------------------------------
+// --- texels and mips ---------------------------------------------------------------------------------------
 struct Layer {
     int width, height;
     std::vector<Shaded> texels;  // premultiplied means
@@ -345,8 +342,7 @@ int texels(int wanted) { return static_cast<int>(std::bit_ceil(static_cast<unsig
 
 }  // namespace
 
-// --- the whole
-// ------------------------------------------------------------------------------------------------------------
+// --- the whole ---------------------------------------------------------------------------------------------
 uint64_t sliceKey(const SliceSpec& s) {
     const Species& p = s.species;
     const uint64_t patch = patchKey(p, s.cellSize, s.seed);

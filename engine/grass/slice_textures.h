@@ -3,6 +3,7 @@
 #pragma once
 #include "gpu/resources.h"
 #include "grass/slice_bake.h"
+#include "grass/slice_settings.h"
 
 namespace sward {
 

@@ -9,6 +9,7 @@
 #include "core/numerics.h"
 #include "grass/cells.h"
 #include "grass/field.h"
+#include "grass/grass_fields.h"
 #include "grass/slice_file.h"
 #include "world/wind.h"
 
@@ -18,11 +19,15 @@ namespace {
 constexpr const char* kOwner = "grass/slices";
 constexpr const char* kFarOwner = "grass/far";
 
-// --- making slices
-// -----------------------------------------------------------------------------------------------------
+// --- making slices -----------------------------------------------------------------------------------------
+// The ground over which a field's horizontal slices are drawn.
+struct FarGround {
+    Field* field;
+    std::vector<TerrainNode> nodes;
+};
 struct FarState : EffectState {
     Buffer nodes;
-    std::vector<TerrainNode> selected;
+    std::vector<FarGround> selected;  // of this frame
 };
 struct FarShadowState : EffectState {
     Buffer nodes;
@@ -32,16 +37,17 @@ bool slicesAreShaded(const FeatureSet& features) {
     return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights);
 }
 
-void upload(DrawContext& ctx, const GrassField& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
-    const bool vertical = has(ctx.plan.features, Feature::GrassSlices);
-    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, static_cast<Storage>(f.storage));
+void upload(DrawContext& ctx, const Field& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
+    const bool vertical = has(f.view->own, Feature::GrassSlices);
+    s.slices =
+        uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.view->settings<GrassSlices>().storage);
     s.sliceKey = key;
 }
 
 // Which textures the species should have: what they are made from, and how they are stored.
-uint64_t textureKey(const DrawContext& ctx, const GrassField& f, uint64_t slices) {
-    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.storage),
-                              has(ctx.plan.features, Feature::GrassSlices) ? 1u : 0u};
+uint64_t textureKey(const Field& f, uint64_t slices) {
+    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.view->settings<GrassSlices>().storage),
+                              has(f.view->own, Feature::GrassSlices) ? 1u : 0u};
     return hashBytes(parts, sizeof(parts));
 }
 
@@ -64,14 +70,16 @@ void startBake(FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
 }
 
 // What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
-void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species, FieldSpecies& s) {
-    const bool shaded = slicesAreShaded(ctx.plan.features);
+void ensureSlices(DrawContext& ctx, const Field& f, size_t i) {
+    FieldSpecies& s = *f.species[i];
+    const FieldEntity& of = f.view->of;
+    const bool shaded = slicesAreShaded(f.view->features);
     // Most frames ask for what is there: the image's hash stands for its pixels.
-    const uint64_t asked = textureKey(ctx, f, sliceKey(sliceSpec(f, species, {}, shaded)) ^ s.bladeHash);
+    const uint64_t asked = textureKey(f, sliceKey(sliceSpec(of, i, {}, shaded)) ^ s.bladeHash);
     if (s.sliceAsked == asked) return;
     s.sliceAsked = 0;
-    const SliceSpec spec = sliceSpec(f, species, s.bladeImage, shaded);
-    const uint64_t key = sliceKey(spec), wanted = textureKey(ctx, f, key);
+    const SliceSpec spec = sliceSpec(of, i, s.bladeImage, shaded);
+    const uint64_t key = sliceKey(spec), wanted = textureKey(f, key);
     if (s.sliceKey == wanted) {
         s.sliceAsked = asked;
         return;
@@ -80,32 +88,27 @@ void ensureSlices(DrawContext& ctx, const GrassField& f, const Species& species,
     if (const auto there = slicesThere(ctx, s, spec, key)) return upload(ctx, f, s, wanted, *there);
     if (s.bake.active()) return;
     JobControl control;
-    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(f, species, s.bladeImage, shaded, true), control));
+    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(of, i, s.bladeImage, shaded, true), control));
     startBake(s, spec, key);
 }
 
-// Whether slices stand for what else is drawn blade by blade (frame/plan.h, coarseFeatures).
-bool slicesAlone(const DrawContext& ctx, const GrassField& f) {
-    return ctx.settings.coarse && has(ctx.plan.features, Feature::GrassSlices) &&
-           static_cast<Technique>(f.technique) == Technique::Hybrid;
-}
-
-// --- uniforms
-// ------------------------------------------------------------------------------------------------------------
-FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species& s, size_t index) {
+// --- uniforms ----------------------------------------------------------------------------------------------
+FieldLight fieldLight(const DrawContext& ctx, const Field& f, size_t index) {
+    const Species& s = f.grows().species[index];
+    const FeatureSet& features = f.view->features;
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
-    if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0)
+    if (has(features, Feature::Sun) && g.sunDirection.w > 0)
         l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
-    l.weighting = f.lightWeights;
+    l.weighting = f.view->settings<GrassSlices>().lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
-    if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
-    l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
+    if (ctx.globals.sunLight.w > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
+    l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
-    if (has(ctx.plan.features, Feature::Wind))
+    if (has(features, Feature::Wind))
         l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
-    l.pressed = has(ctx.plan.features, Feature::Forces) || has(ctx.plan.features, Feature::ForceMap);
+    l.pressed = has(features, Feature::Forces) || has(features, Feature::ForceMap);
     return l;
 }
 
@@ -130,28 +133,28 @@ void updateGains(FieldSpecies& s, const FieldLight& l) {
     s.gains = gainsOf(s.look, l);
 }
 
-SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& sp, const FieldSpecies& s) {
+SliceGlobals globalsOf(const DrawContext& ctx, const Field& field, size_t index) {
+    const GrassField& f = field.grows();
+    const Species& sp = f.species[index];
+    const FieldSpecies& s = *field.species[index];
+    const FieldTiers& tiers = field.view->tiers;
+    const auto& images = field.view->settings<GrassSlices>();
     SliceGlobals g{};
     const Gains& gains = s.gains;
     const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
     const glm::vec2 within = eye / double(f.cellSize) - cell;
-    const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
-    GeometryRange range = slicesAlone(ctx, f) ? GeometryRange{0, f32::lodInverse(0, 0), 0} : geometryRange(f);
-    if (static_cast<Technique>(f.technique) == Technique::Tessellated)  // takes over while blades get lower
-        range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance),
-                 f.maxDistance};
     g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
-    g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
-    g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, s.slices.farDepth};
+    g.tiers = {tiers.images.min, tiers.images.inv, tiers.flat.min, tiers.flat.inv};
+    g.areas = {s.look.across, s.look.above, images.farHeight * s.slices.top, s.slices.farDepth};
     g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
-    g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width),
+    g.counts = {field.view->settings<GrassDrawing>().fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width),
                 static_cast<float>(s.slices.reflectance.width)};
-    g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
+    g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), images.lightWeights);
     g.ambient = glm::vec4(gains.sliceAmbient, 0);
     g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
     g.clumps = glm::vec4(clumpStrengths(sp), sp.clumpSize);
-    g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
-    const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
+    g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-images.sharpness)};
+    const bool conserving = images.sliceCover == SliceCover::Conserving;
     g.laid = {s.look.laidAcross, s.look.laidAbove, 0, 0};
     for (int i = 0; i < LOOK_VIEWS; ++i) {
         g.laidGains[i] = conserving ? gains.laid[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
@@ -168,8 +171,7 @@ void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLu
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, s.sliceGlobals.id());
 }
 
-// --- vertical slices
-// ---------------------------------------------------------------------------------------------------
+// --- vertical slices ---------------------------------------------------------------------------------------
 struct SliceDraw {
     Buffer indices, cells;
     VertexArray mesh;
@@ -178,7 +180,7 @@ struct SliceDraw {
     int first[5] = {};  // cells sorted into the four quarters around the eye
 };
 struct SlicesState : EffectState {
-    std::vector<std::unique_ptr<SliceDraw>> species;
+    PerSpecies<SliceDraw> species;
 };
 
 // Quads of a cell in four orders, nearest first for an eye to its -x or +x, -z or +z. Vertex 4 q + corner of quad q;
@@ -222,76 +224,72 @@ void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
     ctx.stats.cells += s.selected.size();
 }
 
+void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SliceDraw& s) {
+    const int slices = field.species[i]->slices.slices;
+    if (s.slices != slices) makeSliceMesh(ctx, s, slices);
+    const FieldTiers& tiers = field.view->tiers;
+    s.selected = selectSliceCells(patchQuery(ctx, field, i, 1), tiers.slicesFrom, tiers.slicesTo);
+    uploadSliceCells(ctx, s, field.grows().cellSize);
+}
+
 void selectSlices(DrawContext& ctx) {
     SlicesState& state = ctx.own<SlicesState>();
     if (!ctx.shared.grass) return;
     const auto start = std::chrono::steady_clock::now();
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
-    state.species.resize(ctx.shared.grass->species.size());
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        if (!state.species[i]) state.species[i] = std::make_unique<SliceDraw>();
-        SliceDraw& s = *state.species[i];
-        const FieldSpecies& field = *ctx.shared.grass->species[i];
-        if (s.slices != field.slices.slices) makeSliceMesh(ctx, s, field.slices.slices);
-        const CellQuery q = cellQuery(*ctx.shared.ground.terrain, ctx.shared.bounds, f, f.species[i], field.patch,
-                                      ctx.eye, ctx.frustum, 1);
-        s.selected = selectSliceCells(q, only || slicesAlone(ctx, f) ? -1 : f.minGeom,
-                                      only ? std::numeric_limits<float>::infinity() : f.maxBTF);
-        uploadSliceCells(ctx, s, f.cellSize);
-    }
+    state.species.keep(*ctx.shared.grass, Feature::GrassSlices);
+    eachSpecies(ctx, state.species, Feature::GrassSlices,
+                [&](const Field& field, size_t i, SliceDraw& s) { selectSpecies(ctx, field, i, s); });
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 // Where texels are smaller than pixels even for the nearest slices, one is as good as four, and costs a third.
-void filterSlices(const DrawContext& ctx, const GrassField& f, const SliceTextures& t) {
-    const float texels = std::min(static_cast<float>(t.reflectance.width) / f.cellSize,
+void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t) {
+    const float texels = std::min(static_cast<float>(t.reflectance.width) / f.grows().cellSize,
                                   static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
-    const float nearest =
-        static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : 0;
+    const float nearest = std::max(f.view->tiers.slicesFrom, 0.0f);
     const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
-        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER,
-                            small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER, small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
         glTextureParameteri(s->id(), GL_TEXTURE_MAG_FILTER, small ? GL_NEAREST : GL_LINEAR);
     }
 }
 
-void drawSlices(DrawContext& ctx) {
-    SlicesState& state = ctx.own<SlicesState>();
-    if (!ctx.shared.grass) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    if (!ctx.use(0, fieldConstants(f))) return;
-    beginTransparency(ctx, f);
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        SliceDraw& s = *state.species[i];
-        const FieldSpecies& field = *ctx.shared.grass->species[i];
-        if (s.selected.empty()) continue;
-        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-        filterSlices(ctx, f, field.slices);
-        bindSlices(field, field.slices.reflectance.id(), field.slices.threshold.id(), field.slices.light.id());
-        glBindVertexArray(s.mesh.id());
-        const int each = 12 * s.slices;
-        for (int q = 0; q < 4; ++q) {
-            const int n = s.first[q + 1] - s.first[q];
-            if (n == 0) continue;
-            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT,
-                                                reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n,
-                                                static_cast<GLuint>(s.first[q]));
-            ctx.pass->draws += 1;
-            ctx.pass->instances += static_cast<uint64_t>(n);
-        }
+void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw& s) {
+    const FieldSpecies& species = *field.species[i];
+    if (s.selected.empty()) return;
+    if (species.density) glBindTextureUnit(TEX_DENSITY, species.density);
+    filterSlices(ctx, field, species.slices);
+    bindSlices(species, species.slices.reflectance.id(), species.slices.threshold.id(), species.slices.light.id());
+    glBindVertexArray(s.mesh.id());
+    const int each = 12 * s.slices;
+    for (int q = 0; q < 4; ++q) {
+        const int n = s.first[q + 1] - s.first[q];
+        if (n == 0) continue;
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT,
+                                            reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n,
+                                            static_cast<GLuint>(s.first[q]));
+        ctx.pass->draws += 1;
+        ctx.pass->instances += static_cast<uint64_t>(n);
     }
+}
+
+void drawSlices(DrawContext& ctx) {
+    const Field* begun = nullptr;
+    eachSpecies(ctx, ctx.own<SlicesState>().species, Feature::GrassSlices,
+                [&](const Field& field, size_t i, const SliceDraw& s) {
+                    if (begun != &field && !beginField(ctx, field, 0, fieldConstants(field.view->of))) return;
+                    begun = &field;
+                    drawSpecies(ctx, field, i, s);
+                });
     endTransparency();
 }
 
-// --- the horizontal slice
-// ------------------------------------------------------------------------------------------------ Nodes that reach
-// beyond the distance where blades are all there and begin before `far`.
-std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, float far) {
+// --- the horizontal slice ----------------------------------------------------------------------------------
+// Nodes that reach beyond the distance where blades are all there
+// and begin before `far`.
+std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float far) {
     std::vector<TerrainNode> out;
-    const float near =
-        static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : -1;
+    const float near = f.view->tiers.flatFrom;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
         const float side = 16 * n.level.x;
         const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
@@ -307,88 +305,115 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, f
 void updateFar(DrawContext& ctx) {
     FarState& state = ctx.own<FarState>();
     if (!ctx.shared.grass) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    FieldState& field = *ctx.shared.grass;
-    if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
-    for (size_t i = 0; i < field.species.size(); ++i) {
-        FieldSpecies& s = *field.species[i];
-        ensureSlices(ctx, f, f.species[i], s);
-        updateGains(s, fieldLight(ctx, f, f.species[i], i));
-        SliceGlobals g = globalsOf(ctx, f, f.species[i], s);
-        g.ambient.w = static_cast<float>(i);
-        writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
+    if (!state.nodes.id())
+        state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    state.selected.clear();
+    for (Field* field : fieldsWith(ctx, Feature::GrassFar)) {
+        for (size_t i = 0; i < field->species.size(); ++i) {
+            FieldSpecies& s = *field->species[i];
+            ensureSlices(ctx, *field, i);
+            updateGains(s, fieldLight(ctx, *field, i));
+            SliceGlobals g = globalsOf(ctx, *field, i);
+            g.ambient.w = static_cast<float>(i);
+            writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
+        }
+        state.selected.push_back({field, farNodes(ctx, *field, std::numeric_limits<float>::infinity())});
+        ctx.stats.macroCells += state.selected.back().nodes.size();
     }
-    state.selected = farNodes(ctx, f, std::numeric_limits<float>::infinity());
-    ctx.stats.macroCells += state.selected.size();
 }
 
-void filterFar(GLuint texture, const GrassField& f) {
-    const bool anisotropic = f.filtering == static_cast<int>(Filtering::Anisotropic);
+void filterFar(GLuint texture, Filtering filtering) {
+    const bool anisotropic = filtering == Filtering::Anisotropic;
     glTextureParameterf(texture, GL_TEXTURE_MAX_ANISOTROPY, anisotropic ? 8.0f : 1.0f);
 }
 
-// Species from the lowest slice to the highest: they are blended over each other without depth, and eyes are above.
-std::vector<size_t> lowestFirst(const FieldState& field) {
-    std::vector<size_t> order(field.species.size());
-    std::iota(order.begin(), order.end(), size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return field.species[a]->slices.top < field.species[b]->slices.top; });
+// A species of a field whose horizontal slice is drawn.
+struct FarSpecies {
+    const Field* field;
+    size_t species;
+    std::span<const TerrainNode> nodes;
+    const FieldSpecies& state() const { return *field->species[species]; }
+};
+
+// From the lowest slice to the highest: they are blended over each other without depth, and eyes are above.
+std::vector<FarSpecies> lowestFirst(const FarState& state) {
+    std::vector<FarSpecies> order;
+    for (const FarGround& ground : state.selected)
+        for (size_t i = 0; i < ground.field->species.size(); ++i) order.push_back({ground.field, i, ground.nodes});
+    std::stable_sort(order.begin(), order.end(), [](const FarSpecies& a, const FarSpecies& b) {
+        return a.state().slices.top < b.state().slices.top;
+    });
     return order;
+}
+
+void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room) {
+    const FieldSpecies& s = far.state();
+    if (s.density) glBindTextureUnit(TEX_DENSITY, s.density);
+    bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
+    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, far.nodes, room);
+    ctx.pass->instances += far.nodes.size();
+}
+
+void beginFar(const DrawContext& ctx, const Field& field) {
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = has(field.view->own, Feature::GrassBlended);
+    if (overdraw || blended)
+        glEnable(GL_BLEND);
+    else
+        glDisable(GL_BLEND);
+    glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(!blended);
 }
 
 void drawFar(DrawContext& ctx) {
     FarState& state = ctx.own<FarState>();
-    if (!ctx.shared.grass || state.selected.empty()) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    if (!ctx.use(0, fieldConstants(f))) return;
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw,
-               blended = has(ctx.plan.features, Feature::GrassBlended);
-    if (overdraw || blended) glEnable(GL_BLEND);
-    glBlendFunc(overdraw ? GL_ONE : GL_SRC_ALPHA, overdraw ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(!blended);
-    for (const size_t i : lowestFirst(*ctx.shared.grass)) {
-        const FieldSpecies& s = *ctx.shared.grass->species[i];
-        if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+    const Field* begun = nullptr;
+    for (const FarSpecies& far : lowestFirst(state)) {
+        if (far.nodes.empty()) continue;
+        if (begun != far.field) {
+            if (!ctx.use(0, fieldConstants(far.field->view->of), &far.field->view->features)) return;
+            bindField(*far.field);
+            beginFar(ctx, *far.field);
+        }
+        begun = far.field;
+        const FieldSpecies& s = far.state();
         for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight})
-            filterFar(t->id(), f);
-        bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
-        ctx.pass->draws += drawNodes(ctx.shared.groundMesh, state.selected, state.nodes);
-        ctx.pass->instances += state.selected.size();
+            filterFar(t->id(), far.field->view->settings<GrassSlices>().filtering);
+        drawFarSpecies(ctx, far, state.nodes);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+}
+
+void drawFieldShadow(DrawContext& ctx, const Field& field, const Buffer& room) {
+    const std::vector<TerrainNode> shaded = farNodes(ctx, field, field.view->tiers.shadowsTo);
+    if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->features)) return;
+    bindField(field);
+    const bool sun =
+        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
+    const int lamps = static_cast<int>(ctx.shared.lights.count.y);
+    for (int light = sun ? 0 : 1; light <= lamps; ++light)
+        for (size_t i = 0; i < field.species.size(); ++i) {
+            glUniform1i(0, light);
+            drawFarSpecies(ctx, {&field, i, shaded}, room);
+        }
 }
 
 // Its shadow on the ground, for each light that casts shadows.
 void drawFarShadow(DrawContext& ctx) {
     FarShadowState& state = ctx.own<FarShadowState>();
     if (ctx.settings.mode != ViewMode::Final || !ctx.shared.grass) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    const std::vector<TerrainNode> shaded = farNodes(ctx, f, std::max(f.maxBTF, f.maxGeom));
-    if (shaded.empty() || !ctx.use(0, fieldConstants(f))) return;
     if (!state.nodes.id())
         state.nodes = makeBuffer(ctx.gpu, "grass/far-shadow", NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    const bool sun =
-        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
-    const int lamps = static_cast<int>(ctx.shared.lights.count.y);
-    for (int light = sun ? 0 : 1; light <= lamps; ++light)
-        for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
-            const FieldSpecies& s = *ctx.shared.grass->species[i];
-            glUniform1i(0, light);
-            if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
-            bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
-            ctx.pass->draws += drawNodes(ctx.shared.groundMesh, shaded, state.nodes);
-            ctx.pass->instances += shaded.size();
-        }
+    for (const Field* field : fieldsWith(ctx, Feature::GrassFar))
+        if (has(field->view->own, Feature::GroundShadows)) drawFieldShadow(ctx, *field, state.nodes);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
 
-// --- rows
-// ------------------------------------------------------------------------------------------------------------------
+// --- rows --------------------------------------------------------------------------------------------------
 constexpr auto kLook = [] {
     return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
                       Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
@@ -420,17 +445,18 @@ const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewRe
 
 }  // namespace
 
-SliceSpec sliceSpec(const GrassField& f, const Species& species, const Rgba8& blade, bool shaded, bool draft) {
+SliceSpec sliceSpec(const FieldEntity& field, size_t species, const Rgba8& blade, bool shaded, bool draft) {
+    const auto& images = field.settings<GrassSlices>();
     SliceSpec s;
-    s.species = species;
+    s.species = field.grows.species[species];
     s.species.density = {};
-    s.cellSize = f.cellSize;
-    s.seed = static_cast<uint32_t>(f.seed);
+    s.cellSize = field.grows.cellSize;
+    s.seed = static_cast<uint32_t>(field.grows.seed);
     const int share = draft ? 8 : 1;
-    s.slices = f.slices;
-    s.width = f.sliceWidth / share, s.height = f.sliceHeight / share, s.farSize = f.farSize / share;
+    s.slices = images.slices;
+    s.width = images.sliceWidth / share, s.height = images.sliceHeight / share, s.farSize = images.farSize / share;
     s.blade = blade;
-    s.shadowMask = shaded ? f.shadowMask : 0;
+    s.shadowMask = shaded ? field.settings<GrassDrawing>().shadowMask : 0;
     return s;
 }
 
@@ -447,13 +473,14 @@ Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpe
 
 std::vector<SliceSpec> projectSlices(const Project& project, const Tables& tables) {
     std::vector<SliceSpec> out;
-    const FeatureSet features = sceneFeatures(project.registry, tables);
-    if (!has(features, Feature::GrassFar)) return out;
-    for (const auto& [name, e] : project.entities)
-        if (const GrassField* f = project.registry.get<GrassField>(e))
-            for (size_t i = 0; i < f->species.size() && i < MAX_SPECIES; ++i)
-                out.push_back(
-                    sliceSpec(*f, f->species[i], bladeImage(project, f->species[i]), slicesAreShaded(features)));
+    const bool lit = has(sceneFeatures(project.registry, tables), Feature::CastingLights);
+    for (const auto& [name, field] : fieldsOf(project)) {
+        const FeatureSet own = fieldFeatures(tables.techniques, field);
+        if (!has(own, Feature::GrassFar)) continue;
+        for (size_t i = 0; i < field.grows.species.size(); ++i)
+            out.push_back(sliceSpec(field, i, bladeImage(project, field.grows.species[i]),
+                                    lit && has(own, Feature::BladeShadows)));
+    }
     return out;
 }
 

@@ -1,7 +1,7 @@
 // Grass as slices: vertical ones through the cells at middle distance, one horizontal over the ground as far as it
 // reaches. Source: Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.1 and appendix; B-1 to B-18, B-26. The
 // horizontal slice lies on the terrain's own quadtree nodes (macro-cells), lifted; cells repeat in it by integer id.
-// Ours, where GrassField.sliceCover is "conserving" (the paper's form stays selectable):
+// Ours, where GrassSlices.sliceCover is "conserving" (the paper's form stays selectable):
 //   - a blade is in a slice of either family. Seen from between both would cover up to 1.4 times what the blade does,
 //   so each
 //     family shows the share |cos| of its blades by which it is turned to the eye: cos^2 + sin^2 = 1.
@@ -14,9 +14,8 @@
 // Does not: bake (slice_bake.h).
 #pragma once
 #include "grass/slice_bake.h"
-#include "scene/components.h"
 #include "scene/project.h"
-#include "scene/rows.h"
+#include "scene/technique.h"
 
 namespace sward {
 
@@ -24,10 +23,9 @@ const EffectRow& slicesEffect();     // vertical
 const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
 const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 
-// What a species' slices are made from. shaded: with the blades' shadows on each other; draft: an eighth of the
+// What the slices of a field's species (by its number) are made from. shaded: with the blades' shadows on each other; draft: an eighth of the
 // resolution, made while one waits.
-SliceSpec sliceSpec(const GrassField& field, const Species& species, const Rgba8& blade, bool shaded,
-                    bool draft = false);
+SliceSpec sliceSpec(const FieldEntity& field, size_t species, const Rgba8& blade, bool shaded, bool draft = false);
 // The slices of a spec: from a cache folder, or made and put there. Failed only if cancelled. `cached`, if given: they
 // were there.
 Result<SliceImages> slicesOf(const std::filesystem::path& folder, const SliceSpec& spec, JobControl& control,

@@ -2,8 +2,10 @@
 
 #include "core/numerics.h"
 #include "frame/draw_context.h"
+#include "grass/drawing.h"
 #include "grass/field.h"
 #include "grass/gpu_cells.h"
+#include "grass/tessellated_settings.h"
 
 namespace sward {
 namespace {
@@ -33,12 +35,11 @@ struct SpeciesState {
     uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
 };
 struct TessState : EffectState {
-    std::vector<std::unique_ptr<SpeciesState>> species;
+    PerSpecies<SpeciesState> species;
     VertexArray patches;
 };
 
-bool stagesChosen(const GrassField& f, const Gpu& gpu) {
-    const auto way = static_cast<Tessellation>(f.tessellation);
+bool stagesChosen(Tessellation way, const Gpu& gpu) {
     return way == Tessellation::Stages || (way == Tessellation::Auto && !gpu.software);
 }
 
@@ -50,34 +51,34 @@ float meanAlpha(const Rgba8& image) {
     return image.pixels.empty() ? 1 : static_cast<float>(sum / (255.0 * static_cast<double>(image.pixels.size() / 4)));
 }
 
-float mostWidening(const GrassField& f) {
+float mostWidening(const TessellatedBlades& f) {
     return f.widening ? std::min(1 / std::max(1 - f.thinning, 1e-3f), kMostWidening) : 1;
 }
 
-TessGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& species, float covered) {
+TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const Species& species, float covered) {
     TessGlobals g;
     g.range = {f.maxDistance, f.thinning / f.maxDistance, 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f),
                mostWidening(f)};
-    const bool byPixels = f.levelBy == static_cast<int>(LevelBy::Pixels);
+    const bool byPixels = f.levelBy == LevelBy::Pixels;
     g.level = {static_cast<float>(species.smoothness), byPixels ? f.pixelsPerQuad : 0, kNear,
                pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings))};
     g.plain = {kPlainPixels, 2 * covered, 0, 0};  // a triangle covers half of its strip
     return g;
 }
 
-void updateSpecies(DrawContext& ctx, SpeciesState& s, const FieldSpecies& own, const GrassField& f,
-                   const Species& species) {
+void updateSpecies(DrawContext& ctx, SpeciesState& s, const Field& field, size_t i) {
+    const FieldSpecies& own = *field.species[i];
     if (s.key != own.drawnKey() || !s.blades.id())
         s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
     s.key = own.drawnKey();
     if (s.imageHash != own.bladeHash) s.covered = meanAlpha(own.bladeImage);
     s.imageHash = own.bladeHash;
-    const TessGlobals g = globalsOf(ctx, f, species, s.covered);
+    const TessGlobals g =
+        globalsOf(ctx, field.view->settings<TessellatedBlades>(), field.grows().species[i], s.covered);
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
-// --- cells, in pieces, and the batches in which they are drawn
-// ---------------------------------------------------------
+// --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------
 
 size_t vertexBytes(const FeatureSet& features) {
     return 4 * (has(features, Feature::BladeShadows) && has(features, Feature::CastingLights) ? 11 : 8);
@@ -92,81 +93,84 @@ void planPoints(const Gpu& gpu, SpeciesState& s, int smoothness) {
 }
 
 // A batch is what begins within batchVertices; its last piece may end beyond.
-void planBatches(DrawContext& ctx, SpeciesState& s) {
-    const uint64_t piece = uint64_t{pieceBlades(ctx.gpu)} * 2 * kMostRows;
-    const uint64_t most = kBatchBytes / vertexBytes(ctx.plan.features) - piece;
+void planBatches(const Gpu& gpu, const FeatureSet& features, SpeciesState& s) {
+    const uint64_t piece = uint64_t{pieceBlades(gpu)} * 2 * kMostRows;
+    const uint64_t most = kBatchBytes / vertexBytes(features) - piece;
     s.batchVertices = static_cast<uint32_t>(std::clamp<uint64_t>(s.chosen.vertices, 1, most));
     s.batches = static_cast<uint32_t>((s.chosen.vertices + s.batchVertices - 1) / s.batchVertices);
     // A cell's blades are shared out evenly, so that of its pieces all but the only one hold half of what a piece may.
     s.batchPieces = static_cast<uint32_t>(
-        std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(ctx.gpu) / 2) + 1));
+        std::min(s.chosen.pieces, s.chosen.count + uint64_t{s.batchVertices} / (3 * pieceBlades(gpu) / 2) + 1));
 }
 
-CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
+CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i) {
+    const auto& f = field.view->settings<TessellatedBlades>();
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    const Species& species = f.species[i];
-    CellQuery q = drawnQuery(ctx, f, i);
+    const Species& species = field.grows().species[i];
+    CellQuery q = drawnQuery(ctx, field, i);
     q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
-    if (f.levelBy == static_cast<int>(LevelBy::Pixels)) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
+    if (f.levelBy == LevelBy::Pixels) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
     return q;
+}
+
+void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
+    const auto& f = field.view->settings<TessellatedBlades>();
+    const Species& species = field.grows().species[i];
+    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    updateSpecies(ctx, s, field, i);
+    const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.mode.w;
+    const CellQuery query = queryOf(ctx, field, i);
+    const bool byGpu = field.view->settings<GrassDrawing>().culling != Culling::Cpu && gpuMayChoose(query);
+    chooseCells(ctx, s.chosen,
+                {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu),
+                 byGpu},
+                kOwner);
+    planBatches(ctx.gpu, field.view->features, s);
+    planPoints(ctx.gpu, s, species.smoothness);
+    writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
+    writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t),
+                nullptr);
 }
 
 void select(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
     if (!ctx.shared.grass) return;
     const auto start = std::chrono::steady_clock::now();
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    const FieldState& field = *ctx.shared.grass;
-    const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    state.species.resize(field.species.size());
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
-        SpeciesState& s = *state.species[i];
-        updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
-        const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
-        const CellQuery query = queryOf(ctx, f, i);
-        chooseCells(ctx, s.chosen,
-                    {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels),
-                     pieceBlades(ctx.gpu), f.culling != static_cast<int>(Culling::Cpu) && gpuMayChoose(query)},
-                    kOwner);
-        planBatches(ctx, s);
-        planPoints(ctx.gpu, s, f.species[i].smoothness);
-        writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
-        writeBuffer(ctx.gpu, s.list, kOwner, (LIST_BATCHES + 4 * (s.batches + 1 + s.pointDraws)) * sizeof(uint32_t),
-                    nullptr);
-    }
+    state.species.keep(*ctx.shared.grass, Feature::GrassTessellated);
+    eachSpecies(ctx, state.species, Feature::GrassTessellated,
+                [&](const Field& field, size_t i, SpeciesState& s) { selectSpecies(ctx, field, i, s); });
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 enum CellProgram { kChoose, kList };
 
+void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
+    if (!ctx.use(kChoose, {}, &field.view->features)) return;
+    bindField(field);
+    runChoice(s.chosen, field.species[i]->density);
+    if (!ctx.use(kList, {}, &field.view->features)) return;
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
+    glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
+    glUniform1ui(1, s.pointDraws);
+    glDispatchCompute(1, 1, 1);
+    if (ctx.settings.measure) recount(ctx, s.chosen);
+}
+
 void listCells(DrawContext& ctx) {
-    TessState& state = ctx.own<TessState>();
-    if (!ctx.shared.grass) return;
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        SpeciesState& s = *state.species[i];
-        if (!ctx.use(kChoose)) return;
-        runChoice(s.chosen, ctx.shared.densities[i]);
-        if (!ctx.use(kList)) return;
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-        glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
-        glUniform1ui(1, s.pointDraws);
-        glDispatchCompute(1, 1, 1);
-        if (ctx.settings.measure) recount(ctx, s.chosen);
-    }
+    eachSpecies(ctx, ctx.own<TessState>().species, Feature::GrassTessellated,
+                [&](const Field& field, size_t i, SpeciesState& s) { listSpecies(ctx, field, i, s); });
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 // --- drawing ---------------------------------------------------------------------------------------------------------
 
-void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
-    const FieldSpecies& shared = *ctx.shared.grass->species[i];
+void bindSpecies(const FieldSpecies& shared, const SpeciesState& s) {
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
-    if (ctx.shared.shades[i].texture) glBindTextureUnit(TEX_MASK, ctx.shared.shades[i].texture);
-    if (ctx.shared.densities[i]) glBindTextureUnit(TEX_DENSITY, ctx.shared.densities[i]);
+    if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
+    if (shared.density) glBindTextureUnit(TEX_DENSITY, shared.density);
     static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 &&
                   SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
     const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id(), s.list.id()};
@@ -178,22 +182,15 @@ void bindSpecies(const DrawContext& ctx, size_t i, const SpeciesState& s) {
 
 enum Program { kStages, kWriter, kStrips, kPlain };
 
-void drawPatches(DrawContext& ctx, TessState& state, const std::string& constants) {
-    if (!ctx.use(kStages, constants)) return;
-    if (!state.patches.id()) state.patches = makeVertexArray(kOwner);
-    glBindVertexArray(state.patches.id());
-    glPatchParameteri(GL_PATCH_VERTICES, 1);
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        const SpeciesState& s = *state.species[i];
-        if (s.chosen.pieces == 0) continue;
-        bindSpecies(ctx, i, s);
-        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
-        glMultiDrawArraysIndirect(
-            GL_PATCHES, reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)),
-            static_cast<GLsizei>(s.pointDraws), 0);
-        ctx.pass->draws += 1;
-        ctx.pass->instances += 1;
-    }
+void drawPatches(DrawContext& ctx, const FieldSpecies& shared, const SpeciesState& s) {
+    if (s.chosen.pieces == 0) return;
+    bindSpecies(shared, s);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
+    glMultiDrawArraysIndirect(GL_PATCHES,
+                              reinterpret_cast<const void*>((LIST_BATCHES + 4 * (s.batches + 1)) * sizeof(uint32_t)),
+                              static_cast<GLsizei>(s.pointDraws), 0);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
 }
 
 // Quads are cut as tessellation stages cut them (Mesa's, and Direct3D's), the lower half's across the upper's: with
@@ -238,8 +235,8 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
     }
 }
 
-void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
-    const size_t size = vertexBytes(ctx.plan.features),
+void prepareStrips(DrawContext& ctx, SpeciesState& s, const FeatureSet& features, int smoothness) {
+    const size_t size = vertexBytes(features),
                  over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
                         static_cast<uint64_t>(smoothness + 1);
     writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
@@ -257,8 +254,14 @@ void prepareStrips(DrawContext& ctx, SpeciesState& s, int smoothness) {
     glVertexArrayElementBuffer(s.strips.id(), s.indices.id());
 }
 
-bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const std::string& constants) {
-    if (!ctx.use(kWriter, constants)) return false;
+// What strips are compiled with and for.
+struct StripPrograms {
+    std::string constants;
+    const FeatureSet* features;
+};
+
+bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const StripPrograms& p) {
+    if (!ctx.use(kWriter, p.constants, p.features)) return false;
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
@@ -267,53 +270,77 @@ bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const 
     return true;
 }
 
-void drawStrips(DrawContext& ctx, const SpeciesState& s, const std::string& constants) {
+void drawStrips(DrawContext& ctx, const SpeciesState& s, const StripPrograms& p) {
     const auto commands = static_cast<GLsizei>(s.batchPieces);
-    if (!ctx.use(kStrips, constants)) return;
+    if (!ctx.use(kStrips, p.constants, p.features)) return;
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
-    if (!ctx.use(kPlain, constants)) return;
+    if (!ctx.use(kPlain, p.constants, p.features)) return;
     glMultiDrawArraysIndirect(GL_TRIANGLES, reinterpret_cast<const void*>(uintptr_t{s.batchPieces} * kCommandBytes),
                               commands, kPlainCommandBytes);
     ctx.pass->draws += 2;
     ctx.pass->instances += 2 * static_cast<uint64_t>(commands);
 }
 
-void drawBatches(DrawContext& ctx, TessState& state, const GrassField& f, const std::string& constants) {
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        SpeciesState& s = *state.species[i];
-        if (s.chosen.pieces == 0) continue;
-        prepareStrips(ctx, s, f.species[i].smoothness);
-        bindSpecies(ctx, i, s);
-        glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
-        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-        glBindVertexArray(s.strips.id());
-        for (uint32_t b = 0; b < s.batches; ++b)
-            if (writeStrips(ctx, s, b, constants)) drawStrips(ctx, s, constants);
-    }
+void drawBatches(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s, const StripPrograms& p) {
+    if (s.chosen.pieces == 0) return;
+    prepareStrips(ctx, s, *p.features, field.grows().species[i].smoothness);
+    bindSpecies(*field.species[i], s);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+    glBindVertexArray(s.strips.id());
+    for (uint32_t b = 0; b < s.batches; ++b)
+        if (writeStrips(ctx, s, b, p)) drawStrips(ctx, s, p);
 }
 
-// What strips are compiled with, beside what all of the field's shaders are.
-std::string stripConstants(const GrassField& f, int samples) {
-    const bool whole = samples == 1 && f.transparency == static_cast<int>(Transparency::Coverage);
-    return fieldConstants(f) + fmt::format("const bool ALL_OR_NOTHING = {};\n", whole);
+// Whether a blade shows all of a sample or nothing: what strips are compiled with, beside what all of the field's shaders
+// are.
+std::string allOrNothing(Transparency way, int samples) {
+    return fmt::format("const bool ALL_OR_NOTHING = {};\n", samples == 1 && way == Transparency::Coverage);
+}
+
+// Patches' program and the field's maps, made current.
+bool beginPatches(DrawContext& ctx, TessState& state, const Field& field) {
+    if (!beginField(ctx, field, kStages, fieldConstants(field.view->of))) return false;
+    if (!state.patches.id()) state.patches = makeVertexArray(kOwner);
+    glBindVertexArray(state.patches.id());
+    glPatchParameteri(GL_PATCH_VERTICES, 1);
+    return true;
+}
+StripPrograms beginStrips(const DrawContext& ctx, const Field& field) {
+    endTransparency();
+    bindField(field);
+    beginTransparency(ctx, field);
+    return {fieldConstants(field.view->of) +
+                allOrNothing(field.view->settings<GrassDrawing>().transparency, ctx.targets.samples),
+            &field.view->features};
 }
 
 void draw(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
-    if (!ctx.shared.grass) return;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    beginTransparency(ctx, f);
-    if (stagesChosen(f, ctx.gpu))
-        drawPatches(ctx, state, fieldConstants(f));
-    else
-        drawBatches(ctx, state, f, stripConstants(f, ctx.targets.samples));
+    const Field* begun = nullptr;
+    StripPrograms programs;
+    eachSpecies(ctx, state.species, Feature::GrassTessellated, [&](const Field& field, size_t i, SpeciesState& s) {
+        const bool stages = stagesChosen(field.view->settings<TessellatedBlades>().tessellation, ctx.gpu);
+        if (begun != &field && stages && !beginPatches(ctx, state, field)) return;
+        if (begun != &field && !stages) programs = beginStrips(ctx, field);
+        begun = &field;
+        if (stages)
+            drawPatches(ctx, *field.species[i], s);
+        else
+            drawBatches(ctx, field, i, s, programs);
+    });
     endTransparency();
 }
 
 std::vector<std::string> stripVariants() {
     std::vector<std::string> out;
-    for (GrassField f; f.transparency < static_cast<int>(std::size(kTransparencies)); ++f.transparency)
-        for (const int samples : {1, 4}) out.push_back(stripConstants(f, samples));
+    GrassDrawing drawing;
+    for (const Transparency way :
+         {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend})
+        for (const int samples : {1, 4}) {
+            drawing.transparency = way;
+            out.push_back(fieldConstants(drawing, {}) + allOrNothing(way, samples));
+        }
     return out;
 }
 

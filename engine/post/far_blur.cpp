@@ -19,8 +19,8 @@ void ensureTarget(DrawContext& ctx, BlurState& s) {
     s.target = makeFramebuffer(s.across.id(), 0, kOwner);
 }
 
-std::string constants(const ViewTargets& t, int blur) {
-    return depthConstants(t) + fmt::format("const bool GAUSSIAN = {};\n", blur == static_cast<int>(FarBlur::Gaussian));
+std::string constants(const ViewTargets& t, FarBlur blur) {
+    return depthConstants(t) + fmt::format("const bool GAUSSIAN = {};\n", blur == FarBlur::Gaussian);
 }
 std::vector<std::string> variants() {
     std::vector<std::string> out;
@@ -39,15 +39,23 @@ void pass(DrawContext& ctx, GLuint from, GLuint target, int axis) {
     ctx.pass->instances += 1;
 }
 
+// Of the first field by name that blurs: the pass runs only where one does.
+const FarLook& lookOf(const Project& project) {
+    for (const auto& [name, e] : project.entities)
+        if (const FarLook* look = project.registry.get<FarLook>(e); look && look->farBlur != FarBlur::None) return *look;
+    static const FarLook none;
+    return none;
+}
+
 void draw(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;  // false colours are no picture
     BlurState& s = ctx.own<BlurState>();
     const ViewTargets& t = ctx.targets;
-    const GrassField& f = *firstOf<GrassField>(ctx.project);
-    if (!ctx.use(0, constants(t, f.farBlur))) return;
+    const FarLook& look = lookOf(ctx.project);
+    if (!ctx.use(0, constants(t, look.farBlur))) return;
     ensureTarget(ctx, s);
     glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, t.depth.id());
-    glUniform1f(1, f.farBlurDistance);
+    glUniform1f(1, look.farBlurDistance);
     pass(ctx, t.resolved.id(), s.target.id(), 0);
     pass(ctx, s.across.id(), t.resolve.id(), 1);
 }

@@ -1,26 +1,17 @@
 #include "post/map_overlay.h"
 
 #include "frame/draw_context.h"
+#include "scene/technique.h"
 
 namespace sward {
 namespace {
 
 constexpr const char* kOwner = "post/map-overlay";
 
-// The texture that the grass reads, if it reads this map; else one of the overlay's own while it is shown.
+// The texture that something else reads, if it does; else one of the overlay's own while it is shown.
 GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
-    const auto* wanted = static_cast<const MapField*>(field.value);
-    if (const GrassField* f = firstOf<GrassField>(ctx.project)) {
-        const SharedResources& r = ctx.shared;
-        if (wanted == &f->orientation && r.orientation) return r.orientation;
-        if (wanted == &f->forces && r.forces) return r.forces;
-        if (wanted == &f->vegetation && r.vegetation) return r.vegetation;
-        if (wanted == &f->ambientOcclusion && r.occlusion) return r.occlusion;
-        if (wanted == &f->bladeHeight && r.bladeHeights) return r.bladeHeights;
-        for (size_t i = 0; i < f->species.size() && i < r.densities.size(); ++i)
-            if (wanted == &f->species[i].density && r.densities[i]) return r.densities[i];
-    }
-    return ctx.maps.get(kOwner, field.path, wanted->map, !field.row->isForce, true);
+    if (const GLuint shared = ctx.maps.shared(field.path)) return shared;
+    return ctx.maps.get(kOwner, field.path, static_cast<const MapField*>(field.value)->map, !field.row->isForce, true);
 }
 
 // How the shader shows it.
@@ -31,8 +22,8 @@ float kindOf(const FieldRow& row) {
 // Metres, with room for the ground's own roughness.
 float tallestGrass(Project& project) {
     float most = 0;
-    if (const GrassField* f = firstOf<GrassField>(project))
-        for (const Species& s : f->species) most = std::max(most, s.height * (1 + s.heightVariation));
+    for (const auto& [name, field] : fieldsOf(project))
+        for (const Species& s : field.grows.species) most = std::max(most, s.height * (1 + s.heightVariation));
     return most + 0.15f;
 }
 

@@ -2,6 +2,7 @@
 // meant.
 #include "project/project_files.h"
 #include "project/project_json.h"
+#include "scene/field_limits.h"
 #include "scene/unique.h"
 
 namespace sward {
@@ -12,7 +13,7 @@ namespace {
 const Json* valueOf(const Json& root, const std::string& entity, const char* component, const char* field) {
     const Json* at = root.find("entities");
     for (const std::string_view key : {std::string_view(entity), std::string_view(component), std::string_view(field)})
-        if (at) at = at->find(key);
+        if (at && !key.empty()) at = at->find(key);
     return at;
 }
 
@@ -25,6 +26,16 @@ void checkPopulation(const SceneToCheck& s, CheckReport& report) {
     report.refused.push_back(std::move(e));
 }
 
+// More grass than a scene may have: the renderer refuses it, too.
+void checkLimits(const SceneToCheck& s, CheckReport& report) {
+    const std::optional<FieldFault> fault = brokenLimit(s.project);
+    if (!fault) return;
+    Error e = checkFields(s.project).error();
+    const Json* component = valueOf(s.root, fault->entity, "GrassField", fault->field.c_str());
+    if (component) e.line = component->line, e.column = component->column;
+    report.refused.push_back(std::move(e));
+}
+
 std::string placeOf(const SceneToCheck& s, const Json* at) {
     const std::string file = (s.project.dir / "project.json").string();
     return at ? fmt::format("{}:{}", file, at->line) : file;
@@ -34,7 +45,7 @@ std::string placeOf(const SceneToCheck& s, const Json* at) {
 void checkOutline(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
     const ForceSource* f = s.project.registry.get<ForceSource>(e);
     const StaticMesh* mesh = s.project.registry.get<StaticMesh>(e);
-    if (!f || f->shape != static_cast<int>(ForceShape::Outline) || (mesh && !mesh->file.empty())) return;
+    if (!f || f->shape != ForceShape::Outline || (mesh && !mesh->file.empty())) return;
     report.repaired.push_back(
         {placeOf(s, valueOf(s.root, name, "ForceSource", "shape")), name + ".ForceSource.shape: " + kOutlineOfNothing});
 }
@@ -61,6 +72,7 @@ void checkSpecies(const SceneToCheck& s, const std::string& name, Entity e, Chec
 void checkScene(const SceneToCheck& scene, CheckReport& report) {
     if (report.refused.empty())
         checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
+    checkLimits(scene, report);
     for (const auto& [name, e] : scene.project.entities) {
         checkOutline(scene, name, e, report);
         checkSpecies(scene, name, e, report);

@@ -1,4 +1,4 @@
-// Rays through a field: every blade that the maps call for, posed and coloured where it stands by the shared numerics,
+// Rays through all fields of grass: every blade that the maps call for, posed and coloured where it stands by the shared numerics,
 // met exactly (numerics/ribbon.h). No level of detail, no fading: a blade exists where the density reaches its
 // threshold. How: a field repeats a patch, but paint and clumps lean each copy's blades another way. Embree holds one
 // scene of boxes a patch, wide enough for every lean within a class (prefix of thresholds, mean lean, spread); a blade
@@ -25,25 +25,29 @@ struct GrassMemory {
 };
 
 struct RayField;
+// Of a scene's fields in the order of their names, those whose bits are set (FieldBits{1} << number).
+using FieldBits = uint32_t;
+inline constexpr FieldBits kAllFields = ~FieldBits{0};
 
 class GrassRays {
   public:
-    // Of the project's first GrassField as its wind bends it at a scene time; `p` must outlive it. A project without
-    // grass or terrain has rays that meet nothing. Failed without memory or when cancelled.
+    // Of all of the project's fields as its wind bends them at a scene time; `p` must outlive it. A project without grass
+    // or terrain has rays that meet nothing. Failed without memory or when cancelled; Unsound if there are too many.
     static Result<GrassRays> make(const Project& p, double time, const JobControl& control);
     GrassRays(GrassRays&&) noexcept;
     GrassRays& operator=(GrassRays&&) noexcept;
     ~GrassRays();
     // From any thread, each with a memory of its own.
     std::optional<Surface> closest(const Ray& ray, GrassMemory& memory) const;
-    bool blocks(const Ray& ray, GrassMemory& memory) const;
-    // Share of light from this elevation that grass at a place (a share of the terrain) leaves to the soil in the mean,
-    // as shaders have it where they draw no shadows (grass/appearance.h).
-    float lightLeft(const glm::dvec2& place, float sinElevation) const;
+    // Whether a blade of one of these fields is in the ray's way.
+    bool blocks(const Ray& ray, GrassMemory& memory, FieldBits of = kAllFields) const;
+    // Share of light from this elevation that the grass of these fields leaves to the soil at a place (a share of the
+    // terrain) in the mean, as shaders have it where they draw no shadows (grass/appearance.h).
+    float lightLeft(const glm::dvec2& place, float sinElevation, FieldBits of = kAllFields) const;
 
   private:
-    explicit GrassRays(std::unique_ptr<RayField> field);
-    std::unique_ptr<RayField> field_;
+    GrassRays();
+    std::vector<std::unique_ptr<RayField>> fields_;
 };
 
 // --- for tests: what a scene of boxes promises

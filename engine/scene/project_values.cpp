@@ -135,7 +135,7 @@ std::string fieldText(const FieldRef& f) {
         case FieldType::Name:
             return *static_cast<const std::string*>(f.value);
         case FieldType::Enum:
-            return f.row->options[size_t(*static_cast<const int*>(f.value))];
+            return f.row->options[static_cast<size_t>(enumIndex(f.value))];
         case FieldType::Map:
             return static_cast<const MapField*>(f.value)->file;
         case FieldType::List:

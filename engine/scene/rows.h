@@ -4,6 +4,7 @@
 // Does not: hold any row itself.
 #pragma once
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,7 +26,7 @@ enum class FieldType {
     Vec3,    // glm::dvec3, metres
     Color,   // glm::vec3, linear
     String,  // std::string
-    Enum,    // int, an index into options
+    Enum,    // an enum of ints, whose values count from 0 and are named by options (enumIndex, setEnumIndex)
     Map,     // MapField
     Name,    // std::string, one of options: the name of a row of a table
     List,    // std::vector of structs, described by list
@@ -83,6 +84,14 @@ struct ComponentRow {
     const char* settingsOf = nullptr;
     bool readByTruth = false;  // settings that change the ray-traced truth, too
 };
+
+// The value of an Enum field, as its number. Copied byte by byte, since the member has its own enum's type.
+inline int enumIndex(const void* field) {
+    int index;
+    std::memcpy(&index, field, sizeof index);
+    return index;
+}
+inline void setEnumIndex(void* field, int index) { std::memcpy(field, &index, sizeof index); }
 
 template <class C>
 constexpr ComponentRow componentRow(const char* name, const char* help, std::span<const FieldRow> fields,

@@ -124,8 +124,9 @@ void drawDepth(DrawContext& ctx) {
 // Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
 void draw(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
-    if (s.selected.empty() || !ctx.use()) return;
-    glBindTextures(TEX_DENSITY, MAX_SPECIES, ctx.shared.densities.data());
+    if (s.selected.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SOIL, ctx.shared.soil.globals);
+    glBindTextures(TEX_SOIL, static_cast<GLsizei>(ctx.shared.soil.maps.size()), ctx.shared.soil.maps.data());
     if (ctx.targets.stencil) {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
@@ -143,7 +144,8 @@ const ProgramRow kPrograms[] = {
      featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity,
                 Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows, Feature::CastingLights,
                 Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                Feature::Fog, Feature::WaterReflection)}};
+                Feature::Fog, Feature::WaterReflection),
+     soilVariants}};
 const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth,
                               kDepthPrograms, drawDepth}};
 const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover,

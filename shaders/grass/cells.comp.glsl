@@ -18,7 +18,7 @@ layout(std430, binding = SSBO_UP_TO) readonly buffer UpToBlock {
     uint upTo[];
 };  // blades of the patch with thresholds up to k / 255
 layout(std430, binding = SSBO_COUNTS) buffer CountBlock { ChosenCounts counts; };  // sums, which no order changes
-layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
+layout(binding = TEX_DENSITY) uniform sampler2D densityMap;
 
 bool visible(CellBox b, float reach) {
     bool all = true;
@@ -34,12 +34,12 @@ bool within(CellBox b, float reach) {
 // The least and the most density in a cell.
 vec2 densityIn(ivec2 cell) {
     if (!GRASS_DENSITY) return vec2(1.0);
-    ivec2 size = textureSize(densityMap[0], 0);
+    ivec2 size = textureSize(densityMap, 0);
     CellTexels across = cellTexels(cell.x, cull.texels.x, size.x), down = cellTexels(cell.y, cull.texels.y, size.y);
-    vec2 d = vec2(texelFetch(densityMap[0], ivec2(across.first, down.first), 0).r);
+    vec2 d = vec2(texelFetch(densityMap, ivec2(across.first, down.first), 0).r);
     for (int y = down.first; y <= down.last && (d.x > 0.0 || d.y < 1.0); ++y)
         for (int x = across.first; x <= across.last; ++x) {
-            float here = texelFetch(densityMap[0], ivec2(x, y), 0).r;
+            float here = texelFetch(densityMap, ivec2(x, y), 0).r;
             d = vec2(min(d.x, here), max(d.y, here));
         }
     return d;

@@ -96,7 +96,7 @@ void main() {
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
-    vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
+    vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.species[int(slices.ambient.w)].of.w);
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
     float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
                                         (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w))

@@ -39,7 +39,7 @@ void main() {
     vec4 stored;
     float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0,
                                laidBy(forceHere(position.xz, uv)), stored);
-    vec3 takes = shadowShare(light, position, uv, normalize(normal),
-                             soilLeft(cover.shade[int(slices.ambient.w)], grown, tall), near);
+    SoilShares soil = soilShares(soilLeft(cover.species[int(slices.ambient.w)].of.y, grown, tall), near, skyShare(uv));
+    vec3 takes = shadowShare(light, position, normalize(normal), soil);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

@@ -42,7 +42,8 @@ void main() {
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = int(species.counts.w);
     float near = 1.0 - lodRamp(length(s.root), cover.shadows.x, cover.shadows.y);
-    vec3 takes = shadowShare(light, s.root, s.uv, n, soilLeft(cover.shade[kind], s.density, bladeShare(s.uv)), near);
+    SoilShares soil = soilShares(soilLeft(cover.species[kind].of.y, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
+    vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
     float lighter;
@@ -50,7 +51,7 @@ void main() {
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
     vec3 p = f.position + f.side * (s.across * b.place.z * frame.mode.w * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
-    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.height[kind]);
+    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.species[kind].of.z);
     vec2 land = p.xz + shadow.offset;
     vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
     left = vec3(1.0) - takes * shadow.alpha;

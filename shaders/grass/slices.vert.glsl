@@ -46,7 +46,7 @@ struct Place {
 };
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
-    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
+    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0, cover.species[int(slices.ambient.w)].of.w);
     p.scale = 1.0;
     p.lighter = 1.0;
     p.press = 0.0;

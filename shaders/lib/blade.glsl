@@ -23,17 +23,17 @@ struct Stand {
 
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
-    ivec2 size = textureSize(densityMap[0], 0);
-    float tiling = cover.densities[int(species.counts.w)];
+    ivec2 size = textureSize(densityMap, 0);
+    float tiling = cover.species[int(species.counts.w)].of.x;
     BilinearTap t;
     if (tiling > 0.0)
         t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
     else
         t = bilinearTap(uv.x, uv.y, size.x, size.y);
-    return bilinearMix(texelFetch(densityMap[0], ivec2(t.x0, t.y0), 0).r,
-                       texelFetch(densityMap[0], ivec2(t.x1, t.y0), 0).r,
-                       texelFetch(densityMap[0], ivec2(t.x0, t.y1), 0).r,
-                       texelFetch(densityMap[0], ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+    return bilinearMix(texelFetch(densityMap, ivec2(t.x0, t.y0), 0).r,
+                       texelFetch(densityMap, ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityMap, ivec2(t.x0, t.y1), 0).r,
+                       texelFetch(densityMap, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
 
 Stand standAt(Blade b, float v, float across) {
@@ -61,7 +61,7 @@ BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     if (GRASS_CLUMPS && species.tipColor.w > 0.0)
         clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
     BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
-    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z, cover.gusts[int(species.counts.w)]);
+    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z, cover.species[int(species.counts.w)].of.w);
     if (FORCES || FORCE_MAP) {
         vec3 pressed = forceHere(s.root.xz, s.uv);
         p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);

@@ -1,7 +1,7 @@
 // Painted maps that the ground reads too: how much grows, how high, and how much of the sky it sees. Needs: const bool
 // GRASS_OCCLUSION, GRASS_HEIGHTS; frame.glsl. uv: of mapPlace.
 layout(std140, binding = UBO_COVER) uniform CoverBlock { CoverGlobals cover; };
-layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
+layout(binding = TEX_DENSITY) uniform sampler2D densityMap;
 layout(binding = TEX_BLADE_HEIGHT) uniform sampler2D bladeHeightMap;
 layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionMap;
 

@@ -13,23 +13,27 @@ vec3 castLight(int i, vec3 at, vec3 n) {
     LampHere l = lampAt(i - 1, at);
     return l.light * max(dot(n, l.direction), 0.0);
 }
-// Share of direct light left to soil under grass: near the eye the blades' own shadows take it from lights that cast
-// them; elsewhere `shades`, the mean. near: 1 where blades are drawn, 0 where they are not.
-float directShare(bool casts, float shades, float near) {
-    return GROUND_SHADOWS && CASTING_LIGHTS && casts ? mix(shades, 1.0, near) : shades;
+// What grass leaves to soil of light from everywhere, of light in the mean, and of light from lights that cast its
+// shadows: near the eye the blades' own shadows take that; elsewhere the mean does.
+struct SoilShares {
+    float ambient, mean, casting;
+};
+// Of grass that leaves `shades` in the mean. near: 1 where blades are drawn, 0 where they are not; sky: share of the sky
+// that the ground sees.
+SoilShares soilShares(float shades, float near, float sky) {
+    bool drawn = GROUND_SHADOWS && CASTING_LIGHTS;
+    return SoilShares(shades * sky, shades, drawn ? mix(shades, 1.0, near) : shades);
 }
+float directShare(bool casts, SoilShares s) { return GROUND_SHADOWS && CASTING_LIGHTS && casts ? s.casting : s.mean; }
 
-vec3 soilLight(vec3 at, vec2 uv, vec3 n, float shades, float near) {
-    vec3 sum = ambientLight(n) * (shades * skyShare(uv));
-    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunLight.w > 0.0, shades, near);
-    for (int i = 0; i < lampCount(); ++i)
-        sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), shades, near);
+vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
+    vec3 sum = ambientLight(n) * s.ambient;
+    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunLight.w > 0.0, s);
+    for (int i = 0; i < lampCount(); ++i) sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), s);
     return sum;
 }
-// Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach
-// there.
-vec3 shadowShare(int i, vec3 at, vec2 uv, vec3 n, float shades, float near) {
-    return clamp(
-        castLight(i, at, n) * directShare(true, shades, near) / max(soilLight(at, uv, n, shades, near), vec3(1e-6)),
-        vec3(0.0), vec3(1.0));
+// Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach there.
+vec3 shadowShare(int i, vec3 at, vec3 n, SoilShares s) {
+    return clamp(castLight(i, at, n) * directShare(true, s) / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0),
+                 vec3(1.0));
 }

@@ -58,7 +58,7 @@ float verticalShare(float sine) {
 // Filtered density of the species at a point of the terrain; uv: of mapPlace.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
-    return texture(densityMap[0], tiled(uv, cover.densities[int(slices.ambient.w)])).r;
+    return texture(densityMap, tiled(uv, cover.species[int(slices.ambient.w)].of.x)).r;
 }
 
 // Reflectance (as a share of full scale) with the field's colour over it.

@@ -69,19 +69,38 @@ struct ForceGlobals {
     SHARED_VEC4 square;  // x, z of its corner relative to the eye; 1/side (1/m); w: 0
 };
 
+#define MAX_SPECIES 16  // of a field
+// Of one species, for shaders of all.
+struct SpeciesCover {
+    SHARED_VEC4 of;            // tiling of its density map; share of light left at the soil under full density; mean height (m);
+                               // lean (m per m) of a full gust, 0 in a calm
+};
 // What shaders of all of a field's species read.
 struct CoverGlobals {
     SHARED_VEC4 tiers;  // x: number of species; y: minGeom; z: 1/(maxGeom - minGeom), see lodRamp; w: cell size (m)
     // Tilings: repeats over what a map of tiling 1 covers; 0: the map lies on the terrain once, and its edge texels go
     // on beyond (scene/tiling.h).
     SHARED_VEC4 tiling;       // of orientation, vegetation, ambient occlusion, forces: they repeat even where that is 1
-    SHARED_VEC4 densities;    // by species: tiling of its density
     SHARED_VEC4 bladeHeight;  // x: its tiling; y, z, w: 0
-    SHARED_VEC4 shade;        // by species: share of light left at the soil under full density
-    SHARED_VEC4 height;       // by species: mean height (m)
-    SHARED_VEC4 gusts;        // by species: lean (m per m) of a full gust; 0 in a calm
+    SpeciesCover species[MAX_SPECIES];
     SHARED_VEC4 shadows;      // x: distance from which soil is shaded in the mean (m); y: lodInverse to where it is so
                           // alone; z: share of light that far grass loses; w: distance at which it has (m)
+};
+
+// What the ground reads of what grows on it (lib/soil.glsl).
+struct SoilField {
+    SHARED_VEC2 near;          // distance from which soil is shaded in the mean (m); lodInverse to where it is so alone
+    SHARED_VEC2 tilings;       // of the blade-height map, as CoverGlobals has it; of the ambient-occlusion map
+};
+struct SoilSpecies {
+    SHARED_VEC2 shade;         // share of light left at the soil under full density; tiling of the density map
+    SHARED_VEC2 unused;
+};
+#define MAX_FIELDS 8
+#define MAX_SOIL_SPECIES 64
+struct SoilGlobals {
+    SoilField fields[MAX_FIELDS];
+    SoilSpecies species[MAX_SOIL_SPECIES];
 };
 
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine =
@@ -262,6 +281,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define UBO_WATER 10
 #define UBO_FLOWERS 11
 #define UBO_CULL 12
+#define UBO_SOIL 13
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
@@ -281,7 +301,7 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define TEX_VEGETATION 5
 #define TEX_OCCLUSION 6
 #define TEX_BLADE 7
-#define TEX_DENSITY 8  // and the MAX_SPECIES - 1 that follow
+#define TEX_DENSITY 8  // of the species that is drawn
 #define TEX_SCENE 8    // post passes: nothing of the above is bound for them
 #define TEX_DEPTH 9    // of one sample
 #define TEX_DEPTH_SAMPLES 10
@@ -293,10 +313,11 @@ static_assert(sizeof(TerrainNode) == 32 && sizeof(TessCell) == 48 && sizeof(Chos
 #define TEX_FORCE_MAP 21
 #define TEX_REFLECTION 22
 #define TEX_FLOWERS 23  // density
+#define TEX_SOIL 24  // and the MAX_SOIL_MAPS - 1 that follow: what the ground reads of fields
 #define TEX_SHADOW 12   // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw
 #define TEX_MASK 14
 // Limits
-#define MAX_SPECIES 4
 #define MAX_LIGHTS 8
+#define MAX_SOIL_MAPS 20  // of all fields together

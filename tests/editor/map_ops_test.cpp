@@ -107,8 +107,7 @@ TEST(MapOps, CurveGoesThroughItsPointsAndIsLevelBeyond) {
     EXPECT_FLOAT_EQ(map.at(4, 0), 0.4f);
 }
 
-// --- shapes: the sum over a float map is the area
-// ---------------------------------------------------------------------
+// --- shapes: the sum over a float map is the area ----------------------------------------------------------
 
 double areaOf(const Shape& shape, ShapePaint paint = {}, int texels = 600) {
     Map map({texels, texels, 1, PixelType::F32});

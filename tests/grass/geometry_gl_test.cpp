@@ -70,7 +70,7 @@ TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
     const ViewCamera c{{10, 30, 10}, {10, 0, 10.001}, 55, 0};  // all of it in view
     ASSERT_TRUE(r.draw(p, c, s));
     EXPECT_DOUBLE_EQ(r.stats().bladesVirtual, 200.0 * 400 * f.species[0].density.map.mean());
-    const uint64_t seen = visibleBlades(p, c, s.width, s.height);
+    const uint64_t seen = visibleBlades(p, tables(), c, s.width, s.height);
     EXPECT_NEAR(static_cast<double>(seen), 200.0 * 400 / 2, 200.0 * 400 / 255);
     EXPECT_EQ(r.stats().bladesGeometry, seen)
         << "constant density: the contiguous range is exactly the blades that exist";

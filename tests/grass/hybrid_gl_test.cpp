@@ -22,8 +22,7 @@ std::vector<uint8_t> picture(Renderer& r, Project& p, const ViewCamera& c, const
     return r.readImage();
 }
 
-// --- cost by the size of the field
-// -------------------------------------------------------------------------------------
+// --- cost by the size of the field -------------------------------------------------------------------------
 
 struct Cost {
     double vertices = 0, fragments = 0, bytes = 0, nodes = 0;
@@ -81,8 +80,7 @@ TEST(HybridCost, UpToTheHorizonIsTheSame) {
         << "all blades as geometry grow with the field";
 }
 
-// --- the look of blades
-// ------------------------------------------------------------------------------------------------
+// --- the look of blades ------------------------------------------------------------------------------------
 
 struct Likeness {
     double distance = 0, contrast = 0;  // as shares of another field of blades' distance, and of the blades' contrast
@@ -152,8 +150,7 @@ TEST(HybridLook, IsAsNearToTheBladesAsOtherBladesAre) {
     }
 }
 
-// --- walking
-// -----------------------------------------------------------------------------------------------------------
+// --- walking -----------------------------------------------------------------------------------------------
 
 TEST(HybridWalk, ChangesNoMoreThanBladesDoWhereTiersMeet) {
     NoGlErrors errors;
@@ -178,8 +175,7 @@ TEST(HybridWalk, ChangesNoMoreThanBladesDoWhereTiersMeet) {
     }
 }
 
-// --- how slices are stored
-// ---------------------------------------------------------------------------------------------
+// --- how slices are stored ---------------------------------------------------------------------------------
 
 double rmse(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
     double sum = 0;
@@ -226,8 +222,7 @@ TEST(HybridStorage, KeepsToItsMegabytesAtThePapersResolutions) {
     EXPECT_GT(full, 25) << "the paper's own form would not do";
 }
 
-// --- bad input
-// ---------------------------------------------------------------------------------------------------------
+// --- bad input ---------------------------------------------------------------------------------------------
 
 // Finite everywhere, not burnt out, not black where there is light, without GL errors.
 void expectSane(Renderer& r, Project& p, const ViewCamera& c, const std::string& what, bool lit = true) {
@@ -293,7 +288,7 @@ TEST(HybridBadInput, LightsMayStandAnywhere) {
         }
     sunIn(p) = Light{};
     Light lamp;
-    lamp.type = static_cast<int>(LightType::Point);
+    lamp.type = LightType::Point;
     put(p, "lamp", lamp);
     for (const glm::dvec3 at : {glm::dvec3(5, 0, 5), glm::dvec3(5, 0.05, 5), glm::dvec3(5, -1, 5),
                                 glm::dvec3(10, 0.15, 10), glm::dvec3(2, 1.7, 2), glm::dvec3(10, 1e6, 10)}) {
@@ -302,8 +297,7 @@ TEST(HybridBadInput, LightsMayStandAnywhere) {
     }
 }
 
-// --- repetition
-// --------------------------------------------------------------------------------------------------------
+// --- repetition --------------------------------------------------------------------------------------------
 
 constexpr int kCell = 16, kCells = 32, kSideTexels = kCell * kCells;
 

@@ -18,8 +18,7 @@ std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& camera
     return r.readImage();
 }
 
-// --- every technique
-// ---------------------------------------------------------------------------------------------------
+// --- every technique ---------------------------------------------------------------------------------------
 
 struct Way {
     const char* name;
@@ -78,8 +77,7 @@ TEST(Stiffness, OfTwoHalvesTheWindInEveryTechniqueForItsOwnSpecies) {
     }
 }
 
-// --- by how far they are blown aside
-// --------------------------------------------------------------------------------------
+// --- by how far they are blown aside -----------------------------------------------------------------------
 
 constexpr int kWidth = 192, kHeight = 72;
 
@@ -169,8 +167,7 @@ TEST(Stiffness, DividesTheLeanOfBladesAsOfSlicesAndInTheTruth) {
     check("blades of the truth", tracedLean);
 }
 
-// --- what presses
-// ----------------------------------------------------------------------------------------------------------
+// --- what presses ------------------------------------------------------------------------------------------
 
 TEST(Stiffness, DoesNotHoldUpWhatAFootPresses) {
     NoGlErrors errors;

@@ -1,0 +1,126 @@
+// One field of grass as rays see it: its kinds of blades, each posed where it stands when a ray first meets its box, and
+// kept for a while. For grass_rays.cpp. Does not: walk along a ray.
+#pragma once
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/numerics.h"
+#include "grass/appearance.h"
+#include "reference/embree.h"
+#include "reference/grass_rays.h"
+#include "scene/unique.h"
+#include "world/forces.h"
+#include "world/ground.h"
+#include "world/wind.h"
+
+namespace sward {
+
+// A blade as it stands in a cell: relative to the cell's corner and to its base height. width 0: it does not exist
+// there.
+struct Posed {
+    glm::vec3 root, control, tip;
+    glm::vec2 facing;
+    float width, lighter;
+};
+
+// The ground under a cell: a plane through its corner, and how far the ground leaves it.
+struct CellGround {
+    float slopeX = 0, slopeZ = 0, bump = 0;
+    float low = 0, high = 0;  // metres above the corner
+};
+
+struct Cell {
+    uint64_t key = ~uint64_t(0);
+    RTCScene scene = nullptr;  // null: nothing grows
+    f32::CellVersion version{glm::vec2(1), glm::vec2(0)};
+    double base = 0;     // height of the plane at the cell's corner
+    WindGlobals wind{};  // about the cell's corner, as strong as the kind feels it; unused in a calm
+    CellGround ground;
+    uint32_t first = 0;  // of its blades among the kind's
+};
+struct Kept {
+    uint64_t key = ~uint64_t(0);
+    Posed blade;
+};
+constexpr size_t kCells = 1 << 12, kBlades = 1 << 17;
+
+
+struct GrassMemory::Tables {
+    std::vector<Cell> cells{kCells};
+    std::vector<Kept> blades{kBlades};
+};
+// What a scene of boxes is made for: the cell, where cells have blades of their own (else 0); thresholds up to 255ths,
+// mean lean, its spread, the ground's bump; in steps.
+struct SceneKey {
+    uint64_t cell;
+    int prefix, leanX, leanZ, spread, bump;
+    auto operator<=>(const SceneKey&) const = default;
+};
+struct BoxScene {
+    const Blade* blades;
+    glm::vec2 lean;
+    float spread, scale, bump;
+    ScenePtr scene;
+};
+
+// One species: its patch, its looks, and the scenes made so far.
+struct Kind {
+    const Species* species = nullptr;
+    Patch patch;
+    UniqueBlades unique;  // empty: cells repeat the patch
+    const std::vector<Blade>& blades() const { return unique.empty() ? patch.blades : unique.patch.blades; }
+    TexelGrid image;
+    Look look;
+    float leanAtFull = 0, reach = 0;
+    float gust = 0,
+          windSlope =
+              0;  // lean (m per m) that a full gust gives it, and by how much the wind's may change over a metre
+    glm::vec3 clumps{0};
+    DevicePtr device;
+    mutable std::mutex mutex;
+    mutable std::map<SceneKey, BoxScene> scenes;
+};
+
+// A field of grass as its wind bends it at a time.
+struct RayField {
+    uint32_t number = 0;  // among the scene's fields
+    size_t firstKind = 0;  // kinds of the fields before it: blades are remembered by kind
+    const Terrain* terrain = nullptr;
+    const GrassField* grass = nullptr;
+    HeightBounds bounds;
+    const Wind* wind = nullptr;  // null: a calm
+    const Map* gusts = nullptr;  // its picture of gusts, which may be the one that is made
+    Map made;
+    double time = 0;
+    std::vector<Force> forces;
+    std::vector<std::unique_ptr<Kind>> kinds;
+};
+
+
+// A ray within a cell, as the callbacks of its scene see it. First member: Embree's.
+struct Query {
+    RayContext context;
+    const RayField* field;
+    size_t number;  // of the species among the field's kinds
+    const Kind* kind;
+    GrassMemory::Tables* memory;
+    const Cell* cell;
+    int x, z;
+    glm::vec3 origin, way;  // relative to the cell's corner and base height
+    uint32_t grain;
+    uint32_t blade = 0;  // of the closest hit
+    f32::RibbonHit hit{};
+};
+
+// The field's paint, density and share of blades' height at a place: terrain-relative metres.
+float densityAt(const RayField& f, const Species& s, const glm::dvec2& ground);
+float bladeShareAt(const RayField& f, const glm::dvec2& ground);
+// The blade where it stands; rootPlace, if given: its root's place on maps.
+Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index,
+                  glm::dvec2* rootPlace = nullptr);
+// The cell at x, z with the scene of its blades' boxes, from a thread's memory or made.
+const Cell& cellAt(const RayField& f, GrassMemory::Tables& memory, size_t kind, int x, int z);
+
+}  // namespace sward
