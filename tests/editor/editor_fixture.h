@@ -3,7 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "../support.h"
+#include "support.h"
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
 #include "techniques.h"
