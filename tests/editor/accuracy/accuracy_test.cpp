@@ -7,7 +7,7 @@
 #include <random>
 #include <thread>
 
-#include "../support.h"
+#include "support.h"
 #include "core/file.h"
 #include "editor/model/document.h"
 #include "editor/tools/brush_cost.h"

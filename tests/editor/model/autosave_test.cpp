@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "../support.h"
+#include "support.h"
 #include "model/document.h"
 #include "model/field_walk.h"
 #include "techniques.h"
