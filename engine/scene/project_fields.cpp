@@ -1,5 +1,6 @@
 // Fields by PATH: finding, listing. Their values as text: project_values.cpp.
 #include <charconv>
+#include <cstring>
 
 #include "scene/project.h"
 
@@ -7,10 +8,6 @@ namespace sward {
 namespace {
 
 void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
-
-Error usage(std::string message, std::string remedy = {}) {
-    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
-}
 
 template <class Range, class NameOf>
 std::string listNames(const Range& range, NameOf&& nameOf) {
