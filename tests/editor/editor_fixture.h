@@ -3,9 +3,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "../support.h"
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
+#include "support.h"
 #include "techniques.h"
 
 namespace sward::test {
