@@ -386,9 +386,7 @@ Status Renderer::draw(const Project& project, const ViewCamera& camera, const Vi
     if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (!ctx.error.empty())
-        return Error{
-            ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    if (!ctx.error.empty()) return failed(ctx.error, "the shaders/ folder must be of the same version as the program");
     return {};
 }
 
