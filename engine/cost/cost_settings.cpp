@@ -26,8 +26,7 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
     const double number = std::atof(value.c_str());
     const bool whole = number == std::floor(number);
     if (!(number > 0) || (name == "msaa" && (!whole || number > 64)) || (name == "detail" && number > 1))
-        return Error{
-            ExitCode::Usage, name + "=" + value + " is out of its range", "", 0, 0, "msaa takes 1 to 64, detail ]0,1]"};
+        return usage(name + "=" + value + " is out of its range", "msaa takes 1 to 64, detail ]0,1]");
     if (name == "msaa")
         view.msaa = static_cast<int>(number);
     else
@@ -60,14 +59,9 @@ Result<std::vector<CostSetting>> costSettings(const Project& project, const Tabl
                                               const std::string& technique) {
     const auto fields = fieldsOf(project);
     if (fields.empty())
-        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+        return unsound("the project has no grass", "add a GrassField").at(project.dir);
     if (!technique.empty() && !findTechnique(tables.techniques, technique))
-        return Error{ExitCode::Usage,
-                     "there is no technique \"" + technique + "\"",
-                     "",
-                     0,
-                     0,
-                     techniqueNames(tables.techniques)};
+        return usage("there is no technique \"" + technique + "\"", techniqueNames(tables.techniques));
     std::vector<CostSetting> out;
     for (const TechniqueRow& row : tables.techniques) {
         if (!technique.empty() && technique != row.name) continue;
@@ -97,7 +91,7 @@ Status applySetting(Project& project, const Tables& tables, const CostSetting& s
         for (const std::string& value : setting.values) {
             const size_t equals = value.find('=');
             if (equals == std::string::npos)
-                return Error{ExitCode::Usage, "\"" + value + "\" has no '='", "", 0, 0, "write NAME=VALUE"};
+                return usage("\"" + value + "\" has no '='", "write NAME=VALUE");
             const std::string what = value.substr(0, equals), to = value.substr(equals + 1);
             const auto ofView = setView(view, what, to);
             if (!ofView) return ofView.error();

@@ -2,6 +2,7 @@
 #include "cost/fit.h"
 #include "cost/cost_times.h"
 
+#include <chrono>
 #include <map>
 
 #include "core/json.h"
@@ -37,7 +38,7 @@ struct Search {
     std::map<std::vector<std::string>, FitCandidate> seen = {};
     int limit = 0;
 };
-Error stopped() { return {ExitCode::Interrupted, "interrupted; nothing was changed", "", 0, 0, ""}; }
+Error stopped() { return interruption("interrupted; nothing was changed"); }
 
 // --- measuring one -----------------------------------------------------------------------------------------------
 struct Drawing {
@@ -256,21 +257,19 @@ ViewCamera heldOutCamera(ViewCamera c) {
 Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables) {
     const auto fields = fieldsOf(project);
     if (fields.empty())
-        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+        return unsound("the project has no grass", "add a GrassField").at(project.dir);
     const TechniqueRow* own = findTechnique(tables.techniques, fields.front().second.grows.technique);
     if (own && !own->knobs.empty()) return own;
     for (const TechniqueRow& row : tables.techniques)
         if (!row.knobs.empty()) return &row;
-    return Error{ExitCode::Failed, "no technique has anything to turn", "", 0, 0, ""};
+    return failed("no technique has anything to turn");
 }
 
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress) {
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
-    if (ec)
-        return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.cost.folder.string(), 0, 0,
-                     "choose another"};
+    if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
     Search s{request, project, tables, gpu, progress};
     s.limit = request.candidates;
     auto technique = techniqueToFit(project, tables);

@@ -15,7 +15,7 @@
 #include "frame/tiles.h"
 #include "grass/slice_settings.h"
 #include "scene/population.h"
-#include "shared/frame.h"
+#include "shared/slices.h"
 
 namespace sward {
 

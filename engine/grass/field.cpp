@@ -8,6 +8,7 @@
 #include "grass/mask.h"
 #include "grass/slice_settings.h"
 #include "scene/tiling.h"
+#include "shared/soil.h"
 #include "world/wind.h"
 
 namespace sward {
@@ -48,14 +49,18 @@ void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Field& field, size_t 
     const GrassField& f = field.grows();
     const Species& sp = f.species[index];
     SpeciesGlobals g;
-    g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
-    g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
-    g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
-    g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed),
-                isUnique(f) ? 0 : field.view->settings<GrassDrawing>().fade, static_cast<float>(index)};
-    g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
-    g.mask = {s.shade.radius, s.shade.top, 0, 0};
+    g.rootColor = sp.rootColor, g.midColor = sp.midColor, g.tipColor = sp.tipColor;
+    g.rootOpen = sp.rootOcclusion;
+    g.leanAtFull = leanAtFull(sp);
+    const glm::vec3 clumps = clumpStrengths(sp);
+    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
+    g.cellSize = f.cellSize;
+    g.segments = sp.segments;
+    g.seed = static_cast<uint32_t>(f.seed);
+    g.fade = isUnique(f) ? 0 : field.view->settings<GrassDrawing>().fade;
+    g.index = static_cast<int>(index);
+    g.translucency = sp.translucency, g.gloss = sp.gloss, g.roughness = sp.roughness;
+    g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
@@ -102,17 +107,20 @@ void writeCover(DrawContext& ctx, Field& field) {
     const FieldTiers& tiers = field.view->tiers;
     const FarLook& far = field.view->settings<FarLook>();
     CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(field.species.size()), tiers.blades.min, tiers.blades.inv, f.cellSize};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
+    cover.speciesCount = static_cast<int>(field.species.size());
+    cover.minGeom = tiers.blades.min, cover.geomInv = tiers.blades.inv;
+    cover.cellSize = f.cellSize;
+    cover.orientationTiling = f.orientationTiling, cover.vegetationTiling = f.vegetationTiling;
+    cover.occlusionTiling = f.ambientOcclusionTiling, cover.forceTiling = f.forcesTiling;
     const Terrain& t = *ctx.shared.ground.terrain;
-    cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
+    cover.heightTiling = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
-    for (size_t i = 0; i < field.species.size(); ++i) {
-        cover.species[i].of = {shaderTiling(t, f.species[i].densityTiling),
-                               lightLeft(field.species[i]->look, ctx.globals.sunDirection.y),
-                               field.species[i]->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
-    }
-    cover.shadows = {tiers.soil.min, tiers.soil.inv, far.farDarkening, far.farDarkeningDistance};
+    for (size_t i = 0; i < field.species.size(); ++i)
+        cover.species[i] = {shaderTiling(t, f.species[i].densityTiling),
+                            lightLeft(field.species[i]->look, ctx.globals.sunDirection.y),
+                            field.species[i]->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
+    cover.shadeFrom = tiers.soil.min, cover.shadeInv = tiers.soil.inv;
+    cover.farDarkening = far.farDarkening, cover.farDarkeningAt = far.farDarkeningDistance;
     writeBuffer(ctx.gpu, field.cover, kOwner, sizeof(cover), &cover);
 }
 
@@ -140,13 +148,13 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         // Where its blades shade no ground, the mean does from the eye on.
         const bool drawn = has(field.view->own, Feature::GroundShadows);
         const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
-        g.fields[i] = {{from.min, from.inv}, {shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling}};
+        g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
         numbers.height.push_back(soilMap(soil, field.bladeHeights));
         numbers.occlusion.push_back(soilMap(soil, field.occlusion));
         for (size_t k = 0; k < field.species.size() && numbers.density.size() < MAX_SOIL_SPECIES; ++k) {
             const FieldSpecies& s = *field.species[k];
-            g.species[numbers.density.size()].shade = {lightLeft(s.look, ctx.globals.sunDirection.y),
-                                                       shaderTiling(t, f.species[k].densityTiling)};
+            g.species[numbers.density.size()] = {lightLeft(s.look, ctx.globals.sunDirection.y),
+                                                       shaderTiling(t, f.species[k].densityTiling), 0, 0};
             numbers.fieldOf.push_back(static_cast<int>(i));
             numbers.density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }

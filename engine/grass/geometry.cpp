@@ -1,5 +1,7 @@
 #include "grass/geometry.h"
 
+#include <chrono>
+
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "grass/blade_list.h"
@@ -147,7 +149,7 @@ void cullSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s
     CellQuery query = drawnQuery(ctx, field, i);
     if (shades)
         query.shadow =
-            groundShadowReach(own.look.height, ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y);
+            groundShadowReach(own.look.height, ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y);
     if (gpuChooses(drawing.culling, ctx.gpu) && gpuMayChoose(query))
         selectThere(ctx, s, query);
     else

@@ -1,6 +1,7 @@
 // Index: making slices · uniforms · vertical slices · the horizontal slice · rows.
 #include "grass/slices.h"
 
+#include <chrono>
 #include <numeric>
 
 #include "core/file.h"
@@ -11,6 +12,7 @@
 #include "grass/field.h"
 #include "grass/grass_fields.h"
 #include "grass/slice_file.h"
+#include "shared/slices.h"
 #include "world/wind.h"
 
 namespace sward {
@@ -99,11 +101,10 @@ FieldLight fieldLight(const DrawContext& ctx, const Field& f, size_t index) {
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
-    if (has(features, Feature::Sun) && g.sunDirection.w > 0)
-        l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
+    if (has(features, Feature::Sun) && g.sunIsUp > 0) l.suns.push_back({g.sunDirection, g.sunLight});
     l.weighting = f.view->settings<GrassSlices>().lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
-    if (ctx.globals.sunLight.w > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
+    if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
     l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(features, Feature::Wind))
@@ -133,6 +134,15 @@ void updateGains(FieldSpecies& s, const FieldLight& l) {
     s.gains = gainsOf(s.look, l);
 }
 
+void setGains(SliceGlobals& g, bool conserving, const Gains& gains) {
+    const glm::vec4 none(1, 1, 1, 0);
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec4 across = conserving ? gains.slices[i] : none, above = conserving ? gains.far[i] : none,
+                        laid = conserving ? gains.laid[i] : none;
+        g.gains[i] = {across, across.w, above, above.w, laid};
+    }
+}
+
 SliceGlobals globalsOf(const DrawContext& ctx, const Field& field, size_t index) {
     const GrassField& f = field.grows();
     const Species& sp = f.species[index];
@@ -140,27 +150,30 @@ SliceGlobals globalsOf(const DrawContext& ctx, const Field& field, size_t index)
     const FieldTiers& tiers = field.view->tiers;
     const auto& images = field.view->settings<GrassSlices>();
     SliceGlobals g{};
-    const Gains& gains = s.gains;
-    const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
-    const glm::vec2 within = eye / double(f.cellSize) - cell;
-    g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
-    g.tiers = {tiers.images.min, tiers.images.inv, tiers.flat.min, tiers.flat.inv};
-    g.areas = {s.look.across, s.look.above, images.farHeight * s.slices.top, s.slices.farDepth};
-    g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
-    g.counts = {field.view->settings<GrassDrawing>().fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width),
-                static_cast<float>(s.slices.reflectance.width)};
-    g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), images.lightWeights);
-    g.ambient = glm::vec4(gains.sliceAmbient, 0);
-    g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
-    g.clumps = glm::vec4(clumpStrengths(sp), sp.clumpSize);
-    g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-images.sharpness)};
-    const bool conserving = images.sliceCover == SliceCover::Conserving;
-    g.laid = {s.look.laidAcross, s.look.laidAbove, 0, 0};
-    for (int i = 0; i < LOOK_VIEWS; ++i) {
-        g.laidGains[i] = conserving ? gains.laid[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
-        g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
-        g.farGains[i] = conserving ? gains.far[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
-    }
+    const glm::dvec2 eye = glm::dvec2(ctx.eye.x, ctx.eye.z) / double(f.cellSize), cell = glm::floor(eye);
+    g.minGeom = tiers.images.min, g.geomInv = tiers.images.inv;
+    g.minBTF = tiers.flat.min, g.btfInv = tiers.flat.inv;
+    setGains(g, images.sliceCover == SliceCover::Conserving, s.gains);
+    g.cellSize = f.cellSize;
+    g.top = s.slices.top;
+    g.slices = s.slices.slices;
+    g.reflectScale = s.slices.reflectScale;
+    g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
+    g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth;
+    g.eyeCell = cell, g.inCell = eye - cell;
+    g.fade = field.view->settings<GrassDrawing>().fade;
+    g.seed = static_cast<uint32_t>(f.seed);
+    g.species = static_cast<int>(index);
+    g.farTexels = static_cast<float>(s.slices.farReflectance.width);
+    g.sunWeights = imageWeights(ctx.globals.sunDirection, images.lightWeights);
+    g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
+    g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
+    const glm::vec3 clumps = clumpStrengths(sp);
+    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
+    g.leanAtFull = leanAtFull(sp);
+    g.translucency = sp.translucency;
+    g.meanHeight = s.look.height / f.cellSize;
+    g.sharpness = std::exp2(-images.sharpness);
     return g;
 }
 
@@ -291,8 +304,8 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float 
     std::vector<TerrainNode> out;
     const float near = f.view->tiers.flatFrom;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
-        const float side = 16 * n.level.x;
-        const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
+        const float side = 16 * n.spacing;
+        const glm::vec2 low = n.corner, high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
         const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
                                     std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
         if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near &&
@@ -313,8 +326,7 @@ void updateFar(DrawContext& ctx) {
             FieldSpecies& s = *field->species[i];
             ensureSlices(ctx, *field, i);
             updateGains(s, fieldLight(ctx, *field, i));
-            SliceGlobals g = globalsOf(ctx, *field, i);
-            g.ambient.w = static_cast<float>(i);
+            const SliceGlobals g = globalsOf(ctx, *field, i);
             writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
         }
         state.selected.push_back({field, farNodes(ctx, *field, std::numeric_limits<float>::infinity())});
@@ -389,8 +401,8 @@ void drawFieldShadow(DrawContext& ctx, const Field& field, const Buffer& room) {
     if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->features)) return;
     bindField(field);
     const bool sun =
-        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
-    const int lamps = static_cast<int>(ctx.shared.lights.count.y);
+        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
+    const int lamps = ctx.shared.lights.casting;
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
         for (size_t i = 0; i < field.species.size(); ++i) {
             glUniform1i(0, light);

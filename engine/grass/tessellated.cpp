@@ -1,11 +1,14 @@
 #include "grass/tessellated.h"
 
+#include <chrono>
+
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "grass/drawing.h"
 #include "grass/field.h"
 #include "grass/gpu_cells.h"
 #include "grass/tessellated_settings.h"
+#include "shared/tess.h"
 
 namespace sward {
 namespace {
@@ -57,12 +60,16 @@ float mostWidening(const TessellatedBlades& f) {
 
 TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const Species& species, float covered) {
     TessGlobals g;
-    g.range = {f.maxDistance, f.thinning / f.maxDistance, 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f),
-               mostWidening(f)};
-    const bool byPixels = f.levelBy == LevelBy::Pixels;
-    g.level = {static_cast<float>(species.smoothness), byPixels ? f.pixelsPerQuad : 0, kNear,
-               pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings))};
-    g.plain = {kPlainPixels, 2 * covered, 0, 0};  // a triangle covers half of its strip
+    g.maxDistance = f.maxDistance;
+    g.thinning = f.thinning / f.maxDistance;
+    g.lowerInv = 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f);
+    g.widest = mostWidening(f);
+    g.mostLevel = static_cast<float>(species.smoothness);
+    g.pixelsPerQuad = f.levelBy == LevelBy::Pixels ? f.pixelsPerQuad : 0;
+    g.near = kNear;
+    g.pixelsPerMetre = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    g.plainPixels = kPlainPixels;
+    g.plainWidth = 2 * covered;  // a triangle covers half of its strip
     return g;
 }
 
@@ -108,7 +115,7 @@ CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const Species& species = field.grows().species[i];
     CellQuery q = drawnQuery(ctx, field, i);
-    q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
+    q.reach += species.width * (mostWidening(f) * ctx.globals.widening - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
     if (f.levelBy == LevelBy::Pixels) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
@@ -120,7 +127,7 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState&
     const Species& species = field.grows().species[i];
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     updateSpecies(ctx, s, field, i);
-    const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.mode.w;
+    const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.widening;
     const CellQuery query = queryOf(ctx, field, i);
     const bool byGpu = field.view->settings<GrassDrawing>().culling != Culling::Cpu && gpuMayChoose(query);
     chooseCells(ctx, s.chosen,

@@ -36,20 +36,15 @@ std::span<const Upgrade> projectUpgrades() {
 
 Status upgradeProject(Json& project, const std::string& file, std::span<const Upgrade> steps) {
     if (!project.isObject())
-        return Error{ExitCode::Unsound,
-                     fmt::format("a project is an object, not {}", jsonTypeName(project.type)),
-                     file,
-                     project.line,
-                     project.column,
-                     {}};
+        return unsound(fmt::format("a project is an object, not {}", jsonTypeName(project.type)))
+            .at(file, project.line, project.column);
     const int newest = 1 + static_cast<int>(steps.size());
     const Json* format = project.find("format");
-    if (!format) return {};
     const auto refuseFormat = [&](std::string message, std::string remedy) {
-        return Error{ExitCode::Unsound, std::move(message), file, format->line, format->column, std::move(remedy)};
+        return unsound(std::move(message), std::move(remedy)).at(file, format->line, format->column);
     };
-    const double n = format->number;
-    if (!format->isNumber() || n < 1 || n != std::floor(n))
+    const double n = format ? format->number : 1;
+    if (format && (!format->isNumber() || n < 1 || n != std::floor(n)))
         return refuseFormat("format: must be a whole number from 1", fmt::format("this Sward reads up to {}", newest));
     if (n > newest)
         return refuseFormat(

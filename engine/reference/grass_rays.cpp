@@ -141,14 +141,14 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
 
 void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
     WindGlobals g = windGlobals(wind, {0, 0}, 0);
-    g.way.z = kind.gust = windStrength(wind, *kind.species);
+    g.strength = kind.gust = windStrength(wind, *kind.species);
     kind.windSlope = windSlope(g, gusts);
 }
 
 // The kinds of one field, their Embree devices with them.
 Status addKinds(RayField& f, const Project& p, const JobControl& control) {
     for (const Species& s : f.grass->species) {
-        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (control.cancelled()) return failed("cancelled");
         auto kind = std::make_unique<Kind>();
         kind->species = &s;
         kind->patch = makePatch(s, f.grass->cellSize, static_cast<uint32_t>(f.grass->seed));
@@ -164,12 +164,8 @@ Status addKinds(RayField& f, const Project& p, const JobControl& control) {
         kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
         kind->device.reset(rtcNewDevice(nullptr));
         if (!kind->device)
-            return Error{ExitCode::Failed,
-                         "rays cannot be prepared: Embree has no memory, or does not know this processor",
-                         "",
-                         0,
-                         0,
-                         "close other programs"};
+            return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                          "close other programs");
         f.kinds.push_back(std::move(kind));
     }
     return {};

@@ -336,7 +336,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
                                    : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
-    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.way.z = f.kinds[kind]->gust;
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = f.kinds[kind]->gust;
     c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }

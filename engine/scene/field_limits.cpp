@@ -1,7 +1,8 @@
 #include "scene/field_limits.h"
 
 #include "scene/technique.h"
-#include "shared/frame.h"
+#include "shared/grass.h"
+#include "shared/soil.h"
 
 namespace sward {
 namespace {
@@ -42,12 +43,7 @@ std::optional<FieldFault> brokenLimit(const Project& p) {
 Status checkFields(const Project& p) {
     const std::optional<FieldFault> fault = brokenLimit(p);
     if (!fault) return {};
-    return Error{ExitCode::Unsound,
-                 fault->message,
-                 (p.dir / "project.json").string(),
-                 0,
-                 0,
-                 "put species together, or remove some"};
+    return unsound(fault->message, "put species together, or remove some").at(p.dir / "project.json");
 }
 
 }  // namespace sward

@@ -28,7 +28,7 @@ float directShare(bool casts, SoilShares s) { return GROUND_SHADOWS && CASTING_L
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
     vec3 sum = ambientLight(n) * s.ambient;
-    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunLight.w > 0.0, s);
+    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunCasts > 0.0, s);
     for (int i = 0; i < lampCount(); ++i) sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), s);
     return sum;
 }

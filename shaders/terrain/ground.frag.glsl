@@ -22,10 +22,10 @@ in vec3 normal;
 out vec4 color;
 
 vec3 soil(vec2 uv) {
-    vec3 tile = texture(tileTexture, place * frame.groundColor.w).rgb * 2.0 * frame.groundColor.rgb;
+    vec3 tile = texture(tileTexture, place * frame.soilTiles).rgb * 2.0 * frame.soilColor;
     if (!TERRAIN_MAP) return tile;
-    vec4 map = texture(terrainMap, tiled(uv, frame.maps.w));
-    return soilColor(tile, frame.groundColor.rgb, map.rgb, map.a);
+    vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling));
+    return soilColor(tile, frame.soilColor, map.rgb, map.a);
 }
 
 void main() {
