@@ -62,7 +62,7 @@ void bakeOcclusion(EditorApp& app) {
 void makeBladeHeight(EditorApp& app) {
     std::string density;
     for (const ConstFieldRef& map : allMaps(app.doc.project(), app.doc.tables().components))
-        if (std::string_view(map.row->name) == "density" && (density.empty() || map.path == app.brushes.map))
+        if (map.row->map->role == MapRole::Density && (density.empty() || map.path == app.brushes.map))
             density = map.path;
     if (density.empty()) return say(app, "Height from Density: no species has a density map");
     if (Status s = heightFromDensity(app.doc, density); !s) return showError(app, s.error());

@@ -2,6 +2,7 @@
 
 #include "maps/map_repair.h"
 #include "project/packed_map.h"
+#include "scene/map_fields.h"
 #include "script/map_ops.h"
 #include "tools/stroke.h"
 
@@ -31,7 +32,7 @@ Status heightFromDensity(Document& document, const std::string& name) {
     if (!from.present()) return usage(density->path + ": there is no map", "create or import one first");
     const Result<MapScale> scale = mapScale(p, *density);
     if (!scale) return scale.error();
-    Map map = convertMap(from.map, height->row->mapType);
+    Map map = convertMap(from.map, height->row->map->type);
     const double radius = kReach * heightOf(p, *density);
     const auto texels = [&](int n, double metres) {
         return std::clamp(radius * n / metres, kLeastTexels, static_cast<double>(n));
@@ -40,7 +41,9 @@ Status heightFromDensity(Document& document, const std::string& name) {
             scale->repeats);
     document.beginGroup("height from density");
     Status done = document.setMap(height->path, std::move(map), "height from density");
-    if (done) done = document.setField(height->path + "Tiling", fmt::format("{}", scale->factor));
+    if (done)
+        done =
+            document.setField(fieldBeside(*height, *height->row->map->tiling).path, fmt::format("{}", scale->factor));
     done ? document.endGroup() : document.cancelGroup();
     return done;
 }

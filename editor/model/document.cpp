@@ -331,10 +331,10 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
     const Result<FieldRef> field = findMap(*impl_->project, impl_->rows(), mapPath);
     if (!field) return field.error();
     if (map.empty()) return usage(field->path + ": an empty map", "set the field to \"\" to remove the map");
-    if (map.info().channels != field->row->mapChannels)
+    if (map.info().channels != field->row->map->channels)
         return usage(fmt::format("{}: a map of {} channels, where {} are wanted", field->path, map.info().channels,
-                                 field->row->mapChannels));
-    if (field->row->isHeight && map.info().type == PixelType::U8)
+                                 field->row->map->channels));
+    if (field->row->map->role == MapRole::Heights && map.info().type == PixelType::U8)
         return usage(field->path + ": heights of 8 bits", "use 16 bits or floats");
     return impl_->changeField(label, *field, [&]() -> Status {
         auto& target = *static_cast<MapField*>(field->value);
@@ -390,7 +390,7 @@ Status checkTarget(const ConstFieldRef& field, const BrushSettings& brush, bool 
     const auto& target = *static_cast<const MapField*>(field.value);
     if (!target.present() && !create)
         return usage(field.path + ": there is no map to paint on", "create or import one first");
-    const MapKind kind = kindOf(*field.row);
+    const MapKind kind = field.row->map->kind;
     if (paints(*findBrush(brush.mode), kind)) return {};
     return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)),
                  "use " + brushesFor(kind));
@@ -408,9 +408,10 @@ Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSetting
     const auto& target = *static_cast<const MapField*>(field->value);
     const MapInfo info = target.present() ? target.map.info() : newMapInfo(*project, *field);
     BrushSettings settings = brush;
-    settings.low = field->row->isHeight ? -1e5f : 0.0f;
-    settings.high = field->row->isHeight ? 1e5f : 1.0f;
-    settings.colours = kindOf(*field->row) == MapKind::Colours;
+    const bool heights = field->row->map->role == MapRole::Heights;
+    settings.low = heights ? -1e5f : 0.0f;
+    settings.high = heights ? 1e5f : 1.0f;
+    settings.colours = field->row->map->kind == MapKind::Colours;
     return StrokePart{field->path, Stroke(*findBrush(brush.mode), settings, *scale, info, history.position())};
 }
 

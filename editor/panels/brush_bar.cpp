@@ -162,7 +162,7 @@ void drawBrushBar(EditorApp& app) {
                      : "How much one pass over a place changes it: - and = change it.");
     number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(app, b.angleDeg);
-    const bool colours = map && kindOf(*map->row) == MapKind::Colours;
+    const bool colours = map && map->row->map->kind == MapKind::Colours;
     if (colours) color(app);
     if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
         number(app, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),

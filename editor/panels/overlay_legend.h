@@ -5,11 +5,6 @@
 
 namespace sward {
 
-// What the ends of a scale of amounts mean on this map.
-struct AmountEnds {
-    const char *least, *most;
-};
-AmountEnds amountEnds(const FieldRow& map);
 void drawOverlayLegend(EditorApp& app);
 
 }  // namespace sward

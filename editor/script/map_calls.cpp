@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "maps/map_repair.h"
 #include "project/packed_map.h"
+#include "scene/map_fields.h"
 #include "scene/tiling.h"
 #include "script/files.h"
 #include "script/map_args.h"
@@ -35,12 +36,12 @@ int sizeOption(lua_State* L, Options& options, const char* name) {
 int create(lua_State* L, State& state) {
     Options options(L, 1);
     const ConstFieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
-    MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->mapChannels,
+    MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->map->channels,
                  PixelType::U16};
     info.channels = static_cast<int>(std::clamp(options.number("channels", info.channels), 0.0, 99.0));
-    info.type = typeOption(L, options, field.row->mapType);
-    if (info.channels != field.row->mapChannels)
-        raise(L, fmt::format("{} has {} channels, not {}", field.path, field.row->mapChannels, info.channels));
+    info.type = typeOption(L, options, field.row->map->type);
+    if (info.channels != field.row->map->channels)
+        raise(L, fmt::format("{} has {} channels, not {}", field.path, field.row->map->channels, info.channels));
     checkMapBytes(L, info);
     Map map(info);
     if (options.push("value")) {
@@ -167,11 +168,11 @@ int curve(lua_State* L, State&) {
 int copy(lua_State* L, State& state) {
     const ConstFieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
     const NamedMap from = mapArg(L, 2);
-    if (from.map.info().channels != to.row->mapChannels)
+    if (from.map.info().channels != to.row->map->channels)
         raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels,
-                             to.row->mapChannels, to.path));
+                             to.row->map->channels, to.path));
     MapInfo info = from.map.info();
-    info.type = to.row->mapType;
+    info.type = to.row->map->type;
     checkMapBytes(L, info);
     charge(L, texelCount(from.map) / 8);
     orRaise(L, state.document().setMap(to.path, convertMap(from.map, info.type), "copy " + from.field.path));
@@ -216,7 +217,8 @@ int importBoth(lua_State* L, State& state, const ConstFieldRef& density, const s
     GroupOrNothing group(state.document(), "import " + density.path);
     orRaise(L, state.document().setMap(density.path, std::move(maps.density), "import"));
     orRaise(L, state.document().setMap(height.path, std::move(maps.bladeHeight), "import"));
-    orRaise(L, state.document().setField(height.path + "Tiling", fmt::format("{}", tiling)));
+    orRaise(L,
+            state.document().setField(fieldBeside(height, *height.row->map->tiling).path, fmt::format("{}", tiling)));
     group.keep();
     for (const ConstFieldRef* f : {&density, &height})
         state.document().rememberImport(f->path, {file.filename().string(), flip, {}});
@@ -232,11 +234,11 @@ int import(lua_State* L, State& state) {
     if (options.packed) return importBoth(L, state, field, file, options);
     MapImport used;
     Map map = orRaise(L, readImport(p, field, file, options, &used));
-    const bool spansRange = field.row->isHeight && used.range && map.info().type != PixelType::F32;
+    const bool spansRange = field.row->map->heightRange && used.range && map.info().type != PixelType::F32;
     GroupOrNothing group(state.document(), "import " + field.path);
     orRaise(L, state.document().setMap(field.path, std::move(map), "import"));
     if (spansRange)
-        orRaise(L, state.document().setField(field.entity + "." + field.component->name + ".heightRange",
+        orRaise(L, state.document().setField(fieldBeside(field, *field.row->map->heightRange).path,
                                              fmt::format("[{}, {}]", used.range->first, used.range->second)));
     group.keep();
     state.document().rememberImport(field.path, used);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/app.h"
+#include "scene/map_fields.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
 
@@ -13,19 +14,17 @@ constexpr double kMostTexels = 10000;  // under the brush, that are read
 constexpr double kPi = 3.14159265358979323846;
 
 // The species' blades per square metre; nothing if the map is no density.
-std::optional<double> bladesPerM2Of(Document& document, const ConstFieldRef& map) {
-    if (std::string_view(map.row->name) != "density") return {};
-    const std::string path = map.path.substr(0, map.path.rfind('.')) + ".bladesPerM2";
-    const auto field = findField(document.project(), document.tables().components, path);
-    if (!field) return {};
-    return static_cast<double>(*static_cast<const float*>(field->value));
+std::optional<double> bladesPerM2Of(const ConstFieldRef& map) {
+    const FieldRow* row = map.row->map->bladesPerM2;
+    if (!row) return {};
+    return static_cast<double>(*static_cast<const float*>(fieldBeside(map, *row).value));
 }
 
 std::optional<double> underBrush(EditorApp& app) {
     const Viewport& v = app.viewport;
     const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!v.ground || app.brushes.tool == kLookTool || !map) return {};
-    const std::optional<double> perM2 = bladesPerM2Of(app.doc, *map);
+    const std::optional<double> perM2 = bladesPerM2Of(*map);
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
     if (!perM2 || !scale) return {};
     const glm::dvec3 at = *v.ground - findGround(app.doc.project()).origin;
@@ -36,7 +35,7 @@ std::optional<double> underBrush(EditorApp& app) {
 // Densities of all species: erasing may paint each.
 std::vector<ConstFieldRef> densities(EditorApp& app) {
     std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
-    std::erase_if(maps, [](const ConstFieldRef& m) { return std::string_view(m.row->name) != "density"; });
+    std::erase_if(maps, [](const ConstFieldRef& m) { return !m.row->map->bladesPerM2; });
     return maps;
 }
 
@@ -53,7 +52,7 @@ void countStroke(EditorApp& app, BrushCost& c) {
     for (const ConstFieldRef& m : densities(app)) {
         const Map& now = static_cast<const MapField*>(m.value)->map;
         const auto before = c.before.find(m.path);
-        const auto perM2 = bladesPerM2Of(app.doc, m);
+        const auto perM2 = bladesPerM2Of(m);
         const auto scale = mapScale(app.doc.project(), m);
         if (before == c.before.end() || !perM2 || !scale || now.empty()) continue;
         added += bladesAdded(before->second, now, *perM2, *scale);

@@ -10,14 +10,14 @@ bool present(const ConstFieldRef& map) { return static_cast<const MapField*>(map
 
 // The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
 std::string mapFor(EditorApp& app, const BrushRow& row) {
-    std::vector<std::string> fitting;
-    for (const ConstFieldRef& map : paintableMaps(app))
-        if (paints(row, kindOf(*map.row))) fitting.push_back(map.path);
-    for (const std::string& map : app.brushes.recentMaps)
-        if (std::find(fitting.begin(), fitting.end(), map) != fitting.end()) return map;
-    for (const std::string& map : fitting)
-        if (map.ends_with(".density")) return map;
-    return fitting.empty() ? "" : fitting.front();
+    std::vector<ConstFieldRef> fitting = paintableMaps(app);
+    std::erase_if(fitting, [&](const ConstFieldRef& map) { return !paints(row, map.row->map->kind); });
+    for (const std::string& recent : app.brushes.recentMaps)
+        for (const ConstFieldRef& map : fitting)
+            if (map.path == recent) return recent;
+    for (const ConstFieldRef& map : fitting)
+        if (map.row->map->role == MapRole::Density) return map.path;
+    return fitting.empty() ? "" : fitting.front().path;
 }
 
 std::string toolFor(const BrushBook& book, MapKind kind) {
@@ -47,7 +47,7 @@ void remember(BrushBook& book, MapKind kind) {
 std::vector<ConstFieldRef> paintableMaps(EditorApp& app) {
     if (!app.doc.isOpen()) return {};
     std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
-    std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->isHeight; });
+    std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights; });
     return maps;
 }
 
@@ -66,7 +66,7 @@ void selectTool(EditorApp& app, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
     const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (row && (!map || !paints(*row, kindOf(*map->row)))) {
+    if (row && (!map || !paints(*row, map->row->map->kind))) {
         const std::string other = mapFor(app, *row);
         if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
         app.brushes.map = other;
@@ -78,12 +78,12 @@ void selectTool(EditorApp& app, const std::string& tool) {
 void toggleLook(EditorApp& app) {
     const std::optional<ConstFieldRef> map = chosenMap(app);
     selectTool(app, app.brushes.tool != kLookTool ? kLookTool
-                                                  : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
+                                                  : toolFor(app.brushes, map ? map->row->map->kind : MapKind::Amounts));
 }
 
 void pickColor(EditorApp& app) {
     const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (!map || kindOf(*map->row) != MapKind::Colours)
+    if (!map || map->row->map->kind != MapKind::Colours)
         return say(app, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
@@ -107,7 +107,7 @@ void keepTargetValid(EditorApp& app) {
     }
     const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map) return;
-    const MapKind kind = kindOf(*map->row);
+    const MapKind kind = map->row->map->kind;
     const BrushRow* row = findBrush(app.brushes.tool);
     if (row && !paints(*row, kind)) app.brushes.tool = toolFor(app.brushes, kind);
     remember(app.brushes, kind);
@@ -122,7 +122,7 @@ std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
 bool showsSources(EditorApp& app, const ConstFieldRef& map) {
-    return map.row->isForce &&
+    return map.row->map->kind == MapKind::Forces &&
            has(sceneFeatures(app.doc.project().registry, app.doc.tables()), Feature::Forces);
 }
 }  // namespace
@@ -131,7 +131,7 @@ bool overlayShown(EditorApp& app) {
     const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map) return false;
     const auto chosen = app.brushes.overlays.find(map->path);
-    return chosen != app.brushes.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
+    return chosen != app.brushes.overlays.end() ? chosen->second : map->row->map->role != MapRole::Density;
 }
 
 void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !overlayShown(app); }

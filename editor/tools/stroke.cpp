@@ -4,6 +4,7 @@
 
 #include "core/jobs.h"
 #include "core/numerics.h"
+#include "scene/map_fields.h"
 #include "scene/tiling.h"
 
 namespace sward {
@@ -13,28 +14,6 @@ constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change not
 constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
 
-// "orientation" repeats "orientationTiling" times, where the component has such a field.
-std::string tilingName(const ConstFieldRef& map) { return std::string(map.row->name) + "Tiling"; }
-const float* tilingIn(std::span<const FieldRow> fields, const void* base, const std::string& wanted) {
-    for (const FieldRow& field : fields)
-        if (field.name == wanted && field.type == FieldType::Float)
-            return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
-    return nullptr;
-}
-float tilingFactor(const Project& p, const ConstFieldRef& map) {
-    const void* base = map.component->get(p.registry, findEntity(p, map.entity));
-    if (const float* found = tilingIn(map.component->fields, base, tilingName(map))) return *found;
-    for (const FieldRow& field : map.component->fields) {  // in an element of a list, beside the map itself
-        if (field.type != FieldType::List) continue;
-        const void* list = static_cast<const std::byte*>(base) + field.offset;
-        for (size_t i = 0; i < field.list->size(list); ++i) {
-            const void* element = field.list->at(list, i);
-            for (const FieldRow& own : field.list->fields)
-                if (static_cast<const std::byte*>(element) + own.offset == map.value)
-                    if (const float* found = tilingIn(field.list->fields, element, tilingName(map))) return *found;
-        }
-    }
-    return 1;
 }
 
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
@@ -53,10 +32,10 @@ double milliseconds() {
 Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
     const Terrain* terrain = terrainOf(p, map.entity);
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
-    const float factor = tilingFactor(p, map);
+    const float factor = mapTiling(map);
     const Tiling tiling = tilingOf(*terrain, factor);
     return MapScale{tiling.metres.x, tiling.metres.y,
-                    tiling.repeats,  tiling.repeats && map.row->isHeight,
+                    tiling.repeats,  tiling.repeats && map.row->map->role == MapRole::Heights,
                     factor,          shaderTiling(*terrain, factor)};
 }
 
@@ -91,7 +70,7 @@ std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const Comp
     if (!p.entities.contains(entity) || !grows(entity)) entity.clear();
     std::vector<BrushSettings> brushes;
     for (const ConstFieldRef& map : allMaps(p, rows, true)) {
-        if (std::string_view(map.row->name) != "density" || !grows(map.entity)) continue;
+        if (map.row->map->role != MapRole::Density || !grows(map.entity)) continue;
         if (entity.empty()) entity = map.entity;
         if (map.entity != entity) continue;
         brushes.push_back(like);

@@ -8,14 +8,27 @@
 namespace sward {
 namespace {
 
+constexpr FieldRow kBladeHeightTiling = tiling("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling),
+                                               "repeats of the blade-height map over the terrain's mapSize");
+constexpr MapRow kBladeHeights{
+    .type = PixelType::U8, .tiling = &kBladeHeightTiling, .least = "0 no height", .most = "1 full height"};
+constexpr FieldRow kBladeHeight = map("bladeHeight", offsetof(GrassField, bladeHeight), &kBladeHeights,
+                                      "share of their height that blades have; none: all of it");
+
+constexpr FieldRow kDensityTiling =
+    tiling("densityTiling", offsetof(Species, densityTiling), "repeats of the density map over the terrain's mapSize");
+constexpr FieldRow kBladesPerM2 = real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
+                                       "blades on a square metre at density 1");
+constexpr MapRow kDensity{.role = MapRole::Density,
+                          .texelsPerMetre = 8,
+                          .tiling = &kDensityTiling,
+                          .bladesPerM2 = &kBladesPerM2,
+                          .packedWith = &kBladeHeight};
 constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
-    map("density", offsetof(Species, density), 1, PixelType::U16,
-        "where it grows: share of bladesPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Species, densityTiling), "", kTiling,
-         "repeats of the density map over the terrain's mapSize"),
-    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
-         "blades on a square metre at density 1"),
+    map("density", offsetof(Species, density), &kDensity, "where it grows: share of bladesPerM2; none: everywhere"),
+    kDensityTiling,
+    kBladesPerM2,
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
     real("heightVariation", offsetof(Species, heightVariation), "", kShare,
          "how much lengths differ, as a share, both ways"),
@@ -49,33 +62,43 @@ constexpr FieldRow kSpeciesFields[] = {
 };
 constexpr ListRow kSpeciesList = listRow<Species>(kSpeciesFields);
 
+constexpr FieldRow kOrientationTiling = tiling("orientationTiling", offsetof(GrassField, orientationTiling),
+                                               "repeats of the orientation map over the terrain's mapSize");
+constexpr FieldRow kVegetationTiling = tiling("vegetationTiling", offsetof(GrassField, vegetationTiling),
+                                              "repeats of the vegetation map over the terrain's mapSize");
+constexpr FieldRow kOcclusionTiling = tiling("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling),
+                                             "repeats of the ambient-occlusion map over the terrain's mapSize");
+constexpr FieldRow kForcesTiling = tiling("forcesTiling", offsetof(GrassField, forcesTiling),
+                                          "repeats of the map of forces over the terrain's mapSize");
+constexpr MapRow kOrientation{.kind = MapKind::Directions, .channels = 2, .tiling = &kOrientationTiling};
+constexpr MapRow kVegetation{.kind = MapKind::Colours,
+                             .channels = 4,
+                             .type = PixelType::U8,
+                             .tiling = &kVegetationTiling,
+                             .least = "0 grass",
+                             .most = "1 covered"};
+constexpr MapRow kOcclusion{.type = PixelType::U8, .tiling = &kOcclusionTiling, .least = "0 closed", .most = "1 open"};
+constexpr MapRow kPaintedForces{
+    .kind = MapKind::Forces, .channels = 4, .type = PixelType::U8, .texelsPerMetre = 8, .tiling = &kForcesTiling};
 constexpr FieldRow kFields[] = {
     name("technique", offsetof(GrassField, technique), "how the grass is drawn"),
     listOf("species", offsetof(GrassField, species), &kSpeciesList, "the kinds of blade that grow here"),
     real("cellSize", offsetof(GrassField, cellSize), "m", {0.05, 100, 0.1, 4},
          "side of the square of blades that is repeated"),
-    number(FieldType::Int, "seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000},
-           "another number: other blades"),
-    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
+    whole("seed", offsetof(GrassField, seed), "", {0, 2147483647, 0, 1000}, "another number: other blades"),
+    map("orientation", offsetof(GrassField, orientation), &kOrientation,
         "direction x, z about 0.5 in which blades lean"),
-    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
-        "colour and opacity over the blades' own colour"),
-    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
+    map("vegetation", offsetof(GrassField, vegetation), &kVegetation, "colour and opacity over the blades' own colour"),
+    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), &kOcclusion,
         "share of the sky that the ground sees"),
-    forces("forces", offsetof(GrassField, forces),
-           "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
-    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8,
-        "share of their height that blades have; none: all of it"),
-    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
-         "repeats of the orientation map over the terrain's mapSize"),
-    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
-         "repeats of the vegetation map over the terrain's mapSize"),
-    real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
-         "repeats of the ambient-occlusion map over the terrain's mapSize"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling,
-         "repeats of the map of forces over the terrain's mapSize"),
-    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling,
-         "repeats of the blade-height map over the terrain's mapSize"),
+    map("forces", offsetof(GrassField, forces), &kPaintedForces,
+        "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    kBladeHeight,
+    kOrientationTiling,
+    kVegetationTiling,
+    kOcclusionTiling,
+    kForcesTiling,
+    kBladeHeightTiling,
     choice("population", &GrassField::population, offsetof(GrassField, population), kPopulations,
            "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
 };

@@ -11,12 +11,23 @@ constexpr const char* kOwner = "post/map-overlay";
 // The texture that something else reads, if it does; else one of the overlay's own while it is shown.
 GLuint textureOf(DrawContext& ctx, const ConstFieldRef& field) {
     if (const GLuint shared = ctx.maps.shared(field.path)) return shared;
-    return ctx.maps.get(kOwner, field.path, static_cast<const MapField*>(field.value)->map, !field.row->isForce, true);
+    return ctx.maps.get(kOwner, field.path, static_cast<const MapField*>(field.value)->map,
+                        field.row->map->kind == MapKind::Colours, true);
 }
 
 // How the shader shows it.
-float kindOf(const FieldRow& row) {
-    return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4;
+float kindNumber(MapKind kind) {
+    switch (kind) {
+        case MapKind::Amounts:
+            return 1;
+        case MapKind::Directions:
+            return 2;
+        case MapKind::Forces:
+            return 3;
+        case MapKind::Colours:
+            return 4;
+    }
+    return 0;
 }
 
 // Metres, with room for the ground's own roughness.
@@ -33,8 +44,8 @@ void draw(DrawContext& ctx) {
     const Result<ConstFieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
-    const bool pressed =
-        field->row->isForce && has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
+    const bool pressed = field->row->map->kind == MapKind::Forces &&
+                         has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
     if ((map.empty() && !pressed) || !ctx.use(0, depthConstants(ctx.targets))) return;
     if (!map.empty()) glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
@@ -42,7 +53,8 @@ void draw(DrawContext& ctx) {
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
         static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.mapShare.x;
-    glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    glUniform4f(0, kindNumber(field->row->map->kind), static_cast<float>(overlay.tiling), metresPerPixel,
+                texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());
     glEnable(GL_BLEND);

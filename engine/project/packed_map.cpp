@@ -2,13 +2,13 @@
 
 #include "maps/map_io.h"
 #include "maps/map_repair.h"
+#include "scene/map_fields.h"
 
 namespace sward {
 namespace {
 
 constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a share of red
 
-const MapField& mapOf(const ConstFieldRef& f) { return *static_cast<const MapField*>(f.value); }
 
 // One of several channels, as a map of its own.
 Map channelOf(const Map& floats, int channel, PixelType type) {
@@ -34,14 +34,6 @@ bool hasOwnCoarse(const Map& floats) {
             if (std::abs(row[i + 1] - kCoarseShare * row[i]) > kGreenStep) return true;
     }
     return false;
-}
-
-// The tiling field of a map of the field, or of its species.
-const float& tilingBeside(const Project& p, const ConstFieldRef& map) {
-    const GrassField& f = *p.registry.get<GrassField>(findEntity(p, map.entity));
-    for (const Species& s : f.species)
-        if (&s.density == map.value) return s.densityTiling;
-    return f.bladeHeightTiling;
 }
 
 float shareAt(const MapField& m, double u, double v) { return m.present() ? m.map.sample(u, v) : 1.0f; }
@@ -95,10 +87,11 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip, std:
 
 Result<ConstFieldRef> bladeHeightBeside(const Project& p, std::span<const ComponentRow> rows,
                                         const ConstFieldRef& density) {
-    if (std::string_view(density.row->name) != "density" || std::string_view(density.component->name) != "GrassField")
+    const FieldRow* height = density.row->map->packedWith;
+    if (!height)
         return usage(density.path + " is no density map: only those are packed with blade heights",
                      "name a species' density");
-    return findField(p, rows, density.entity + ".GrassField.bladeHeight");
+    return findField(p, rows, fmt::format("{}.{}.{}", density.entity, density.component->name, height->name));
 }
 
 Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
@@ -115,7 +108,7 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
     if (maps->ownCoarse && repaired) repaired->emplace_back(kGreenNotKept);
     put(p, *density, std::move(maps->density), file, flip);
     put(p, *height, std::move(maps->bladeHeight), file, flip);
-    p.registry.get<GrassField>(findEntity(p, height->entity))->bladeHeightTiling = tilingBeside(p, *density);
+    *static_cast<float*>(fieldBeside(*height, *height->row->map->tiling).value) = mapTiling(*density);
     return {};
 }
 
@@ -129,7 +122,7 @@ Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const 
     if (!red.present() && !blue.present())
         return usage(fmt::format("neither {} nor {} has a map", density->path, height->path),
                      "import or paint one first");
-    if (red.present() && blue.present() && tilingBeside(p, *density) != tilingBeside(p, *height))
+    if (red.present() && blue.present() && mapTiling(*density) != mapTiling(*height))
         return usage(fmt::format("{} and {} repeat differently, and cannot be one image", density->path, height->path),
                      "give both the same tiling, or export them apart");
     return writeMap(file, packed(red, blue), flipOf(p, *density, options));

@@ -6,6 +6,7 @@
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
+#include "scene/map_fields.h"
 
 namespace fs = std::filesystem;
 
@@ -68,8 +69,7 @@ std::vector<MapLoad> mapsToLoad(Loading& l) {
         if (file.empty()) continue;
         MapLoad load;
         load.file = file;
-        load.wish.channels = f.row->mapChannels;
-        load.wish.isHeight = f.row->isHeight;
+        load.wish = mapWish(*f.row);
         const auto same = std::find_if(loads.begin(), loads.end(),
                                        [&](const MapLoad& o) { return o.file == file && sameWish(o.wish, load.wish); });
         MapLoad& target = same == loads.end() ? loads.emplace_back(std::move(load)) : *same;

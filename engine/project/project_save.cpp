@@ -4,6 +4,7 @@
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
+#include "scene/map_fields.h"
 
 namespace fs = std::filesystem;
 
@@ -49,17 +50,10 @@ bool equalTexels(const Map& a, const Map& b) {
     return true;
 }
 
-MapWish wishOf(const FieldRow& row) {
-    MapWish wish;
-    wish.channels = row.mapChannels;
-    wish.isHeight = row.isHeight;
-    return wish;
-}
-
 // True if the file holds these texels and reading it needs no repair.
 bool fileHolds(const fs::path& file, const PlannedMap& planned) {
     std::vector<std::string> repaired;
-    const Result<Map> map = readMap(file, wishOf(*planned.field.row), &repaired);
+    const Result<Map> map = readMap(file, mapWish(*planned.field.row), &repaired);
     const bool oneTexel = planned.map->info().width == 1 && planned.map->info().height == 1;
     return map && repaired.size() == (oneTexel ? 1u : 0u) && equalTexels(*map, *planned.map);
 }
@@ -88,14 +82,14 @@ bool mapChanged(const Saving& s, const PlannedMap& planned) {
 
 Status checkMap(const PlannedMap& planned) {
     const MapInfo& info = planned.map->info();
-    const FieldRow& row = *planned.field.row;
+    const MapRow& row = *planned.field.row->map;
     const auto refuse = [&](std::string what, std::string remedy) {
         return failed(planned.field.path + ": " + std::move(what), std::move(remedy)).at(planned.file);
     };
-    if (info.channels != row.mapChannels)
-        return refuse(fmt::format("has {} channels, not {}", info.channels, row.mapChannels),
+    if (info.channels != row.channels)
+        return refuse(fmt::format("has {} channels, not {}", info.channels, row.channels),
                       "make a map with the right number of channels");
-    if (row.isHeight && info.type == PixelType::U8)
+    if (row.role == MapRole::Heights && info.type == PixelType::U8)
         return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
     if (const auto inside = resolveInside(".", planned.file); !inside)
         return refuse(inside.error().message, inside.error().remedy);

@@ -19,22 +19,37 @@ constexpr FieldRow kTransformFields[] = {
 FeatureSet transformFeatures(const void*) { return {}; }
 
 // --- Terrain -----------------------------------------------------------------------------------------------------
+constexpr FieldRow kHeightRange =
+    number(FieldType::Vec2, "heightRange", offsetof(Terrain, heightRange), "m", {-1e5, 1e5, -100, 1000},
+           "heights at 0 and at full scale of an integer height map");
+constexpr FieldRow kHeightTiling = tiling("heightTiling", offsetof(Terrain, heightTiling),
+                                          "repeats of the height map over mapSize, every other one mirrored");
+constexpr FieldRow kTerrainMapTiling =
+    tiling("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "repeats of the terrain map over mapSize");
+constexpr MapRow kHeights{.role = MapRole::Heights,
+                          .type = PixelType::F32,
+                          .tiling = &kHeightTiling,
+                          .heightRange = &kHeightRange,
+                          .least = "low",
+                          .most = "high"};
+constexpr MapRow kTerrainMap{.kind = MapKind::Colours,
+                             .channels = 4,
+                             .type = PixelType::U8,
+                             .tiling = &kTerrainMapTiling,
+                             .least = "0 soil",
+                             .most = "1 covered"};
 constexpr FieldRow kTerrainFields[] = {
     number(FieldType::Vec2, "size", offsetof(Terrain, size), "m", {0.1, 1e6, 1, 1000}, "extent along x and z"),
-    heights("height", offsetof(Terrain, height),
-            "heights; float maps in metres, integer maps span heightRange; none: flat"),
-    number(FieldType::Vec2, "heightRange", offsetof(Terrain, heightRange), "m", {-1e5, 1e5, -100, 1000},
-           "heights at 0 and at full scale of an integer height map"),
+    map("height", offsetof(Terrain, height), &kHeights,
+        "heights; float maps in metres, integer maps span heightRange; none: flat"),
+    kHeightRange,
     real("gridSpacing", offsetof(Terrain, gridSpacing), "m", {0.01, 1000, 0.05, 4},
          "distance between vertices of the finest level"),
     real("lodDistance", offsetof(Terrain, lodDistance), "m", {0.1, 1e6, 5, 500},
          "how far the finest level reaches; each next level doubles it"),
-    map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
-        "colour and opacity blended over the tile texture"),
-    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling,
-         "repeats of the height map over mapSize, every other one mirrored"),
-    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling,
-         "repeats of the terrain map over mapSize"),
+    map("terrainMap", offsetof(Terrain, terrainMap), &kTerrainMap, "colour and opacity blended over the tile texture"),
+    kHeightTiling,
+    kTerrainMapTiling,
     real("mapSize", offsetof(Terrain, mapSize), "m", {0, 1e6, 0, 1000},
          "length over which every map's tiling counts its repeats; 0: the whole terrain"),
     imageFile("groundTexture", offsetof(Terrain, groundTexture),
@@ -91,6 +106,7 @@ FeatureSet skyFeatures(const void* component) {
     return static_cast<const Sky*>(component)->intensity > 0 ? featureSet(Feature::Sky) : FeatureSet{};
 }
 
+constexpr MapRow kGusts{.least = "0 calm", .most = "1 gust"};
 constexpr FieldRow kWindFields[] = {
     choice("model", &Wind::model, offsetof(Wind, model), kWindModels,
            "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
@@ -102,7 +118,7 @@ constexpr FieldRow kWindFields[] = {
     real("gustSize", offsetof(Wind, gustSize), "m", {0.1, 10000, 2, 30}, "length of a gust along the wind"),
     real("turbulence", offsetof(Wind, turbulence), "", kShare, "share of small gusts, and how much blades quiver"),
     real("quiverHz", offsetof(Wind, quiverHz), "Hz", {0, 50, 1, 6}, "how fast blades quiver"),
-    map("gusts", offsetof(Wind, gusts), 1, PixelType::U16,
+    map("gusts", offsetof(Wind, gusts), &kGusts,
         "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
     real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1},
          "of waves: how close they follow each other; in steps of 0.05"),
@@ -168,11 +184,13 @@ FeatureSet waterFeatures(const void* component) {
                                                                 : featureSet(Feature::Water);
 }
 
+constexpr FieldRow kFlowerTiling =
+    tiling("densityTiling", offsetof(Flowers, densityTiling), "repeats of the density map over the terrain's mapSize");
+constexpr MapRow kFlowerDensity{.role = MapRole::Density, .texelsPerMetre = 8, .tiling = &kFlowerTiling};
 constexpr FieldRow kFlowersFields[] = {
-    map("density", offsetof(Flowers, density), 1, PixelType::U16,
+    map("density", offsetof(Flowers, density), &kFlowerDensity,
         "where they stand: share of flowersPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling,
-         "repeats of the density map over the terrain's mapSize"),
+    kFlowerTiling,
     real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50},
          "flowers on a square metre at density 1; 0: none"),
     real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),

@@ -81,25 +81,16 @@ constexpr FieldRow choice(const char* name, E C::*, size_t offset, const EnumNam
 constexpr FieldRow name(const char* fieldName, size_t offset, const char* help) {
     return number(FieldType::Name, fieldName, offset, "", {}, help);
 }
-// A painted map. channels: that it wants; type: of a new one's texels.
-constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType type, const char* help) {
-    FieldRow row = number(FieldType::Map, name, offset, "", {}, help);
-    row.mapChannels = channels;
-    row.mapType = type;
+// A painted map. `known` must outlive the row; fields beside the map that it names must stand in the same table.
+constexpr FieldRow map(const char* fieldName, size_t offset, const MapRow* known, const char* help) {
+    FieldRow row = number(FieldType::Map, fieldName, offset, "", {}, help);
+    row.map = known;
+    if (known->role == MapRole::Heights) row.unit = "m";
     return row;
 }
-// A map of what presses on blades (numerics/population.h, paintedForce).
-constexpr FieldRow forces(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 4, PixelType::U8, help);
-    row.isForce = true;
-    return row;
-}
-// A map of heights in metres.
-constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 1, PixelType::F32, help);
-    row.unit = "m";
-    row.isHeight = true;
-    return row;
+// How often a map repeats over Terrain.mapSize, a float.
+constexpr FieldRow tiling(const char* fieldName, size_t offset, const char* help) {
+    return real(fieldName, offset, "", kTiling, help);
 }
 // A list of structs, each described by `list`.
 constexpr FieldRow listOf(const char* name, size_t offset, const ListRow* list, const char* help) {

@@ -12,8 +12,8 @@
 
 #include "core/jobs.h"
 #include "ecs/registry.h"
-#include "maps/map.h"
 #include "scene/features.h"
+#include "scene/map_row.h"
 
 namespace sward {
 
@@ -54,11 +54,8 @@ struct FieldRow {
     const char* help;                           // one line
     std::span<const char* const> options = {};  // Enum
     const ListRow* list = nullptr;              // List
-    int mapChannels = 1;                        // Map: channels wanted
-    PixelType mapType = PixelType::U16;         // Map: type of a new one
+    const MapRow* map = nullptr;                // Map
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
-    bool isHeight = false;                      // Map: heights, never 8-bit
-    bool isForce = false;                       // Map: what presses on blades; four channels that are no colour
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
 };

@@ -72,8 +72,8 @@ void fill(const FieldRow& row, void* value, int n) {
             break;
         case FieldType::Map: {
             auto& field = *static_cast<MapField*>(value);
-            field.map = patternMap({5 + n % 7, 4, row.mapChannels, row.mapType});
-            field.file = fmt::format("maps/{}.{}", n, row.mapType == PixelType::F32 ? "exr" : "png");
+            field.map = patternMap({5 + n % 7, 4, row.map->channels, row.map->type});
+            field.file = fmt::format("maps/{}.{}", n, row.map->type == PixelType::F32 ? "exr" : "png");
             break;
         }
         case FieldType::List:
@@ -110,8 +110,11 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
             EXPECT_NE(f.list, nullptr) << path;
         }
         if (f.type == FieldType::Map) {
-            EXPECT_TRUE(f.mapChannels >= 1 && f.mapChannels <= 4) << path;
-            EXPECT_FALSE(f.isHeight && f.mapType == PixelType::U8) << path;
+            ASSERT_NE(f.map, nullptr) << path;
+            constexpr int kChannels[] = {1, 2, 4, 4};
+            EXPECT_EQ(f.map->channels, kChannels[static_cast<size_t>(f.map->kind)]) << path;
+            EXPECT_FALSE(f.map->role == MapRole::Heights && f.map->type == PixelType::U8) << path;
+            EXPECT_GT(f.map->texelsPerMetre, 0) << path;
         }
         if (f.type > FieldType::Color || f.type == FieldType::Bool) return;
         EXPECT_LT(f.hardMin, f.hardMax) << path;
