@@ -367,7 +367,7 @@ bool comparing(const EditorApp& app) {
 
 std::string techniqueShown(Document& document) {
     const auto* field = firstOf<GrassField>(document.project());
-    return field ? kTechniques[field->technique] : "";
+    return field ? field->technique : "";
 }
 
 std::string comparisonLabel(const EditorApp& app) {

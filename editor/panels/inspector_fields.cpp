@@ -76,9 +76,9 @@ void boolField(EditorApp& app, const ConstFieldRef& f) {
     if (ui::checkbox(f.path, value)) set(app, f.path, value ? "true" : "false");
 }
 
-void enumField(EditorApp& app, const ConstFieldRef& f) {
+void choiceField(EditorApp& app, const ConstFieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
-    int chosen = enumIndex(f.value);
+    int chosen = static_cast<int>(std::find(items.begin(), items.end(), fieldText(f)) - items.begin());
     if (ui::combo(f.path, items, chosen)) set(app, f.path, items[static_cast<size_t>(chosen)]);
 }
 
@@ -135,7 +135,8 @@ void value(EditorApp& app, const ConstFieldRef& f) {
         case FieldType::String:
             return textLine(app, f, *static_cast<const std::string*>(f.value));
         case FieldType::Enum:
-            return enumField(app, f);
+        case FieldType::Name:
+            return choiceField(app, f);
         case FieldType::Map:
             return mapField(f);
         case FieldType::List:

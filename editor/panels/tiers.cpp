@@ -11,9 +11,11 @@
 namespace sward {
 namespace {
 
-ConstFieldRef fieldNamed(EditorApp& app, const char* name) {
+// A field of a component on the entity whose tiers are shown.
+ConstFieldRef fieldNamed(EditorApp& app, const char* component, const char* name) {
+    const Project& p = app.doc.project();
     const Result<ConstFieldRef> f =
-        findField(app.doc.project(), app.doc.tables().components, tierEntity(app) + ".GrassField." + name);
+        findField(p, app.doc.tables().components, fmt::format("{}.{}.{}", tierEntity(app), component, name));
     CHECK(bool(f));
     return *f;
 }
@@ -46,7 +48,7 @@ void typeDistance(EditorApp& app, size_t i, const std::string& text, const ui::N
 
 void distance(EditorApp& app, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
-    const ConstFieldRef field = fieldNamed(app, name);
+    const ConstFieldRef field = fieldNamed(app, "HybridTiers", name);
     const std::string help =
         fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
@@ -90,8 +92,8 @@ void chooseField(EditorApp& app) {
     if (ui::combo("Field", names, chosen)) app.tierView.field = names[static_cast<size_t>(chosen)];
 }
 
-void numberOf(EditorApp& app, const char* name, const char* title) {
-    const ConstFieldRef field = fieldNamed(app, name);
+void numberOf(EditorApp& app, const char* component, const char* name, const char* title) {
+    const ConstFieldRef field = fieldNamed(app, component, name);
     double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
                                                      : static_cast<double>(*static_cast<const float*>(field.value));
     caption(title, field.row->help);
@@ -103,14 +105,15 @@ void numberOf(EditorApp& app, const char* name, const char* title) {
 void looks(EditorApp& app) {
     if (!beginForm("looks", 5)) return;
     chooseField(app);
-    const ConstFieldRef technique = fieldNamed(app, "technique");
+    const ConstFieldRef technique = fieldNamed(app, "GrassField", "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
-    int chosen = enumIndex(technique.value);
+    const auto now = std::find(items.begin(), items.end(), *static_cast<const std::string*>(technique.value));
+    int chosen = static_cast<int>(now - items.begin());
     caption("Technique", technique.row->help);
     if (ui::combo("technique", items, chosen))
         setField(app, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");
-    numberOf(app, "fade", "Fade");
-    numberOf(app, "slices", "Slices");
+    numberOf(app, "GrassDrawing", "fade", "Fade");
+    numberOf(app, "GrassSlices", "slices", "Slices");
     ImGui::EndTable();
 }
 
@@ -180,7 +183,7 @@ void orderHint(EditorApp& app, const TierDistances& now) {
 }  // namespace
 
 void drawTiers(EditorApp& app) {
-    const GrassField* field = tierField(app);
+    const HybridTiers* field = tierField(app);
     if (!field) {
         ImGui::TextDisabled("No entity has a GrassField.");
         return;

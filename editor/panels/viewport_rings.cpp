@@ -155,13 +155,15 @@ std::string tierEntity(EditorApp& app) {
     return "";
 }
 
-const GrassField* tierField(EditorApp& app) {
+const HybridTiers* tierField(EditorApp& app) {
     const std::string entity = tierEntity(app);
     if (entity.empty()) return nullptr;
-    return app.doc.project().registry.get<GrassField>(findEntity(app.doc.project(), entity));
+    const Project& p = app.doc.project();
+    const Entity e = findEntity(p, entity);
+    return &FieldEntity{p.registry, e, *p.registry.get<GrassField>(e)}.settings<HybridTiers>();
 }
 
-std::string tierPath(EditorApp& app, size_t i) { return tierEntity(app) + ".GrassField." + kTierFields[i]; }
+std::string tierPath(EditorApp& app, size_t i) { return tierEntity(app) + ".HybridTiers." + kTierFields[i]; }
 
 void hoverRing(EditorApp& app, bool over) {
     TierView& t = app.tierView;
@@ -209,7 +211,7 @@ bool grabRing(EditorApp& app) {
 
 void dragRing(EditorApp& app, double x, double y) {
     TierView& t = app.tierView;
-    const GrassField* field = tierField(app);
+    const HybridTiers* field = tierField(app);
     if (!t.drag || !field) return;
     RingDrag& d = *t.drag;
     const glm::dvec2 at = glm::dvec2(x, y) + d.offset;

@@ -15,8 +15,9 @@ inline constexpr const char* kTierTitles[kTierCount] = {"All blades up to", "Bla
 // The entity whose distances panel and rings show: the one chosen in the panel, the selected, or the first; "" if none
 // has a GrassField.
 std::string tierEntity(EditorApp& app);
-const GrassField* tierField(EditorApp& app);
-std::string tierPath(EditorApp& app, size_t i);  // "lawn.GrassField.maxGeom"
+// That field's distances; null if there is no field.
+const HybridTiers* tierField(EditorApp& app);
+std::string tierPath(EditorApp& app, size_t i);  // "lawn.HybridTiers.maxGeom"
 
 // --- once a frame, around the drawing of the image
 void hoverRing(EditorApp& app, bool over);  // what the pointer is on, of the rings as last drawn

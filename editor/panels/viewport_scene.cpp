@@ -140,7 +140,7 @@ void countAtRest(EditorApp& app, const ViewCamera& camera) {
     if (playing(app) || v.countedRevision == app.doc.revision()) return;
     v.countedRevision = app.doc.revision();
     v.bladesVisible =
-        app.measure ? visibleBlades(app.doc.project(), tables(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
+        app.measure ? visibleBlades(app.doc.project(), app.doc.tables(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
 }
 
 }  // namespace

@@ -141,7 +141,8 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
     SoilCover& soil = ctx.shared.soil;
     soil.maps.clear();
     SoilGlobals g{};
-    SoilNumbers numbers;
+    std::vector<SoilNumbers> numbers;
+    size_t species = 0;
     for (size_t i = 0; i < std::min<size_t>(grass.all.size(), MAX_FIELDS); ++i) {
         const Field& field = *grass.all[i];
         const GrassField& f = field.grows();
@@ -149,14 +150,12 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         const bool drawn = has(field.view->own, Feature::GroundShadows);
         const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
         g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
-        numbers.height.push_back(soilMap(soil, field.bladeHeights));
-        numbers.occlusion.push_back(soilMap(soil, field.occlusion));
-        for (size_t k = 0; k < field.species.size() && numbers.density.size() < MAX_SOIL_SPECIES; ++k) {
+        numbers.push_back({soilMap(soil, field.bladeHeights), soilMap(soil, field.occlusion), {}});
+        for (size_t k = 0; k < field.species.size() && species < MAX_SOIL_SPECIES; ++k, ++species) {
             const FieldSpecies& s = *field.species[k];
-            g.species[numbers.density.size()] = {lightLeft(s.look, ctx.globals.sunDirection.y),
-                                                       shaderTiling(t, f.species[k].densityTiling), 0, 0};
-            numbers.fieldOf.push_back(static_cast<int>(i));
-            numbers.density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
+            g.species[species] = {lightLeft(s.look, ctx.globals.sunDirection.y),
+                                  shaderTiling(t, f.species[k].densityTiling), 0, 0};
+            numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
     }
     soil.constants = soilConstants(numbers);
