@@ -7,6 +7,7 @@
 #include "frame/renderer.h"
 #include "gpu/program.h"
 #include "gpu/resources.h"
+#include "shared/bindings.h"
 #include "shared/frame.h"
 #include "shared/grass.h"
 #include "shared/light.h"

@@ -1,16 +1,12 @@
 // Makes a draw command of each chosen cell, in their order: of its blades, and of those that shade the soil. Holes draw
 // nothing.
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/population.h"
-#include "numerics/tess.h"
-#include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "numerics/cells.h"
+#include "numerics/population.h"
+#include "shared/bindings.h"
+#include "shared/cells.h"
 #include "shared/grass.h"
+
 layout(local_size_x = 64) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer CellBlock { CellInstance cells[]; };

@@ -2,17 +2,13 @@
 // whole, then those that its edge cuts, because a software rasteriser takes a slow way with batches of vertices of
 // which one must be clipped. One group, by exclusive prefix sums: each invocation counts a run of cells, one sums the
 // runs up, each writes its own.
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/population.h"
-#include "numerics/tess.h"
-#include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "numerics/cells.h"
+#include "numerics/population.h"
+#include "shared/bindings.h"
+#include "shared/cells.h"
 #include "shared/tess.h"
+
 const uint kRuns = 256u;
 layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };

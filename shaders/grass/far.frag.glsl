@@ -1,26 +1,20 @@
 // A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
 // slices cover (grass/slices.h), and lit as they are.
+#include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/far.glsl"
+#include "lib/force.glsl"
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
+#include "lib/lamps.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "lib/slices.glsl"
+#include "lib/transparency.glsl"
+#include "lib/wind.glsl"
+#include "numerics/clump.h"
 #include "numerics/hash.h"
-#include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
-#include "numerics/correction.h"
-#include "numerics/clump.h"
-#include "numerics/population.h"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/shadow.glsl"
-#include "lib/cover.glsl"
-#include "lib/slices.glsl"
-#include "lib/far.glsl"
-#include "lib/wind.glsl"
-#include "lib/force.glsl"
-#include "lib/transparency.glsl"
 
 in vec3 position;
 in vec2 place;
@@ -108,7 +102,7 @@ void main() {
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
-    if (TRANSPARENCY == 0) alpha = coveredAlpha(alpha, grain(r));
+    if (TRANSPARENCY == COVERAGE) alpha = coveredAlpha(COVERAGE, alpha, grain(r));
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);

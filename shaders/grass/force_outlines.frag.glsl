@@ -1,12 +1,8 @@
 // What an outline throws at a place: its push, added to others', and its press, of which the strongest counts (by the
 // blending). As outlineAt (mesh/footprint.h) and forceAt (world/forces.h) on the CPU.
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
-#include "numerics/wind.h"
 #include "numerics/gust.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_OBJECT) uniform sampler2D distances;
 layout(location = 0) uniform vec4 around;
 layout(location = 1) uniform vec4 rim;     // radius, reach; cosine and sine of its turn

@@ -1,6 +1,7 @@
 // A corner of the square around one outline (mesh/footprint.h) in the map around the eye.
-#include "lib/frame.glsl"
+#include "shared/bindings.h"
 #include "shared/wind.h"
+
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(
     location = 0) uniform vec4 around;  // x, z of its origin relative to the eye; how far the force reaches; its share

@@ -1,24 +1,18 @@
 // One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that
 // neighbours share them), lean with the paint and with clumps, and are lit per vertex. Boulanger, Pattanaik and
 // Bouatouch 2006, sections 3.1 and 3.3.
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/clump.h"
-#include "lib/heights.glsl"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
 #include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/force.glsl"
+#include "lib/frame.glsl"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/mirror.glsl"
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
-#include "lib/force.glsl"
-#include "lib/mirror.glsl"
+#include "numerics/clump.h"
+#include "numerics/hash.h"
+#include "numerics/lod.h"
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
@@ -115,7 +109,7 @@ void main() {
     float hazed = hazeShare(length(position));
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
-    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
+    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, lamp);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

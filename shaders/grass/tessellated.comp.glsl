@@ -3,10 +3,15 @@
 // them. A piece's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip.
 // Plain triangles, in pieces that have none but those, are three vertices. Light is taken in the middle of a row, for
 // both its ends.
+#include "lib/blade_light.glsl"
+#include "lib/frame.glsl"
 #include "lib/tess.glsl"
+#include "lib/tess_cells.glsl"
+#include "numerics/blade.h"
 #include "numerics/chance.h"
-layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
-layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
+#include "shared/bindings.h"
+#include "shared/tess.h"
+
 const uint kVector = 8u;  // invocations that a software rasteriser runs at once: they take pieces that are neighbours
 const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
 layout(local_size_x = LIST_GROUP) in;

@@ -1,6 +1,12 @@
 // What makes one blade of a repeated patch differ from its copies, and what colour it has: the part of the population
 // that is not in the patch. Every technique and the reference pose and colour blades by these lines.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#endif
+
 // Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun
 // elsewhere. Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar;
 // these are a hundred. The patch goes on at its far edge with its near one, as its images do. Fifths, whatever a

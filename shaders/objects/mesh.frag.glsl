@@ -2,6 +2,7 @@
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
+#include "shared/bindings.h"
 
 layout(binding = TEX_OBJECT) uniform sampler2D image;
 layout(location = 0) uniform vec4 part;  // reflectance; w: cut-off of alpha

@@ -1,16 +1,12 @@
 // A painted map over the scene, looked at from above: what stands on a place takes the place's colour. Over painted
 // forces, also those of what stands and went there. Needs: const bool FORCES, GRASS.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/bilinear.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
-#include "numerics/wind.h"
-#include "numerics/gust.h"
 #include "lib/heights.glsl"
 #include "lib/scene_depth.glsl"
+#include "numerics/gust.h"
+#include "shared/bindings.h"
 #include "shared/wind.h"
+
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
