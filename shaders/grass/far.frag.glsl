@@ -15,6 +15,7 @@
 #include "numerics/hash.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
+#include "numerics/stand.h"
 
 in vec3 position;
 in vec2 place;
@@ -63,12 +64,22 @@ uint grain(Repeated r) {
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
 }
 
-// What clumps add to the lean (x, y) and to the lightness (z), less where a pixel holds several of them.
+// What clumpValues are here, less where a pixel holds several clumps.
 vec3 clumpsHere(Repeated r, float pixel) {
     float left = 1.0 - pixel / (2.0 * slices.clumpSize);
     if (!GRASS_CLUMPS || slices.clumpSize <= 0.0 || left <= 0.0) return vec3(0.0);
-    vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.cellSize, slices.clumpSize, slices.seed);
-    return left * c * vec3(slices.clumpLean, slices.clumpLean, slices.clumpLightness);
+    return left * clumpValues(r.cell.x, r.cell.y, r.inCell, slices.cellSize, slices.clumpSize, slices.seed);
+}
+
+// What the place has for the blades that the slice stands for; clumps are added where they are seen.
+BladeStand standHere(vec2 uv) {
+    BladeStand s = emptyStand();
+    s.paint = paintedLean(uv);
+    s.leanAtFull = slices.leanAtFull;
+    s.breeze = windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
+    s.clumpLean = slices.clumpLean;
+    s.clumpLightness = slices.clumpLightness;
+    return s;
 }
 
 // The force where this ray is so high over the ground, metres.
@@ -90,8 +101,8 @@ void main() {
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.minGeom, slices.geomInv));
-    vec2 lean =
-        paintedLean(uv) * slices.leanAtFull + windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
+    BladeStand stand = standHere(uv);
+    vec2 lean = leanOf(stand, vec2(0.0)).lean;
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
     float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
                                         (1.0 - lodRamp(d, slices.minBTF, slices.btfInv))
@@ -107,8 +118,9 @@ void main() {
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness * slices.cellSize;
-    vec3 clump = clumpsHere(r, pixel);
-    vec3 gain = slices.reflectScale * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, laid.y, true);
+    stand.clump = clumpsHere(r, pixel);
+    BladeLean l = leanOf(stand, vec2(0.0));
+    vec3 gain = slices.reflectScale * darkened(d) * l.lighter * sliceGain(toEye, l.lean, laid.y, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

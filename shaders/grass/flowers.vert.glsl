@@ -11,9 +11,9 @@
 #include "numerics/basics.h"
 #include "numerics/bilinear.h"
 #include "numerics/flower.h"
-#include "numerics/gust.h"
 #include "numerics/hash.h"
 #include "numerics/lod.h"
+#include "numerics/stand.h"
 #include "shared/bindings.h"
 #include "shared/flowers.h"
 
@@ -43,12 +43,14 @@ float densityAt(vec2 uv) {
 }
 
 vec2 leanAt(Flower f, vec2 at, vec2 place) {
-    vec2 lean = windLeanAt(at, f.grain, wind.strength);
+    BladeStand s = emptyStand();
+    s.wind = windLeanAt(at, f.grain, wind.strength);
     if ((FORCES && GRASS) || FORCE_MAP) {
-        vec3 pressed = forceHere(at, place);
-        lean = forcedLean(lean, pressed.xy, pressed.z, f.facing);
+        vec3 force = forceHere(at, place);
+        s.push = force.xy;
+        s.press = force.z;
     }
-    return lean;
+    return leanOf(s, f.facing).lean;
 }
 
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {

@@ -8,10 +8,10 @@
 #include "lib/wind.glsl"
 #include "numerics/bilinear.h"
 #include "numerics/clump.h"
-#include "numerics/gust.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 #include "numerics/population.h"
+#include "numerics/stand.h"
 #include "shared/bindings.h"
 #include "shared/grass.h"
 
@@ -60,21 +60,33 @@ bool exists(Stand s) {
     return s.opacity > 0.0 && share.x <= 1.0 && share.y <= 1.0;
 }
 
-// Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's
-// light: the density by which they shade each other falls with the press.
-BladePose poseHere(Blade b, inout Stand s, out float lighter) {
-    vec3 clump = vec3(0.0);
+// What the place has for the blade.
+BladeStand standOf(Blade b, Stand s) {
+    BladeStand p = emptyStand();
+    p.paint = paintedLean(s.uv);
+    p.leanAtFull = species.leanAtFull;
     if (GRASS_CLUMPS && species.clumpSize > 0.0)
-        clump = clumpValues(s.cell.cell.x, s.cell.cell.y, s.inCell, species.cellSize, species.clumpSize, species.seed);
-    BladePlace p = bladePlace(paintedLean(s.uv), species.leanAtFull, clump,
-                              vec3(species.clumpLean, species.clumpHeight, species.clumpLightness));
-    if (WIND) p.lean += windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
+        p.clump =
+            clumpValues(s.cell.cell.x, s.cell.cell.y, s.inCell, species.cellSize, species.clumpSize, species.seed);
+    p.clumpLean = species.clumpLean;
+    p.clumpHeight = species.clumpHeight;
+    p.clumpLightness = species.clumpLightness;
+    if (WIND) p.wind = windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
     if (FORCES || FORCE_MAP) {
-        vec3 pressed = forceHere(s.root.xz, s.uv);
-        p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing * s.cell.mirror);
-        s.density *= 1.0 - pressed.z;
+        vec3 force = forceHere(s.root.xz, s.uv);
+        p.push = force.xy;
+        p.press = force.z;
     }
-    if (GRASS_HEIGHTS) p.scale *= bladeShare(s.uv);
-    lighter = p.lighter;
-    return poseBlade(b.control, b.tip, b.facing, s.cell.mirror, p.lean, p.scale);
+    p.tall = bladeShare(s.uv);
+    return p;
+}
+
+// The patch's blade as it stands here. Where blades are pressed down none stands in another's light: the density by
+// which they shade each other falls with the press. lighter: factor of its colour.
+BladePose poseHere(Blade b, inout Stand s, out float lighter) {
+    BladeStand p = standOf(b, s);
+    BladeLean l = leanOf(p, b.facing * s.cell.mirror);
+    s.density *= 1.0 - p.press;
+    lighter = l.lighter;
+    return poseBlade(b.control, b.tip, b.facing, s.cell.mirror, l.lean, l.scale);
 }
