@@ -24,9 +24,7 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
 }
 
 // How the shader shows it.
-float kindOf(const FieldRow& row) {
-    return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4;
-}
+int kindOf(const FieldRow& row) { return row.isForce ? 3 : row.mapChannels < 3 ? row.mapChannels : 4; }
 
 // Metres, with room for the ground's own roughness.
 float tallestGrass(Project& project) {
@@ -51,9 +49,12 @@ void draw(DrawContext& ctx) {
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
         static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.mapShare.x;
-    glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    glUniform1i(0, kindOf(*field->row));
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());
+    glUniform1f(3, static_cast<float>(overlay.tiling));
+    glUniform1f(4, metresPerPixel);
+    glUniform1f(5, texelsPerMetre);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);
