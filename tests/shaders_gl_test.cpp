@@ -109,13 +109,13 @@ std::string turned(const std::string& text) {
     return out;
 }
 
-TEST(Includes, EveryShaderFileCompilesAfterItsOwnIncludesAlone) {
+TEST(Shaders, EveryShaderFileCompilesAfterItsOwnIncludesAlone) {
     NoGlErrors errors;
     gpu();
     expectAllCompile(shaderFolder());
 }
 
-TEST(Includes, TheirOrderDoesNotMatter) {
+TEST(Shaders, TheOrderOfIncludesDoesNotMatter) {
     NoGlErrors errors;
     gpu();
     TempDir dir;
@@ -125,7 +125,7 @@ TEST(Includes, TheirOrderDoesNotMatter) {
     expectAllCompile(dir.path / "shaders");
 }
 
-TEST(Includes, AFileThatLacksOneDoesNotCompile) {
+TEST(Shaders, AFileThatLacksAnIncludeDoesNotCompile) {
     gpu();
     TempDir dir;
     fs::copy(shaderFolder(), dir.path / "shaders", fs::copy_options::recursive);

@@ -69,7 +69,7 @@ std::vector<std::string> includesOf(const std::string& text) {
         for (const std::string& other : includesOf(readText(kShaders / path))) reach(other, seen);
     }
 
-    TEST(Includes, ShadersUseANameOfEachFileThatTheyInclude) {
+    TEST(Shaders, ShadersUseANameOfEachFileThatTheyInclude) {
         size_t checked = 0;
         for (const std::string& path : shaderFiles()) {
             if (path == "numerics/all.h" || path.starts_with("formulas/")) continue;  // both want every formula
@@ -83,7 +83,7 @@ std::vector<std::string> includesOf(const std::string& text) {
                   std::vector<std::string>{"numerics/hash.h"});
     }
 
-    TEST(Includes, LibrariesAreUsedAndFormulasThatNoShaderDrawsWithSaySo) {
+    TEST(Shaders, LibrariesAreUsedAndFormulasThatNoShaderDrawsWithSaySo) {
         std::set<std::string> drawn;
         for (const std::string& path : shaderFiles())
             if (isEntry(path) && !path.starts_with("formulas/")) reach(path, drawn);
