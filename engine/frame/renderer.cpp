@@ -203,8 +203,8 @@ struct Renderer::Impl {
         shared = {};
     }
 
-    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings,
-                        ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+    DrawContext context(const Project& project, const FramePlan& of, const ViewCamera& camera,
+                        const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
         DrawContext ctx{gpu,
                         project,
                         tables,
@@ -358,7 +358,7 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
@@ -386,9 +386,7 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (!ctx.error.empty())
-        return Error{
-            ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    if (!ctx.error.empty()) return failed(ctx.error, "the shaders/ folder must be of the same version as the program");
     return {};
 }
 
@@ -409,7 +407,7 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(Project& project, bool json) {
+std::string Renderer::explain(const Project& project, bool json) {
     impl_->replan(project);
     return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
 }

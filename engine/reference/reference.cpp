@@ -355,9 +355,6 @@ struct MemoryPool {
 };
 
 Status checkSettings(const ReferenceSettings& s) {
-    const auto usage = [](const std::string& message, const std::string& remedy) {
-        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
-    };
     if (s.samples < 1 || s.samples > kMaxReferenceSamples)
         return usage(fmt::format("{} samples a pixel make no picture", s.samples),
                      fmt::format("1 to {}", kMaxReferenceSamples));
@@ -416,7 +413,7 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
         memories.give(std::move(memory));
         control.setProgress(static_cast<double>(++done) * settings.shards / (across * down));
     });
-    if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+    if (control.cancelled()) return failed("cancelled");
     return truth;
 }
 
