@@ -1,9 +1,12 @@
 // Each shader file brings what it needs: it compiles after its own includes and nothing else, in whatever order.
 #include <epoxy/gl.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "frame/plan.h"
 #include "gpu/program.h"

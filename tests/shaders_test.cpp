@@ -1,10 +1,14 @@
 // Shaders include what they use by name, and what no shader uses on the GPU says so.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <set>
+#include <string>
+#include <vector>
 
-#include "tests/support.h"
+#include "support.h"
 
 namespace sward::test {
 namespace {
