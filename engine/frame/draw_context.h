@@ -8,6 +8,7 @@
 #include "frame/soil.h"
 #include "gpu/program.h"
 #include "gpu/resources.h"
+#include "shared/bindings.h"
 #include "shared/frame.h"
 #include "shared/grass.h"
 #include "shared/light.h"

@@ -176,8 +176,9 @@ void commandCells(const DrawContext& ctx, const SpeciesState& s) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
     glUniform1ui(0, s.chosen.count);
     glUniform1ui(1, s.chosen.patchBlades);
-    glUniform2f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f), std::clamp(s.shadowShare, 0.01f, 1.0f));
-    glUniform1ui(3, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.segments, kShadowQuads)) : 0u);
+    glUniform1f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f));
+    glUniform1f(3, std::clamp(s.shadowShare, 0.01f, 1.0f));
+    glUniform1ui(4, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.segments, kShadowQuads)) : 0u);
     glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
 }
 

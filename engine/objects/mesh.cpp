@@ -165,7 +165,8 @@ void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
     for (const MeshPart& part : g.mesh->parts) {
         glBindTextureUnit(TEX_OBJECT,
                           part.image >= 0 ? g.mesh->images[static_cast<size_t>(part.image)].id() : s.white.id());
-        glUniform4f(0, part.color.x, part.color.y, part.color.z, part.cutoff);
+        glUniform3f(0, part.color.x, part.color.y, part.color.z);
+        glUniform1f(1, part.cutoff);
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                                             reinterpret_cast<const void*>(size_t(part.first) * 4),
                                             static_cast<GLsizei>(g.seen), static_cast<GLuint>(g.first));

@@ -29,7 +29,7 @@ std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t s
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 
 // Lean (m per m of blade) that paint of full strength gives, and what full clump values give: lean (m per m), share of
-// height, share of lightness; as numerics/population.h bladePlace takes them.
+// height, share of lightness; as numerics/stand.h takes them.
 float leanAtFull(const Species& species);
 glm::vec3 clumpStrengths(const Species& species);
 

@@ -2,6 +2,10 @@
 // bool GRASS, GRASS_HEIGHTS and those of ground_light.glsl; ground_light.glsl; SOIL_EACH, which the program is compiled
 // with (frame/soil.h): for each field SOIL_FIELD, then SOIL_SPECIES for each of its species, then SOIL_SHARE. Texture
 // arrays take constant numbers alone on some drivers, so that a loop over species would not do.
+#include "lib/frame.glsl"
+#include "lib/ground_light.glsl"
+#include "numerics/lod.h"
+#include "shared/bindings.h"
 #include "shared/soil.h"
 layout(std140, binding = UBO_SOIL) uniform SoilBlock { SoilGlobals soilCover; };
 layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];

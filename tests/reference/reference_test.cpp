@@ -335,11 +335,11 @@ struct BruteForce {
                                     : 1;
             const glm::vec4 texel =
                 paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
-            const f32::BladePlace here = f32::bladePlace(
-                f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
-                f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)),
-                clumpStrengths(f.species[0]));
-            glm::vec2 lean = here.lean;
+            const glm::vec3 clump = f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize,
+                                                     static_cast<uint32_t>(f.seed)),
+                            most = clumpStrengths(f.species[0]);
+            glm::vec2 lean =
+                f32::paintOf(texel.x, texel.y) * leanAtFull(f.species[0]) + glm::vec2(clump.x, clump.y) * most.x;
             if (const Wind* wind = windOf(p))
                 lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts,
                                    in, b.dither) /
@@ -348,7 +348,8 @@ struct BruteForce {
             if (f.forces.present())
                 force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
             lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
-            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale * share),
+            addBlade(b,
+                     f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, (1 + clump.z * most.y) * share),
                      {at.x, terrainHeight(t, at.x, at.y), at.y});
         }
     }
