@@ -123,6 +123,8 @@ ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int heigh
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
 
+ProgramSources sourcesOf(const ProgramRow& row);
+
 struct DrawContext {
     Gpu& gpu;
     Project& project;

@@ -36,6 +36,7 @@ static_assert(std::size(kSolid) == static_cast<size_t>(Stage::Count) && std::siz
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects) {
     FramePlan plan;
     plan.features = features;
+    plan.constants = featureConstants(features);
     plan.views = views;
     std::map<Stage, std::vector<PlannedPass>> stages;
     for (const EffectRow& effect : effects) {
@@ -71,11 +72,10 @@ std::vector<std::string> FramePlan::systemNames() const {
     return names;
 }
 
-std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene) {
+std::string featureConstants(const FeatureSet& scene) {
     std::string out;
-    for (size_t f = 0; f < declared.size(); ++f)
-        if (declared.test(f))
-            out += fmt::format("const bool {} = {};\n", featureConstant(static_cast<Feature>(f)), scene.test(f));
+    for (const FeatureRow& row : featureRows())
+        out += fmt::format("const bool {} = {};\n", featureConstant(row.feature), has(scene, row.feature));
     return out;
 }
 

@@ -14,6 +14,7 @@ struct PlannedPass {
 };
 struct FramePlan {
     FeatureSet features;
+    std::string constants;  // featureConstants(features)
     unsigned views = 0;
     std::vector<const EffectRow*> effects;  // in table order
     std::vector<PlannedPass> passes;        // in drawing order
@@ -34,7 +35,7 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
 // each blade.
 FeatureSet coarseFeatures(FeatureSet scene);
 
-// "const bool NAME = true;" for each declared feature, by what the scene has.
-std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene);
+// "const bool NAME = true;" or false for every feature, by what the scene has (Programs::get takes those it names).
+std::string featureConstants(const FeatureSet& scene);
 
 }  // namespace sward

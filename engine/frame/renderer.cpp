@@ -140,10 +140,12 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     return calls;
 }
 
+ProgramSources sourcesOf(const ProgramRow& p) {
+    return {p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation};
+}
+
 bool DrawContext::use(size_t index, const std::string& constants) {
-    const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                featureConstants(p.features, plan.features) + constants);
+    auto program = programs.get(sourcesOf(row->programs[index]), plan.constants + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;
@@ -405,7 +407,7 @@ Reload Renderer::reloadPrograms() {
 
 std::string Renderer::explain(Project& project, bool json) {
     impl_->replan(project);
-    return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
+    return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, impl_->programs, json);
 }
 
 namespace {

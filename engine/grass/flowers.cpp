@@ -158,12 +158,7 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/flowers/cells", update}};
-const ProgramRow kPrograms[] = {
-    {"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::Grass, Feature::GrassHeights, Feature::GrassOcclusion,
-                Feature::FlowerDensity, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                Feature::Fog)}};
+const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr}};
 const Pass kPasses[] = {
     {"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
 

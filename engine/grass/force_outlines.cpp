@@ -72,7 +72,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/force-outlines/upload", update}};
 const ProgramRow kPrograms[] = {
-    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
+    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr}};
 const Pass kPasses[] = {
     {"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
 

@@ -99,7 +99,7 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"grass/forces/list", update}};
-const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
+const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr}};
 const Pass kPasses[] = {
     {"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, kForces, kPrograms, draw}};
 

@@ -220,16 +220,9 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/cull", cull}};
 const ProgramRow kPrograms[] = {
-    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
-                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss,
-                Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows,
-                Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection),
-     fieldVariants}};
-const ProgramRow kCellPrograms[] = {
-    {"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
+    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr, fieldVariants}};
+const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
 const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
                          kCellPrograms, chooseThere},
                         {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,

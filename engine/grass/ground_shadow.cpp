@@ -113,12 +113,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
 const ProgramRow kPrograms[] = {
-    {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
-                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::GroundShadows,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps,
-                Feature::Sky, Feature::Fog)}};
+    {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {
     {"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
 

@@ -389,30 +389,15 @@ void drawFarShadow(DrawContext& ctx) {
 
 // --- rows
 // ------------------------------------------------------------------------------------------------------------------
-constexpr auto kLook = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
-};
-constexpr auto kShadow = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::Forces,
-                      Feature::ForceMap, Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
-};
 const System kFarSystems[] = {{"grass/far/bake", updateFar}};
 const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
-const ProgramRow kFarPrograms[] = {
-    {"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
+const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kSlicePrograms[] = {
-    {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
+    {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, fieldVariants}};
 const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
                             kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
 const ProgramRow kFarShadowPrograms[] = {
-    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
+    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, fieldVariants}};
 const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth,
                                   kSceneColor, kFarShadowPrograms, drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0,

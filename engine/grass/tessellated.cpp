@@ -318,27 +318,17 @@ std::vector<std::string> stripVariants() {
 }
 
 const System kSystems[] = {{"grass/tessellated/select", select}};
-// What posing and lighting a blade asks for.
-FeatureSet bladeFeatures() {
-    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
-                      Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                      Feature::Fog, Feature::WaterReflection);
-}
 const ProgramRow kPrograms[] = {
-    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(),
-     fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
-    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), stripVariants},
+    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, fieldVariants,
+     "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
+    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", stripVariants},
     {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr,
-     bladeFeatures(), stripVariants},
+     stripVariants},
     {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr,
-     bladeFeatures(), stripVariants},
+     stripVariants},
 };
-const ProgramRow kCellPrograms[] = {
-    {"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
+const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl"}};
 const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
                          kCellPrograms, listCells},
                         {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,

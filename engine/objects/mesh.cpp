@@ -181,9 +181,7 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"objects/place", place}};
-const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr,
-                                 featureSet(Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky,
-                                            Feature::Fog, Feature::WaterReflection)}};
+const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"objects/mesh", Stage::Opaque, kViewMain | kViewReflection | kViewCompare, 0,
                          kSceneColor | kSceneDepth, kPrograms, draw}};
 

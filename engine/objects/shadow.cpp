@@ -146,8 +146,7 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"objects/aim", aim}};
-const ProgramRow kPrograms[] = {
-    {"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr, {}}};
+const ProgramRow kPrograms[] = {{"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {
     {"objects/shadow", Stage::Shadow, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
 

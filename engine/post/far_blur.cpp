@@ -53,7 +53,7 @@ void draw(DrawContext& ctx) {
 }
 
 const ProgramRow kPrograms[] = {
-    {"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, {}, variants}};
+    {"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, variants}};
 const Pass kPasses[] = {
     {"post/far-blur", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kResolved, kPrograms, draw}};
 

@@ -62,8 +62,8 @@ void draw(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
+const ProgramRow kPrograms[] = {
+    {"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, depthVariants}};
 const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
 
 }  // namespace

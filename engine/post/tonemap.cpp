@@ -41,9 +41,9 @@ void drawDecal(DrawContext& ctx) {
 }
 
 const ProgramRow kTonemapPrograms[] = {
-    {"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
+    {"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, depthVariants}};
 const ProgramRow kDecalPrograms[] = {
-    {"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
+    {"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, depthVariants}};
 const Pass kTonemapPasses[] = {
     {"post/resolve", Stage::Post, kViewMain | kViewReflection | kViewCompare, kSceneColor, kResolved, {}, resolve},
     {"post/tonemap", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kImage, kTonemapPrograms,

@@ -144,13 +144,12 @@ struct EffectState {
     virtual void jobs(std::vector<JobNews>&) const {}
 };
 
-// A program that a pass draws with. `features`: those that its sources declare, and so its key.
+// A program that a pass draws with. It is compiled for those of the scene's features that its sources name.
 struct ProgramRow {
     const char* name;    // "domain/stem[/part]", as in statistics
     const char* vertex;  // path under shaders/, or null
     const char* fragment;
     const char* compute;
-    FeatureSet features;
     // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are
     // none.
     std::vector<std::string> (*variants)() = nullptr;

@@ -24,8 +24,7 @@ void drawDome(DrawContext& ctx) {
 const System kSunSystems[] = {{"sky/sun", runSun}};
 const System kSkySystems[] = {{"sky/ambient", runSky}};
 const System kHazeSystems[] = {{"sky/haze", runHaze}};
-const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr,
-                                     featureSet(Feature::Sun, Feature::Fog, Feature::WaterReflection)}};
+const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr}};
 const Pass kDomePasses[] = {{"sky/dome", Stage::Sky, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
                              kSceneColor, kDomePrograms, drawDome}};
 

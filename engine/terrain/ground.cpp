@@ -136,14 +136,8 @@ void draw(DrawContext& ctx) {
 }
 
 const System kSystems[] = {{"terrain/select", select}};
-const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr,
-                                      featureSet(Feature::TerrainHeights, Feature::WaterReflection)}};
-const ProgramRow kPrograms[] = {
-    {"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows, Feature::CastingLights,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                Feature::Fog, Feature::WaterReflection)}};
+const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr}};
+const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr}};
 const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth,
                               kDepthPrograms, drawDepth}};
 const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover,

@@ -52,10 +52,7 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"water/ripples", update}};
 const ProgramRow kPrograms[] = {
-    {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr,
-     featureSet(Feature::WaterReflection, Feature::Wind, Feature::Gusts, Feature::ObjectShadows,
-                Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog),
-     depthVariants}};
+    {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr, depthVariants}};
 const Pass kPasses[] = {
     {"water/surface", Stage::Water, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
 
