@@ -27,14 +27,14 @@ namespace sward {
 
 const Tables& tables() {
     static const EffectRow effects[] = {
-        sunEffect(),         skyEffect(),           hazeEffect(),       lampsEffect(),                       // light
-        windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
-        meshEffect(),        shadowEffect(),                                                                 // objects
-        forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
-        geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
-        tessellatedEffect(), flowersEffect(),                                           // grass
-        waterEffect(),       reflectionEffect(),                                        // water
-        farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
+        sunEffect(),     skyEffect(),           hazeEffect(),         lampsEffect(),                       // light
+        windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
+        meshEffect(),    shadowEffect(),                                                                   // objects
+        forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
+        uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
+        slicesEffect(),  tessellatedEffect(),   flowersEffect(),                      // grass
+        waterEffect(),   reflectionEffect(),                                          // water
+        farBlurEffect(), tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
     };
     static const Tables all{sharedComponentRows(), effects};
     return all;

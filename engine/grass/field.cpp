@@ -157,7 +157,7 @@ void update(DrawContext& ctx) {
     ctx.shared.grass = &state;
 }
 
-const System kSystems[] = {{"grass/field", update}};
+const System kSystems[] = {{"grass/field", {.reads = {Slot::Sun, Slot::Masks}, .writes = {Slot::Grass}}, update}};
 
 }  // namespace
 
@@ -255,6 +255,19 @@ const EffectRow& farDarkeningEffect() {
                                {},
                                nullptr,
                                "far grass is darker, which shows depth"};
+    return row;
+}
+
+const EffectRow& uniqueEffect() {
+    static const EffectRow row{"grass/unique",
+                               featureSet(Feature::GrassUnique),
+                               {},
+                               {},
+                               nullptr,
+                               "each cell has blades of its own",
+                               nullptr,
+                               nullptr,
+                               checkUnique};
     return row;
 }
 

@@ -47,6 +47,8 @@ struct FieldState : EffectState {
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();
+// Refuses a population of blades of their own that is too large to be made.
+const EffectRow& uniqueEffect();
 
 // The query for a species' drawn blades in this view.
 CellQuery drawnQuery(const DrawContext& ctx, const GrassField& field, size_t species);

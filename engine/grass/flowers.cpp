@@ -157,10 +157,16 @@ void draw(DrawContext& ctx) {
     }
 }
 
-const System kSystems[] = {{"grass/flowers/cells", update}};
+const System kSystems[] = {{"grass/flowers/cells", {.reads = {Slot::Ground}}, update}};
 const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr}};
 const Pass kPasses[] = {
-    {"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+    {"grass/flowers",
+     Stage::Flowers,
+     kViewMain,
+     {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kPrograms,
+     draw,
+     featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

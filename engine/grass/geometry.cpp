@@ -218,15 +218,26 @@ void draw(DrawContext& ctx) {
     endTransparency();
 }
 
-const System kSystems[] = {{"grass/cull", cull}};
+const System kSystems[] = {
+    {"grass/cull", {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Lamps}, .writes = {Slot::Blades}}, cull}};
 const ProgramRow kPrograms[] = {
     {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
                                     {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
-const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
-                         kCellPrograms, chooseThere},
-                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/geometry/cells",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
+                         kCellPrograms,
+                         chooseThere},
+                        {"grass/geometry",
+                         Stage::Blades,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::BladeCells, Slot::Forces, Slot::Shadows},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

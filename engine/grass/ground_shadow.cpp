@@ -111,11 +111,20 @@ void draw(DrawContext& ctx) {
     glDisable(GL_STENCIL_TEST);
 }
 
-const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
+const System kSystems[] = {{"grass/ground-shadow/cells",
+                            {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Lamps, Slot::Blades}},
+                            prepare}};
 const ProgramRow kPrograms[] = {
     {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {
-    {"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+    {.name = "grass/ground-shadow",
+     .stage = Stage::GroundShadow,
+     .views = kViewMain,
+     .uses = {.reads = {Slot::Grass, Slot::Blades, Slot::BladeCells, Slot::Forces, Slot::Shadows, Slot::Lamps},
+              .appends = {Slot::SceneColor}},
+     .programs = kPrograms,
+     .draw = draw,
+     .stencil = true}};
 
 }  // namespace
 

@@ -136,7 +136,7 @@ void update(DrawContext& ctx) {
     }
 }
 
-const System kSystems[] = {{"grass/mask", update}};
+const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, update}};
 
 }  // namespace
 

@@ -389,19 +389,42 @@ void drawFarShadow(DrawContext& ctx) {
 
 // --- rows
 // ------------------------------------------------------------------------------------------------------------------
-const System kFarSystems[] = {{"grass/far/bake", updateFar}};
-const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
+const System kFarSystems[] = {
+    {"grass/far/bake",
+     {.reads = {Slot::Grass, Slot::Masks, Slot::Ground, Slot::GroundNodes, Slot::Sun, Slot::SkyLight},
+      .writes = {Slot::Slices}},
+     updateFar}};
+const System kSliceSystems[] = {
+    {"grass/slices/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Slices}}, selectSlices}};
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kSlicePrograms[] = {
     {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, fieldVariants}};
-const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
-                            kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
+const Pass kFarPasses[] = {{"grass/far",
+                            Stage::Far,
+                            kViewMain | kViewReflection,
+                            {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows},
+                             .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                            kFarPrograms,
+                            drawFar,
+                            featureSet(Feature::GrassBlended)}};
 const ProgramRow kFarShadowPrograms[] = {
     {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, fieldVariants}};
-const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth,
-                                  kSceneColor, kFarShadowPrograms, drawFarShadow}};
-const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0,
-                              kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
+const Pass kFarShadowPasses[] = {
+    {"grass/far-shadow",
+     Stage::FarShadow,
+     kViewMain,
+     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows, Slot::Lamps},
+      .appends = {Slot::SceneColor}},
+     kFarShadowPrograms,
+     drawFarShadow}};
+const Pass kSlicePasses[] = {{"grass/slices",
+                              Stage::Slices,
+                              kViewMain | kViewReflection,
+                              {.reads = {Slot::Grass, Slot::Slices, Slot::Forces, Slot::Shadows},
+                               .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                              kSlicePrograms,
+                              drawSlices,
+                              featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

@@ -317,7 +317,7 @@ std::vector<std::string> stripVariants() {
     return out;
 }
 
-const System kSystems[] = {{"grass/tessellated/select", select}};
+const System kSystems[] = {{"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Ground}}, select}};
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, fieldVariants,
      "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
@@ -329,10 +329,20 @@ const ProgramRow kPrograms[] = {
 };
 const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
                                     {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl"}};
-const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
-                         kCellPrograms, listCells},
-                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+const Pass kPasses[] = {{"grass/tessellated/cells",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
+                         kCellPrograms,
+                         listCells},
+                        {"grass/tessellated",
+                         Stage::Blades,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::BladeCells, Slot::Forces, Slot::Shadows},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

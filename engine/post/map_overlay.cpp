@@ -64,7 +64,12 @@ void draw(DrawContext& ctx) {
 
 const ProgramRow kPrograms[] = {
     {"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, depthVariants}};
-const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
+const Pass kPasses[] = {{"post/map-overlay",
+                         Stage::Overlay,
+                         kViewMain,
+                         {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces}, .writes = {Slot::Image}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 
