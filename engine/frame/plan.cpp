@@ -98,11 +98,6 @@ FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const 
     return plan;
 }
 
-FeatureSet coarseFeatures(FeatureSet scene) {
-    if (has(scene, Feature::GrassSlices)) scene &= ~featureSet(Feature::GrassGeometry);
-    return scene & ~featureSet(Feature::GroundShadows);
-}
-
 std::vector<const Pass*> FramePlan::passes() const {
     std::vector<const Pass*> out;
     for (const Step& s : steps)

@@ -37,10 +37,6 @@ struct FramePlan {
 // one of an earlier stage.
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
 
-// What a coarse view draws of a scene: blades not one by one where vertical slices stand for them, and no shadow of
-// each blade.
-FeatureSet coarseFeatures(FeatureSet scene);
-
 // "const bool NAME = true;" or false for every feature, by what the scene has (Programs::get takes those it names).
 std::string featureConstants(const FeatureSet& scene);
 

@@ -48,4 +48,9 @@ FeatureSet fieldFeatures() {
     return all;
 }
 
+FeatureSet coarseFeatures(FeatureSet scene) {
+    if (has(scene, Feature::GrassSlices)) scene &= ~featureSet(Feature::GrassGeometry);
+    return scene & ~featureSet(Feature::GroundShadows);
+}
+
 }  // namespace sward

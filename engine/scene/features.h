@@ -46,4 +46,8 @@ FeatureSet featureSet(F... f) {
 }
 inline bool has(const FeatureSet& s, Feature f) { return s.test(static_cast<size_t>(f)); }
 
+// What a coarse view draws of a scene: blades not one by one where vertical slices stand for them, and no shadow of
+// each blade.
+FeatureSet coarseFeatures(FeatureSet scene);
+
 }  // namespace sward
