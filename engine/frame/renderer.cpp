@@ -220,6 +220,7 @@ struct Renderer::Impl {
     RenderedView main;
     std::map<const EffectRow*, RenderedView> within;  // by who shows them
     bool planned = false;
+    FeatureSet coarsePlanned;  // of the views within
     States states;
     FrameStats stats;
     GpuTimer timer{gpu};
@@ -230,16 +231,18 @@ struct Renderer::Impl {
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
     void replan(const Project& project) {
-        const FeatureSet features = sceneFeatures(project.registry, tables.components);
-        if (planned && features == main.plan.features) return;
+        const FeatureSet features = sceneFeatures(project.registry, tables.components),
+                         coarse = coarseFeatures(features);
+        if (planned && features == main.plan.features && coarse == coarsePlanned) return;
         planned = true;
+        coarsePlanned = coarse;
         main.plan = planFrame(features, kViewMain, tables.effects);
         std::vector<std::string> programsKept = main.plan.programs();
         std::map<const EffectRow*, RenderedView> kept;
         for (const Step& s : main.plan.steps)
             if (s.within) {
                 RenderedView& view = kept[s.effect] = std::move(within[s.effect]);
-                view.plan = planFrame(coarseFeatures(features), s.within->view, tables.effects);
+                view.plan = planFrame(coarse, s.within->view, tables.effects);
                 keepOnly(view.states, view.plan);
                 const std::vector<std::string> more = view.plan.programs();
                 programsKept.insert(programsKept.end(), more.begin(), more.end());
