@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-// What one feature makes run: effects that need it, and programs that compile its branch in.
+// What one feature makes run, in running order: effects that need it, and programs that compile its branch in.
 struct Made {
     std::vector<std::string> because, systems, passes, programs;
     int64_t bytes = 0;
@@ -31,21 +31,19 @@ Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tabl
     Made m;
     m.because = entitiesWith(project.registry, tables.components, f);
     m.bytes = bytesOf(gpu, ownerOf(f));
+    for (const EffectRow* e : plan.effects)
+        if (has(e->needs, f)) m.bytes += bytesOf(gpu, e->name);
     std::set<std::string> programs;
-    for (const EffectRow* e : plan.effects) {
-        if (has(e->needs, f)) {
-            m.bytes += bytesOf(gpu, e->name);
-            for (const System& s : e->systems) m.systems.push_back(s.name);
-        }
-        for (const Pass& p : e->passes) {
-            bool touched = has(e->needs, f);
-            for (const ProgramRow& program : p.programs)
-                if (touched || sources.named(sourcesOf(program), featureConstant(f))) {
-                    programs.insert(program.name);
-                    touched = true;
-                }
-            if (touched) m.passes.push_back(p.name);
-        }
+    for (const Step& s : plan.steps) {
+        bool touched = has(s.effect->needs, f);
+        if (s.system && touched) m.systems.push_back(s.name());
+        if (s.system) continue;
+        for (const ProgramRow& program : s.pass ? s.pass->programs : std::span<const ProgramRow>{})
+            if (touched || sources.named(sourcesOf(program), featureConstant(f))) {
+                programs.insert(program.name);
+                touched = true;
+            }
+        if (touched) m.passes.push_back(s.name());
     }
     m.programs.assign(programs.begin(), programs.end());
     return m;

@@ -55,7 +55,8 @@ class Programs {
     // Warns, once a folder, if its shaders are of another version than this program.
     explicit Programs(std::filesystem::path folder = shaderFolder());
     // The program with those of these constants ("const bool WIND = true;\n" each) that its sources name, compiled at
-    // first use. What they do not name makes no other program of it. Failed with the compiler's log.
+    // first use. What they do not name makes no other program of it; so no constant may be made of another. Failed with
+    // the compiler's log.
     Result<GLuint> get(const ProgramSources& sources, const std::string& constants);
     // Whether one of the sources, or what it includes, has this word outside of comments. No if one cannot be read.
     bool named(const ProgramSources& sources, std::string_view word);

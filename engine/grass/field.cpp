@@ -259,15 +259,10 @@ const EffectRow& farDarkeningEffect() {
 }
 
 const EffectRow& uniqueEffect() {
-    static const EffectRow row{"grass/unique",
-                               featureSet(Feature::GrassUnique),
-                               {},
-                               {},
-                               nullptr,
-                               "each cell has blades of its own",
-                               nullptr,
-                               nullptr,
-                               checkUnique};
+    static const EffectRow row{.name = "grass/unique",
+                               .needs = featureSet(Feature::GrassUnique),
+                               .help = "each cell has blades of its own",
+                               .check = checkUnique};
     return row;
 }
 

@@ -196,12 +196,12 @@ struct ViewRow {
 };
 
 struct EffectRow {
-    const char* name;  // "domain/stem"
-    FeatureSet needs;  // runs if the scene has all of these
-    std::span<const System> systems;
-    std::span<const Pass> passes;
-    std::unique_ptr<EffectState> (*makeState)(DrawContext&);
-    const char* help;  // why it runs, in the user's words
+    const char* name;       // "domain/stem"
+    FeatureSet needs = {};  // runs if the scene has all of these
+    std::span<const System> systems = {};
+    std::span<const Pass> passes = {};
+    std::unique_ptr<EffectState> (*makeState)(DrawContext&) = nullptr;
+    const char* help = "";  // why it runs, in the user's words
     std::unique_ptr<EffectState> (*makeView)(DrawContext&) = nullptr;
     const ViewRow* within = nullptr;
     // Before anything is drawn: whether it can be. `blades`: of the whole population (virtualBlades).
