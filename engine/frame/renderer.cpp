@@ -423,8 +423,13 @@ unsigned Renderer::image() const { return impl_->targets.image.id(); }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
 std::vector<JobNews> Renderer::jobs() const {
     std::vector<JobNews> out;
-    for (const auto& [row, state] : impl_->states)
-        if (state) state->jobs(out);
+    const auto add = [&](const States& states) {
+        for (const auto& [row, state] : states)
+            if (state) state->jobs(out);
+    };
+    add(impl_->states);
+    add(impl_->main.states);
+    for (const auto& [row, view] : impl_->within) add(view.states);
     return out;
 }
 void Renderer::finish() { glFinish(); }
