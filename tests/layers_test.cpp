@@ -1,6 +1,9 @@
 // The house's order, read from the #includes: what is low knows nothing of what is high, and domains nothing of each
 // other (docs/architecture.md). With it what style asks of every file and can be read off its text.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "support.h"
 

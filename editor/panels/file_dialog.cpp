@@ -59,8 +59,7 @@ void act(EditorApp& app) {
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
     const Status status =
-        d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named", "", 0, 0, "type one or choose one above"}}
-                       : perform(app, target);
+        d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")} : perform(app, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);

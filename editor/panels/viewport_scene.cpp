@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <chrono>
+
 #include "cost/frame_stats.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"

@@ -20,9 +20,9 @@ void raise(lua_State* L, const Error& error) {
     luaL_error(L, "%s", error.text().c_str());
     std::abort();  // luaL_error does not return
 }
-void raise(lua_State* L, const std::string& message) { raise(L, Error{ExitCode::Failed, message, "", 0, 0, ""}); }
+void raise(lua_State* L, const std::string& message) { raise(L, failed(message)); }
 
-Project& openProject(lua_State* L) {
+const Project& openProject(lua_State* L) {
     if (!stateOf(L).document().isOpen()) raise(L, "no project is open; project.open or project.new opens one");
     return stateOf(L).document().project();
 }

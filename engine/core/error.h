@@ -1,6 +1,8 @@
 // What a function returns when the user's input or machine is at fault, and what stops a programmer's mistake.
 // Does not: log. Whoever shows the error to the user does that once.
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,7 +23,17 @@ struct Error {
 
     // "file:line:column: message (remedy)", leaving out what is not known.
     std::string text() const;
+    // This error at another place: the file at fault, and its 1-based line and column where they are known.
+    Error at(std::string where, int atLine = 0, int atColumn = 0) const;
 };
+
+// Makers of errors, one an exit code: what is wrong, and what to do about it. `unsound("is no map", "export it
+// again").at(file, 3)` names the place too.
+Error failed(std::string message, std::string remedy = {});        // ExitCode::Failed: the machine did not do it
+Error usage(std::string message, std::string remedy = {});         // ExitCode::Usage: what was asked for cannot be
+Error unsound(std::string message, std::string remedy = {});       // ExitCode::Unsound: a file holds what it must not
+Error noContext(std::string message, std::string remedy = {});     // ExitCode::NoContext: there is no OpenGL 4.5
+Error interruption(std::string message, std::string remedy = {});  // ExitCode::Interrupted: the user stopped it
 
 // A value, or the error that kept it from being made.
 template <class T>

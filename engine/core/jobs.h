@@ -103,7 +103,7 @@ class Job {
     static Result<T> guarded(JobControl& control, const std::function<Result<T>(JobControl&)>& work) try {
         return work(control);
     } catch (const std::exception& e) {
-        return Error{ExitCode::Failed, e.what(), "", 0, 0, ""};
+        return failed(e.what());
     }
     std::string label_;
     uint64_t inputHash_ = 0;

@@ -1,5 +1,8 @@
 #include "frame/map_textures.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include "core/numerics.h"
 
 namespace sward {

@@ -183,9 +183,12 @@ void fillView(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, 
     const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
     g.viewProj = viewProj;
     g.invViewProj = glm::inverse(g.viewProj);
-    g.viewport = {w, h, 1 / w, 1 / h};
-    g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(samples),
-              std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
+    g.pixels = {w, h};
+    g.pixelShare = {1 / w, 1 / h};
+    g.mode = static_cast<int>(s.mode);
+    g.exposure = std::exp2(camera.exposure);
+    g.samples = samples;
+    g.widening = std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f);
 }
 
 // Starts a view's frame with what all views share.
@@ -254,8 +257,8 @@ struct Renderer::Impl {
         main.shared = {};
     }
 
-    DrawContext context(Project& project, RenderedView& view, const ViewCamera& camera, const ViewSettings& settings,
-                        ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+    DrawContext context(const Project& project, RenderedView& view, const ViewCamera& camera,
+                        const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
         DrawContext ctx{gpu,
                         project,
                         tables,
@@ -272,9 +275,11 @@ struct Renderer::Impl {
         view.shared.ground = findGround(project);
         ctx.eye = camera.eye - view.shared.ground.origin;
         ctx.around = camera.eye;
-        globals.eye = glm::vec4(glm::vec3(ctx.eye), 0);
+        globals.eye = ctx.eye;
         const BrushDecal& d = settings.decal;
-        globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
+        globals.decalAt = {d.x - ctx.eye.x, d.z - ctx.eye.z};
+        globals.decalRadius = d.radius;
+        globals.decalFalloff = d.falloff;
         return ctx;
     }
 
@@ -317,7 +322,8 @@ struct Renderer::Impl {
         FrameStats counts;
         FrameGlobals globals = outer.globals;
         fillView(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
-        if (request.mirrored) globals.mirror = {1, request.cutAt, 0, 0};
+        globals.mirrored = request.mirrored ? 1 : 0;
+        globals.mirrorHeight = request.cutAt;
         DrawContext ctx =
             context(outer.project, view, request.camera, request.settings, *request.targets, globals, counts);
         ctx.around = outer.around;
@@ -392,7 +398,7 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
@@ -413,9 +419,7 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
     if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (!ctx.error.empty())
-        return Error{
-            ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    if (!ctx.error.empty()) return failed(ctx.error, "the shaders/ folder must be of the same version as the program");
     return {};
 }
 
@@ -441,7 +445,7 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(Project& project, bool json) {
+std::string Renderer::explain(const Project& project, bool json) {
     impl_->replan(project);
     return explainPlan(impl_->main.plan, project, impl_->tables, impl_->gpu, impl_->programs, json);
 }

@@ -14,7 +14,7 @@
 #include "frame/draw_context.h"
 #include "frame/tiles.h"
 #include "scene/population.h"
-#include "shared/frame.h"
+#include "shared/slices.h"
 
 namespace sward {
 

@@ -45,8 +45,7 @@ double stepPopping(const PicturePair& before, const PicturePair& after) {
 }  // namespace
 
 Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>(size_t)>& picture) {
-    if (pictures < 2)
-        return Error{ExitCode::Failed, "popping takes at least two pictures of a path", "", 0, 0, "take more"};
+    if (pictures < 2) return failed("popping takes at least two pictures of a path", "take more");
     Popping out;
     auto before = picture(0);
     if (!before) return before.error();
@@ -54,12 +53,8 @@ Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>
         auto after = picture(i);
         if (!after) return after.error();
         if (after->truth.width != before->truth.width || after->truth.height != before->truth.height)
-            return Error{ExitCode::Failed,
-                         fmt::format("picture {} of the path differs in size from the first", i),
-                         "",
-                         0,
-                         0,
-                         "render all at one --size"};
+            return failed(fmt::format("picture {} of the path differs in size from the first", i),
+                          "render all at one --size");
         const double step = out.steps.emplace_back(stepPopping(*before, *after));
         out.mean += step / static_cast<double>(pictures - 1);
         if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i) - 1;

@@ -433,7 +433,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
                                    : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
-    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.way.z = f.kinds[kind]->gust;
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = f.kinds[kind]->gust;
     c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }
@@ -566,7 +566,7 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
 
 void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
     WindGlobals g = windGlobals(wind, {0, 0}, 0);
-    g.way.z = kind.gust = windStrength(wind, *kind.species);
+    g.strength = kind.gust = windStrength(wind, *kind.species);
     kind.windSlope = windSlope(g, gusts);
 }
 
@@ -589,7 +589,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
     f->wind = windOf(p);
     if (f->wind) f->gusts = &gustsOf(*f->wind, f->made);
     for (size_t i = 0; i < f->grass->species.size() && i < MAX_SPECIES; ++i) {
-        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (control.cancelled()) return failed("cancelled");
         const Species& s = f->grass->species[i];
         auto kind = std::make_unique<Kind>();
         kind->species = &s;
@@ -606,12 +606,8 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
         kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
         kind->device.reset(rtcNewDevice(nullptr));
         if (!kind->device)
-            return Error{ExitCode::Failed,
-                         "rays cannot be prepared: Embree has no memory, or does not know this processor",
-                         "",
-                         0,
-                         0,
-                         "close other programs"};
+            return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                          "close other programs");
         f->kinds.push_back(std::move(kind));
     }
     return GrassRays(std::move(f));

@@ -46,7 +46,7 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
         if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
     }
     for (const PlacedMesh& placedMesh : placedMeshes(p)) {
-        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (control.cancelled()) return failed("cancelled");
         const std::string& file = placedMesh.mesh->file;
         if (!s.meshes_.contains(file)) {
             Result<Mesh> mesh = readMesh(p.dir, file);

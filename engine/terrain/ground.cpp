@@ -95,10 +95,13 @@ void prepare(DrawContext& ctx) {
     const bool level = !t.height.present();
     ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
     FrameGlobals& g = ctx.globals;
-    g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
-    const glm::dvec2 extent = mapExtent(t);
-    g.maps = {1 / extent.x, 1 / extent.y, shaderTiling(t, t.heightTiling), shaderTiling(t, t.terrainMapTiling)};
-    g.groundColor = glm::vec4(t.groundColor, 1 / t.tileSize);
+    g.terrainSize = t.size;
+    g.terrainShare = 1.0 / t.size;
+    g.mapShare = 1.0 / mapExtent(t);
+    g.heightTiling = shaderTiling(t, t.heightTiling);
+    g.terrainTiling = shaderTiling(t, t.terrainMapTiling);
+    g.soilColor = t.groundColor;
+    g.soilTiles = 1 / t.tileSize;
     bindMaps(ctx, s, t);
 }
 
@@ -110,20 +113,22 @@ void select(DrawContext& ctx) {
     lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
                     static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
-        lod.hidden = f32::hazeReach(ctx.globals.haze.x);
+        lod.hidden = f32::hazeReach(ctx.globals.haze);
     view.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, view.selected};
     FrameGlobals& g = ctx.globals;
-    g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
-    g.heights = glm::vec4(0);
+    g.eyeAbove = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
+    g.groundScale = g.groundTexel = 0;
     if (t.height.present()) {
         const auto [offset, scale] = heightScale(t);
         const float base =
             t.height.map.at(0, 0);  // subtracted from texels first, so that slopes keep their digits (T-4)
-        g.heights = {static_cast<float>(offset + scale * base - ctx.eye.y), static_cast<float>(scale), base, 0};
+        g.groundBase = static_cast<float>(offset + scale * base - ctx.eye.y);
+        g.groundScale = static_cast<float>(scale);
+        g.groundTexel = base;
     } else {
-        g.heights.x = static_cast<float>(-ctx.eye.y);
+        g.groundBase = static_cast<float>(-ctx.eye.y);
     }
 }
 

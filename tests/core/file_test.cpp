@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 
 #include "core/hash.h"
 #include "tests/support.h"

@@ -1,6 +1,8 @@
 // What a project file may hold: every row of what is refused, repaired and accepted, with its place and message.
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "core/json.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
