@@ -56,16 +56,19 @@ struct ForceTarget {
     std::span<const Force> forces;  // those that reach into it
 };
 
-// What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque
-// here.
-struct SharedResources {
+// What effects hand to effects that run later (scene/slots.h). Domains never include each other: what is of a domain's
+// own is opaque here. First what is the same for all views of a frame; it is kept from frame to frame.
+struct SharedByViews {
+    Ground ground;  // the terrain; null without one
+    HeightBounds bounds;
+    GLuint heights = 0;  // the height map's texture; 0: flat
+};
+// And what each view has of its own; a frame begins with none of it.
+struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
     MaskState* masks = nullptr;
     SoilCover soil;
-    Ground ground;  // the terrain; null without one
-    HeightBounds bounds;
-    GLuint heights = 0;                 // the height map's texture; 0: flat
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     ForceTarget forceTarget;
@@ -74,14 +77,13 @@ struct SharedResources {
     LightsGlobals lights{};        // beside the sun, as bound to UBO_LIGHTS
 };
 
-// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows
-// it.
+// What to draw of a view within the view (ViewRow).
 struct ViewTargets;
 struct ViewRequest {
-    unsigned view = 0;  // ViewBits
     ViewCamera camera;
     glm::mat4 viewProj{1};  // from positions relative to the camera's eye to clip
-    float cutAt = 0;        // height relative to that eye, below which nothing is drawn
+    bool mirrored = false;  // left and right are exchanged
+    float cutAt = 0;        // mirrored: height relative to that eye, below which nothing is drawn
     ViewSettings settings;
     ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
@@ -103,6 +105,8 @@ ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int heigh
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
 
+ProgramSources sourcesOf(const ProgramRow& row);
+
 struct DrawContext {
     Gpu& gpu;
     const Project& project;
@@ -117,10 +121,10 @@ struct DrawContext {
     FrameGlobals& globals;  // systems may write; uploaded before the first pass
     FrameStats& stats;
     Frustum frustum;
-    glm::dvec3 around{0};  // in the world: what is made around the eye once for all views is made around this
-    std::function<void(const ViewRequest&)> view = {};  // draws one; in stage Reflect only
+    glm::dvec3 around{0};          // in the world: what is made around the eye once for all views is made around this
     glm::dvec3 eye{0};             // relative to the terrain's corner, or to the world without a terrain
-    EffectState* state = nullptr;  // of the effect whose pass or system runs
+    EffectState* state = nullptr;  // of the effect whose pass or system runs,
+    EffectState* seen = nullptr;   // and what it keeps for this view
     PassStats* pass = nullptr;     // of the pass that runs
     const Pass* row = nullptr;
 
@@ -128,10 +132,14 @@ struct DrawContext {
     S& own() {
         return *static_cast<S*>(state);
     }
+    template <class S>
+    S& ofView() {
+        return *static_cast<S*>(seen);
+    }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
-    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `of`: the features that it is
-    // compiled for, where those are not the whole scene's.
-    bool use(size_t program = 0, const std::string& constants = {}, const FeatureSet* of = nullptr);
+    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `features`: those
+    // that it is compiled for, as featureConstants has them, where they are not the whole scene's.
+    bool use(size_t program = 0, const std::string& constants = {}, const std::string* features = nullptr);
     std::string error = {};  // the first program that failed
 };
 

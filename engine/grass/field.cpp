@@ -7,6 +7,7 @@
 #include "grass/grass_fields.h"
 #include "grass/mask.h"
 #include "grass/slice_settings.h"
+#include "scene/field_limits.h"
 #include "scene/tiling.h"
 #include "shared/soil.h"
 #include "world/wind.h"
@@ -167,7 +168,7 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
 // The
 // scene's features, but of fields only this one's.
 FeatureSet featuresFor(const DrawContext& ctx, const FeatureSet& own) {
-    return (ctx.plan.features & ~featuresOfFields()) | own;
+    return (ctx.plan.features & ~fieldFeatures()) | own;
 }
 
 void updateSpecies(DrawContext& ctx, Field& field, size_t i) {
@@ -203,8 +204,9 @@ void findFields(DrawContext& ctx, GrassFields& grass) {
             std::find_if(grass.all.begin(), grass.all.end(), [&](const auto& f) { return f && f->name == name; });
         now.push_back(old != grass.all.end() ? std::move(*old) : std::make_unique<Field>());
         now.back()->name = name;
-        now.back()->view.emplace(
-            GrassView{entity, own, featuresFor(ctx, own), tiersOf(ctx.tables.techniques, entity, ctx.settings.coarse)});
+        const FeatureSet features = featuresFor(ctx, own);
+        now.back()->view.emplace(GrassView{entity, own, features, featureConstants(features),
+                                           tiersOf(ctx.tables.techniques, entity, ctx.settings.coarse)});
     }
     grass.all = std::move(now);
 }
@@ -218,7 +220,7 @@ void update(DrawContext& ctx) {
     ctx.shared.grass = &grass;
 }
 
-const System kSystems[] = {{"grass/field", update}};
+const System kSystems[] = {{"grass/field", {.reads = {Slot::Sun, Slot::Masks}, .writes = {Slot::Grass}}, update}};
 
 }  // namespace
 
@@ -278,7 +280,7 @@ void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
 
 bool beginField(DrawContext& ctx, const Field& field, size_t program, const std::string& constants) {
     endTransparency();
-    if (!ctx.use(program, constants, &field.view->features)) return false;
+    if (!ctx.use(program, constants, &field.view->constants)) return false;
     bindField(field);
     beginTransparency(ctx, field);
     return true;
@@ -344,12 +346,12 @@ void GrassFields::jobs(std::vector<JobNews>& out) const {
 
 const EffectRow& fieldEffect() {
     static const EffectRow row{
-        "grass/field",
-        featureSet(Feature::Grass, Feature::Terrain),
-        kSystems,
-        {},
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GrassFields>(); },
-        "there is grass: its patches, maps and textures"};
+        .name = "grass/field",
+        .needs = featureSet(Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GrassFields>(); },
+        .help = "there is grass: its patches, maps and textures",
+        .check = [](const Project& project, double) { return checkFields(project); }};
     return row;
 }
 const EffectRow& farDarkeningEffect() {
@@ -359,6 +361,14 @@ const EffectRow& farDarkeningEffect() {
                                {},
                                nullptr,
                                "far grass is darker, which shows depth"};
+    return row;
+}
+
+const EffectRow& uniqueEffect() {
+    static const EffectRow row{.name = "grass/unique",
+                               .needs = featureSet(Feature::GrassUnique),
+                               .help = "each cell has blades of its own",
+                               .check = checkUnique};
     return row;
 }
 

@@ -64,6 +64,7 @@ struct GrassView {
     FieldEntity of;
     FeatureSet own;       // what this field asks for in this view
     FeatureSet features;  // the scene's without other fields': what this field's programs are compiled for
+    std::string constants;  // featureConstants(features)
     FieldTiers tiers;
     template <class C>
     const C& settings() const {
@@ -121,6 +122,8 @@ void eachSpecies(const DrawContext& ctx, PerSpecies<S>& states, Feature f, F&& v
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();
+// Refuses a population of blades of their own that is too large to be made.
+const EffectRow& uniqueEffect();
 
 // Its maps and globals for what is drawn next.
 void bindField(const Field& field);

@@ -76,11 +76,15 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/force-outlines/upload", update}};
+const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, update}};
 const ProgramRow kPrograms[] = {
-    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {
-    {"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
+    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"grass/force-outlines",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::ForceList}, .appends = {Slot::Forces}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

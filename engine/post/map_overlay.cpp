@@ -67,9 +67,14 @@ void draw(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
-const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, depthVariants}};
+const Pass kPasses[] = {{"post/map-overlay",
+                         Stage::Overlay,
+                         kViewMain,
+                         {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces}, .writes = {Slot::Image}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

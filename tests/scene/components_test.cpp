@@ -249,16 +249,6 @@ TEST(Components, AddingAndRemovingOneLeavesTheFeaturesAsBefore) {
     }
 }
 
-TEST(Features, HaveNamesForPeopleAndForShaders) {
-    std::set<std::string> names;
-    for (size_t i = 0; i < size_t(Feature::Count); ++i) {
-        std::string name = featureName(Feature(i));
-        EXPECT_TRUE(names.insert(name).second);
-        for (char& c : name) c = c == '-' ? '_' : char(std::toupper(c));
-        EXPECT_EQ(name, featureConstant(Feature(i)));
-    }
-}
-
 TEST(Features, AForceIsThereWhereItsSourceStandsOrLeftTracks) {
     Project p;
     const Entity e = *addEntity(p, "e");
