@@ -152,11 +152,19 @@ float untracedShare(const View& v, const Surface& s, bool casts) {
     return 1;
 }
 
-glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const glm::vec3& towards, double far,
-                    const glm::vec3& light, bool casts, Dice& dice, GrassMemory& memory) {
-    const glm::vec3 sent = sends(s, toEye, towards) * light;
-    if (sent == glm::vec3(0) || (casts && !lit(v, s, towards, far, dice, memory))) return glm::vec3(0);
-    return sent * untracedShare(v, s, casts);
+// A light as a surface meets it.
+struct Arriving {
+    glm::vec3 towards;  // unit
+    double far;         // metres to the light
+    glm::vec3 color;    // irradiance on what faces it, divided by pi
+    bool casts;         // whether things in between shade the surface
+};
+glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const Arriving& light, Dice& dice,
+                    GrassMemory& memory) {
+    const glm::vec3 sent = sends(s, toEye, light.towards) * light.color;
+    if (sent == glm::vec3(0)) return glm::vec3(0);
+    if (light.casts && !lit(v, s, light.towards, light.far, dice, memory)) return glm::vec3(0);
+    return sent * untracedShare(v, s, light.casts);
 }
 
 glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {
@@ -164,14 +172,15 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
     const FrameGlobals& g = v.globals;
     glm::vec3 sum(0);
     if (v.hasSun && g.sunDirection.w > 0)
-        sum += lightFrom(v, s, toEye, glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0, dice,
+        sum += lightFrom(v, s, toEye, {glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0}, dice,
                          memory);
     for (int i = 0; i < static_cast<int>(v.lamps.count.x); ++i) {
         const LightGlobals& l = v.lamps.lights[i];
         const glm::vec3 way = glm::vec3(l.place) - glm::vec3(s.at - v.eye) * l.place.w;
         const f32::PointLight p = f32::pointLight(way, l.color.w);
-        sum += lightFrom(v, s, toEye, p.direction, l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar,
-                         glm::vec3(l.color) * p.attenuation, i < static_cast<int>(v.lamps.count.y), dice, memory);
+        const double far = l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar;
+        const bool casts = i < static_cast<int>(v.lamps.count.y);
+        sum += lightFrom(v, s, toEye, {p.direction, far, glm::vec3(l.color) * p.attenuation, casts}, dice, memory);
     }
     return sum;
 }
