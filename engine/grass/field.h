@@ -44,6 +44,7 @@ struct FieldState : EffectState {
     void jobs(std::vector<JobNews>& out) const override;
 };
 
+// Row of the effect "grass/field" (techniques.cpp): runs in scenes with Grass and Terrain.
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();
