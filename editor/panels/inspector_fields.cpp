@@ -78,7 +78,7 @@ void boolField(EditorApp& app, const FieldRef& f) {
 
 void enumField(EditorApp& app, const FieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
-    int chosen = *static_cast<const int*>(f.value);
+    int chosen = enumIndex(f.value);
     if (ui::combo(f.path, items, chosen)) set(app, f.path, items[static_cast<size_t>(chosen)]);
 }
 

@@ -105,7 +105,7 @@ void looks(EditorApp& app) {
     chooseField(app);
     const FieldRef technique = fieldNamed(app, "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
-    int chosen = *static_cast<const int*>(technique.value);
+    int chosen = enumIndex(technique.value);
     caption("Technique", technique.row->help);
     if (ui::combo("technique", items, chosen))
         setField(app, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");

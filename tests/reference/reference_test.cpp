@@ -55,7 +55,7 @@ Project furnace() {
     t.groundColor = glm::vec3(1 / kPlain);
     put(p, "ground", t);
     Sky sky;
-    sky.model = static_cast<int>(SkyModel::Uniform);
+    sky.model = SkyModel::Uniform;
     put(p, "sky", sky);
     return p;
 }

@@ -67,7 +67,7 @@ void fill(const FieldRow& row, void* value, int n) {
             if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n);
             break;
         case FieldType::Enum:
-            *static_cast<int*>(value) = int(row.options.size()) - 1;
+            setEnumIndex(value, static_cast<int>(row.options.size()) - 1);
             break;
         case FieldType::Map: {
             auto& field = *static_cast<MapField*>(value);
@@ -103,7 +103,7 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
         EXPECT_GT(std::string_view(f.help).size(), 8u) << path;
         EXPECT_NE(f.unit, nullptr) << path;
         if (f.type == FieldType::Enum) {
-            EXPECT_LT(size_t(*static_cast<int*>(value)), f.options.size()) << path;
+            EXPECT_LT(static_cast<size_t>(enumIndex(value)), f.options.size()) << path;
         }
         if (f.type == FieldType::List) {
             EXPECT_NE(f.list, nullptr) << path;

@@ -44,7 +44,7 @@ TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun, Feature::CastingLights));
     light.castShadows = false;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun));
-    light.type = static_cast<int>(LightType::Point);
+    light.type = LightType::Point;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Lamps));
     light.intensity = 0;
     EXPECT_TRUE(featuresOf("Light", &light).none());
@@ -78,7 +78,7 @@ TEST(SceneFeatures, AForceIsThereWhereItsSourceStandsOrLeftTracks) {
     Project p;
     const Entity e = *addEntity(p, "e");
     ForceSource& s = *p.registry.add<ForceSource>(e);
-    s.shape = static_cast<int>(ForceShape::Outline);
+    s.shape = ForceShape::Outline;
     EXPECT_TRUE(sceneFeatures(p.registry, rows()).none());
     EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Forces).empty());
     s.tracks.push_back({{1, 1}, {2, 2}, 0});
