@@ -1,7 +1,7 @@
 // What a kind of flowers looks like: its image, and how many stand in a cell. Read by grass/flowers and by the
 // reference.
 #pragma once
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "scene/project.h"
 
 namespace sward {

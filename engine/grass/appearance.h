@@ -11,8 +11,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "scene/population.h"
 #include "shared/frame.h"
 

@@ -17,7 +17,7 @@
 
 #include "core/error.h"
 #include "core/jobs.h"
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "scene/population.h"
 
 namespace sward {

@@ -30,11 +30,11 @@ Appearance appearance(const PicturePair& pair);
 ErrorMap appearanceMap(const PicturePair& pair);
 
 // Mean and deviation by channel of the pixels of one block, by their weight. Channels in [0,1].
-struct BlockLook {
+struct BlockMoments {
     double weight = 0;
     glm::dvec3 mean{0}, deviation{0};
 };
 // Of the square with its first pixel at (x0, y0), cut at the picture's edges. Weight 0: no pixel of it counts.
-BlockLook blockLook(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side);
+BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side);
 
 }  // namespace sward

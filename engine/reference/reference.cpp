@@ -14,7 +14,7 @@
 namespace sward {
 namespace {
 
-constexpr int kTileWidth = 32;  // pixels; as high as a shard's band
+constexpr int kBlockWidth = 32;  // pixels; as high as a shard's band
 constexpr int kMostBounces = 32;
 constexpr double kOffBlade =
     2e-5;  // metres by which a new ray starts off the surface it leaves, so as not to meet it again
@@ -409,16 +409,17 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
     const size_t pixels = static_cast<size_t>(settings.width) * static_cast<size_t>(settings.height);
     Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
                 std::vector<float>(pixels)};
-    const int across = (settings.width + kTileWidth - 1) / kTileWidth,
+    const int across = (settings.width + kBlockWidth - 1) / kBlockWidth,
               down = (settings.height + kShardRows - 1) / kShardRows;
     MemoryPool memories;
     std::atomic<int> done{0};
-    parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t tile) {
-        const int x0 = static_cast<int>(tile) % across * kTileWidth, y0 = static_cast<int>(tile) / across * kShardRows;
+    parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t block) {
+        const int x0 = static_cast<int>(block) % across * kBlockWidth,
+                  y0 = static_cast<int>(block) / across * kShardRows;
         if (control.cancelled() || !isOfShard(y0, settings)) return;
         auto memory = memories.take();
         for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
-            for (int x = x0; x < std::min(x0 + kTileWidth, settings.width); ++x)
+            for (int x = x0; x < std::min(x0 + kBlockWidth, settings.width); ++x)
                 writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x),
                            samplePixel(view, x, y, *memory), settings.samples);
         memories.give(std::move(memory));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "maps/map.h"
 
 namespace sward {
