@@ -1,7 +1,10 @@
 // What a scene asks for, from its components.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "scene/components.h"
 #include "scene/project.h"
@@ -94,6 +97,16 @@ TEST(SceneFeatures, KnowWhichEntitiesAskForThem) {
     p.registry.get<Light>(findEntity(p, "c"))->intensity = 0;
     EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::CastingLights), (std::vector<std::string>{"a", "b"}));
     EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Fog).empty());
+}
+
+TEST(SceneFeatures, HaveNamesForPeopleAndForShaders) {
+    std::set<std::string> names;
+    for (size_t i = 0; i < size_t(Feature::Count); ++i) {
+        std::string name = featureName(Feature(i));
+        EXPECT_TRUE(names.insert(name).second);
+        for (char& c : name) c = c == '-' ? '_' : char(std::toupper(c));
+        EXPECT_EQ(name, featureConstant(Feature(i)));
+    }
 }
 
 }  // namespace
