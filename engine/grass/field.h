@@ -1,8 +1,8 @@
 // What all of a field's tiers share, field by field: patches, blade textures, maps, and how much light grass leaves to
 // the soil. Does not: draw.
 #pragma once
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "grass/appearance.h"
 #include "grass/cells.h"
 #include "grass/drawing.h"
@@ -119,6 +119,7 @@ void eachSpecies(const DrawContext& ctx, PerSpecies<S>& states, Feature f, F&& v
     }
 }
 
+// Row of the effect "grass/field" (techniques.cpp): runs in scenes with Grass and Terrain.
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();

@@ -38,12 +38,14 @@ const char* featureConstant(Feature f);
 // All features that single fields ask for.
 FeatureSet fieldFeatures();
 
+// The set of the features named.
 template <class... F>
 FeatureSet featureSet(F... f) {
     FeatureSet s;
     (s.set(static_cast<size_t>(f)), ...);
     return s;
 }
+// Whether `s` has feature `f`.
 inline bool has(const FeatureSet& s, Feature f) { return s.test(static_cast<size_t>(f)); }
 
 }  // namespace sward
