@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> autosavesOf(const std::filesystem::path& dir)
 Result<std::filesystem::path> writeAutosave(const Project& p, std::span<const ComponentRow> rows);
 void forgetAutosaves(const std::filesystem::path& dir);
 
-struct EditorApp;
+class Document;
 struct Autosave {
     bool on = false;           // a person's editor; not tests and scripts
     std::filesystem::path of;  // folder of the project that the rest is about
@@ -34,9 +34,9 @@ struct Autosave {
     bool opening = false;
 };
 // Now and then, with the time in seconds: begins a copy when one is due, and looks for another run's when a project was
-// opened.
-void tickAutosave(EditorApp& app, double now);
-// The person left the program in order: nothing is to be offered next time.
-void endAutosave(EditorApp& app);
+// opened. `held`: a drag is on, so that nothing is copied now. True if a question is to be asked now.
+bool tickAutosave(Autosave& autosave, Document& document, bool held, double now);
+// The person left the program in order: waits for a copy under way; nothing is to be offered next time.
+void endAutosave(Autosave& autosave);
 
 }  // namespace sward

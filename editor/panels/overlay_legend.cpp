@@ -115,18 +115,18 @@ AmountEnds amountEnds(const FieldRow& map) {
     return {"0 bare", "1 full"};
 }
 
-void drawOverlayLegend(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
-    if (overlayOf(app).map.empty() || !map) return;
+void drawOverlayLegend(Document& document, BrushBook& brushes, double yaw, const Rect& view) {
+    const std::optional<FieldRef> map = chosenMap(document, brushes);
+    if (overlayOf(document, brushes).map.empty() || !map) return;
     const std::string title = map->path;
     const MapKind kind = kindOf(*map->row);
-    if (kind == MapKind::Amounts) amounts(app.viewport.rect, title, amountEnds(*map->row));
-    if (kind == MapKind::Forces) forces(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Amounts) amounts(view, title, amountEnds(*map->row));
+    if (kind == MapKind::Forces) forces(view, title, yaw);
     if (kind == MapKind::Colours) {
         const bool soil = std::string_view(map->component->name) == "Terrain";
-        colours(app.viewport.rect, title, soil ? "0 soil" : "0 grass", currentColor(app.brushes));
+        colours(view, title, soil ? "0 soil" : "0 grass", currentColor(brushes));
     }
-    if (kind == MapKind::Directions) directions(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Directions) directions(view, title, yaw);
 }
 
 }  // namespace sward

@@ -1,5 +1,7 @@
 #include "tools/brush_target.h"
 
+#include <algorithm>
+
 #include "tools/stroke.h"
 #include "world/ground.h"
 
@@ -9,11 +11,11 @@ namespace {
 bool present(const FieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
 
 // The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
-std::string mapFor(EditorApp& app, const BrushRow& row) {
+std::string mapFor(Document& doc, const BrushBook& book, const BrushRow& row) {
     std::vector<std::string> fitting;
-    for (const FieldRef& map : paintableMaps(app))
+    for (const FieldRef& map : paintableMaps(doc))
         if (paints(row, kindOf(*map.row))) fitting.push_back(map.path);
-    for (const std::string& map : app.brushes.recentMaps)
+    for (const std::string& map : book.recentMaps)
         if (std::find(fitting.begin(), fitting.end(), map) != fitting.end()) return map;
     for (const std::string& map : fitting)
         if (map.ends_with(".density")) return map;
@@ -44,103 +46,101 @@ void remember(BrushBook& book, MapKind kind) {
 
 }  // namespace
 
-std::vector<FieldRef> paintableMaps(EditorApp& app) {
-    if (!app.doc.isOpen()) return {};
-    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+std::vector<FieldRef> paintableMaps(Document& doc) {
+    if (!doc.isOpen()) return {};
+    std::vector<FieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
     std::erase_if(maps, [](const FieldRef& f) { return f.row->isHeight; });
     return maps;
 }
 
-std::optional<FieldRef> chosenMap(EditorApp& app) {
-    if (!app.doc.isOpen() || app.brushes.map.empty()) return std::nullopt;
-    const Result<FieldRef> map = findField(app.doc.project(), app.doc.tables().components, app.brushes.map);
+std::optional<FieldRef> chosenMap(Document& doc, const BrushBook& book) {
+    if (!doc.isOpen() || book.map.empty()) return std::nullopt;
+    const Result<FieldRef> map = findField(doc.project(), doc.tables().components, book.map);
     return map && map->row->type == FieldType::Map ? std::optional(*map) : std::nullopt;
 }
 
-void selectMap(EditorApp& app, const std::string& path) {
-    app.brushes.map = path;
-    keepTargetValid(app);
+void selectMap(Document& doc, BrushBook& book, const std::string& path) {
+    book.map = path;
+    keepTargetValid(doc, book);
 }
 
-void selectTool(EditorApp& app, const std::string& tool) {
+void selectTool(Document& doc, BrushBook& book, Messages& messages, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<FieldRef> map = chosenMap(doc, book);
     if (row && (!map || !paints(*row, kindOf(*map->row)))) {
-        const std::string other = mapFor(app, *row);
-        if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
-        app.brushes.map = other;
+        const std::string other = mapFor(doc, book, *row);
+        if (other.empty()) return say(messages, fmt::format("{}: the project has no map that it paints", row->label));
+        book.map = other;
     }
-    app.brushes.tool = tool;
-    keepTargetValid(app);
+    book.tool = tool;
+    keepTargetValid(doc, book);
 }
 
-void toggleLook(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
-    selectTool(app, app.brushes.tool != kLookTool ? kLookTool
-                                                  : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
+void toggleLook(Document& doc, BrushBook& book, Messages& messages) {
+    const std::optional<FieldRef> map = chosenMap(doc, book);
+    selectTool(doc, book, messages,
+               book.tool != kLookTool ? kLookTool : toolFor(book, map ? kindOf(*map->row) : MapKind::Amounts));
 }
 
-void pickColor(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+void pickColor(Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
+    const std::optional<FieldRef> map = chosenMap(doc, book);
     if (!map || kindOf(*map->row) != MapKind::Colours)
-        return say(app, "Pick Colour: the brush is on no map of colours");
+        return say(messages, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
-    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    if (!app.viewport.ground || texels.empty() || !scale)
-        return say(app, "Pick Colour: there is nothing under the pointer");
-    const glm::dvec3 at = *app.viewport.ground - findGround(app.doc.project()).origin;
+    const Result<MapScale> scale = mapScale(doc.project(), *map);
+    if (!ground || texels.empty() || !scale) return say(messages, "Pick Colour: there is nothing under the pointer");
+    const glm::dvec3 at = *ground - findGround(doc.project()).origin;
     const glm::dvec2 place(at.x / scale->width, at.z / scale->depth),
         inside = scale->repeats ? place - glm::floor(place) : place;
-    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255)) return say(app, "Pick Colour: nothing is painted there");
-    for (int c = 0; c < 3; ++c)
-        currentColor(app.brushes)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
-    say(app, "the brush's colour is " + colorText(currentColor(app.brushes)));
+    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255))
+        return say(messages, "Pick Colour: nothing is painted there");
+    for (int c = 0; c < 3; ++c) currentColor(book)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
+    say(messages, "the brush's colour is " + colorText(currentColor(book)));
 }
 
-void keepTargetValid(EditorApp& app) {
-    const std::vector<FieldRef> maps = paintableMaps(app);
-    const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
+void keepTargetValid(Document& doc, BrushBook& book) {
+    const std::vector<FieldRef> maps = paintableMaps(doc);
+    const auto named = [&](const FieldRef& f) { return f.path == book.map; };
     if (std::none_of(maps.begin(), maps.end(), named)) {
         const BrushRow* row = findBrush("add");
-        app.brushes.map = mapFor(app, *row);
+        book.map = mapFor(doc, book, *row);
     }
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<FieldRef> map = chosenMap(doc, book);
     if (!map) return;
     const MapKind kind = kindOf(*map->row);
-    const BrushRow* row = findBrush(app.brushes.tool);
-    if (row && !paints(*row, kind)) app.brushes.tool = toolFor(app.brushes, kind);
-    remember(app.brushes, kind);
+    const BrushRow* row = findBrush(book.tool);
+    if (row && !paints(*row, kind)) book.tool = toolFor(book, kind);
+    remember(book, kind);
 }
 
-std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) {
-    const BrushSettings brush = strokeBrush(app.brushes, ctrl, shift);
+std::vector<BrushSettings> strokeBrushes(Document& doc, BrushBook& book, bool ctrl, bool shift) {
+    const BrushSettings brush = strokeBrush(book, ctrl, shift);
     if (!(ctrl && shift)) return {brush};
-    return speciesBrushes(app.doc.project(), app.doc.tables().components, brush);
+    return speciesBrushes(doc.project(), doc.tables().components, brush);
 }
 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
-bool showsSources(EditorApp& app, const FieldRef& map) {
-    return map.row->isForce &&
-           has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
+bool showsSources(Document& doc, const FieldRef& map) {
+    return map.row->isForce && has(sceneFeatures(doc.project().registry, doc.tables().components), Feature::Forces);
 }
 }  // namespace
 
-bool overlayShown(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+bool overlayShown(Document& doc, const BrushBook& book) {
+    const std::optional<FieldRef> map = chosenMap(doc, book);
     if (!map) return false;
-    const auto chosen = app.brushes.overlays.find(map->path);
-    return chosen != app.brushes.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
+    const auto chosen = book.overlays.find(map->path);
+    return chosen != book.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
 }
 
-void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !overlayShown(app); }
+void toggleOverlay(Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }
 
-MapOverlay overlayOf(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
-    if (!map || !overlayShown(app) || !(present(*map) || showsSources(app, *map))) return {};
-    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    if (!scale || !findGround(app.doc.project()).terrain) return {};
+MapOverlay overlayOf(Document& doc, const BrushBook& book) {
+    const std::optional<FieldRef> map = chosenMap(doc, book);
+    if (!map || !overlayShown(doc, book) || !(present(*map) || showsSources(doc, *map))) return {};
+    const Result<MapScale> scale = mapScale(doc.project(), *map);
+    if (!scale || !findGround(doc.project()).terrain) return {};
     return {map->path, scale->tiling};
 }
 

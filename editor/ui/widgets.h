@@ -22,14 +22,16 @@ struct Widget {
     bool open = false;    // Menu, Combo, Section: what it holds is on the screen
 };
 
+using Errors = std::map<std::string, std::string>;  // by path: what was wrong with the last value typed there
+
 struct WidgetBook {
-    std::map<std::string, Widget> widgets;      // of the last whole frame
-    std::map<std::string, Widget> next;         // of the frame being built
-    std::map<std::string, std::string> errors;  // path -> what was wrong with the last value typed there
-    std::string scope;                          // "Brush/"
-    std::vector<bool> disabled;                 // of the Disabled blocks around, outermost first
-    std::string reveal;                         // path to scroll to when it is next met
-    std::string editing;                        // path of the number being typed
+    std::map<std::string, Widget> widgets;  // of the last whole frame
+    std::map<std::string, Widget> next;     // of the frame being built
+    Errors errors;
+    std::string scope;           // "Brush/"
+    std::vector<bool> disabled;  // of the Disabled blocks around, outermost first
+    std::string reveal;          // path to scroll to when it is next met
+    std::string editing;         // path of the number being typed
     std::string editText;
     int editAge = 0;  // frames since typing was asked for
     bool editActive = false;
@@ -67,6 +69,12 @@ class Disabled {
 
 // Writes down ImGui's last item under the current scope.
 Widget& record(const std::string& label, Kind kind, const std::string& value = {});
+// Writes down what is no ImGui item, such as a grip drawn over a picture, at a whole path.
+void recordAt(const std::string& path, const Widget& widget);
+// True once if someone waits for the widget at a whole path to be scrolled into sight; the caller scrolls.
+bool takeReveal(const std::string& path);
+// A number or a text is being typed, and not yet entered.
+bool typing(const WidgetBook& book);
 // What was wrong with the value last typed at label; null if nothing.
 const std::string* errorAt(const std::string& label);
 void setError(const std::string& label, const std::string& message);  // empty: none

@@ -3,9 +3,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "../support.h"
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
+#include "support.h"
 #include "techniques.h"
 
 namespace sward::test {
@@ -31,7 +31,7 @@ class EditorFixture : public testing::Test {
     }
     void TearDown() override {
         EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
-        EXPECT_EQ(app->notice, "");
+        EXPECT_EQ(app->messages.notice, "");
     }
 
     void ok(const Status& status) { EXPECT_TRUE(status) << status.error().text(); }
@@ -49,7 +49,7 @@ class EditorFixture : public testing::Test {
     }
     // Across the lower middle of the viewport, where there is ground.
     void paint() {
-        const Rect& r = app->viewport.rect;
+        const Rect& r = app->hand.rect;
         const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
         ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y));
     }

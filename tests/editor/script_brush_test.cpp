@@ -1,5 +1,5 @@
 // What brushes do in scripts, by the kind of map.
-#include "script_stage.h"
+#include "editor/script_stage.h"
 
 namespace sward {
 namespace {

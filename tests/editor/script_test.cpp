@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "editor/script_stage.h"
 #include "mesh/mesh_io.h"
-#include "script_stage.h"
 
 namespace sward {
 namespace {

@@ -1,7 +1,7 @@
 // The tools of a hybrid field, through the real widgets: tiers, rings, combing, overlays, erasing.
 #include <epoxy/gl.h>
 
-#include "editor_fixture.h"
+#include "editor/editor_fixture.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
@@ -42,12 +42,12 @@ class EditorTools : public test::EditorFixture {
         ok(ui->wait(2));
     }
     std::vector<uint8_t> picture() {
-        app->refineNow = true;
-        app->viewport.drawnRevision = ~uint64_t(0);
+        app->clock.refineNow = true;
+        app->picture.drawnRevision = ~uint64_t(0);
         ok(ui->wait(2));
-        app->refineNow = false;
-        std::vector<uint8_t> pixels(static_cast<size_t>(app->viewport.pictureWidth) * app->viewport.pictureHeight * 4);
-        glGetTextureImage(app->viewport.picture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
+        app->clock.refineNow = false;
+        std::vector<uint8_t> pixels(static_cast<size_t>(app->picture.width) * app->picture.height * 4);
+        glGetTextureImage(app->picture.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
                           pixels.data());
         return pixels;
     }
@@ -94,9 +94,9 @@ TEST_F(EditorTools, ThePanelSetsTechniqueFadeSlicesAndTheView) {
     ok(ui->set("Tiers/slices", "6"));
     EXPECT_EQ(field("lawn.GrassField.slices"), "6");
     ok(ui->set("Tiers/False colours", "true"));
-    EXPECT_EQ(app->viewport.mode, ViewMode::Tiers);
+    EXPECT_EQ(app->view.mode, ViewMode::Tiers);
     ok(ui->set("Tiers/False colours", "false"));
-    EXPECT_EQ(app->viewport.mode, ViewMode::Final);
+    EXPECT_EQ(app->view.mode, ViewMode::Final);
     EXPECT_TRUE(ui->exists("Tiers/Blades"));
     ok(ui->set("Tiers/Measure", "true"));
     ok(ui->wait(3));
@@ -155,7 +155,7 @@ TEST_F(EditorTools, AClickOnARingChangesNothingAndEscapeLetsItGo) {
     release();
     EXPECT_EQ(tiers(), before);
     EXPECT_EQ(doc.undoLabel(), "set tiers of lawn");  // of the typed distance
-    EXPECT_TRUE(app->holding.empty());
+    EXPECT_TRUE(app->edits.holding.empty());
 }
 
 TEST_F(EditorTools, RingsThatMeetPartTheWayTheHandGoes) {
@@ -174,17 +174,16 @@ TEST_F(EditorTools, RingsThatMeetPartTheWayTheHandGoes) {
 TEST_F(EditorTools, PinnedRingsStayWhereTheEyeWas) {
     ASSERT_TRUE(ui->get("Tiers/maxGeom"));
     ok(ui->set("Tiers/Pin rings", "true"));
-    const glm::dvec3 eye = app->viewport.camera.eye;
+    const glm::dvec3 eye = app->view.camera.eye;
     ASSERT_TRUE(app->tierView.pin);
-    app->viewport.camera.pitch = -0.6;
-    focus(app->viewport.camera, eye, 25);
+    app->view.camera.pitch = -0.6;
+    focus(app->view.camera, eye, 25);
     ok(ui->wait(2));
     EXPECT_EQ(*app->tierView.pin, eye);
     const auto [x, y] = grip("maxGeom");
-    const auto ground =
-        pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(app->viewport.rect.w),
-                   static_cast<int>(app->viewport.rect.h), x - static_cast<double>(app->viewport.rect.x),
-                   y - static_cast<double>(app->viewport.rect.y));
+    const auto ground = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(app->hand.rect.w),
+                                   static_cast<int>(app->hand.rect.h), x - static_cast<double>(app->hand.rect.x),
+                                   y - static_cast<double>(app->hand.rect.y));
     ASSERT_TRUE(ground);
     EXPECT_NEAR(glm::length(*ground - eye), tiers()[1], 0.5);
     ok(ui->set("Tiers/Pin rings", "false"));
@@ -212,13 +211,13 @@ TEST_F(EditorTools, CombingInTheViewportLaysTheGrassTheWayTheHandGoes) {
     ok(ui->set("Brush/Strength", "1"));
     paint();                                     // to the right on the screen
     ASSERT_TRUE(mapOf(kOrientation).present());  // made with the stroke
-    const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
-                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
+    const Rect& r = app->hand.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
+                               static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     const glm::dvec2 size = findGround(doc.project()).terrain->size;
     const Map& map = mapOf(kOrientation).map;
-    const double yaw = app->viewport.camera.yaw;
+    const double yaw = app->view.camera.yaw;
     EXPECT_NEAR(map.sample(at->x / size.x, at->z / size.y, 0) * 2 - 1, std::cos(yaw), 0.1);
     EXPECT_NEAR(map.sample(at->x / size.x, at->z / size.y, 1) * 2 - 1, std::sin(yaw), 0.1);
     ok(ui->key("ctrl+z"));
@@ -234,15 +233,15 @@ TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) 
     const std::vector<uint8_t> before = picture();
     paint();  // to the right on the screen
     ASSERT_TRUE(mapOf(kForces).present());
-    EXPECT_EQ(overlayOf(*app).map, kForces);
-    const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
-                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
+    EXPECT_EQ(overlayOf(doc, app->brushes).map, kForces);
+    const Rect& r = app->hand.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
+                               static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     const glm::dvec2 size = findGround(doc.project()).terrain->size;
     const Map& map = mapOf(kForces).map;
     const auto channel = [&](int c) { return static_cast<double>(map.sample(at->x / size.x, at->z / size.y, c)); };
-    const double yaw = app->viewport.camera.yaw;
+    const double yaw = app->view.camera.yaw;
     EXPECT_NEAR(channel(0) * 2 - 1, std::cos(yaw), 0.1);
     EXPECT_NEAR(channel(1) * 2 - 1, std::sin(yaw), 0.1);
     EXPECT_NEAR(channel(2), 1, 0.02);
@@ -263,16 +262,16 @@ TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) 
 TEST_F(EditorTools, TheOverlayOfForcesShowsWhatStandsThereToo) {
     ok(ui->set("Brush/Map", kForces));
     EXPECT_EQ(app->brushes.tool, "press");
-    EXPECT_EQ(overlayOf(*app).map, "") << "nothing presses";
-    const Rect& r = app->viewport.rect;
-    const auto at = pickGround(doc.project(), viewOf(app->viewport.camera), static_cast<int>(r.w),
-                               static_cast<int>(r.h), static_cast<double>(r.w) * 0.5, static_cast<double>(r.h) * 0.8);
+    EXPECT_EQ(overlayOf(doc, app->brushes).map, "") << "nothing presses";
+    const Rect& r = app->hand.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
+                               static_cast<double>(r.w) * 0.5, static_cast<double>(r.h) * 0.8);
     ASSERT_TRUE(at);
     ASSERT_TRUE(doc.addEntity("stone"));
     ASSERT_TRUE(doc.addComponent("stone", "ForceSource"));
     ASSERT_TRUE(doc.addComponent("stone", "Transform"));
     ASSERT_TRUE(doc.setField("stone.Transform.position", fmt::format("[{}, {}, {}]", at->x, at->y, at->z)));
-    EXPECT_EQ(overlayOf(*app).map, kForces);
+    EXPECT_EQ(overlayOf(doc, app->brushes).map, kForces);
     const std::vector<uint8_t> shown = picture();
     ok(ui->key("o"));
     EXPECT_NE(picture(), shown);
@@ -287,7 +286,7 @@ TEST_F(EditorTools, TheDialAndTheNumberSetTheAngle) {
 }
 
 TEST_F(EditorTools, TheOverlayShowsDirectionsUnaskedAndDensitiesOnDemand) {
-    EXPECT_FALSE(overlayShown(*app));
+    EXPECT_FALSE(overlayShown(doc, app->brushes));
     const std::vector<uint8_t> plain = picture();
     ok(ui->click("Brush/Overlay"));
     EXPECT_NE(picture(), plain);
@@ -296,18 +295,18 @@ TEST_F(EditorTools, TheOverlayShowsDirectionsUnaskedAndDensitiesOnDemand) {
     ok(ui->click("Tools/Comb"));
     EXPECT_EQ(picture(), plain);  // there is no such map yet
     ok(ui->click("Brush/Create map"));
-    EXPECT_TRUE(overlayShown(*app));
+    EXPECT_TRUE(overlayShown(doc, app->brushes));
     EXPECT_NE(picture(), plain);
     for (const char* map : {"ambientOcclusion", "vegetation", "forces"}) {
         ok(ui->set("Brush/Map", map));
         ok(ui->click("Brush/Create map"));
-        EXPECT_TRUE(overlayShown(*app)) << map;
-        EXPECT_EQ(overlayOf(*app).map, std::string("lawn.GrassField.") + map);
+        EXPECT_TRUE(overlayShown(doc, app->brushes)) << map;
+        EXPECT_EQ(overlayOf(doc, app->brushes).map, std::string("lawn.GrassField.") + map);
     }
 }
 
 TEST_F(EditorTools, TheSwatchShowsForMapsOfColoursOnly) {
-    for (const FieldRef& map : paintableMaps(*app)) {
+    for (const FieldRef& map : paintableMaps(doc)) {
         ok(ui->set("Brush/Map", map.path));
         const std::string name = map.row->name;
         const bool colours = name == "terrainMap" || name == "vegetation";
@@ -348,7 +347,7 @@ TEST_F(EditorTools, PaintingAColourMakesTheMapAndPickingFindsItAgain) {
     EXPECT_NE(tinted, shown) << "the overlay shows nothing";
     EXPECT_NE(tinted, before) << "the grass has its own colour still";
     ok(ui->set("Brush/Colour", "#000000"));
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     const auto pickAt = [&](float across) {
         moveTo(static_cast<double>(r.x + r.w * across), static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8);
         ok(ui->wait(2));
@@ -372,7 +371,7 @@ TEST_F(EditorTools, CtrlShiftErasesEverySpeciesInOneStep) {
     const std::string second = "lawn.GrassField.species[grass].density";
     const uint64_t before = density();
     ok(ui->set("Brush/Map", "species[lawn].density"));
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
     ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y, "ctrl+shift"));
     EXPECT_NE(mapOf("lawn.GrassField.species[lawn].density").map.hash(), before);
@@ -387,7 +386,7 @@ TEST_F(EditorTools, ShiftErasesWithThePreset) {
     const uint64_t before = density();
     ok(ui->click("Menu/Brush/Shift Erases"));
     EXPECT_TRUE(app->brushes.shiftErases);
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
     const double mean = mapOf("lawn.GrassField.species[lawn].density").map.mean();
     ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y, "shift"));
@@ -402,8 +401,9 @@ TEST_F(EditorTools, UnsavedWorkIsCopiedAndOfferedToTheNextRun) {
     app->autosave.on = true;
     const auto copies = [&] { return autosavesOf(dir / "meadow"); };
     const auto tickUntilIdle = [&](double now) {
-        tickAutosave(*app, now);
-        while (app->autosave.job.active()) tickAutosave(*app, now);
+        const auto tick = [&] { return tickAutosave(app->autosave, doc, false, now); };
+        if (tick()) app->clock.wanted = 4;
+        while (app->autosave.job.active()) tick();
     };
     tickUntilIdle(0);
     ok(ui->set("Inspector/sun.Light.elevationDeg", "20"));

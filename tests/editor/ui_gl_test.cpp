@@ -1,7 +1,7 @@
 // The editor without a window: real widgets, real input queue, real renderer.
 #include <gtest/gtest.h>
 
-#include "editor_fixture.h"
+#include "editor/editor_fixture.h"
 #include "maps/map_io.h"
 
 namespace sward {
@@ -193,7 +193,7 @@ TEST_F(EditorUi, TheFileDialogSavesAsAndOpensAndSaysWhatWentWrong) {
 }
 
 TEST_F(EditorUi, AnErrorStandsOverTheViewportUntilDismissed) {
-    showError(*app, {ExitCode::Failed, "the disk is full", "maps/a.png", 0, 0, "free some space"});
+    showError(app->messages, {ExitCode::Failed, "the disk is full", "maps/a.png", 0, 0, "free some space"});
     EXPECT_NE(get("Viewport/Error").find("disk is full"), std::string::npos);
     ok(ui->click("Viewport/Dismiss"));
     EXPECT_FALSE(ui->exists("Viewport/Error"));
@@ -210,7 +210,7 @@ TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
     ok(doc.setField("lawn.GrassField.population", "patch"));
     ok(ui->wait(3));
     EXPECT_FALSE(ui->exists("Viewport/Error"));
-    showError(*app, {ExitCode::Failed, "the disk is full", "", 0, 0, ""});
+    showError(app->messages, {ExitCode::Failed, "the disk is full", "", 0, 0, ""});
     ok(doc.setField("lawn.GrassField.seed", "7"));
     ok(ui->wait(3));
     EXPECT_TRUE(ui->exists("Viewport/Error")) << "another error is not drawing's to take away";
@@ -219,12 +219,12 @@ TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
 
 TEST_F(EditorUi, TheViewportIsNotDrawnAgainWhenNothingChanged) {
     ok(ui->wait(3));
-    app->viewport.lastMs = -1;
+    app->counts.lastMs = -1;
     ok(ui->wait(5));
-    EXPECT_EQ(app->viewport.lastMs, -1);
+    EXPECT_EQ(app->counts.lastMs, -1);
     ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "30"));
     ok(ui->wait(2));
-    EXPECT_GT(app->viewport.lastMs, 0);
+    EXPECT_GT(app->counts.lastMs, 0);
 }
 
 TEST_F(EditorUi, AScreenshotShowsTheWholeWindow) {
@@ -237,7 +237,7 @@ TEST_F(EditorUi, AScreenshotShowsTheWholeWindow) {
         return image
             ->pixels[(static_cast<size_t>(y) * 800 + static_cast<size_t>(x)) * static_cast<size_t>(image->channels)];
     };
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     EXPECT_GT(at(static_cast<int>(r.x + r.w / 2), static_cast<int>(r.y + 10)), 0.4f);  // sky
     EXPECT_LT(at(790, 300), 0.35f);                                                    // a dark panel
 }
@@ -253,15 +253,15 @@ TEST_F(EditorUi, AmbientOcclusionIsBakedBesideTheEditorAndCanBeCancelled) {
     setenv("XDG_CACHE_HOME", (dir / "cache").c_str(), 1);
     const auto baked = [&] { return field("lawn.GrassField.ambientOcclusion") != ""; };
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
-    ASSERT_TRUE(app->occlusion);
+    ASSERT_TRUE(app->background.occlusion);
     EXPECT_TRUE(ui->exists("Status/Baking"));
     ok(ui->click("Status/Cancel"));
-    for (int i = 0; i < 500 && app->occlusion; ++i) ok(ui->wait(1));
+    for (int i = 0; i < 500 && app->background.occlusion; ++i) ok(ui->wait(1));
     EXPECT_FALSE(baked());
-    EXPECT_NE(app->notice.find("cancelled"), std::string::npos);
-    app->notice.clear();
+    EXPECT_NE(app->messages.notice.find("cancelled"), std::string::npos);
+    app->messages.notice.clear();
     ok(ui->click("Menu/Bake/Ambient Occlusion"));
-    for (int i = 0; i < 3000 && app->occlusion; ++i) ok(ui->wait(1));
+    for (int i = 0; i < 3000 && app->background.occlusion; ++i) ok(ui->wait(1));
     EXPECT_TRUE(baked());
     EXPECT_FALSE(ui->exists("Status/Baking"));
     ok(ui->key("ctrl+z"));

@@ -7,10 +7,10 @@
 #include <random>
 #include <thread>
 
-#include "../support.h"
 #include "core/file.h"
 #include "editor/model/document.h"
 #include "editor/tools/brush_cost.h"
+#include "support.h"
 #include "techniques.h"
 
 namespace sward {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "../support.h"
 #include "model/document.h"
 #include "model/field_walk.h"
+#include "support.h"
 #include "techniques.h"
 
 namespace sward {
