@@ -1,5 +1,7 @@
 #include "model/field_walk.h"
 
+#include <algorithm>
+
 namespace sward {
 namespace {
 
@@ -12,14 +14,13 @@ T& at(void* base, const FieldRow& field) {
     return *reinterpret_cast<T*>(static_cast<std::byte*>(base) + field.offset);
 }
 
-// Calls f with both values as references to the field's type; lists are left to the caller.
+// Calls f with both values as references to the field's type; lists and enums are left to the caller.
 template <class Base, class F>
 auto withValues(const FieldRow& field, Base* a, const void* b, F&& f) {
     switch (field.type) {
         case FieldType::Bool:
             return f(at<bool>(a, field), at<bool>(b, field));
         case FieldType::Int:
-        case FieldType::Enum:
             return f(at<int>(a, field), at<int>(b, field));
         case FieldType::Float:
             return f(at<float>(a, field), at<float>(b, field));
@@ -33,10 +34,11 @@ auto withValues(const FieldRow& field, Base* a, const void* b, F&& f) {
             return f(at<std::string>(a, field), at<std::string>(b, field));
         case FieldType::Map:
             return f(at<MapField>(a, field), at<MapField>(b, field));
+        case FieldType::Enum:
         case FieldType::List:
             break;
     }
-    checkFailed(__FILE__, __LINE__, "a list has no single value");
+    checkFailed(__FILE__, __LINE__, "neither a list nor an enum is a value of one type");
 }
 
 struct SameValue {
@@ -75,6 +77,20 @@ void copyList(const FieldRow& field, void* to, const void* from) {
     for (size_t i = 0; i < list.size(of); ++i) copyFields(list.fields, list.at(into, i), element(list, of, i));
 }
 
+bool sameField(const FieldRow& field, const void* a, const void* b) {
+    if (field.type == FieldType::List) return sameList(field, a, b);
+    if (field.type == FieldType::Enum)
+        return enumIndex(&at<std::byte>(a, field)) == enumIndex(&at<std::byte>(b, field));
+    return withValues(field, a, b, SameValue{});
+}
+
+void copyField(const FieldRow& field, void* to, const void* from) {
+    if (field.type == FieldType::List) return copyList(field, to, from);
+    if (field.type == FieldType::Enum)
+        return setEnumIndex(&at<std::byte>(to, field), enumIndex(&at<std::byte>(from, field)));
+    withValues(field, to, from, CopyValue{});
+}
+
 }  // namespace
 
 bool sameTexels(const Map& a, const Map& b) {
@@ -86,18 +102,11 @@ bool sameTexels(const Map& a, const Map& b) {
 }
 
 bool sameFields(std::span<const FieldRow> fields, const void* a, const void* b) {
-    for (const FieldRow& field : fields)
-        if (!(field.type == FieldType::List ? sameList(field, a, b) : withValues(field, a, b, SameValue{})))
-            return false;
-    return true;
+    return std::all_of(fields.begin(), fields.end(), [&](const FieldRow& field) { return sameField(field, a, b); });
 }
 
 void copyFields(std::span<const FieldRow> fields, void* to, const void* from) {
-    for (const FieldRow& field : fields)
-        if (field.type == FieldType::List)
-            copyList(field, to, from);
-        else
-            withValues(field, to, from, CopyValue{});
+    for (const FieldRow& field : fields) copyField(field, to, from);
 }
 
 void eachMap(std::span<const FieldRow> fields, const void* component, const std::function<void(const MapField&)>& f) {

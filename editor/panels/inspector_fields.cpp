@@ -77,7 +77,7 @@ void boolField(const FieldParts& parts, const FieldRef& f) {
 
 void enumField(const FieldParts& parts, const FieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
-    int chosen = *static_cast<const int*>(f.value);
+    int chosen = enumIndex(f.value);
     if (ui::combo(f.path, items, chosen)) set(parts, f.path, items[static_cast<size_t>(chosen)]);
 }
 

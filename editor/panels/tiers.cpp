@@ -114,7 +114,7 @@ void looks(const FieldParts& parts, std::string& chosenField, std::string& entit
     chooseField(parts.doc, chosenField, entity);
     const FieldRef technique = fieldNamed(parts.doc, entity, "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
-    int chosen = *static_cast<const int*>(technique.value);
+    int chosen = enumIndex(technique.value);
     caption("Technique", technique.row->help);
     if (ui::combo("technique", items, chosen))
         setField(parts, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");

@@ -13,13 +13,13 @@ double secondsOf(const PlayState& s) { return static_cast<double>(s.tick) / kTic
 Entity feetOf(Project& p) {
     for (const auto& [name, e] : p.entities)
         if (const ForceSource* s = p.registry.get<ForceSource>(e);
-            s && s->shape == static_cast<int>(ForceShape::Foot) && !p.registry.get<Transform>(e))
+            s && s->shape == ForceShape::Foot && !p.registry.get<Transform>(e))
             return e;
     std::string name = "feet";
     while (findEntity(p, name) != kNoEntity) name += "'";
     const Entity e = *addEntity(p, name);
     ForceSource shoes;
-    shoes.shape = static_cast<int>(ForceShape::Foot);
+    shoes.shape = ForceShape::Foot;
     shoes.radius = 0.5f * kShoeWidth, shoes.length = kShoeLength, shoes.reach = 3;
     p.registry.add<ForceSource>(e, shoes);
     return e;

@@ -104,7 +104,7 @@ void pushField(lua_State* L, const FieldRow& field, const void* value) {
         case FieldType::Int:
             return lua_pushinteger(L, as<int>(value));
         case FieldType::Enum:
-            return static_cast<void>(lua_pushstring(L, field.options[size_t(as<int>(value))]));
+            return static_cast<void>(lua_pushstring(L, field.options[static_cast<size_t>(enumIndex(value))]));
         case FieldType::Float:
             return pushFloat(L, as<float>(value));
         case FieldType::Vec2:

@@ -34,7 +34,7 @@ std::string placeOf(const SceneToCheck& s, const Json* at) {
 void checkOutline(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
     const ForceSource* f = s.project.registry.get<ForceSource>(e);
     const StaticMesh* mesh = s.project.registry.get<StaticMesh>(e);
-    if (!f || f->shape != static_cast<int>(ForceShape::Outline) || (mesh && !mesh->file.empty())) return;
+    if (!f || f->shape != ForceShape::Outline || (mesh && !mesh->file.empty())) return;
     report.repaired.push_back(
         {placeOf(s, valueOf(s.root, name, "ForceSource", "shape")), name + ".ForceSource.shape: " + kOutlineOfNothing});
 }

@@ -93,7 +93,7 @@ void readEnum(ProjectReader& r, const FieldRow& row, const std::string& path, co
     std::string names;
     for (size_t i = 0; i < row.options.size(); ++i) {
         if (j.isString() && j.text == row.options[i]) {
-            *static_cast<int*>(out) = static_cast<int>(i);
+            setEnumIndex(out, static_cast<int>(i));
             return;
         }
         names += fmt::format("{}\"{}\"", i ? ", " : "", row.options[i]);

@@ -75,7 +75,7 @@ Json fieldJson(const Writer& w, const FieldRow& row, const void* value, const st
         case FieldType::Color:
             return vectorJson<glm::vec3>(value);
         case FieldType::Enum:
-            return Json(row.options[size_t(*static_cast<const int*>(value))]);
+            return Json(row.options[static_cast<size_t>(enumIndex(value))]);
         case FieldType::List:
             return listJson(w, row, value, path);
         case FieldType::Map: {

@@ -19,8 +19,7 @@ WaterRays WaterRays::make(const Project& p, double time, const glm::dvec3& eye) 
     if (!w.wind_) return w;
     w.blows_ = windGlobals(*w.wind_, {eye.x, eye.z}, time);
     gustsOf(*w.wind_, w.made_);
-    w.gusts_ = w.wind_->model != static_cast<int>(WindModel::Waves) && w.wind_->gusts.present() ? &w.wind_->gusts.map
-                                                                                                : nullptr;
+    w.gusts_ = w.wind_->model != WindModel::Waves && w.wind_->gusts.present() ? &w.wind_->gusts.map : nullptr;
     return w;
 }
 

@@ -165,6 +165,11 @@ constexpr FieldRow choice(const char* name, size_t offset, std::span<const char*
     row.options = options;
     return row;
 }
+// The member's type and the names must be of one enum.
+template <class C, class E>
+constexpr FieldRow choice(const char* name, E C::*, size_t offset, const EnumNames<E>& options, const char* help) {
+    return choice(name, offset, options, help);
+}
 constexpr FieldRow whole(const char* name, size_t offset, const char* unit, Range r, const char* help) {
     return number(FieldType::Int, name, offset, unit, r, help);
 }
@@ -322,7 +327,7 @@ FeatureSet grassFeatures(const void* component) {
 
 // --- Light, Sky, Fog ---------------------------------------------------------------------------------------------
 constexpr FieldRow kLightFields[] = {
-    choice("type", offsetof(Light, type), kLightTypes,
+    choice("type", &Light::type, offsetof(Light, type), kLightTypes,
            "directional: from so far that all of it comes from one side, the first of them the sun; point: a lamp"),
     real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360},
          "where it stands, clockwise from north (-z); where on its circle a point light starts"),
@@ -343,12 +348,12 @@ constexpr FieldRow kLightFields[] = {
 FeatureSet lightFeatures(const void* component) {
     const auto& l = *static_cast<const Light*>(component);
     if (!shines(l)) return {};
-    const FeatureSet s = featureSet(l.type == static_cast<int>(LightType::Point) ? Feature::Lamps : Feature::Sun);
+    const FeatureSet s = featureSet(l.type == LightType::Point ? Feature::Lamps : Feature::Sun);
     return l.castShadows ? s | featureSet(Feature::CastingLights) : s;
 }
 
 constexpr FieldRow kSkyFields[] = {
-    choice("model", offsetof(Sky, model), kSkyModels,
+    choice("model", &Sky::model, offsetof(Sky, model), kSkyModels,
            "clear: by sun and turbidity; uniform: equally bright everywhere, as under clouds"),
     real("turbidity", offsetof(Sky, turbidity), "", {1.7, 12, 2, 8}, "how hazy the air is: 2 clear, 8 thick haze"),
     real("intensity", offsetof(Sky, intensity), "", {0, kBrightest, 0, 4}, "factor of the sky's light; 0: no sky"),
@@ -358,7 +363,7 @@ FeatureSet skyFeatures(const void* component) {
 }
 
 constexpr FieldRow kWindFields[] = {
-    choice("model", offsetof(Wind, model), kWindModels,
+    choice("model", &Wind::model, offsetof(Wind, model), kWindModels,
            "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
     real("strength", offsetof(Wind, strength), "", {0, kStrongestWind, 0, 1},
          "how far a full gust leans a blade, metres a metre, at a stiffness of 1; 0: a calm"),
@@ -381,12 +386,11 @@ constexpr FieldRow kWindFields[] = {
 FeatureSet windFeatures(const void* component) {
     const auto& w = *static_cast<const Wind*>(component);
     if (!(w.strength > 0)) return {};
-    return w.model == static_cast<int>(WindModel::Noise) ? featureSet(Feature::Wind, Feature::Gusts)
-                                                         : featureSet(Feature::Wind);
+    return w.model == WindModel::Noise ? featureSet(Feature::Wind, Feature::Gusts) : featureSet(Feature::Wind);
 }
 
 constexpr FieldRow kForceFields[] = {
-    choice("shape", offsetof(ForceSource, shape), kForceShapes,
+    choice("shape", &ForceSource::shape, offsetof(ForceSource, shape), kForceShapes,
            "foot and wheel are long, an object is round; a wheel's track is one piece, a foot's is of prints; outline: "
            "as the entity's StaticMesh stands on the ground. A foot without a Transform is the walker's, in play"),
     real("radius", offsetof(ForceSource, radius), "m", {0, 1000, 0.05, 5},
@@ -404,8 +408,8 @@ constexpr FieldRow kForceFields[] = {
 FeatureSet forceFeatures(const void* component) {
     const auto& f = *static_cast<const ForceSource*>(component);
     if (!(f.strength > 0 && f.radius > 0)) return {};
-    return f.shape == static_cast<int>(ForceShape::Outline) ? featureSet(Feature::Forces, Feature::ForceOutlines)
-                                                            : featureSet(Feature::Forces);
+    return f.shape == ForceShape::Outline ? featureSet(Feature::Forces, Feature::ForceOutlines)
+                                          : featureSet(Feature::Forces);
 }
 
 constexpr FieldRow kFogFields[] = {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "maps/map.h"
 #include "scene/rows.h"
 
@@ -160,13 +161,16 @@ enum class FarBlur { None, Mean, Gaussian };
 inline constexpr const char* kFilterings[] = {"trilinear", "anisotropic"};
 enum class Filtering { Trilinear, Anisotropic };
 
+enum class LightType { Directional, Point };
+inline constexpr auto kLightTypes = enumNames<LightType>("directional", "point");
+
 // A light. The first directional one, in the order of names, is the sun: its strength and colour follow from its
 // elevation and the sky's turbidity (sky/sky.h), times intensity and color. All others are lamps (sky/lamps.h):
 // intensity 1 is 45 klx, half of a noon sun, at a point light's own place or from a directional light; so a point light
 // of attenuation 1 gives 22 klx at one metre, which shows beside the sun at the exposure of day. Where lights are at a
 // time: world/lights.h.
 struct Light {
-    int type = 0;             // index into kLightTypes
+    LightType type = LightType::Directional;
     float azimuthDeg = 135;   // clockwise from -z (north); of a point light: where on its circle it starts
     float elevationDeg = 42;  // of a directional light
     float intensity = 1;      // factor
@@ -176,24 +180,25 @@ struct Light {
     float orbitRadius = 0;   // metres of the circle of a point light around its Transform's position
     float orbitSeconds = 0;  // for one turn, of a directional light's azimuth too; 0: it stands still
 };
-inline constexpr const char* kLightTypes[] = {"directional", "point"};
-enum class LightType { Directional, Point };
+
+enum class SkyModel { Clear, Uniform };
+inline constexpr auto kSkyModels = enumNames<SkyModel>("clear", "uniform");
 
 // The sky: clear by Preetham, Shirley and Smits 1999; or uniform, equally bright everywhere, as under clouds.
 struct Sky {
-    int model = 0;  // index into kSkyModels
+    SkyModel model = SkyModel::Clear;
     float turbidity = 3;
     float intensity = 1;  // factor
 };
 
-inline constexpr const char* kSkyModels[] = {"clear", "uniform"};
-enum class SkyModel { Clear, Uniform };
+enum class WindModel { Waves, Noise };
+inline constexpr auto kWindModels = enumNames<WindModel>("waves", "noise");
 
 // Wind over the whole scene: the first by name that blows. Everything that grows leans with it (numerics/gust.h).
 // Waves: Jahrmann and Wimmer 2013, equation 9, travelling at `speed`. Noise: a picture of gusts that the wind carries
 // along.
 struct Wind {
-    int model = 1;                           // index into kWindModels
+    WindModel model = WindModel::Noise;
     float strength = 0.3f;                   // lean of a full gust, metres a metre of blade of stiffness 1; 0: a calm
     float azimuthDeg = 70;                   // where it blows to, clockwise from -z (north)
     float speed = 4;                         // m/s, at which gusts and waves travel
@@ -205,18 +210,19 @@ struct Wind {
     float epsilon = 0.5f;                    // of equation 9
 };
 inline constexpr float kStrongestWind = 2;
-inline constexpr const char* kWindModels[] = {"waves", "noise"};
-enum class WindModel { Waves, Noise };
 
 // A track that a source of force left: what it pressed between two places, in the world, and when (scene seconds).
 struct Track {
     glm::dvec2 from{0}, to{0};
     double seconds = 0;
 };
+enum class ForceShape { Foot, Wheel, Object, Outline };
+inline constexpr auto kForceShapes = enumNames<ForceShape>("foot", "wheel", "object", "outline");
+
 // Presses the grass down where its Transform stands, and aside around it; what moves leaves tracks, which recover.
 // Source: Jahrmann and Wimmer 2013, section 5.2; world/forces.h.
 struct ForceSource {
-    int shape = 2;         // index into kForceShapes
+    ForceShape shape = ForceShape::Object;
     float radius = 0.3f;   // metres pressed down; of a foot or wheel, half its width; of an outline, of its rim alone
     float length = 0.3f;   // metres of a foot, and of a wheel's tread on the ground
     float headingDeg = 0;  // where a foot or wheel points, clockwise from -z (north)
@@ -225,8 +231,6 @@ struct ForceSource {
     float recovery = 20;   // seconds in which a track recovers; infinite: it stays
     std::vector<Track> tracks;  // left in playtest; never saved
 };
-inline constexpr const char* kForceShapes[] = {"foot", "wheel", "object", "outline"};
-enum class ForceShape { Foot, Wheel, Object, Outline };
 inline constexpr const char* kOutlineOfNothing =
     "an outline is that of the entity's StaticMesh, and it has none with a file: add one, or choose another shape; it "
     "presses nothing";

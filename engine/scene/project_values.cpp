@@ -80,7 +80,7 @@ Status setEnum(const FieldRef& f, const std::string& text) {
     std::string names;
     for (size_t i = 0; i < f.row->options.size(); ++i) {
         if (text == f.row->options[i]) {
-            *static_cast<int*>(f.value) = static_cast<int>(i);
+            setEnumIndex(f.value, static_cast<int>(i));
             return {};
         }
         names += fmt::format("{}{}", i ? ", " : "", f.row->options[i]);
@@ -161,7 +161,7 @@ std::string fieldText(const FieldRef& f) {
         case FieldType::String:
             return *static_cast<const std::string*>(f.value);
         case FieldType::Enum:
-            return f.row->options[size_t(*static_cast<const int*>(f.value))];
+            return f.row->options[static_cast<size_t>(enumIndex(f.value))];
         case FieldType::Map:
             return static_cast<const MapField*>(f.value)->file;
         case FieldType::List:

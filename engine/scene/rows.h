@@ -4,6 +4,7 @@
 // Does not: hold any row itself.
 #pragma once
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,7 +26,7 @@ enum class FieldType {
     Vec3,    // glm::dvec3, metres
     Color,   // glm::vec3, linear
     String,  // std::string
-    Enum,    // int, an index into options
+    Enum,    // an enum of ints, whose values count from 0 and are named by options (enumIndex, setEnumIndex)
     Map,     // MapField
     List,    // std::vector of structs, described by list
 };
@@ -71,6 +72,14 @@ struct ComponentRow {
     std::shared_ptr<void> (*clone)(const void* value);  // maps share their tiles
     const void* (*defaults)();
 };
+
+// The value of an Enum field, as its number. Copied byte by byte, since the member has its own enum's type.
+inline int enumIndex(const void* field) {
+    int index;
+    std::memcpy(&index, field, sizeof index);
+    return index;
+}
+inline void setEnumIndex(void* field, int index) { std::memcpy(field, &index, sizeof index); }
 
 template <class C>
 constexpr ComponentRow componentRow(const char* name, const char* help, std::span<const FieldRow> fields,

@@ -8,7 +8,7 @@ Entity sunEntity(const Registry& registry) {
     std::string_view least;
     registry.each<Light>([&](Entity e, const Light& light) {
         const Name* name = registry.get<Name>(e);
-        if (!name || light.type != static_cast<int>(LightType::Directional)) return;
+        if (!name || light.type != LightType::Directional) return;
         if (first != kNoEntity && name->value >= least) return;
         first = e;
         least = name->value;

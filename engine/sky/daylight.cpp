@@ -108,7 +108,7 @@ void addSun(FrameGlobals& g, const Project& p, double seconds) {
 
 void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
     const glm::vec3 sun = sunOf(p, seconds);
-    const float turbidity = firstOf<Sky>(p)->model == static_cast<int>(SkyModel::Uniform) ? 0 : turbidityOf(p);
+    const float turbidity = firstOf<Sky>(p)->model == SkyModel::Uniform ? 0 : turbidityOf(p);
     integrateSky(s, sun, turbidity);
     const float scale = firstOf<Sky>(p)->intensity * kExposure * g.mode.y;
     const glm::vec3 balance = whiteBalance(s.level * scale + glm::vec3(g.sunLight) * std::max(g.sunDirection.y, 0.0f));
@@ -133,7 +133,7 @@ LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double 
         const Light* light = project.registry.get<Light>(e);
         if (!light || e == sun || !shines(*light) || lamps.size() == MAX_LIGHTS) continue;
         const Transform* t = project.registry.get<Transform>(e);
-        const bool isPoint = light->type == static_cast<int>(LightType::Point);
+        const bool isPoint = light->type == LightType::Point;
         LightGlobals g =
             isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
         const glm::vec3 color = light->color * (light->intensity * kLampKlx * kExposure / kPi * exposure);

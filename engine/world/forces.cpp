@@ -11,8 +11,7 @@ namespace {
 
 // From the middle to the middle of one end of what presses; in the world.
 glm::dvec2 halfLength(const ForceSource& s) {
-    if (s.shape == static_cast<int>(ForceShape::Object) || s.shape == static_cast<int>(ForceShape::Outline))
-        return glm::dvec2(0);
+    if (s.shape == ForceShape::Object || s.shape == ForceShape::Outline) return glm::dvec2(0);
     const double angle = glm::radians(static_cast<double>(s.headingDeg));
     const double half = std::max(0.5 * static_cast<double>(s.length) - static_cast<double>(s.radius), 0.0);
     return half * glm::dvec2(std::sin(angle), -std::cos(angle));
@@ -53,7 +52,7 @@ Force outlineForce(const Project& p, const ForceSource& s, const std::string& en
     return f;
 }
 
-bool isOutline(const ForceSource& s) { return s.shape == static_cast<int>(ForceShape::Outline); }
+bool isOutline(const ForceSource& s) { return s.shape == ForceShape::Outline; }
 
 // Turned about the vertical from the world to the outline, and back: x, z.
 glm::vec2 intoOutline(const Force& f, const glm::vec2& v) {

@@ -71,7 +71,7 @@ Map makeGusts() {
 }
 
 const Map& gustsOf(const Wind& wind, Map& made) {
-    if (wind.model == static_cast<int>(WindModel::Waves)) return made = {};
+    if (wind.model == WindModel::Waves) return made = {};
     if (wind.gusts.present()) return wind.gusts.map;
     if (made.empty()) made = makeGusts();
     return made;

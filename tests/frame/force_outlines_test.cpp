@@ -25,7 +25,7 @@ struct Scene {
                   {{.size = {3, 0.5f, 1}, .at = {1.5f, 0, 0.5f}}, {.size = {1, 0.5f, 2}, .at = {0.5f, 0, 1}}},
                   {10, 0, 10});
         ForceSource s;
-        s.shape = static_cast<int>(ForceShape::Outline), s.radius = 0.3f, s.reach = 2;
+        s.shape = ForceShape::Outline, s.radius = 0.3f, s.reach = 2;
         put(p, "block", s);
     }
     ~Scene() { removeLogSink(sink); }
@@ -100,7 +100,7 @@ TEST(ForceOutlines, AreMadeOnceAMeshAndForgottenWithIt) {
     forcesOf(s.p, 0, &s.outlines);
     EXPECT_EQ(s.outlines.count(), 2u) << "tilted it stands otherwise";
     for (const char* name : {"block", "second"})
-        s.p.registry.get<ForceSource>(findEntity(s.p, name))->shape = static_cast<int>(ForceShape::Object);
+        s.p.registry.get<ForceSource>(findEntity(s.p, name))->shape = ForceShape::Object;
     EXPECT_EQ(forcesOf(s.p, 0, &s.outlines).size(), 2u);
     EXPECT_EQ(s.outlines.count(), 0u);
 }

@@ -57,7 +57,7 @@ Project everything() {
     t.castShadows = true;
     p.dir = objectsFolder();
     putObject(p, "cube", {{}}, {6, 0, 6});
-    put<ForceSource>(p, "cube").shape = static_cast<int>(ForceShape::Outline);
+    put<ForceSource>(p, "cube").shape = ForceShape::Outline;
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
@@ -65,7 +65,7 @@ Project everything() {
     put<Flowers>(p, "flowers",
                  {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
-    lamp.type = static_cast<int>(LightType::Point);
+    lamp.type = LightType::Point;
     put(p, "lamp", lamp);
     put(p, "lamp", Transform{{6, 1, 6}});
     return p;
@@ -162,16 +162,13 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
                  if (Light* l = p.registry.get<Light>(e)) l->castShadows = false;
          }},
         {"a calm", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->strength = 0; }},
-        {"wind in waves",
-         [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = static_cast<int>(WindModel::Waves); }},
+        {"wind in waves", [](Project& p) { p.registry.get<Wind>(findEntity(p, "wind"))->model = WindModel::Waves; }},
         {"forces without strength",
          [](Project& p) {
              for (const char* name : {"stone", "cube"}) p.registry.get<ForceSource>(findEntity(p, name))->strength = 0;
          }},
         {"no force of an outline",
-         [](Project& p) {
-             p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = static_cast<int>(ForceShape::Object);
-         }},
+         [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = ForceShape::Object; }},
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades",
@@ -220,7 +217,7 @@ TEST(Trace, AForceThatStandsNowhereIsAsIfItWereNotThere) {
         Renderer fresh(gpu(), tables());
         never = traceOf(fresh, p);
     }
-    put<ForceSource>(p, "feet").shape = static_cast<int>(ForceShape::Foot);
+    put<ForceSource>(p, "feet").shape = ForceShape::Foot;
     Renderer renderer(gpu(), tables());
     expectSame(never, traceOf(renderer, p), "a source without a Transform");
     put(p, "feet", Transform{{10, 0, 8}});

@@ -26,7 +26,7 @@ Project bed() {
                   .secondColor = {0.9f, 0, 0},
                   .centerColor = {0.9f, 0, 0},
                   .stemColor = {0.9f, 0, 0}});
-    put<Sky>(p, "sky", {.model = static_cast<int>(SkyModel::Uniform)});
+    put<Sky>(p, "sky", {.model = SkyModel::Uniform});
     return p;
 }
 Flowers& flowersIn(Project& p) { return *p.registry.get<Flowers>(findEntity(p, "bed")); }

@@ -38,7 +38,7 @@ Project blockOnLawn(const std::filesystem::path& dir) {
     ForceSource source;
     source.radius = 0.6f;
     put(p, "stone", source);
-    source.shape = static_cast<int>(ForceShape::Outline), source.reach = 2.5f;
+    source.shape = ForceShape::Outline, source.reach = 2.5f;
     put(p, "block", source);
     put<Transform>(p, "stone", {{11, 0, 8}});
     return p;
@@ -82,7 +82,7 @@ TEST(ForceOutlinesGl, GrassUnderTheObjectLiesAndInTheNotchStands) {
     ASSERT_TRUE(renderer.draw(p, above(), small()));
     const std::vector<uint8_t> with = renderer.readImage();
     EXPECT_NE(renderer.explain(p, true).find("grass/force-outlines"), std::string::npos);
-    p.registry.get<ForceSource>(findEntity(p, "block"))->shape = static_cast<int>(ForceShape::Object);
+    p.registry.get<ForceSource>(findEntity(p, "block"))->shape = ForceShape::Object;
     ASSERT_TRUE(renderer.draw(p, above(), small()));
     EXPECT_NE(renderer.readImage(), with);
     const std::vector<std::string> names = renderer.programNames();

@@ -114,7 +114,7 @@ TEST(GroundShadow, OfALampPointsAwayFromItAndEndsWhereItsRaysDo) {
     Project p = oneBlade(90);
     removeEntity(p, "sun");
     Light lamp;
-    lamp.type = static_cast<int>(LightType::Point);
+    lamp.type = LightType::Point;
     lamp.attenuation = 0;
     put(p, "lamp", lamp);
     put(p, "lamp", Transform{{2 + root + 2, 3, 2}});  // 2 m beside and 2 m above the tip

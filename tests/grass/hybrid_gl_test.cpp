@@ -293,7 +293,7 @@ TEST(HybridBadInput, LightsMayStandAnywhere) {
         }
     sunIn(p) = Light{};
     Light lamp;
-    lamp.type = static_cast<int>(LightType::Point);
+    lamp.type = LightType::Point;
     put(p, "lamp", lamp);
     for (const glm::dvec3 at : {glm::dvec3(5, 0, 5), glm::dvec3(5, 0.05, 5), glm::dvec3(5, -1, 5),
                                 glm::dvec3(10, 0.15, 10), glm::dvec3(2, 1.7, 2), glm::dvec3(10, 1e6, 10)}) {

@@ -59,7 +59,7 @@ Project furnace() {
     t.groundColor = glm::vec3(1 / kPlain);
     put(p, "ground", t);
     Sky sky;
-    sky.model = static_cast<int>(SkyModel::Uniform);
+    sky.model = SkyModel::Uniform;
     put(p, "sky", sky);
     return p;
 }
@@ -307,7 +307,7 @@ struct BruteForce {
             putObject(p, "block", {{.size = {1.2f, 0.3f, 0.4f}}, {.size = {0.3f, 0.3f, 1}, .at = {0, 0, 0.5f}}},
                       {4.5, 0, 1.6});
             p.registry.get<StaticMesh>(findEntity(p, "block"))->rotationDeg.y = 20;
-            put<ForceSource>(p, "block").shape = static_cast<int>(ForceShape::Outline);
+            put<ForceSource>(p, "block").shape = ForceShape::Outline;
             Map pressed({6, 6, 4, PixelType::U8});
             for (int i = 0; i < 4; ++i) pressed.set(4, 4, i, i == 0 ? 0.9f : 0.8f);
             grass.forces = field(pressed, "maps/f.png");

@@ -68,7 +68,7 @@ void fill(const FieldRow& row, void* value, int n) {
             if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n);
             break;
         case FieldType::Enum:
-            *static_cast<int*>(value) = int(row.options.size()) - 1;
+            setEnumIndex(value, static_cast<int>(row.options.size()) - 1);
             break;
         case FieldType::Map: {
             auto& field = *static_cast<MapField*>(value);
@@ -104,7 +104,7 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
         EXPECT_GT(std::string_view(f.help).size(), 8u) << path;
         EXPECT_NE(f.unit, nullptr) << path;
         if (f.type == FieldType::Enum) {
-            EXPECT_LT(size_t(*static_cast<int*>(value)), f.options.size()) << path;
+            EXPECT_LT(static_cast<size_t>(enumIndex(value)), f.options.size()) << path;
         }
         if (f.type == FieldType::List) {
             EXPECT_NE(f.list, nullptr) << path;
@@ -216,7 +216,7 @@ TEST(Components, EachAsksForItsFeaturesAndTheirAbsenceForNone) {
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun, Feature::CastingLights));
     light.castShadows = false;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun));
-    light.type = static_cast<int>(LightType::Point);
+    light.type = LightType::Point;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Lamps));
     light.intensity = 0;
     EXPECT_TRUE(featuresOf("Light", &light).none());
@@ -260,7 +260,7 @@ TEST(Features, AForceIsThereWhereItsSourceStandsOrLeftTracks) {
     Project p;
     const Entity e = *addEntity(p, "e");
     ForceSource& s = *p.registry.add<ForceSource>(e);
-    s.shape = static_cast<int>(ForceShape::Outline);
+    s.shape = ForceShape::Outline;
     EXPECT_TRUE(sceneFeatures(p.registry, rows()).none());
     EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Forces).empty());
     s.tracks.push_back({{1, 1}, {2, 2}, 0});

@@ -6,7 +6,7 @@ namespace {
 
 Light lantern() {
     Light l;
-    l.type = static_cast<int>(LightType::Point);
+    l.type = LightType::Point;
     return l;
 }
 // Bare flat ground without sun and sky, and a lantern over its middle.
@@ -98,7 +98,7 @@ TEST(Lamps, AreFiniteInsideABladeOnEveryAxisAndBelowTheHorizonAtTheirBrightest) 
             put(p, "z-lamp", Transform{at});
             expectFinite("point light");
         }
-    light.type = static_cast<int>(LightType::Directional);
+    light.type = LightType::Directional;
     for (const float elevation : {90.0f, 0.0f, 1e-30f, -0.5f, -90.0f})
         for (const float azimuth : {0.0f, 90.0f, 180.0f, 270.0f}) {
             light.elevationDeg = elevation;

@@ -15,7 +15,7 @@ Project withLights(std::initializer_list<std::pair<const char*, Light>> lights) 
 }
 Light point() {
     Light l;
-    l.type = static_cast<int>(LightType::Point);
+    l.type = LightType::Point;
     return l;
 }
 Light dark() {
