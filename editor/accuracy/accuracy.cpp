@@ -78,7 +78,8 @@ ViewSettings settingsFor(const FrameClock& clock, int width, int height) {
     return s;
 }
 
-Status drawn(Renderer& renderer, Project& project, const ViewCamera& camera, const ViewSettings& s, Picture& out) {
+Status drawn(Renderer& renderer, const Project& project, const ViewCamera& camera, const ViewSettings& s,
+             Picture& out) {
     if (Status status = renderer.draw(project, camera, s); !status) return status;
     out = pictureOfBytes(s.width, s.height, renderer.readImage());
     return {};
@@ -131,7 +132,7 @@ Result<ComparedPass> tracePass(const PassWork& work, JobControl& control) {
     return out;
 }
 
-PassWork nextPass(Comparison& c, Document& doc) {
+PassWork nextPass(Comparison& c, const Document& doc) {
     if (c.copyRevision != c.key.revision) {
         dropScene(c);
         c.copy = std::make_shared<Project>(snapshot(doc.project(), doc.tables().components));
@@ -355,7 +356,7 @@ bool comparing(const Comparison& c, const Document& document, const FrameClock& 
                                   : c.sum.passes < kMostPasses;
 }
 
-std::string techniqueShown(Document& document) {
+std::string techniqueShown(const Document& document) {
     const auto* field = firstOf<GrassField>(document.project());
     return field ? kTechniques[field->technique] : "";
 }

@@ -126,7 +126,7 @@ bool comparing(const Comparison& c, const Document& document, const FrameClock& 
 // "reference, 24 samples"
 std::string comparisonLabel(const Comparison& c, const Document& document, const FrameClock& clock);
 // Of the project's first field; "" without one.
-std::string techniqueShown(Document& document);
+std::string techniqueShown(const Document& document);
 
 // --- the project's own plot, measured by `sward cost` beside the editor
 struct Sweep {
@@ -183,12 +183,12 @@ void stopRuns(Accuracy& accuracy);
 // So far, by the files that it keeps.
 int rowsMeasured(const Sweep& sweep);
 // The project's camera that is shown, or the first by name; "" without one.
-std::string accuracyCamera(Document& document, const FlyCamera& view);
+std::string accuracyCamera(const Document& document, const FlyCamera& view);
 
 // "maxGeom=6 msaa=4" of a technique.
 CostSetting settingOf(const std::string& technique, const std::string& text);
 // Whether the project is drawn by it, with the view as the editor's: 4 samples, all detail.
-bool isPresent(Document& document, const CostSetting& setting);
+bool isPresent(const Document& document, const CostSetting& setting);
 // Sets each field of grass in one undo step. Settings of the view (msaa, detail) are not the project's: returns those.
 Result<std::vector<std::string>> adoptSettings(Document& document, const CostSetting& setting);
 Result<FitShown> fitFrom(const std::string& json);

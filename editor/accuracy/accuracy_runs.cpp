@@ -23,12 +23,12 @@ namespace {
 constexpr const char* kSize = "320x240";
 constexpr const char* kSamples = "16";
 
-fs::path folderFor(Document& doc) {
+fs::path folderFor(const Document& doc) {
     return stateDir() / "cost" / hashHex(projectHash(doc.project(), doc.tables().components));
 }
 
 // Unsaved work included; image files come from the project's folder.
-Status writeCopy(Document& doc, const fs::path& to) {
+Status writeCopy(const Document& doc, const fs::path& to) {
     std::error_code fault;
     fs::remove_all(to, fault);
     if (Status s = makeFolderOf(to); !s) return s;
@@ -139,7 +139,7 @@ bool isViewSetting(const std::string& value) { return value.starts_with("msaa=")
 
 std::string grassPath(const std::string& entity, const std::string& name) { return entity + ".GrassField." + name; }
 
-std::vector<std::string> grassEntities(Document& document) {
+std::vector<std::string> grassEntities(const Document& document) {
     std::vector<std::string> names;
     for (const auto& [name, e] : document.project().entities)
         if (document.project().registry.get<GrassField>(e)) names.push_back(name);
@@ -191,7 +191,7 @@ int rowsMeasured(const Sweep& sweep) {
     return rows;
 }
 
-std::string accuracyCamera(Document& document, const FlyCamera& view) {
+std::string accuracyCamera(const Document& document, const FlyCamera& view) {
     std::string first;
     const ViewCamera now = viewOf(view);
     for (const auto& [name, e] : document.project().entities) {
@@ -213,7 +213,7 @@ CostSetting settingOf(const std::string& technique, const std::string& text) {
     return s;
 }
 
-bool isPresent(Document& document, const CostSetting& setting) {
+bool isPresent(const Document& document, const CostSetting& setting) {
     for (const std::string& entity : grassEntities(document)) {
         if (techniqueShown(document) != setting.technique) return false;
         for (const std::string& value : setting.values) {

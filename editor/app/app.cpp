@@ -54,7 +54,7 @@ void followRenderer(const Renderer& renderer, bool open, std::vector<JobNews>& m
     making = std::move(jobs);
 }
 
-void updateTitle(Document& doc, ui::Surface& surface, std::string& shown) {
+void updateTitle(const Document& doc, ui::Surface& surface, std::string& shown) {
     std::string title = "Sward";
     if (doc.isOpen()) title = (doc.dirty() ? "\xE2\x97\x8F " : "") + doc.project().name + " - Sward";
     if (title == shown) return;
@@ -222,7 +222,7 @@ void requestQuit(EditorApp& app) {
 }
 
 void adoptProject(EditorApp& app) {
-    Project& project = app.doc.project();
+    const Project& project = app.doc.project();
     app.shownProject = project.dir;
     app.picture.drawnRevision = kNeverDrawn;
     app.picture.resolution.stale = true;

@@ -40,9 +40,8 @@ void bakeOcclusion(Document& doc, std::optional<OcclusionBake>& bake, Messages& 
 // Of the density that is painted, else of the first one.
 void makeBladeHeight(Document& doc, const std::string& painted, Messages& messages) {
     std::string density;
-    for (const FieldRef& map : allMaps(doc.project(), doc.tables().components))
-        if (std::string_view(map.row->name) == "density" && (density.empty() || map.path == painted))
-            density = map.path;
+    for (const ConstFieldRef& map : allMaps(doc.project(), doc.tables().components))
+        if (map.row->map->role == MapRole::Density && (density.empty() || map.path == painted)) density = map.path;
     if (density.empty()) return say(messages, "Height from Density: no species has a density map");
     if (Status s = heightFromDensity(doc, density); !s) return showError(messages, s.error());
     say(messages, "blades are lower towards the edges of " + density);

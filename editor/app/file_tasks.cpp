@@ -5,7 +5,7 @@
 namespace sward {
 namespace {
 
-void openDialog(FileDialog& d, Document& document, FileTask task) {
+void openDialog(FileDialog& d, const Document& document, FileTask task) {
     d.task = task;
     d.opening = true;
     d.error.clear();
@@ -21,7 +21,7 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
     unsaved.opening = true;
 }
 
-void requestTask(FileDialog& files, UnsavedDialog& unsaved, Document& document, FileTask task) {
+void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
     if (task == FileTask::SaveAs) return openDialog(files, document, task);
     askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
 }

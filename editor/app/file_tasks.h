@@ -31,7 +31,7 @@ struct UnsavedDialog {
 // Runs `then` at once, or after the person has answered what to do with unsaved work.
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then);
 // Opens the file dialog; Open and New ask about unsaved work first. All three must outlive the dialog.
-void requestTask(FileDialog& files, UnsavedDialog& unsaved, Document& document, FileTask task);
+void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task);
 // Saves, and says how many files were written. False if it failed, which is shown; or if the project was never saved:
 // then the dialog asks where.
 bool saveNow(Document& document, FileDialog& files, Messages& messages);

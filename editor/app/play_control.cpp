@@ -139,7 +139,7 @@ FrameInput widgetInput(const FrameInput& in, const PlayControl& control) {
     return none;
 }
 
-Project& projectShown(Document& document) {
+const Project& projectShown(const Document& document) {
     return playing(document) ? document.play()->project() : document.project();
 }
 ViewCamera viewShown(const Document& document, const FlyCamera& view) {

@@ -56,7 +56,7 @@ void followPlay(const PlayParts& parts, const FrameInput& in);
 FrameInput widgetInput(const FrameInput& in, const PlayControl& control);
 
 // --- what the viewport shows: the copy that runs, or the document
-Project& projectShown(Document& document);
+const Project& projectShown(const Document& document);
 // The walker's eye, or the view's.
 ViewCamera viewShown(const Document& document, const FlyCamera& view);
 // Seconds since play began; 0 when nothing is played.

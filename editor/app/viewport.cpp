@@ -4,7 +4,7 @@
 
 namespace sward {
 
-bool goToCamera(Document& document, const std::string& name, FlyCamera& view) {
+bool goToCamera(const Document& document, const std::string& name, FlyCamera& view) {
     const Entity e = findEntity(document.project(), name);
     const Camera* camera = e == kNoEntity ? nullptr : document.project().registry.get<Camera>(e);
     if (camera) view = flyFrom(viewOf(*camera));

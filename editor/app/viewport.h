@@ -55,6 +55,6 @@ struct ViewCounts {
 };
 
 // Moves the view to a camera of the project. False if there is none of this name.
-bool goToCamera(Document& document, const std::string& name, FlyCamera& view);
+bool goToCamera(const Document& document, const std::string& name, FlyCamera& view);
 
 }  // namespace sward

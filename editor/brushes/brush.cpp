@@ -3,7 +3,6 @@
 
 #include "brushes/paint.h"
 #include "core/jobs.h"
-#include "scene/rows.h"
 
 namespace sward {
 namespace {
@@ -25,11 +24,6 @@ constexpr BrushRow kBrushes[] = {
 }  // namespace
 
 std::span<const BrushRow> brushRows() { return kBrushes; }
-
-MapKind kindOf(const FieldRow& map) {
-    if (map.isForce) return MapKind::Forces;
-    return map.mapChannels == 1 ? MapKind::Amounts : map.mapChannels == 2 ? MapKind::Directions : MapKind::Colours;
-}
 
 const char* kindName(MapKind kind) {
     constexpr const char* names[] = {"amounts", "directions", "forces", "colours"};

@@ -10,20 +10,11 @@
 #include <vector>
 
 #include "maps/map.h"
+#include "scene/map_row.h"
 
 namespace sward {
 
-struct FieldRow;
-
-// What a map's channels mean to a brush.
-enum class MapKind {
-    Amounts,     // one channel: density, heights
-    Directions,  // two: direction x, z about 0.5, its length the strength
-    Forces,      // four: push x, z about 0.5, press; all times the fourth
-    Colours,     // four: colour (sRGB) and opacity
-};
 constexpr unsigned bitOf(MapKind kind) { return 1u << static_cast<unsigned>(kind); }
-MapKind kindOf(const FieldRow& map);
 const char* kindName(MapKind kind);  // "amounts"
 
 struct BrushSettings {

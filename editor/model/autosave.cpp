@@ -46,7 +46,7 @@ bool heldByAnother(const fs::path& folder) {
     return pid > 0 && pid != getpid() && kill(static_cast<pid_t>(pid), 0) == 0;
 }
 
-void begin(Autosave& a, Document& doc, double now) {
+void begin(Autosave& a, const Document& doc, double now) {
     a.since = now;
     a.revision = doc.revision();
     a.mine = true;
@@ -64,7 +64,7 @@ void report(Autosave& a) {
         logWarning("unsaved work could not be copied: " + done->error().text());
 }
 
-void follow(Autosave& a, Document& doc, double now) {
+void follow(Autosave& a, const Document& doc, double now) {
     if (a.mine) forgetAutosaves(a.of);
     a.of = doc.project().dir;
     a.since = now;

@@ -2,6 +2,7 @@
 
 #include "maps/map_repair.h"
 #include "project/packed_map.h"
+#include "scene/map_fields.h"
 #include "script/map_ops.h"
 #include "tools/stroke.h"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double kReach = 2;  // heights of the species
 constexpr double kLeastTexels = 2;
 
-double heightOf(const Project& p, const FieldRef& density) {
+double heightOf(const Project& p, const ConstFieldRef& density) {
     const auto* field = p.registry.get<GrassField>(findEntity(p, density.entity));
     for (const Species& s : field->species)
         if (&s.density == density.value) return static_cast<double>(s.height);
@@ -21,18 +22,18 @@ double heightOf(const Project& p, const FieldRef& density) {
 }  // namespace
 
 Status heightFromDensity(Document& document, const std::string& name) {
-    Project& p = document.project();
+    const Project& p = document.project();
     const auto rows = document.tables().components;
-    const Result<FieldRef> density = findMap(p, rows, name);
+    const Result<ConstFieldRef> density = findMap(p, rows, name);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
+    const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField& from = *static_cast<const MapField*>(density->value);
     if (!from.present())
         return Error{ExitCode::Usage, density->path + ": there is no map", "", 0, 0, "create or import one first"};
     const Result<MapScale> scale = mapScale(p, *density);
     if (!scale) return scale.error();
-    Map map = convertMap(from.map, height->row->mapType);
+    Map map = convertMap(from.map, height->row->map->type);
     const double radius = kReach * heightOf(p, *density);
     const auto texels = [&](int n, double metres) {
         return std::clamp(radius * n / metres, kLeastTexels, static_cast<double>(n));
@@ -41,7 +42,9 @@ Status heightFromDensity(Document& document, const std::string& name) {
             scale->repeats);
     document.beginGroup("height from density");
     Status done = document.setMap(height->path, std::move(map), "height from density");
-    if (done) done = document.setField(height->path + "Tiling", fmt::format("{}", scale->factor));
+    if (done)
+        done =
+            document.setField(fieldBeside(*height, *height->row->map->tiling).path, fmt::format("{}", scale->factor));
     done ? document.endGroup() : document.cancelGroup();
     return done;
 }

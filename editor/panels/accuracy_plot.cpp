@@ -162,7 +162,7 @@ void recordPoint(const ImVec2& at, const CostRow& r) {
     ui::recordAt(name, w);
 }
 
-void points(const Plot& p, const CostRun& run, const CostRow* hovered, Document& doc,
+void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Document& doc,
             const std::optional<ViewportPoint>& viewport) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     bool marked = false;
@@ -193,7 +193,7 @@ void emptyPlot(const ImVec2& at, const ImVec2& size) {
 
 }  // namespace
 
-std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, Document& document,
+std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, const Document& document,
                                         const std::optional<ViewportPoint>& viewport) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float left =

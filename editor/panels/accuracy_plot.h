@@ -15,7 +15,7 @@ struct ViewportPoint {
 
 // Of `run`, or an empty frame if nothing was measured. The point of the project's own settings is marked, else the
 // viewport's. Returns the settings of a point that was clicked.
-std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& run, Document& document,
+std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& run, const Document& document,
                                         const std::optional<ViewportPoint>& viewport);
 
 }  // namespace sward

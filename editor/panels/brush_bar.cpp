@@ -36,9 +36,9 @@ void next(Rows& rows, const char* label, float width) {
         ImGui::SameLine(0, 14);
 }
 
-void mapCombo(Rows& rows, Document& doc, BrushBook& brushes) {
+void mapCombo(Rows& rows, const Document& doc, BrushBook& brushes) {
     std::vector<std::string> names, paths;
-    for (const FieldRef& map : paintableMaps(doc)) {
+    for (const ConstFieldRef& map : paintableMaps(doc)) {
         paths.push_back(map.path);
         names.push_back(static_cast<const MapField*>(map.value)->present() ? map.path : map.path + " (new)");
     }
@@ -48,7 +48,7 @@ void mapCombo(Rows& rows, Document& doc, BrushBook& brushes) {
     caption("Map");
     ImGui::SetNextItemWidth(em(21));
     if (ui::combo("Map", names, chosen)) selectMap(doc, brushes, paths[static_cast<size_t>(chosen)]);
-    const std::optional<FieldRef> map = chosenMap(doc, brushes);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     ui::tooltip("The map that the brush paints" + (map ? fmt::format(": {}.\n{}", map->row->help, map->path) : "."));
     ImGui::SameLine(0, 5);
     if (ui::button("Overlay", 0, overlayShown(doc, brushes))) toggleOverlay(doc, brushes);
@@ -56,7 +56,7 @@ void mapCombo(Rows& rows, Document& doc, BrushBook& brushes) {
 }
 
 // One click makes the map that is not there; without one there is nothing to see or paint.
-void createButton(Rows& rows, Document& doc, const FieldRef& map, Edits& edits, Messages& messages) {
+void createButton(Rows& rows, Document& doc, const ConstFieldRef& map, Edits& edits, Messages& messages) {
     const std::string size = describeNewMap(doc.project(), map), path = map.path;
     const std::string shortly = size.substr(0, size.find(" texels"));
     next(rows, shortly.c_str(), em(7));
@@ -72,7 +72,7 @@ void createButton(Rows& rows, Document& doc, const FieldRef& map, Edits& edits, 
     ui::record("New map", ui::Kind::Label, size);
 }
 
-void modeCombo(Document& doc, BrushBook& brushes, Messages& messages) {
+void modeCombo(const Document& doc, BrushBook& brushes, Messages& messages) {
     std::vector<std::string> labels{"Look"}, tools{kLookTool};
     for (const BrushRow& row : brushRows()) labels.push_back(row.label), tools.push_back(row.name);
     const auto it = std::find(tools.begin(), tools.end(), brushes.tool);
@@ -151,7 +151,7 @@ void color(Rows& rows, BrushBook& brushes) {
 }
 
 // The settings of the present tool on the present map.
-void settings(Rows& rows, BrushBook& brushes, const std::optional<FieldRef>& map, double yaw) {
+void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw) {
     BrushSettings& b = currentBrush(brushes);
     const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
     number(rows, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
@@ -161,7 +161,7 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<FieldRef>& map
                      : "How much one pass over a place changes it: - and = change it.");
     number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(rows, yaw, b.angleDeg);
-    const bool colours = map && kindOf(*map->row) == MapKind::Colours;
+    const bool colours = map && map->row->map->kind == MapKind::Colours;
     if (colours) color(rows, brushes);
     if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
         number(rows, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),
@@ -178,7 +178,7 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
     const ui::Disabled noProject(!doc.isOpen());
     modeCombo(doc, brushes, messages);
     mapCombo(rows, doc, brushes);
-    const std::optional<FieldRef> map = chosenMap(doc, brushes);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
     const ui::Disabled looking(brushes.tool == kLookTool);
     settings(rows, brushes, map, yaw);

@@ -44,7 +44,7 @@ ui::NumberSpec numberSpec(const FieldRow& row) {
     return s;
 }
 
-void takeEdit(const FieldParts& parts, const FieldRef& f, const ui::NumberEdit& edit, double value,
+void takeEdit(const FieldParts& parts, const ConstFieldRef& f, const ui::NumberEdit& edit, double value,
               const std::string& label) {
     if (edit.changed) {
         holdEdit(parts, f.path);

@@ -24,7 +24,7 @@ void setField(const FieldParts& parts, const std::string& path, const std::strin
 // All that follows until nothing is held any more is one undo step.
 void holdEdit(const FieldParts& parts, const std::string& path);
 // What a number's widget gave: a drag is held and set, a typed text set.
-void takeEdit(const FieldParts& parts, const FieldRef& field, const ui::NumberEdit& edit, double value,
+void takeEdit(const FieldParts& parts, const ConstFieldRef& field, const ui::NumberEdit& edit, double value,
               const std::string& label);
 // Runs an edit of the document once this frame's widgets are built, and shows why if it fails.
 void deferEdit(const FieldParts& parts, std::function<Status()> edit);

@@ -36,20 +36,20 @@ struct Owner {
     std::string path() const { return entity + "." + component.name; }
 };
 
-void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, void* list) {
+void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const void* list) {
     const ListRow& l = *row.list;
     const std::string path = owner.path() + "." + row.name;
     for (size_t i = 0; i < l.size(list); ++i) {
-        void* element = l.at(list, i);
+        const void* element = l.at(list, i);
         const std::string name = *static_cast<const std::string*>(
-            static_cast<const void*>(static_cast<char*>(element) + l.fields[0].offset));
+            static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
         const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
         const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
         for (const FieldRow& f : l.fields) {
-            void* value = static_cast<char*>(element) + f.offset;
+            const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
             drawField(parts, {value, &f, &owner.component, owner.entity, at + "." + f.name}, fallback);
         }
@@ -59,7 +59,7 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         deferEdit(parts, [&doc = parts.doc, path] { return doc.addListElement(path); });
 }
 
-void component(const FieldParts& parts, ViewState& view, const Owner& owner, void* value) {
+void component(const FieldParts& parts, ViewState& view, const Owner& owner, const void* value) {
     const ComponentRow& row = owner.component;
     const std::string path = owner.path();
     const bool open = header(path, row.name, true);
@@ -67,7 +67,7 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, voi
                  [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
-        void* field = static_cast<char*>(value) + f.offset;
+        const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
             listField(parts, owner, f, field);
         else
@@ -105,7 +105,7 @@ void drawInspector(const FieldParts& parts, const std::string& selected, ViewSta
     }
     ImGui::BeginChild("fields");
     for (const ComponentRow& row : doc.tables().components)
-        if (void* value = row.get(doc.project().registry, e)) component(parts, view, {selected, row}, value);
+        if (const void* value = row.get(doc.project().registry, e)) component(parts, view, {selected, row}, value);
     addComponent(parts, selected, e);
     ImGui::EndChild();
 }

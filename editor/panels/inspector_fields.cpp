@@ -14,7 +14,7 @@ void set(const FieldParts& parts, const std::string& path, const std::string& te
     setField(parts, path, text, "Inspector/" + path);
 }
 
-void numberField(const FieldParts& parts, const FieldRef& f) {
+void numberField(const FieldParts& parts, const ConstFieldRef& f) {
     double value = f.row->type == FieldType::Int ? static_cast<double>(*static_cast<const int*>(f.value))
                                                  : static_cast<double>(*static_cast<const float*>(f.value));
     const ui::NumberEdit edit = ui::number(f.path, value, numberSpec(*f.row));
@@ -27,7 +27,7 @@ std::string vectorText(const double* v, int n) {
     return text + "]";
 }
 
-void vectorField(const FieldParts& parts, const FieldRef& f) {
+void vectorField(const FieldParts& parts, const ConstFieldRef& f) {
     const int n = f.row->type == FieldType::Vec2 ? 2 : 3;
     double v[3] = {};
     for (int i = 0; i < n; ++i) v[i] = static_cast<const double*>(f.value)[i];
@@ -53,11 +53,11 @@ void vectorField(const FieldParts& parts, const FieldRef& f) {
     ui::record(f.path, ui::Kind::Vector, vectorText(v, n));
 }
 
-void textLine(const FieldParts& parts, const FieldRef& f, const std::string& shown) {
+void textLine(const FieldParts& parts, const ConstFieldRef& f, const std::string& shown) {
     if (const auto typed = ui::textField(f.path, shown)) set(parts, f.path, *typed);
 }
 
-void colorField(const FieldParts& parts, const FieldRef& f) {
+void colorField(const FieldParts& parts, const ConstFieldRef& f) {
     const glm::vec3 color = *static_cast<const glm::vec3*>(f.value);
     float v[3] = {color.x, color.y, color.z};
     if (ui::colorEdit(f.path + "/Swatch", v)) {
@@ -70,18 +70,18 @@ void colorField(const FieldParts& parts, const FieldRef& f) {
     textLine(parts, f, fieldText(f));
 }
 
-void boolField(const FieldParts& parts, const FieldRef& f) {
+void boolField(const FieldParts& parts, const ConstFieldRef& f) {
     bool value = *static_cast<const bool*>(f.value);
     if (ui::checkbox(f.path, value)) set(parts, f.path, value ? "true" : "false");
 }
 
-void enumField(const FieldParts& parts, const FieldRef& f) {
+void enumField(const FieldParts& parts, const ConstFieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
     int chosen = enumIndex(f.value);
     if (ui::combo(f.path, items, chosen)) set(parts, f.path, items[static_cast<size_t>(chosen)]);
 }
 
-void mapField(const FieldRef& f) {
+void mapField(const ConstFieldRef& f) {
     const MapField& m = *static_cast<const MapField*>(f.value);
     std::string text = "none";
     if (m.present()) {
@@ -95,8 +95,8 @@ void mapField(const FieldRef& f) {
     if (m.present()) ui::tooltip(m.file);
 }
 
-void label(const FieldParts& parts, const FieldRef& f, const void* fallback, float width) {
-    const FieldRef usual{const_cast<void*>(fallback), f.row, f.component, f.entity, f.path};
+void label(const FieldParts& parts, const ConstFieldRef& f, const void* fallback, float width) {
+    const ConstFieldRef usual{fallback, f.row, f.component, f.entity, f.path};
     const bool map = f.row->type == FieldType::Map;
     const std::string usualText = map ? "" : fieldText(usual);
     const bool changed = !map && fieldText(f) != usualText;
@@ -119,7 +119,7 @@ void label(const FieldParts& parts, const FieldRef& f, const void* fallback, flo
     if (clicked && changed) set(parts, f.path, usualText);
 }
 
-void value(const FieldParts& parts, const FieldRef& f) {
+void value(const FieldParts& parts, const ConstFieldRef& f) {
     switch (f.row->type) {
         case FieldType::Bool:
             return boolField(parts, f);
@@ -156,7 +156,7 @@ std::string fieldTitle(const std::string& name) {
     return title;
 }
 
-void drawField(const FieldParts& parts, const FieldRef& field, const void* fallback) {
+void drawField(const FieldParts& parts, const ConstFieldRef& field, const void* fallback) {
     const float width = std::max(ImGui::GetContentRegionAvail().x * 0.42f, 60.f);
     const float x = ImGui::GetCursorPosX();
     label(parts, field, fallback, width - 6);

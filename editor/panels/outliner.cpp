@@ -9,14 +9,14 @@
 namespace sward {
 namespace {
 
-std::string componentsOf(Document& doc, Entity e) {
+std::string componentsOf(const Document& doc, Entity e) {
     std::string names;
     for (const ComponentRow& row : doc.tables().components)
         if (row.get(doc.project().registry, e)) names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
 }
 
-void entityRow(Document& doc, std::string& selected, const std::string& name, Entity e) {
+void entityRow(const Document& doc, std::string& selected, const std::string& name, Entity e) {
     const bool chosen = selected == name;
     if (ui::selectable(name, chosen)) selected = name;
     const std::string parts = componentsOf(doc, e);

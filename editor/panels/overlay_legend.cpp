@@ -23,7 +23,7 @@ void text(ImVec2 at, const std::string& words, ImU32 color = IM_COL32_WHITE) {
     ImGui::GetWindowDrawList()->AddText(at, color, words.c_str());
 }
 
-void amounts(const Rect& r, const std::string& title, const AmountEnds& ends) {
+void amounts(const Rect& r, const std::string& title, const MapRow& row) {
     const float line = ImGui::GetTextLineHeight(), bar = 150;
     const float width = std::max(bar, ImGui::CalcTextSize(title.c_str()).x) + 2 * kPad;
     ImVec2 at = box(r, width, 2 * kPad + 2 * line + 16);
@@ -33,8 +33,8 @@ void amounts(const Rect& r, const std::string& title, const AmountEnds& ends) {
     const float half = at.x + bar / 2;
     list.AddRectFilledMultiColor(at, {half, at.y + 10}, kNone, kHalf, kHalf, kNone);
     list.AddRectFilledMultiColor({half, at.y}, {at.x + bar, at.y + 10}, kHalf, kFull, kFull, kHalf);
-    text({at.x, at.y + 12}, ends.least, ui::kDimText);
-    text({at.x + bar - ImGui::CalcTextSize(ends.most).x, at.y + 12}, ends.most, ui::kDimText);
+    text({at.x, at.y + 12}, row.least, ui::kDimText);
+    text({at.x + bar - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText);
 }
 
 ImU32 hueOf(float turn) {
@@ -90,7 +90,7 @@ void forces(const Rect& r, const std::string& title, double yaw) {
 }
 
 // Each place has its own colour: the bar says with the brush's how opacity shows.
-void colours(const Rect& r, const std::string& title, const char* none, const glm::vec3& color) {
+void colours(const Rect& r, const std::string& title, const MapRow& row, const glm::vec3& color) {
     constexpr const char* kHelp = "the map's colours, by opacity";
     const float line = ImGui::GetTextLineHeight(),
                 wide = std::max(ImGui::CalcTextSize(title.c_str()).x, ImGui::CalcTextSize(kHelp).x);
@@ -100,32 +100,20 @@ void colours(const Rect& r, const std::string& title, const char* none, const gl
     at.y += 2 * line + 6;
     const ImU32 full = ImGui::GetColorU32({color.x, color.y, color.z, 1}), clear = full & ~IM_COL32_A_MASK;
     ImGui::GetWindowDrawList()->AddRectFilledMultiColor(at, {at.x + wide, at.y + 10}, clear, full, full, clear);
-    text({at.x, at.y + 12}, none, ui::kDimText);
-    constexpr const char* kWhole = "1 covered";
-    text({at.x + wide - ImGui::CalcTextSize(kWhole).x, at.y + 12}, kWhole, ui::kDimText);
+    text({at.x, at.y + 12}, row.least, ui::kDimText);
+    text({at.x + wide - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText);
 }
 
 }  // namespace
 
-AmountEnds amountEnds(const FieldRow& map) {
-    const std::string_view name = map.name;
-    if (name == "ambientOcclusion") return {"0 closed", "1 open"};
-    if (name == "bladeHeight") return {"0 no height", "1 full height"};
-    if (name == "gusts") return {"0 calm", "1 gust"};
-    return {"0 bare", "1 full"};
-}
-
-void drawOverlayLegend(Document& document, BrushBook& brushes, double yaw, const Rect& view) {
-    const std::optional<FieldRef> map = chosenMap(document, brushes);
+void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw, const Rect& view) {
+    const std::optional<ConstFieldRef> map = chosenMap(document, brushes);
     if (overlayOf(document, brushes).map.empty() || !map) return;
     const std::string title = map->path;
-    const MapKind kind = kindOf(*map->row);
-    if (kind == MapKind::Amounts) amounts(view, title, amountEnds(*map->row));
+    const MapKind kind = map->row->map->kind;
+    if (kind == MapKind::Amounts) amounts(view, title, *map->row->map);
     if (kind == MapKind::Forces) forces(view, title, yaw);
-    if (kind == MapKind::Colours) {
-        const bool soil = std::string_view(map->component->name) == "Terrain";
-        colours(view, title, soil ? "0 soil" : "0 grass", currentColor(brushes));
-    }
+    if (kind == MapKind::Colours) colours(view, title, *map->row->map, currentColor(brushes));
     if (kind == MapKind::Directions) directions(view, title, yaw);
 }
 

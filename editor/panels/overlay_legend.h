@@ -7,12 +7,7 @@
 
 namespace sward {
 
-// What the ends of a scale of amounts mean on this map.
-struct AmountEnds {
-    const char *least, *most;
-};
-AmountEnds amountEnds(const FieldRow& map);
 // In the upper right corner of `view`, for a camera that looks towards `yaw`. Nothing while the overlay is off.
-void drawOverlayLegend(Document& document, BrushBook& brushes, double yaw, const Rect& view);
+void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw, const Rect& view);
 
 }  // namespace sward

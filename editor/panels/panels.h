@@ -58,7 +58,7 @@ PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
 int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, Edits& edits,
                  Messages& messages);
-void drawToolStrip(Document& document, BrushBook& brushes, Messages& messages);
+void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messages);
 void drawOutliner(const FieldParts& parts, Selection& selection);
 // The components of the entity that is `selected`; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);

@@ -12,8 +12,8 @@
 namespace sward {
 namespace {
 
-FieldRef fieldNamed(Document& doc, const std::string& entity, const char* name) {
-    const Result<FieldRef> f = findField(doc.project(), doc.tables().components, entity + ".GrassField." + name);
+ConstFieldRef fieldNamed(const Document& doc, const std::string& entity, const char* name) {
+    const Result<ConstFieldRef> f = findField(doc.project(), doc.tables().components, entity + ".GrassField." + name);
     CHECK(bool(f));
     return *f;
 }
@@ -55,7 +55,7 @@ void typeDistance(const FieldParts& parts, const std::string& entity, size_t i, 
 
 void distance(const FieldParts& parts, const std::string& entity, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
-    const FieldRef field = fieldNamed(parts.doc, entity, name);
+    const ConstFieldRef field = fieldNamed(parts.doc, entity, name);
     const std::string help =
         fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
@@ -89,7 +89,7 @@ void distances(const FieldParts& parts, const std::string& entity, const TierDis
     ImGui::EndTable();
 }
 
-void chooseField(Document& doc, std::string& chosenField, std::string& entity) {
+void chooseField(const Document& doc, std::string& chosenField, std::string& entity) {
     std::vector<std::string> names;
     for (const auto& [name, e] : doc.project().entities)
         if (doc.project().registry.get<GrassField>(e)) names.push_back(name);
@@ -100,7 +100,7 @@ void chooseField(Document& doc, std::string& chosenField, std::string& entity) {
 }
 
 void numberOf(const FieldParts& parts, const std::string& entity, const char* name, const char* title) {
-    const FieldRef field = fieldNamed(parts.doc, entity, name);
+    const ConstFieldRef field = fieldNamed(parts.doc, entity, name);
     double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
                                                      : static_cast<double>(*static_cast<const float*>(field.value));
     caption(title, field.row->help);
@@ -112,7 +112,7 @@ void numberOf(const FieldParts& parts, const std::string& entity, const char* na
 void looks(const FieldParts& parts, std::string& chosenField, std::string& entity) {
     if (!beginForm("looks", 5)) return;
     chooseField(parts.doc, chosenField, entity);
-    const FieldRef technique = fieldNamed(parts.doc, entity, "technique");
+    const ConstFieldRef technique = fieldNamed(parts.doc, entity, "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
     int chosen = enumIndex(technique.value);
     caption("Technique", technique.row->help);

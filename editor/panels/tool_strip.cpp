@@ -91,7 +91,7 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
 
 }  // namespace
 
-void drawToolStrip(Document& doc, BrushBook& brushes, Messages& messages) {
+void drawToolStrip(const Document& doc, BrushBook& brushes, Messages& messages) {
     const auto tool = [&](const std::string& name, const char* label, const std::string& help) {
         if (toolButton(brushes.tool == name, name, label, help)) selectTool(doc, brushes, messages, name);
     };

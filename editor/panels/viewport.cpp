@@ -12,7 +12,7 @@
 namespace sward {
 namespace {
 
-std::vector<std::string> cameraNames(Document& doc) {
+std::vector<std::string> cameraNames(const Document& doc) {
     std::vector<std::string> names;
     const ComponentRow* row = findComponent(doc.tables().components, "Camera");
     if (!row || !doc.isOpen()) return names;
@@ -21,13 +21,13 @@ std::vector<std::string> cameraNames(Document& doc) {
     return names;
 }
 
-const Camera* cameraNamed(Document& doc, const std::string& name) {
+const Camera* cameraNamed(const Document& doc, const std::string& name) {
     const Entity e = findEntity(doc.project(), name);
     return e == kNoEntity ? nullptr : doc.project().registry.get<Camera>(e);
 }
 
 // The camera whose view is on the screen, or -1.
-int cameraShown(Document& doc, const FlyCamera& view, const std::vector<std::string>& names) {
+int cameraShown(const Document& doc, const FlyCamera& view, const std::vector<std::string>& names) {
     const ViewCamera now = viewOf(view);
     for (size_t i = 0; i < names.size(); ++i) {
         const Camera* c = cameraNamed(doc, names[i]);
@@ -38,7 +38,7 @@ int cameraShown(Document& doc, const FlyCamera& view, const std::vector<std::str
     return -1;
 }
 
-void chooseCamera(Document& doc, FlyCamera& view) {
+void chooseCamera(const Document& doc, FlyCamera& view) {
     std::vector<std::string> cameras = cameraNames(doc);
     int chosen = cameraShown(doc, view, cameras);
     const bool free = chosen < 0;  // the view is no camera's
@@ -75,7 +75,7 @@ void ringAt(const FlyCamera& camera, const Rect& view, const Ground& ground, con
 
 }  // namespace
 
-void drawViewportHeader(Document& document, ViewState& view, Gesture gesture) {
+void drawViewportHeader(const Document& document, ViewState& view, Gesture gesture) {
     ImGui::SetCursorPos({8, 3});
     chooseCamera(document, view.camera);
     ImGui::SameLine(0, 18);
@@ -105,7 +105,7 @@ Rect layImage(const Rect& area) {
     return image;
 }
 
-void drawBrushRing(Document& document, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes) {
+void drawBrushRing(const Document& document, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes) {
     if (!hand.ground || brushes.tool == kLookTool || (hand.gesture != Gesture::None && hand.gesture != Gesture::Paint))
         return;
     const Ground ground = findGround(document.project());

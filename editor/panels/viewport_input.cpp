@@ -21,7 +21,7 @@ void takePivot(FlyCamera& camera, std::optional<glm::dvec3> point) {
 void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
     const std::optional<glm::dvec3> at = groundAt(p.doc, camera, hand.rect, in.x, in.y);
     if (!at) return;
-    const std::optional<FieldRef> map = chosenMap(p.doc, p.brushes);
+    const std::optional<ConstFieldRef> map = chosenMap(p.doc, p.brushes);
     if (!map)
         return showError(p.messages,
                          {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
@@ -33,7 +33,7 @@ void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand
 }
 
 // A gesture that turns or moves the view; false if the buttons mean none.
-bool beginMove(Document& doc, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
+bool beginMove(const Document& doc, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
     const Rect& r = hand.rect;
     if (in.pressed[1]) {
         hand.gesture = Gesture::Look;
@@ -107,7 +107,7 @@ void flyByKeys(FlyCamera& camera, ViewportHand& hand, const FrameInput& in, doub
 }
 
 // The eye stays a hand's breadth above the ground.
-void stayAbove(Document& doc, glm::dvec3& eye) {
+void stayAbove(const Document& doc, glm::dvec3& eye) {
     constexpr double kLeast = 0.1;
     if (!doc.isOpen()) return;
     const Ground ground = findGround(doc.project());
@@ -141,7 +141,8 @@ double focalPixels(const FlyCamera& camera, const Rect& view) {
 
 }  // namespace
 
-std::optional<glm::dvec3> groundAt(Document& document, const FlyCamera& camera, const Rect& view, double x, double y) {
+std::optional<glm::dvec3> groundAt(const Document& document, const FlyCamera& camera, const Rect& view, double x,
+                                   double y) {
     if (!document.isOpen() || view.w < 1 || view.h < 1) return std::nullopt;
     return pickGround(document.project(), viewOf(camera), static_cast<int>(view.w), static_cast<int>(view.h),
                       x - static_cast<double>(view.x), y - static_cast<double>(view.y));

@@ -37,7 +37,8 @@ bool playInput(const HandInput& input, ViewportHand& hand);
 
 // `view`: the image's rectangle, window coordinates. The ground under a place in the window; nothing beyond the terrain
 // and in the sky.
-std::optional<glm::dvec3> groundAt(Document& document, const FlyCamera& camera, const Rect& view, double x, double y);
+std::optional<glm::dvec3> groundAt(const Document& document, const FlyCamera& camera, const Rect& view, double x,
+                                   double y);
 // The direction in which the eye sees a place in the window; a unit vector.
 glm::dvec3 rayThrough(const FlyCamera& camera, const Rect& view, double x, double y);
 // Where a world point is on the screen (window coordinates), or nothing if it lies behind the eye.

@@ -136,9 +136,9 @@ std::optional<glm::dvec3> groundTowards(const RingParts& p, double x, double y, 
 
 }  // namespace
 
-std::string tierEntity(Document& document, const std::string& chosen, const std::string& selected) {
+std::string tierEntity(const Document& document, const std::string& chosen, const std::string& selected) {
     if (!document.isOpen()) return "";
-    Project& p = document.project();
+    const Project& p = document.project();
     const auto grows = [&](const std::string& name) {
         return p.registry.get<GrassField>(findEntity(p, name)) != nullptr;
     };
@@ -149,7 +149,7 @@ std::string tierEntity(Document& document, const std::string& chosen, const std:
     return "";
 }
 
-GrassField* tierField(Document& document, const std::string& entity) {
+const GrassField* tierField(const Document& document, const std::string& entity) {
     if (entity.empty()) return nullptr;
     return document.project().registry.get<GrassField>(findEntity(document.project(), entity));
 }

@@ -22,9 +22,9 @@ inline constexpr const char* kTierTitles[kTierCount] = {"All blades up to", "Bla
 
 // The entity whose distances panel and rings show: the one chosen in the panel, the selected, or the first; "" if none
 // has a GrassField.
-std::string tierEntity(Document& document, const std::string& chosen, const std::string& selected);
+std::string tierEntity(const Document& document, const std::string& chosen, const std::string& selected);
 // Its field; null for "".
-GrassField* tierField(Document& document, const std::string& entity);
+const GrassField* tierField(const Document& document, const std::string& entity);
 // "lawn.GrassField.maxGeom"; `i` below kTierCount.
 std::string tierPath(const std::string& entity, size_t i);
 

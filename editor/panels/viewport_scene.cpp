@@ -132,7 +132,7 @@ void countAtRest(const SceneParts& p, const ViewCamera& camera) {
 
 }  // namespace
 
-BrushDecal decalOf(Document& document, const ViewportHand& hand, BrushBook& brushes) {
+BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes) {
     const bool painting = hand.gesture == Gesture::Paint || hand.gesture == Gesture::None;
     if (!hand.ground || brushes.tool == kLookTool || !painting) return {};
     const glm::dvec3 origin = findGround(document.project()).origin;

@@ -28,7 +28,7 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
 // True if the renderer is quick enough to draw the brush's decal anew with every motion of the pointer.
 bool drawsDecal(const ViewportPicture& picture, const FrameClock& clock);
 // The brush on the ground under the pointer; none where it paints nothing.
-BrushDecal decalOf(Document& document, const ViewportHand& hand, BrushBook& brushes);
+BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes);
 // Gives the GL objects back; the next drawing makes new ones.
 void freePicture(ViewportPicture& picture);
 

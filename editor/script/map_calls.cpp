@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "maps/map_repair.h"
 #include "project/packed_map.h"
+#include "scene/map_fields.h"
 #include "scene/tiling.h"
 #include "script/files.h"
 #include "script/map_args.h"
@@ -34,13 +35,13 @@ int sizeOption(lua_State* L, Options& options, const char* name) {
 // map.create{path =, width =, height =, channels =, type =, value = 0}: replaces a map that is there.
 int create(lua_State* L, State& state) {
     Options options(L, 1);
-    const FieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
-    MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->mapChannels,
+    const ConstFieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
+    MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->map->channels,
                  PixelType::U16};
     info.channels = static_cast<int>(std::clamp(options.number("channels", info.channels), 0.0, 99.0));
-    info.type = typeOption(L, options, field.row->mapType);
-    if (info.channels != field.row->mapChannels)
-        raise(L, fmt::format("{} has {} channels, not {}", field.path, field.row->mapChannels, info.channels));
+    info.type = typeOption(L, options, field.row->map->type);
+    if (info.channels != field.row->map->channels)
+        raise(L, fmt::format("{} has {} channels, not {}", field.path, field.row->map->channels, info.channels));
     checkMapBytes(L, info);
     Map map(info);
     if (options.push("value")) {
@@ -165,13 +166,13 @@ int curve(lua_State* L, State&) {
 // map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is
 // replaced.
 int copy(lua_State* L, State& state) {
-    const FieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
+    const ConstFieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
     const NamedMap from = mapArg(L, 2);
-    if (from.map.info().channels != to.row->mapChannels)
+    if (from.map.info().channels != to.row->map->channels)
         raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels,
-                             to.row->mapChannels, to.path));
+                             to.row->map->channels, to.path));
     MapInfo info = from.map.info();
-    info.type = to.row->mapType;
+    info.type = to.row->map->type;
     checkMapBytes(L, info);
     charge(L, texelCount(from.map) / 8);
     orRaise(L, state.document().setMap(to.path, convertMap(from.map, info.type), "copy " + from.field.path));
@@ -204,10 +205,10 @@ TransferOptions transferOptions(lua_State* L) {
 }
 
 // Density and blade heights from one image, and how often both repeat: one step.
-int importBoth(lua_State* L, State& state, const FieldRef& density, const std::filesystem::path& file,
+int importBoth(lua_State* L, State& state, const ConstFieldRef& density, const std::filesystem::path& file,
                const ImportOptions& options) {
-    Project& p = openProject(L);
-    const FieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
+    const Project& p = openProject(L);
+    const ConstFieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
     const auto remembered = p.imports.find(density.path);
     const bool flip = options.flip.value_or(remembered != p.imports.end() && remembered->second.flip);
     PackedMaps maps = orRaise(L, readPacked(file, flip));
@@ -216,29 +217,31 @@ int importBoth(lua_State* L, State& state, const FieldRef& density, const std::f
     GroupOrNothing group(state.document(), "import " + density.path);
     orRaise(L, state.document().setMap(density.path, std::move(maps.density), "import"));
     orRaise(L, state.document().setMap(height.path, std::move(maps.bladeHeight), "import"));
-    orRaise(L, state.document().setField(height.path + "Tiling", fmt::format("{}", tiling)));
+    orRaise(L,
+            state.document().setField(fieldBeside(height, *height.row->map->tiling).path, fmt::format("{}", tiling)));
     group.keep();
-    for (const FieldRef* f : {&density, &height}) p.imports[f->path] = {file.filename().string(), flip, {}};
+    for (const ConstFieldRef* f : {&density, &height})
+        state.document().rememberImport(f->path, {file.filename().string(), flip, {}});
     return 0;
 }
 
 // map.import(name, file, {flip =, range =, packed =}): texels, remembered settings and the height's range are one step.
 int import(lua_State* L, State& state) {
-    Project& p = openProject(L);
-    const FieldRef field = orRaise(L, findMap(p, state.rows(), textArg(L, 1)));
+    const Project& p = openProject(L);
+    const ConstFieldRef field = orRaise(L, findMap(p, state.rows(), textArg(L, 1)));
     const auto file = readablePath(L, textArg(L, 2));
     const TransferOptions options = transferOptions(L);
     if (options.packed) return importBoth(L, state, field, file, options);
     MapImport used;
     Map map = orRaise(L, readImport(p, field, file, options, &used));
-    const bool spansRange = field.row->isHeight && used.range && map.info().type != PixelType::F32;
+    const bool spansRange = field.row->map->heightRange && used.range && map.info().type != PixelType::F32;
     GroupOrNothing group(state.document(), "import " + field.path);
     orRaise(L, state.document().setMap(field.path, std::move(map), "import"));
     if (spansRange)
-        orRaise(L, state.document().setField(field.entity + "." + field.component->name + ".heightRange",
+        orRaise(L, state.document().setField(fieldBeside(field, *field.row->map->heightRange).path,
                                              fmt::format("[{}, {}]", used.range->first, used.range->second)));
     group.keep();
-    p.imports[field.path] = used;
+    state.document().rememberImport(field.path, used);
     return 0;
 }
 
@@ -296,7 +299,7 @@ int size(lua_State* L, State&) {
 
 // map.exists(name): whether the field has a map.
 int exists(lua_State* L, State& state) {
-    const Result<FieldRef> field = findMap(openProject(L), state.rows(), textArg(L, 1));
+    const Result<ConstFieldRef> field = findMap(openProject(L), state.rows(), textArg(L, 1));
     lua_pushboolean(L, field && static_cast<const MapField*>(field->value)->present());
     return 1;
 }

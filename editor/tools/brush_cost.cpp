@@ -4,6 +4,7 @@
 
 #include "frame/renderer.h"
 #include "model/document.h"
+#include "scene/map_fields.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
 
@@ -14,18 +15,16 @@ constexpr double kMostTexels = 10000;  // under the brush, that are read
 constexpr double kPi = 3.14159265358979323846;
 
 // The species' blades per square metre; nothing if the map is no density.
-std::optional<double> bladesPerM2Of(Document& document, const FieldRef& map) {
-    if (std::string_view(map.row->name) != "density") return {};
-    const std::string path = map.path.substr(0, map.path.rfind('.')) + ".bladesPerM2";
-    const auto field = findField(document.project(), document.tables().components, path);
-    if (!field) return {};
-    return static_cast<double>(*static_cast<const float*>(field->value));
+std::optional<double> bladesPerM2Of(const ConstFieldRef& map) {
+    const FieldRow* row = map.row->map->bladesPerM2;
+    if (!row) return {};
+    return static_cast<double>(*static_cast<const float*>(fieldBeside(map, *row).value));
 }
 
-std::optional<double> underBrush(Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground) {
-    const std::optional<FieldRef> map = chosenMap(doc, brushes);
+std::optional<double> underBrush(const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     if (!ground || brushes.tool == kLookTool || !map) return {};
-    const std::optional<double> perM2 = bladesPerM2Of(doc, *map);
+    const std::optional<double> perM2 = bladesPerM2Of(*map);
     const Result<MapScale> scale = mapScale(doc.project(), *map);
     if (!perM2 || !scale) return {};
     const glm::dvec3 at = *ground - findGround(doc.project()).origin;
@@ -34,26 +33,26 @@ std::optional<double> underBrush(Document& doc, BrushBook& brushes, const std::o
 }
 
 // Densities of all species: erasing may paint each.
-std::vector<FieldRef> densities(Document& doc) {
-    std::vector<FieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
-    std::erase_if(maps, [](const FieldRef& m) { return std::string_view(m.row->name) != "density"; });
+std::vector<ConstFieldRef> densities(const Document& doc) {
+    std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
+    std::erase_if(maps, [](const ConstFieldRef& m) { return !m.row->map->bladesPerM2; });
     return maps;
 }
 
-void beginCount(Document& doc, BrushCost& c) {
+void beginCount(const Document& doc, BrushCost& c) {
     c.before.clear();
-    for (const FieldRef& m : densities(doc)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
+    for (const ConstFieldRef& m : densities(doc)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
     c.stroke.reset();
 }
 
-void countStroke(Document& doc, BrushCost& c) {
+void countStroke(const Document& doc, BrushCost& c) {
     if (c.revision == doc.revision()) return;
     c.revision = doc.revision();
     double added = 0;
-    for (const FieldRef& m : densities(doc)) {
+    for (const ConstFieldRef& m : densities(doc)) {
         const Map& now = static_cast<const MapField*>(m.value)->map;
         const auto before = c.before.find(m.path);
-        const auto perM2 = bladesPerM2Of(doc, m);
+        const auto perM2 = bladesPerM2Of(m);
         const auto scale = mapScale(doc.project(), m);
         if (before == c.before.end() || !perM2 || !scale || now.empty()) continue;
         added += bladesAdded(before->second, now, *perM2, *scale);
@@ -106,7 +105,7 @@ double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const 
     return sum * perTexel;
 }
 
-void followBrushCost(BrushCost& c, Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground,
+void followBrushCost(BrushCost& c, const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground,
                      const FrameStats* measured) {
     if (!doc.isOpen()) {
         c = {};

@@ -25,8 +25,8 @@ struct BrushCost {
 };
 // Once a frame. `ground`: the world point under the pointer, if there is one; `measured`: the last drawing if its
 // passes were timed, else null.
-void followBrushCost(BrushCost& cost, Document& document, BrushBook& brushes, const std::optional<glm::dvec3>& ground,
-                     const FrameStats* measured);
+void followBrushCost(BrushCost& cost, const Document& document, BrushBook& brushes,
+                     const std::optional<glm::dvec3>& ground, const FrameStats* measured);
 // "+0.4 ms": the measured grass's time times the share by which the blades in view grow. Nothing without a measured
 // frame or a stroke, or with no blades in view.
 std::optional<double> strokeMs(const BrushCost& cost, uint64_t bladesInView);

@@ -8,18 +8,18 @@
 namespace sward {
 namespace {
 
-bool present(const FieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
+bool present(const ConstFieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
 
 // The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
-std::string mapFor(Document& doc, const BrushBook& book, const BrushRow& row) {
-    std::vector<std::string> fitting;
-    for (const FieldRef& map : paintableMaps(doc))
-        if (paints(row, kindOf(*map.row))) fitting.push_back(map.path);
-    for (const std::string& map : book.recentMaps)
-        if (std::find(fitting.begin(), fitting.end(), map) != fitting.end()) return map;
-    for (const std::string& map : fitting)
-        if (map.ends_with(".density")) return map;
-    return fitting.empty() ? "" : fitting.front();
+std::string mapFor(const Document& doc, const BrushBook& book, const BrushRow& row) {
+    std::vector<ConstFieldRef> fitting = paintableMaps(doc);
+    std::erase_if(fitting, [&](const ConstFieldRef& map) { return !paints(row, map.row->map->kind); });
+    for (const std::string& recent : book.recentMaps)
+        for (const ConstFieldRef& map : fitting)
+            if (map.path == recent) return recent;
+    for (const ConstFieldRef& map : fitting)
+        if (map.row->map->role == MapRole::Density) return map.path;
+    return fitting.empty() ? "" : fitting.front().path;
 }
 
 std::string toolFor(const BrushBook& book, MapKind kind) {
@@ -46,29 +46,29 @@ void remember(BrushBook& book, MapKind kind) {
 
 }  // namespace
 
-std::vector<FieldRef> paintableMaps(Document& doc) {
+std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
     if (!doc.isOpen()) return {};
-    std::vector<FieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
-    std::erase_if(maps, [](const FieldRef& f) { return f.row->isHeight; });
+    std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
+    std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights; });
     return maps;
 }
 
-std::optional<FieldRef> chosenMap(Document& doc, const BrushBook& book) {
+std::optional<ConstFieldRef> chosenMap(const Document& doc, const BrushBook& book) {
     if (!doc.isOpen() || book.map.empty()) return std::nullopt;
-    const Result<FieldRef> map = findField(doc.project(), doc.tables().components, book.map);
+    const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, book.map);
     return map && map->row->type == FieldType::Map ? std::optional(*map) : std::nullopt;
 }
 
-void selectMap(Document& doc, BrushBook& book, const std::string& path) {
+void selectMap(const Document& doc, BrushBook& book, const std::string& path) {
     book.map = path;
     keepTargetValid(doc, book);
 }
 
-void selectTool(Document& doc, BrushBook& book, Messages& messages, const std::string& tool) {
+void selectTool(const Document& doc, BrushBook& book, Messages& messages, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
-    const std::optional<FieldRef> map = chosenMap(doc, book);
-    if (row && (!map || !paints(*row, kindOf(*map->row)))) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    if (row && (!map || !paints(*row, map->row->map->kind))) {
         const std::string other = mapFor(doc, book, *row);
         if (other.empty()) return say(messages, fmt::format("{}: the project has no map that it paints", row->label));
         book.map = other;
@@ -77,15 +77,15 @@ void selectTool(Document& doc, BrushBook& book, Messages& messages, const std::s
     keepTargetValid(doc, book);
 }
 
-void toggleLook(Document& doc, BrushBook& book, Messages& messages) {
-    const std::optional<FieldRef> map = chosenMap(doc, book);
+void toggleLook(const Document& doc, BrushBook& book, Messages& messages) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     selectTool(doc, book, messages,
-               book.tool != kLookTool ? kLookTool : toolFor(book, map ? kindOf(*map->row) : MapKind::Amounts));
+               book.tool != kLookTool ? kLookTool : toolFor(book, map ? map->row->map->kind : MapKind::Amounts));
 }
 
-void pickColor(Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
-    const std::optional<FieldRef> map = chosenMap(doc, book);
-    if (!map || kindOf(*map->row) != MapKind::Colours)
+void pickColor(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    if (!map || map->row->map->kind != MapKind::Colours)
         return say(messages, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
     const Result<MapScale> scale = mapScale(doc.project(), *map);
@@ -99,22 +99,22 @@ void pickColor(Document& doc, BrushBook& book, Messages& messages, const std::op
     say(messages, "the brush's colour is " + colorText(currentColor(book)));
 }
 
-void keepTargetValid(Document& doc, BrushBook& book) {
-    const std::vector<FieldRef> maps = paintableMaps(doc);
-    const auto named = [&](const FieldRef& f) { return f.path == book.map; };
+void keepTargetValid(const Document& doc, BrushBook& book) {
+    const std::vector<ConstFieldRef> maps = paintableMaps(doc);
+    const auto named = [&](const ConstFieldRef& f) { return f.path == book.map; };
     if (std::none_of(maps.begin(), maps.end(), named)) {
         const BrushRow* row = findBrush("add");
         book.map = mapFor(doc, book, *row);
     }
-    const std::optional<FieldRef> map = chosenMap(doc, book);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return;
-    const MapKind kind = kindOf(*map->row);
+    const MapKind kind = map->row->map->kind;
     const BrushRow* row = findBrush(book.tool);
     if (row && !paints(*row, kind)) book.tool = toolFor(book, kind);
     remember(book, kind);
 }
 
-std::vector<BrushSettings> strokeBrushes(Document& doc, BrushBook& book, bool ctrl, bool shift) {
+std::vector<BrushSettings> strokeBrushes(const Document& doc, BrushBook& book, bool ctrl, bool shift) {
     const BrushSettings brush = strokeBrush(book, ctrl, shift);
     if (!(ctrl && shift)) return {brush};
     return speciesBrushes(doc.project(), doc.tables().components, brush);
@@ -122,22 +122,23 @@ std::vector<BrushSettings> strokeBrushes(Document& doc, BrushBook& book, bool ct
 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
-bool showsSources(Document& doc, const FieldRef& map) {
-    return map.row->isForce && has(sceneFeatures(doc.project().registry, doc.tables().components), Feature::Forces);
+bool showsSources(const Document& doc, const ConstFieldRef& map) {
+    return map.row->map->kind == MapKind::Forces &&
+           has(sceneFeatures(doc.project().registry, doc.tables().components), Feature::Forces);
 }
 }  // namespace
 
-bool overlayShown(Document& doc, const BrushBook& book) {
-    const std::optional<FieldRef> map = chosenMap(doc, book);
+bool overlayShown(const Document& doc, const BrushBook& book) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return false;
     const auto chosen = book.overlays.find(map->path);
-    return chosen != book.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
+    return chosen != book.overlays.end() ? chosen->second : map->row->map->role != MapRole::Density;
 }
 
-void toggleOverlay(Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }
+void toggleOverlay(const Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }
 
-MapOverlay overlayOf(Document& doc, const BrushBook& book) {
-    const std::optional<FieldRef> map = chosenMap(doc, book);
+MapOverlay overlayOf(const Document& doc, const BrushBook& book) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map || !overlayShown(doc, book) || !(present(*map) || showsSources(doc, *map))) return {};
     const Result<MapScale> scale = mapScale(doc.project(), *map);
     if (!scale || !findGround(doc.project()).terrain) return {};

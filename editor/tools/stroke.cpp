@@ -2,6 +2,7 @@
 
 #include "core/jobs.h"
 #include "core/numerics.h"
+#include "scene/map_fields.h"
 #include "scene/tiling.h"
 
 namespace sward {
@@ -13,30 +14,6 @@ constexpr double kMarginFactor = 2;        // points are kept within this many e
 
 Error usage(std::string message, std::string remedy) {
     return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
-}
-
-// "orientation" repeats "orientationTiling" times, where the component has such a field.
-std::string tilingName(const FieldRef& map) { return std::string(map.row->name) + "Tiling"; }
-const float* tilingIn(std::span<const FieldRow> fields, const void* base, const std::string& wanted) {
-    for (const FieldRow& field : fields)
-        if (field.name == wanted && field.type == FieldType::Float)
-            return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
-    return nullptr;
-}
-float tilingFactor(const Project& p, const FieldRef& map) {
-    const void* base = map.component->get(const_cast<Registry&>(p.registry), findEntity(p, map.entity));
-    if (const float* found = tilingIn(map.component->fields, base, tilingName(map))) return *found;
-    for (const FieldRow& field : map.component->fields) {  // in an element of a list, beside the map itself
-        if (field.type != FieldType::List) continue;
-        const void* list = static_cast<const std::byte*>(base) + field.offset;
-        for (size_t i = 0; i < field.list->size(list); ++i) {
-            const void* element = field.list->at(const_cast<void*>(list), i);
-            for (const FieldRow& own : field.list->fields)
-                if (static_cast<const std::byte*>(element) + own.offset == map.value)
-                    if (const float* found = tilingIn(field.list->fields, element, tilingName(map))) return *found;
-        }
-    }
-    return 1;
 }
 
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
@@ -52,13 +29,13 @@ double milliseconds() {
 
 }  // namespace
 
-Result<MapScale> mapScale(const Project& p, const FieldRef& map) {
+Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
     const Terrain* terrain = terrainOf(p, map.entity);
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
-    const float factor = tilingFactor(p, map);
+    const float factor = mapTiling(map);
     const Tiling tiling = tilingOf(*terrain, factor);
     return MapScale{tiling.metres.x, tiling.metres.y,
-                    tiling.repeats,  tiling.repeats && map.row->isHeight,
+                    tiling.repeats,  tiling.repeats && map.row->map->role == MapRole::Heights,
                     factor,          shaderTiling(*terrain, factor)};
 }
 
@@ -86,13 +63,14 @@ Status checkBrush(const BrushSettings& b) {
     return {};
 }
 
-std::vector<BrushSettings> speciesBrushes(Project& p, std::span<const ComponentRow> rows, const BrushSettings& like) {
+std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const ComponentRow> rows,
+                                          const BrushSettings& like) {
     const auto grows = [&](const std::string& entity) { return p.registry.get<GrassField>(findEntity(p, entity)); };
     std::string entity = like.map.substr(0, like.map.find('.'));
     if (!p.entities.contains(entity) || !grows(entity)) entity.clear();
     std::vector<BrushSettings> brushes;
-    for (const FieldRef& map : allMaps(p, rows, true)) {
-        if (std::string_view(map.row->name) != "density" || !grows(map.entity)) continue;
+    for (const ConstFieldRef& map : allMaps(p, rows, true)) {
+        if (map.row->map->role != MapRole::Density || !grows(map.entity)) continue;
         if (entity.empty()) entity = map.entity;
         if (map.entity != entity) continue;
         brushes.push_back(like);

@@ -125,7 +125,7 @@ std::vector<std::string> depthVariants();
 
 struct DrawContext {
     Gpu& gpu;
-    Project& project;
+    const Project& project;
     const Tables& tables;
     const FramePlan& plan;
     const ViewCamera& camera;

@@ -203,8 +203,8 @@ struct Renderer::Impl {
         shared = {};
     }
 
-    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings,
-                        ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+    DrawContext context(const Project& project, const FramePlan& of, const ViewCamera& camera,
+                        const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
         DrawContext ctx{gpu,
                         project,
                         tables,
@@ -354,7 +354,7 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
@@ -403,7 +403,7 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(Project& project, bool json) {
+std::string Renderer::explain(const Project& project, bool json) {
     impl_->replan(project);
     return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
 }

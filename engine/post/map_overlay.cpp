@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kOwner = "post/map-overlay";
 
 // The texture that the grass reads, if it reads this map; else one of the overlay's own while it is shown.
-GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
+GLuint textureOf(DrawContext& ctx, const ConstFieldRef& field) {
     const auto* wanted = static_cast<const MapField*>(field.value);
     if (const GrassField* f = firstOf<GrassField>(ctx.project)) {
         const SharedResources& r = ctx.shared;
@@ -20,16 +20,26 @@ GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
         for (size_t i = 0; i < f->species.size() && i < r.densities.size(); ++i)
             if (wanted == &f->species[i].density && r.densities[i]) return r.densities[i];
     }
-    return ctx.maps.get(kOwner, field.path, wanted->map, !field.row->isForce, true);
+    return ctx.maps.get(kOwner, field.path, wanted->map, field.row->map->kind == MapKind::Colours, true);
 }
 
 // How the shader shows it.
-float kindOf(const FieldRow& row) {
-    return row.isForce ? 3 : row.mapChannels < 3 ? static_cast<float>(row.mapChannels) : 4;
+float kindNumber(MapKind kind) {
+    switch (kind) {
+        case MapKind::Amounts:
+            return 1;
+        case MapKind::Directions:
+            return 2;
+        case MapKind::Forces:
+            return 3;
+        case MapKind::Colours:
+            return 4;
+    }
+    return 0;
 }
 
 // Metres, with room for the ground's own roughness.
-float tallestGrass(Project& project) {
+float tallestGrass(const Project& project) {
     float most = 0;
     if (const GrassField* f = firstOf<GrassField>(project))
         for (const Species& s : f->species) most = std::max(most, s.height * (1 + s.heightVariation));
@@ -39,11 +49,11 @@ float tallestGrass(Project& project) {
 void draw(DrawContext& ctx) {
     const MapOverlay& overlay = ctx.settings.overlay;
     if (overlay.map.empty()) return;
-    const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
+    const Result<ConstFieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
-    const bool pressed =
-        field->row->isForce && has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
+    const bool pressed = field->row->map->kind == MapKind::Forces &&
+                         has(ctx.plan.features, Feature::Forces);  // also where nothing is painted
     if ((map.empty() && !pressed) || !ctx.use(0, depthConstants(ctx.targets))) return;
     if (!map.empty()) glBindTextureUnit(TEX_SCENE, textureOf(ctx, *field));
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
@@ -51,7 +61,8 @@ void draw(DrawContext& ctx) {
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
         static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
-    glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
+    glUniform4f(0, kindNumber(field->row->map->kind), static_cast<float>(overlay.tiling), metresPerPixel,
+                texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());
     glEnable(GL_BLEND);

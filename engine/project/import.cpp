@@ -1,6 +1,7 @@
 #include "project/import.h"
 
 #include "maps/map_io.h"
+#include "scene/map_fields.h"
 
 namespace sward {
 namespace {
@@ -10,7 +11,7 @@ Error usage(std::string message, std::string remedy = {}) {
 }
 
 // What was asked for, else what is remembered.
-Result<MapImport> settle(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+Result<MapImport> settle(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                          const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     MapImport out = it == p.imports.end() ? MapImport() : it->second;
@@ -24,39 +25,29 @@ Result<MapImport> settle(const Project& p, const FieldRef& map, const std::files
     return out;
 }
 
-// The heightRange beside a height map, or null.
-const FieldRow* rangeBeside(const FieldRef& map) {
-    if (!map.row->isHeight) return nullptr;
-    for (const FieldRow& row : map.component->fields)
-        if (row.type == FieldType::Vec2 && std::string_view(row.name) == "heightRange") return &row;
-    return nullptr;
-}
-
-Status setHeightRange(Project& p, const FieldRef& map, const MapImport& import, PixelType type) {
-    const FieldRow* row = rangeBeside(map);
+// The range becomes what integer heights span; floats are metres already.
+Status setHeightRange(const FieldRef& map, const MapImport& import, PixelType type) {
+    const FieldRow* row = map.row->map->heightRange;
     if (!row || !import.range || type == PixelType::F32) return {};
     const auto [low, high] = *import.range;
     if (low < row->hardMin || high > row->hardMax)
         return usage(fmt::format("{}: the range lies beyond {} to {} m", map.path, row->hardMin, row->hardMax));
-    void* component = map.component->get(p.registry, findEntity(p, map.entity));
-    *reinterpret_cast<glm::dvec2*>(static_cast<std::byte*>(component) + row->offset) = {low, high};
+    *static_cast<glm::dvec2*>(fieldBeside(map, *row).value) = {low, high};
     return {};
 }
 
 }  // namespace
 
-Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+Result<Map> readImport(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                        const ImportOptions& options, MapImport* used, std::vector<std::string>* repaired) {
     CHECK(map.row && map.row->type == FieldType::Map);
     Result<MapImport> settled = settle(p, map, file, options);
     if (!settled) return settled.error();
-    MapWish wish;
-    wish.channels = map.row->mapChannels;
-    wish.isHeight = map.row->isHeight;
+    MapWish wish = mapWish(*map.row);
     wish.flip = settled->flip;
     wish.range = settled->range;
-    if (!map.row->isHeight) wish.type = map.row->mapType;
-    if (!settled->range && map.row->isHeight) settled->range = sidecarRange(file);
+    if (!wish.isHeight) wish.type = map.row->map->type;
+    if (!settled->range && wish.isHeight) settled->range = sidecarRange(file);
     Result<Map> texels = readMap(file, wish, repaired);
     if (texels && used) *used = *settled;
     return texels;
@@ -69,7 +60,7 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
     MapImport used;
     Result<Map> texels = readImport(p, *map, file, options, &used, repaired);
     if (!texels) return texels.error();
-    if (Status s = setHeightRange(p, *map, used, texels->info().type); !s) return s;
+    if (Status s = setHeightRange(*map, used, texels->info().type); !s) return s;
     auto& field = *static_cast<MapField*>(map->value);
     field.file = mapFileFor(*map, texels->info().type);
     field.map = std::move(*texels);
@@ -77,9 +68,9 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
     return {};
 }
 
-Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportMap(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                  const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<FieldRef> map = findMap(p, rows, mapName);
+    const Result<ConstFieldRef> map = findMap(p, rows, mapName);
     if (!map) return map.error();
     const auto& field = *static_cast<const MapField*>(map->value);
     if (!field.present()) return usage(fmt::format("{} has no map", map->path), "import or paint one first");

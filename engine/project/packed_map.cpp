@@ -2,6 +2,7 @@
 
 #include "maps/map_io.h"
 #include "maps/map_repair.h"
+#include "scene/map_fields.h"
 
 namespace sward {
 namespace {
@@ -11,8 +12,6 @@ constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a shar
 Error usage(std::string message, std::string remedy) {
     return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
 }
-
-MapField& mapOf(const FieldRef& f) { return *static_cast<MapField*>(f.value); }
 
 // One of several channels, as a map of its own.
 Map channelOf(const Map& floats, int channel, PixelType type) {
@@ -40,14 +39,6 @@ bool hasOwnCoarse(const Map& floats) {
     return false;
 }
 
-// The tiling field of a map of the field, or of its species.
-float& tilingBeside(Project& p, const FieldRef& map) {
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, map.entity));
-    for (Species& s : f.species)
-        if (&s.density == map.value) return s.densityTiling;
-    return f.bladeHeightTiling;
-}
-
 float shareAt(const MapField& m, double u, double v) { return m.present() ? m.map.sample(u, v) : 1.0f; }
 
 Map packed(const MapField& density, const MapField& bladeHeight) {
@@ -68,14 +59,14 @@ Map packed(const MapField& density, const MapField& bladeHeight) {
 }
 
 void put(Project& p, const FieldRef& field, Map map, const std::filesystem::path& file, bool flip) {
-    MapField& to = mapOf(field);
+    MapField& to = *static_cast<MapField*>(field.value);
     to.file = mapFileFor(field, map.info().type);
     to.map = std::move(map);
     p.imports[field.path] = {file.filename().string(), flip, {}};
 }
 
 // As asked for, else as remembered.
-bool flipOf(const Project& p, const FieldRef& map, const ImportOptions& options) {
+bool flipOf(const Project& p, const ConstFieldRef& map, const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     return options.flip.value_or(it != p.imports.end() && it->second.flip);
 }
@@ -100,11 +91,13 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip, std:
     return PackedMaps{channelOf(floats, 0, PixelType::U16), channelOf(floats, 2, PixelType::U8), hasOwnCoarse(floats)};
 }
 
-Result<FieldRef> bladeHeightBeside(Project& p, std::span<const ComponentRow> rows, const FieldRef& density) {
-    if (std::string_view(density.row->name) != "density" || std::string_view(density.component->name) != "GrassField")
+Result<ConstFieldRef> bladeHeightBeside(const Project& p, std::span<const ComponentRow> rows,
+                                        const ConstFieldRef& density) {
+    const FieldRow* height = density.row->map->packedWith;
+    if (!height)
         return usage(density.path + " is no density map: only those are packed with blade heights",
                      "name a species' density");
-    return findField(p, rows, density.entity + ".GrassField.bladeHeight");
+    return findField(p, rows, fmt::format("{}.{}.{}", density.entity, density.component->name, height->name));
 }
 
 Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
@@ -112,29 +105,30 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
                     std::vector<std::string>* repaired) {
     const Result<FieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
-    if (!height) return height.error();
+    const Result<ConstFieldRef> beside = bladeHeightBeside(p, rows, *density);
+    if (!beside) return beside.error();
+    const Result<FieldRef> height = findField(p, rows, beside->path);
     const bool flip = flipOf(p, *density, options);
     Result<PackedMaps> maps = readPacked(file, flip, repaired);
     if (!maps) return maps.error();
     if (maps->ownCoarse && repaired) repaired->emplace_back(kGreenNotKept);
     put(p, *density, std::move(maps->density), file, flip);
     put(p, *height, std::move(maps->bladeHeight), file, flip);
-    tilingBeside(p, *height) = tilingBeside(p, *density);
+    *static_cast<float*>(fieldBeside(*height, *height->row->map->tiling).value) = mapTiling(*density);
     return {};
 }
 
-Status exportPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                     const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<FieldRef> density = findMap(p, rows, mapName);
+    const Result<ConstFieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
+    const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField &red = mapOf(*density), &blue = mapOf(*height);
     if (!red.present() && !blue.present())
         return usage(fmt::format("neither {} nor {} has a map", density->path, height->path),
                      "import or paint one first");
-    if (red.present() && blue.present() && tilingBeside(p, *density) != tilingBeside(p, *height))
+    if (red.present() && blue.present() && mapTiling(*density) != mapTiling(*height))
         return usage(fmt::format("{} and {} repeat differently, and cannot be one image", density->path, height->path),
                      "give both the same tiling, or export them apart");
     return writeMap(file, packed(red, blue), flipOf(p, *density, options));

@@ -4,6 +4,7 @@
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
+#include "scene/map_fields.h"
 
 namespace fs = std::filesystem;
 
@@ -12,12 +13,9 @@ namespace {
 
 using Rows = std::span<const ComponentRow>;
 
-// Listing fields takes a mutable project, but only reads it.
-Project& listable(const Project& p) { return const_cast<Project&>(p); }
-
 // A map and the file that it is saved to.
 struct PlannedMap {
-    FieldRef field;
+    ConstFieldRef field;
     std::string file;
     const Map* map;
 };
@@ -27,12 +25,12 @@ struct PlannedMap {
 std::vector<PlannedMap> planMaps(const Project& p, Rows rows) {
     std::vector<PlannedMap> plan;
     std::map<std::string, const Map*> taken;
-    for (const FieldRef& f : allMaps(listable(p), rows)) {
+    for (const ConstFieldRef& f : allMaps(p, rows)) {
         const auto& field = *static_cast<const MapField*>(f.value);
         std::string file = mapFileFor(f, field.map.info().type);
         for (int n = 2; taken.contains(file) && !taken[file]->sameTiles(field.map); ++n) {
             MapField unnamed;
-            FieldRef fresh = f;
+            ConstFieldRef fresh = f;
             fresh.value = &unnamed;
             fs::path own = mapFileFor(fresh, field.map.info().type);
             if (n > 2) own.replace_filename(fmt::format("{}-{}{}", own.stem().string(), n, own.extension().string()));
@@ -52,17 +50,10 @@ bool equalTexels(const Map& a, const Map& b) {
     return true;
 }
 
-MapWish wishOf(const FieldRow& row) {
-    MapWish wish;
-    wish.channels = row.mapChannels;
-    wish.isHeight = row.isHeight;
-    return wish;
-}
-
 // True if the file holds these texels and reading it needs no repair.
 bool fileHolds(const fs::path& file, const PlannedMap& planned) {
     std::vector<std::string> repaired;
-    const Result<Map> map = readMap(file, wishOf(*planned.field.row), &repaired);
+    const Result<Map> map = readMap(file, mapWish(*planned.field.row), &repaired);
     const bool oneTexel = planned.map->info().width == 1 && planned.map->info().height == 1;
     return map && repaired.size() == (oneTexel ? 1u : 0u) && equalTexels(*map, *planned.map);
 }
@@ -91,15 +82,15 @@ bool mapChanged(const Saving& s, const PlannedMap& planned) {
 
 Status checkMap(const PlannedMap& planned) {
     const MapInfo& info = planned.map->info();
-    const FieldRow& row = *planned.field.row;
+    const MapRow& row = *planned.field.row->map;
     const auto refuse = [&](std::string what, std::string remedy) {
         return Error{ExitCode::Failed, planned.field.path + ": " + std::move(what), planned.file, 0, 0,
                      std::move(remedy)};
     };
-    if (info.channels != row.mapChannels)
-        return refuse(fmt::format("has {} channels, not {}", info.channels, row.mapChannels),
+    if (info.channels != row.channels)
+        return refuse(fmt::format("has {} channels, not {}", info.channels, row.channels),
                       "make a map with the right number of channels");
-    if (row.isHeight && info.type == PixelType::U8)
+    if (row.role == MapRole::Heights && info.type == PixelType::U8)
         return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
     if (const auto inside = resolveInside(".", planned.file); !inside)
         return refuse(inside.error().message, inside.error().remedy);
@@ -119,7 +110,7 @@ Status addMaps(Saving& s) {
 }
 
 // The files that a field names: one image, or an object with what it refers to.
-std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
+std::vector<std::string> filesOf(const fs::path& dir, const ConstFieldRef& f) {
     const std::string& name = *static_cast<const std::string*>(f.value);
     if (f.row->isMesh)
         if (const Result<Mesh> mesh = readMesh(dir, name)) return mesh->files;
@@ -129,7 +120,7 @@ std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
 // Images and objects that a "save as" finds missing come along from the old folder.
 Status addFiles(Saving& s, const fs::path& from) {
     std::set<std::string> names;
-    for (const FieldRef& f : allFiles(listable(s.p), s.rows))
+    for (const ConstFieldRef& f : allFiles(s.p, s.rows))
         for (std::string& name : filesOf(from, f)) names.insert(std::move(name));
     for (const std::string& name : names) {
         const Result<fs::path> place = resolveInside(s.p.dir, name), source = currentFile(from, name);
@@ -172,7 +163,7 @@ void addProjectJson(Saving& s) {
 }
 
 void addRemoved(Saving& s) {
-    for (const FieldRef& f : allMaps(s.onDisk, s.rows, true)) {
+    for (const ConstFieldRef& f : allMaps(std::as_const(s.onDisk), s.rows, true)) {
         const std::string& file = static_cast<const MapField*>(f.value)->file;
         const bool kept =
             std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });

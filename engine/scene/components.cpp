@@ -54,22 +54,16 @@ constexpr FieldRow meshFile(const char* name, size_t offset, const char* help) {
 constexpr FieldRow flag(const char* name, size_t offset, const char* help) {
     return number(FieldType::Bool, name, offset, "", {}, help);
 }
-constexpr FieldRow map(const char* name, size_t offset, int channels, PixelType type, const char* help) {
+// `known` must outlive the row; fields beside the map that it names must stand in the same table.
+constexpr FieldRow map(const char* name, size_t offset, const MapRow* known, const char* help) {
     FieldRow row = number(FieldType::Map, name, offset, "", {}, help);
-    row.mapChannels = channels;
-    row.mapType = type;
+    row.map = known;
+    if (known->role == MapRole::Heights) row.unit = "m";
     return row;
 }
-constexpr FieldRow forces(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 4, PixelType::U8, help);
-    row.isForce = true;
-    return row;
-}
-constexpr FieldRow heights(const char* name, size_t offset, const char* help) {
-    FieldRow row = map(name, offset, 1, PixelType::F32, help);
-    row.unit = "m";
-    row.isHeight = true;
-    return row;
+// How often a map repeats over Terrain.mapSize, a float.
+constexpr FieldRow tiling(const char* name, size_t offset, const char* help) {
+    return real(name, offset, "", kTiling, help);
 }
 
 // --- Transform ---------------------------------------------------------------------------------------------------
@@ -81,22 +75,37 @@ constexpr FieldRow kTransformFields[] = {
 FeatureSet transformFeatures(const void*) { return {}; }
 
 // --- Terrain -----------------------------------------------------------------------------------------------------
+constexpr FieldRow kHeightRange =
+    number(FieldType::Vec2, "heightRange", offsetof(Terrain, heightRange), "m", {-1e5, 1e5, -100, 1000},
+           "heights at 0 and at full scale of an integer height map");
+constexpr FieldRow kHeightTiling = tiling("heightTiling", offsetof(Terrain, heightTiling),
+                                          "repeats of the height map over mapSize, every other one mirrored");
+constexpr FieldRow kTerrainMapTiling =
+    tiling("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "repeats of the terrain map over mapSize");
+constexpr MapRow kHeights{.role = MapRole::Heights,
+                          .type = PixelType::F32,
+                          .tiling = &kHeightTiling,
+                          .heightRange = &kHeightRange,
+                          .least = "low",
+                          .most = "high"};
+constexpr MapRow kTerrainMap{.kind = MapKind::Colours,
+                             .channels = 4,
+                             .type = PixelType::U8,
+                             .tiling = &kTerrainMapTiling,
+                             .least = "0 soil",
+                             .most = "1 covered"};
 constexpr FieldRow kTerrainFields[] = {
     number(FieldType::Vec2, "size", offsetof(Terrain, size), "m", {0.1, 1e6, 1, 1000}, "extent along x and z"),
-    heights("height", offsetof(Terrain, height),
-            "heights; float maps in metres, integer maps span heightRange; none: flat"),
-    number(FieldType::Vec2, "heightRange", offsetof(Terrain, heightRange), "m", {-1e5, 1e5, -100, 1000},
-           "heights at 0 and at full scale of an integer height map"),
+    map("height", offsetof(Terrain, height), &kHeights,
+        "heights; float maps in metres, integer maps span heightRange; none: flat"),
+    kHeightRange,
     real("gridSpacing", offsetof(Terrain, gridSpacing), "m", {0.01, 1000, 0.05, 4},
          "distance between vertices of the finest level"),
     real("lodDistance", offsetof(Terrain, lodDistance), "m", {0.1, 1e6, 5, 500},
          "how far the finest level reaches; each next level doubles it"),
-    map("terrainMap", offsetof(Terrain, terrainMap), 4, PixelType::U8,
-        "colour and opacity blended over the tile texture"),
-    real("heightTiling", offsetof(Terrain, heightTiling), "", kTiling,
-         "repeats of the height map over mapSize, every other one mirrored"),
-    real("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "", kTiling,
-         "repeats of the terrain map over mapSize"),
+    map("terrainMap", offsetof(Terrain, terrainMap), &kTerrainMap, "colour and opacity blended over the tile texture"),
+    kHeightTiling,
+    kTerrainMapTiling,
     real("mapSize", offsetof(Terrain, mapSize), "m", {0, 1e6, 0, 1000},
          "length over which every map's tiling counts its repeats; 0: the whole terrain"),
     imageFile("groundTexture", offsetof(Terrain, groundTexture),
@@ -118,14 +127,27 @@ FeatureSet terrainFeatures(const void* component) {
 
 // --- GrassField --------------------------------------------------------------------------------------------------
 constexpr Range kReflectance{0, 1, 0, 0.5};
+constexpr FieldRow kBladeHeightTiling = tiling("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling),
+                                               "repeats of the blade-height map over the terrain's mapSize");
+constexpr MapRow kBladeHeights{
+    .type = PixelType::U8, .tiling = &kBladeHeightTiling, .least = "0 no height", .most = "1 full height"};
+constexpr FieldRow kBladeHeight = map("bladeHeight", offsetof(GrassField, bladeHeight), &kBladeHeights,
+                                      "share of their height that blades have; none: all of it");
+
+constexpr FieldRow kDensityTiling =
+    tiling("densityTiling", offsetof(Species, densityTiling), "repeats of the density map over the terrain's mapSize");
+constexpr FieldRow kBladesPerM2 = real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
+                                       "blades on a square metre at density 1");
+constexpr MapRow kDensity{.role = MapRole::Density,
+                          .texelsPerMetre = 8,
+                          .tiling = &kDensityTiling,
+                          .bladesPerM2 = &kBladesPerM2,
+                          .packedWith = &kBladeHeight};
 constexpr FieldRow kSpeciesFields[] = {
     text("name", offsetof(Species, name), "how paths and map files name the species"),
-    map("density", offsetof(Species, density), 1, PixelType::U16,
-        "where it grows: share of bladesPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Species, densityTiling), "", kTiling,
-         "repeats of the density map over the terrain's mapSize"),
-    real("bladesPerM2", offsetof(Species, bladesPerM2), "blades/m2", {0, 1e6, 0, 1e5},
-         "blades on a square metre at density 1"),
+    map("density", offsetof(Species, density), &kDensity, "where it grows: share of bladesPerM2; none: everywhere"),
+    kDensityTiling,
+    kBladesPerM2,
     real("height", offsetof(Species, height), "m", {0, 20, 0.01, 1.5}, "mean length of a blade"),
     real("heightVariation", offsetof(Species, heightVariation), "", kShare,
          "how much lengths differ, as a share, both ways"),
@@ -180,6 +202,24 @@ constexpr FieldRow speciesField() {
     row.list = &kSpeciesList;
     return row;
 }
+constexpr FieldRow kOrientationTiling = tiling("orientationTiling", offsetof(GrassField, orientationTiling),
+                                               "repeats of the orientation map over the terrain's mapSize");
+constexpr FieldRow kVegetationTiling = tiling("vegetationTiling", offsetof(GrassField, vegetationTiling),
+                                              "repeats of the vegetation map over the terrain's mapSize");
+constexpr FieldRow kOcclusionTiling = tiling("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling),
+                                             "repeats of the ambient-occlusion map over the terrain's mapSize");
+constexpr FieldRow kForcesTiling = tiling("forcesTiling", offsetof(GrassField, forcesTiling),
+                                          "repeats of the map of forces over the terrain's mapSize");
+constexpr MapRow kOrientation{.kind = MapKind::Directions, .channels = 2, .tiling = &kOrientationTiling};
+constexpr MapRow kVegetation{.kind = MapKind::Colours,
+                             .channels = 4,
+                             .type = PixelType::U8,
+                             .tiling = &kVegetationTiling,
+                             .least = "0 grass",
+                             .most = "1 covered"};
+constexpr MapRow kOcclusion{.type = PixelType::U8, .tiling = &kOcclusionTiling, .least = "0 closed", .most = "1 open"};
+constexpr MapRow kPaintedForces{
+    .kind = MapKind::Forces, .channels = 4, .type = PixelType::U8, .texelsPerMetre = 8, .tiling = &kForcesTiling};
 constexpr FieldRow kGrassFieldFields[] = {
     choice("technique", offsetof(GrassField, technique), kTechniques, "how the grass is drawn"),
     speciesField(),
@@ -247,26 +287,19 @@ constexpr FieldRow kGrassFieldFields[] = {
          "share of their light that far blades lose, which shows depth; 0: none"),
     real("farDarkeningDistance", offsetof(GrassField, farDarkeningDistance), "m", {0.1, 1e6, 10, 300},
          "distance at which they have lost it"),
-    map("orientation", offsetof(GrassField, orientation), 2, PixelType::U16,
+    map("orientation", offsetof(GrassField, orientation), &kOrientation,
         "direction x, z about 0.5 in which blades lean"),
-    map("vegetation", offsetof(GrassField, vegetation), 4, PixelType::U8,
-        "colour and opacity over the blades' own colour"),
-    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), 1, PixelType::U8,
+    map("vegetation", offsetof(GrassField, vegetation), &kVegetation, "colour and opacity over the blades' own colour"),
+    map("ambientOcclusion", offsetof(GrassField, ambientOcclusion), &kOcclusion,
         "share of the sky that the ground sees"),
-    forces("forces", offsetof(GrassField, forces),
-           "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
-    map("bladeHeight", offsetof(GrassField, bladeHeight), 1, PixelType::U8,
-        "share of their height that blades have; none: all of it"),
-    real("orientationTiling", offsetof(GrassField, orientationTiling), "", kTiling,
-         "repeats of the orientation map over the terrain's mapSize"),
-    real("vegetationTiling", offsetof(GrassField, vegetationTiling), "", kTiling,
-         "repeats of the vegetation map over the terrain's mapSize"),
-    real("ambientOcclusionTiling", offsetof(GrassField, ambientOcclusionTiling), "", kTiling,
-         "repeats of the ambient-occlusion map over the terrain's mapSize"),
-    real("forcesTiling", offsetof(GrassField, forcesTiling), "", kTiling,
-         "repeats of the map of forces over the terrain's mapSize"),
-    real("bladeHeightTiling", offsetof(GrassField, bladeHeightTiling), "", kTiling,
-         "repeats of the blade-height map over the terrain's mapSize"),
+    map("forces", offsetof(GrassField, forces), &kPaintedForces,
+        "what presses on the blades: pushed towards x, z about 0.5, pressed down by B; all times A"),
+    kBladeHeight,
+    kOrientationTiling,
+    kVegetationTiling,
+    kOcclusionTiling,
+    kForcesTiling,
+    kBladeHeightTiling,
     choice("population", offsetof(GrassField, population), kPopulations,
            "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
 };
@@ -362,6 +395,7 @@ FeatureSet skyFeatures(const void* component) {
     return static_cast<const Sky*>(component)->intensity > 0 ? featureSet(Feature::Sky) : FeatureSet{};
 }
 
+constexpr MapRow kGusts{.least = "0 calm", .most = "1 gust"};
 constexpr FieldRow kWindFields[] = {
     choice("model", &Wind::model, offsetof(Wind, model), kWindModels,
            "waves: equation 9 of Jahrmann and Wimmer 2013; noise: gusts from a picture that moves over the field"),
@@ -373,7 +407,7 @@ constexpr FieldRow kWindFields[] = {
     real("gustSize", offsetof(Wind, gustSize), "m", {0.1, 10000, 2, 30}, "length of a gust along the wind"),
     real("turbulence", offsetof(Wind, turbulence), "", kShare, "share of small gusts, and how much blades quiver"),
     real("quiverHz", offsetof(Wind, quiverHz), "Hz", {0, 50, 1, 6}, "how fast blades quiver"),
-    map("gusts", offsetof(Wind, gusts), 1, PixelType::U16,
+    map("gusts", offsetof(Wind, gusts), &kGusts,
         "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
     real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1},
          "of waves: how close they follow each other; in steps of 0.05"),
@@ -439,11 +473,13 @@ FeatureSet waterFeatures(const void* component) {
                                                                 : featureSet(Feature::Water);
 }
 
+constexpr FieldRow kFlowerTiling =
+    tiling("densityTiling", offsetof(Flowers, densityTiling), "repeats of the density map over the terrain's mapSize");
+constexpr MapRow kFlowerDensity{.role = MapRole::Density, .texelsPerMetre = 8, .tiling = &kFlowerTiling};
 constexpr FieldRow kFlowersFields[] = {
-    map("density", offsetof(Flowers, density), 1, PixelType::U16,
+    map("density", offsetof(Flowers, density), &kFlowerDensity,
         "where they stand: share of flowersPerM2; none: everywhere"),
-    real("densityTiling", offsetof(Flowers, densityTiling), "", kTiling,
-         "repeats of the density map over the terrain's mapSize"),
+    kFlowerTiling,
     real("flowersPerM2", offsetof(Flowers, flowersPerM2), "flowers/m2", {0, 1000, 0, 50},
          "flowers on a square metre at density 1; 0: none"),
     real("height", offsetof(Flowers, height), "m", {0, 20, 0.05, 1}, "from the ground to the head"),

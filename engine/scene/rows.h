@@ -12,8 +12,8 @@
 
 #include "core/jobs.h"
 #include "ecs/registry.h"
-#include "maps/map.h"
 #include "scene/features.h"
+#include "scene/map_row.h"
 
 namespace sward {
 
@@ -37,7 +37,8 @@ struct FieldRow;
 struct ListRow {
     std::span<const FieldRow> fields;
     size_t (*size)(const void* list);
-    void* (*at)(void* list, size_t i);
+    const void* (*at)(const void* list, size_t i);
+    void* (*editAt)(void* list, size_t i);
     void (*resize)(void* list, size_t n);
     const void* (*defaults)();
 };
@@ -52,11 +53,8 @@ struct FieldRow {
     const char* help;                           // one line
     std::span<const char* const> options = {};  // Enum
     const ListRow* list = nullptr;              // List
-    int mapChannels = 1;                        // Map: channels wanted
-    PixelType mapType = PixelType::U16;         // Map: type of a new one
+    const MapRow* map = nullptr;                // Map
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
-    bool isHeight = false;                      // Map: heights, never 8-bit
-    bool isForce = false;                       // Map: what presses on blades; four channels that are no colour
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
 };
@@ -66,7 +64,8 @@ struct ComponentRow {
     const char* help;
     std::span<const FieldRow> fields;
     FeatureSet (*features)(const void* component);         // what having it asks for
-    void* (*get)(Registry&, Entity);                       // null if absent
+    const void* (*get)(const Registry&, Entity);           // null if absent
+    void* (*edit)(Registry&, Entity);                      // the same, to be changed
     void (*assign)(Registry&, Entity, const void* value);  // adds or replaces; null value: its defaults
     void (*remove)(Registry&, Entity);
     std::shared_ptr<void> (*clone)(const void* value);  // maps share their tiles
@@ -88,6 +87,7 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
             help,
             fields,
             features,
+            [](const Registry& r, Entity e) -> const void* { return r.get<C>(e); },
             [](Registry& r, Entity e) -> void* { return r.get<C>(e); },
             [](Registry& r, Entity e, const void* v) { r.add<C>(e, v ? *static_cast<const C*>(v) : C{}); },
             [](Registry& r, Entity e) { r.remove<C>(e); },
@@ -101,7 +101,9 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
 template <class E>
 constexpr ListRow listRow(std::span<const FieldRow> fields) {
     using V = std::vector<E>;
-    return {fields, [](const void* l) { return static_cast<const V*>(l)->size(); },
+    return {fields,
+            [](const void* l) { return static_cast<const V*>(l)->size(); },
+            [](const void* l, size_t i) -> const void* { return &(*static_cast<const V*>(l))[i]; },
             [](void* l, size_t i) -> void* { return &(*static_cast<V*>(l))[i]; },
             [](void* l, size_t n) { static_cast<V*>(l)->resize(n); },
             []() -> const void* {

@@ -27,7 +27,7 @@ void eachField(std::span<const FieldRow> fields, const std::string& path, void* 
         if (row.type != FieldType::List) continue;
         for (size_t i = 0; i < row.list->size(at(base, row)); ++i)
             eachField(row.list->fields, path + "." + row.name + "[" + std::to_string(i) + "]",
-                      row.list->at(at(base, row), i), f);
+                      row.list->editAt(at(base, row), i), f);
     }
 }
 template <class F>
@@ -72,8 +72,8 @@ void fill(const FieldRow& row, void* value, int n) {
             break;
         case FieldType::Map: {
             auto& field = *static_cast<MapField*>(value);
-            field.map = patternMap({5 + n % 7, 4, row.mapChannels, row.mapType});
-            field.file = fmt::format("maps/{}.{}", n, row.mapType == PixelType::F32 ? "exr" : "png");
+            field.map = patternMap({5 + n % 7, 4, row.map->channels, row.map->type});
+            field.file = fmt::format("maps/{}.{}", n, row.map->type == PixelType::F32 ? "exr" : "png");
             break;
         }
         case FieldType::List:
@@ -89,7 +89,7 @@ std::map<std::string, std::string> allTexts(Project& p) {
     std::map<std::string, std::string> out;
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows())
-            if (void* component = row.get(p.registry, entity))
+            if (void* component = row.edit(p.registry, entity))
                 eachField(
                     row.fields, name + "." + row.name, component,
                     [&](const FieldRow& f, const std::string& path, void* value) { out[path] = textOf(f, value); });
@@ -110,8 +110,11 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
             EXPECT_NE(f.list, nullptr) << path;
         }
         if (f.type == FieldType::Map) {
-            EXPECT_TRUE(f.mapChannels >= 1 && f.mapChannels <= 4) << path;
-            EXPECT_FALSE(f.isHeight && f.mapType == PixelType::U8) << path;
+            ASSERT_NE(f.map, nullptr) << path;
+            constexpr int kChannels[] = {1, 2, 4, 4};
+            EXPECT_EQ(f.map->channels, kChannels[static_cast<size_t>(f.map->kind)]) << path;
+            EXPECT_FALSE(f.map->role == MapRole::Heights && f.map->type == PixelType::U8) << path;
+            EXPECT_GT(f.map->texelsPerMetre, 0) << path;
         }
         if (f.type > FieldType::Color || f.type == FieldType::Bool) return;
         EXPECT_LT(f.hardMin, f.hardMax) << path;
@@ -162,7 +165,7 @@ TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
     for (const ComponentRow& row : rows()) {
         const Entity e = *addEntity(p, std::string("e-") + row.name);
         row.assign(p.registry, e, nullptr);
-        void* component = row.get(p.registry, e);
+        void* component = row.edit(p.registry, e);
         if (row.name == std::string("GrassField")) static_cast<GrassField*>(component)->species.resize(3);
         eachField(row.fields, row.name, component,
                   [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });
