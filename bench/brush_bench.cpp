@@ -2,6 +2,8 @@
 // live on in it, so each stamp pays for fresh tiles, as here.
 #include <benchmark/benchmark.h>
 
+#include <cstring>
+
 #include "bench/limits.h"
 #include "brushes/brush.h"
 

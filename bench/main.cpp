@@ -3,6 +3,8 @@
 //   --limits        only the table; --benchmark_... as Google Benchmark has them
 #include <benchmark/benchmark.h>
 
+#include <chrono>
+
 #include "bench/limits.h"
 #include "gpu/gpu.h"
 #include "tests/child.h"

@@ -1,6 +1,7 @@
 // How long somebody waits: from starting the program to a picture, and to a loaded project in a context.
 // Processes of their own, because loading libraries and compiling programs are part of it.
 #include <cstdlib>
+#include <filesystem>
 
 #include "bench/limits.h"
 #include "gpu/gpu.h"

@@ -3,5 +3,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// All rows; made once, the same for the whole run.
 const Tables& tables();
-}
+}  // namespace sward

@@ -55,13 +55,10 @@ std::string failure(const char* verb, int code, const fs::path& errors) {
 
 template <class Run>
 Status launch(const MeasureParts& p, Run& run, const char* verb, std::vector<std::string> more) {
-    if (!p.doc.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
+    if (!p.doc.isOpen()) return failed("no project is open", "open or create one first");
     const std::string camera = accuracyCamera(p.doc, p.camera);
-    if (camera.empty())
-        return Error{
-            ExitCode::Unsound, "the project has no camera to measure from", "", 0, 0, "add an entity with a Camera"};
-    if (run.child.running())
-        return Error{ExitCode::Failed, std::string(verb) + " runs already", "", 0, 0, "stop it first"};
+    if (camera.empty()) return unsound("the project has no camera to measure from", "add an entity with a Camera");
+    if (run.child.running()) return failed(std::string(verb) + " runs already", "stop it first");
     run.folder = folderFor(p.doc);
     run.copy = run.folder / (std::string("project-") + verb);
     run.started = p.clock.now;
@@ -116,9 +113,7 @@ void finishSweep(Sweep& s, Messages& messages, int code) {
 void finishFit(Fit& f, Messages& messages, int code) {
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
     Result<FitShown> shown =
-        text && !text->empty()
-            ? fitFrom(*text)
-            : Result<FitShown>(Error{ExitCode::Failed, failure("fit", code, f.folder / "fit.err"), "", 0, 0, ""});
+        text && !text->empty() ? fitFrom(*text) : Result<FitShown>(failed(failure("fit", code, f.folder / "fit.err")));
     if (shown)
         f.result = std::move(*shown),
         say(messages, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
@@ -247,7 +242,7 @@ Result<FitShown> fitFrom(const std::string& text) {
     const Json *best = j->find("best"), *shipped = j->find("shipped"), *better = j->find("next_better"),
                *fits = j->find("fits");
     if (!best || !shipped || !fits || best->type != Json::Type::Object)
-        return Error{ExitCode::Unsound, "sward fit gave no result", "", 0, 0, "measure again"};
+        return unsound("sward fit gave no result", "measure again");
     FitShown f;
     f.fits = fits->boolean;
     f.budget = numberAt(*j, "budget_ms");

@@ -4,6 +4,8 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <chrono>
+
 #include "app/commands.h"
 #include "panels/panels.h"
 #include "panels/viewport_scene.h"

@@ -12,7 +12,7 @@
 namespace sward {
 namespace {
 
-int failed(const Error& error) {
+int exitOf(const Error& error) {
     logError(error.text());
     return static_cast<int>(error.code);
 }
@@ -21,13 +21,13 @@ int failed(const Error& error) {
 
 int editMain(const std::filesystem::path& project) {
     auto window = ui::openWindow(1440, 900, "Sward");
-    if (!window) return failed(window.error());
+    if (!window) return exitOf(window.error());
     ui::Surface& surface = **window;
     auto gpu = adoptCurrentGpu();
-    if (!gpu) return failed(gpu.error());
+    if (!gpu) return exitOf(gpu.error());
     Document document(tables());
     if (!project.empty())
-        if (const Status opened = document.open(project); !opened) return failed(opened.error());
+        if (const Status opened = document.open(project); !opened) return exitOf(opened.error());
     EditorApp app(document, **gpu, std::move(*window), true);
     app.autosave.on = true;
     ui::installClipboard(surface);

@@ -1,5 +1,7 @@
 #include "brushes/colours.h"
 
+#include <algorithm>
+
 namespace sward {
 
 PaintedColour colourOfTexel(const double* texel) {

@@ -2,6 +2,8 @@
 // what is transparent never comes to light (T. Porter and T. Duff, Compositing Digital Images, 1984). Colours are mixed
 // as the map holds them, in sRGB, as image programs do. Does not: know what lies under the map.
 #pragma once
+#include <algorithm>
+
 #include "brushes/paint.h"
 
 namespace sward {

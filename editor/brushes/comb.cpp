@@ -1,6 +1,8 @@
 // Lays blades: turns the map's direction towards the stroke's heading (comb) or a fixed angle (direction). The brush's
 // strength is the lean that is painted, whatever leaned there before; its falloff mixes both at the edge.
 // Without a heading the comb paints nothing.
+#include <algorithm>
+
 #include "brushes/paint.h"
 
 namespace sward {

@@ -1,5 +1,8 @@
 #include "brushes/paint.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace sward {
 
 StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty) {

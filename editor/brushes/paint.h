@@ -3,6 +3,8 @@
 // Does not: know any mode; each brush gives its own change. Maps of one channel, of two that make a direction, of four
 // that make a force; of colours: colours.h.
 #pragma once
+#include <algorithm>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 

@@ -1,6 +1,8 @@
 // Presses grass down: turns the map's forces towards a press and a push along the stroke's heading, both as strong as
 // the brush is, whatever was there before; its falloff mixes both at the edge. Without a heading (a click) the push
 // goes out from the stamp's middle, where it is none, and is whole from half the radius on.
+#include <algorithm>
+
 #include "brushes/paint.h"
 
 namespace sward {

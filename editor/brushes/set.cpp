@@ -1,5 +1,7 @@
 // Moves the map towards the brush's value by the weight as a share of the way; on maps of colours towards its colour
 // with the value for opacity.
+#include <algorithm>
+
 #include "brushes/colours.h"
 
 namespace sward {

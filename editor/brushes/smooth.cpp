@@ -3,6 +3,8 @@
 // Directions are evened out as vectors: those that agree keep their strength, opposite ones cancel. So are forces, as
 // they act, and colours as they show, times their opacity. Cost: two running sums over the tile and its margin,
 // whatever the radius.
+#include <algorithm>
+
 #include "brushes/colours.h"
 
 namespace sward {

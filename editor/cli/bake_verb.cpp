@@ -1,3 +1,5 @@
+#include <chrono>
+
 #include "cli/cli.h"
 #include "cli/interrupt.h"
 #include "model/bakes.h"

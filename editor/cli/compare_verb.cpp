@@ -12,14 +12,13 @@ namespace {
 Result<ErrorMetric> parseMetric(const std::string& text) {
     for (size_t i = 0; i < std::size(kErrorMetrics); ++i)
         if (text == kErrorMetrics[i]) return static_cast<ErrorMetric>(i);
-    return Error{ExitCode::Usage, "there is no metric \"" + text + "\"", "", 0, 0, "appearance, flip, rmse or ssim"};
+    return usage("there is no metric \"" + text + "\"", "appearance, flip, rmse or ssim");
 }
 
 Status checkOptions(const CompareOptions& o) {
-    if (!(o.ppd > 0 && o.ppd <= 10000))
-        return Error{ExitCode::Usage, "--ppd takes a number above 0, at most 10000", "", 0, 0, ""};
+    if (!(o.ppd > 0 && o.ppd <= 10000)) return usage("--ppd takes a number above 0, at most 10000");
     if (!o.heatmap.empty() && std::filesystem::path(o.heatmap).extension() != ".png")
-        return Error{ExitCode::Usage, "a heat map is written as .png", o.heatmap, 0, 0, "name --heatmap so"};
+        return usage("a heat map is written as .png", "name --heatmap so").at(o.heatmap);
     return {};
 }
 
@@ -31,13 +30,9 @@ Result<std::vector<float>> readMask(const std::string& file, const Image& like) 
     auto image = readImage(file, true);
     if (!image) return image.error();
     if (image->width != like.width || image->height != like.height)
-        return Error{ExitCode::Failed,
-                     fmt::format("the mask is {}x{}, the images are {}x{}", image->width, image->height, like.width,
-                                 like.height),
-                     file,
-                     0,
-                     0,
-                     ""};
+        return failed(fmt::format("the mask is {}x{}, the images are {}x{}", image->width, image->height, like.width,
+                                  like.height))
+            .at(file);
     std::vector<float> mask(static_cast<size_t>(image->width) * static_cast<size_t>(image->height));
     for (size_t i = 0; i < mask.size(); ++i) mask[i] = image->pixels[i * static_cast<size_t>(image->channels)];
     return mask;
@@ -48,16 +43,13 @@ Result<PicturePair> readPair(const CompareOptions& o) {
     if (!a) return a.error();
     if (!b) return b.error();
     if (gray(*a) != gray(*b))
-        return Error{ExitCode::Unsound,
-                     fmt::format("the images differ in kind: {} and {} channels", a->channels, b->channels),
-                     o.a + ", " + o.b,
-                     0,
-                     0,
-                     "compare colour with colour"};
+        return unsound(fmt::format("the images differ in kind: {} and {} channels", a->channels, b->channels),
+                       "compare colour with colour")
+            .at(o.a + ", " + o.b);
     auto mask = readMask(o.mask, *b);
     if (!mask) return mask.error();
     auto pair = pairPictures(pictureOf(*a, o.linear), pictureOf(*b, o.linear), *mask);
-    if (!pair) return Error{pair.error().code, pair.error().message, o.a + ", " + o.b, 0, 0, pair.error().remedy};
+    if (!pair) return pair.error().at(o.a + ", " + o.b);
     return pair;
 }
 
@@ -79,12 +71,8 @@ Result<std::vector<std::string>> filmNames(const CompareOptions& o) {
     std::vector<std::string> alone;
     std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(alone));
     if (!alone.empty())
-        return Error{ExitCode::Failed,
-                     alone.front() + " is in one of both folders alone",
-                     o.a + ", " + o.b,
-                     0,
-                     0,
-                     "film both with the same --frames"};
+        return failed(alone.front() + " is in one of both folders alone", "film both with the same --frames")
+            .at(o.a + ", " + o.b);
     return a;
 }
 
@@ -107,13 +95,7 @@ Result<Film> compareFilms(const CompareOptions& o) {
         film.nonFinite += pair->nonFinite;
         return pair;
     });
-    if (!popped)
-        return Error{popped.error().code,
-                     popped.error().message,
-                     popped.error().file.empty() ? o.a + ", " + o.b : popped.error().file,
-                     0,
-                     0,
-                     popped.error().remedy};
+    if (!popped) return popped.error().at(popped.error().file.empty() ? o.a + ", " + o.b : popped.error().file);
     film.popping = std::move(*popped);
     return film;
 }
@@ -141,8 +123,7 @@ std::string filmText(const Film& f) {
 
 int compareFilmsVerb(const CompareOptions& o) {
     if (!o.heatmap.empty())
-        return report(
-            {ExitCode::Usage, "a heat map is of two images, not of films", o.heatmap, 0, 0, "leave --heatmap out"});
+        return report(usage("a heat map is of two images, not of films", "leave --heatmap out").at(o.heatmap));
     const auto film = compareFilms(o);
     if (!film) return report(film.error());
     if (film->nonFinite > 0) logWarning(fmt::format("{} pixels are not finite and were left out", film->nonFinite));

@@ -38,16 +38,12 @@ Result<std::vector<CostView>> viewsOf(RenderOptions o, const Project& p) {
 }  // namespace
 
 Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
-    const auto usage = [](const std::string& message, const std::string& remedy) {
-        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
-    };
     CostRequest r;
     const auto size = parseSize(o.size);
     if (!size) return size.error();
     const auto shard = parseShard(o.shard);
     if (!shard) return shard.error();
-    if (o.frames > kMostMoments)
-        return usage(fmt::format("--frames takes at most {} moments of a path", kMostMoments), "");
+    if (o.frames > kMostMoments) return usage(fmt::format("--frames takes at most {} moments of a path", kMostMoments));
     auto views = viewsOf(o, project);
     if (!views) return views.error();
     std::tie(r.width, r.height) = *size;
@@ -56,8 +52,8 @@ Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
     if (o.samples < 2 || o.samples > kMaxReferenceSamples)
         return usage(fmt::format("{} samples a pixel make no truth", o.samples),
                      fmt::format("--samples takes 2 to {}", kMaxReferenceSamples));
-    if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000", "");
-    if (!(o.maxMs >= 0)) return usage("--max-ms takes a number from 0", "");
+    if (o.rounds < 1 || o.rounds > 1000) return usage("--rounds takes 1 to 1000");
+    if (!(o.maxMs >= 0)) return usage("--max-ms takes a number from 0");
     if (o.lighting != "full" && o.lighting != "direct")
         return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     r.truth.samples = o.samples, r.truth.seed = o.seed;
@@ -104,7 +100,7 @@ Status writeKernelFiles(const KernelRun& run, const fs::path& folder) {
 }
 
 int numericsVerb(const CostOptions& o) {
-    if (o.rounds < 1 || o.rounds > 1000) return report({ExitCode::Usage, "--rounds takes 1 to 1000", "", 0, 0, ""});
+    if (o.rounds < 1 || o.rounds > 1000) return report(usage("--rounds takes 1 to 1000"));
     auto gpu = makeHeadlessGpu();
     if (!gpu) logWarning(gpu.error().text() + "; the shaders' column stays empty");
     const Interruptible here;
@@ -121,10 +117,8 @@ int numericsVerb(const CostOptions& o) {
 
 int costVerb(const CostOptions& o) {
     if (o.numerics) return numericsVerb(o);
-    if (o.project.empty())
-        return report({ExitCode::Usage, "project is required", "", 0, 0, "name its folder, or ask for --numerics"});
-    if (o.out.empty())
-        return report({ExitCode::Usage, "--out is required", "", 0, 0, "name a folder for table, plots and report"});
+    if (o.project.empty()) return report(usage("project is required", "name its folder, or ask for --numerics"));
+    if (o.out.empty()) return report(usage("--out is required", "name a folder for table, plots and report"));
     RenderOptions asItIs = o;  // --technique says what to sweep, not how the project is drawn
     asItIs.technique.clear();
     auto project = openForRendering(asItIs);
@@ -161,7 +155,7 @@ int mergeCostVerb(const MergeCommand& o) {
     if (!whole) return report(whole.error());
     const fs::path out = o.out;
     if (out.extension() != ".json" && out.extension() != ".csv")
-        return report({ExitCode::Usage, "a joined sweep is written as .json or .csv", o.out, 0, 0, "name --out so"});
+        return report(usage("a joined sweep is written as .json or .csv", "name --out so").at(o.out));
     if (Status s = makeFolderOf(out); !s) return report(s.error());
     if (Status s = writeFileAtomic(out, out.extension() == ".csv" ? costCsv(*whole) : writeJson(costJson(*whole))); !s)
         return report(s.error());

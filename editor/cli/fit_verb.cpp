@@ -61,9 +61,8 @@ Status save(const FitOptions& o, const FitCandidate& best) {
 }  // namespace
 
 int fitVerb(const FitOptions& o) {
-    if (!(o.budgetMs > 0)) return report({ExitCode::Usage, "--budget-ms takes a number above 0", "", 0, 0, ""});
-    if (o.candidates < 1 || o.candidates > 10000)
-        return report({ExitCode::Usage, "--candidates takes 1 to 10000", "", 0, 0, ""});
+    if (!(o.budgetMs > 0)) return report(usage("--budget-ms takes a number above 0"));
+    if (o.candidates < 1 || o.candidates > 10000) return report(usage("--candidates takes 1 to 10000"));
     auto project = openForRendering(o);
     if (!project) return report(project.error());
     auto cost = costRequest(o, *project);
@@ -76,10 +75,9 @@ int fitVerb(const FitOptions& o) {
     if (!r) return report(r.error());
     if (o.json) std::printf("%s", writeJson(fitJson(*r, o.budgetMs)).c_str());
     if (!r->fits)
-        return report({ExitCode::Failed,
-                       fmt::format("nothing fits {} ms; the nearest of {} tried takes {}", o.budgetMs, r->tried,
-                                   described(r->best)),
-                       "", 0, 0, "raise --budget-ms, or lower --size"});
+        return report(failed(fmt::format("nothing fits {} ms; the nearest of {} tried takes {}", o.budgetMs, r->tried,
+                                         described(r->best)),
+                             "raise --budget-ms, or lower --size"));
     if (!o.json) printFit(*r);
     if (!o.write) return 0;
     if (Status s = save(o, r->best); !s) return report(s.error());

@@ -1,5 +1,6 @@
 // Ctrl+C while a verb works long: the work is cancelled, so that no file is left half-written; and how far it is.
 #pragma once
+#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -34,13 +35,13 @@ Result<T> waitFor(Job<T>& job, uint64_t inputHash) {
             job.cancel();
             while (!job.finished())
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));  // it may read what the caller holds
-            return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
+            return interruption("interrupted; nothing was written");
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     tell(1);
     auto made = job.take(inputHash);
-    if (!made) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+    if (!made) return failed("cancelled");
     return std::move(*made);
 }
 

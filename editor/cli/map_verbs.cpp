@@ -13,12 +13,7 @@ Result<std::pair<double, double>> parseRange(const std::string& text) {
     char rest = 0;
     if (std::sscanf(text.c_str(), "%lf,%lf%c", &low, &high, &rest) != 2 || !std::isfinite(low) ||
         !std::isfinite(high) || !(low < high))
-        return Error{ExitCode::Usage,
-                     "\"" + text + "\" is no range",
-                     "",
-                     0,
-                     0,
-                     "write LOW,HIGH with LOW below HIGH, such as 0,250"};
+        return usage("\"" + text + "\" is no range", "write LOW,HIGH with LOW below HIGH, such as 0,250");
     return std::pair{low, high};
 }
 
@@ -35,8 +30,7 @@ int importVerb(const ImportCommand& o) {
     auto project = loadProject(o.project, tables().components);
     if (!project) return report(project.error());
     std::vector<std::string> repaired;
-    if (o.packed && options.range)
-        return report({ExitCode::Usage, "a packed map has no range", "", 0, 0, "leave out --range"});
+    if (o.packed && options.range) return report(usage("a packed map has no range", "leave out --range"));
     const auto read = o.packed ? importPacked : importMap;
     if (Status s = read(*project, tables().components, o.map, o.file, options, &repaired); !s) return report(s.error());
     for (const std::string& r : repaired) logWarning(o.file + ": " + r);

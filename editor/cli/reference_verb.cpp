@@ -1,5 +1,7 @@
 #include <sys/resource.h>
 
+#include <chrono>
+
 #include "cli/cli.h"
 #include "cli/interrupt.h"
 #include "core/file.h"
@@ -20,8 +22,7 @@ Result<std::pair<int, int>> parseShard(const std::string& text) {
     int i = 0, n = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%d/%d%c", &i, &n, &rest) != 2 || n < 1 || i < 0 || i >= n)
-        return Error{
-            ExitCode::Usage, "\"" + text + "\" is no shard", "", 0, 0, "write I/N, I from 0 to N-1, such as 0/4"};
+        return usage("\"" + text + "\" is no shard", "write I/N, I from 0 to N-1, such as 0/4");
     return std::pair{i, n};
 }
 
@@ -42,7 +43,7 @@ Status writeTruth(const Truth& t, const fs::path& file) {
     if (Status s = makeFolderOf(file); !s) return s;
     const fs::path error = fs::path(file).replace_extension(".error.exr");
     if (file.extension() != ".exr" && file.extension() != ".png")
-        return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};
+        return usage("images are written as .png or .exr", "name --out so").at(file);
     const Status drawn = file.extension() == ".exr" ? writeImageExr(file, t.width, t.height, 3, t.color)
                                                     : writeImagePng(file, t.width, t.height, 3, toneMapped(t.color));
     if (!drawn) return drawn;
@@ -134,9 +135,6 @@ Result<Json> traceAll(ReferenceOptions o, const Project& project, ReferenceSetti
 }
 
 Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
-    const auto usage = [](const std::string& message, const std::string& remedy) {
-        return Error{ExitCode::Usage, message, "", 0, 0, remedy};
-    };
     ReferenceSettings s;
     const auto size = parseSize(o.size);
     if (!size) return size.error();
@@ -152,7 +150,7 @@ Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
         return usage("there is no lighting \"" + o.lighting + "\"", "full or direct");
     s.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
     if (o.view != "final") return usage("the reference shows light alone", "leave --view out");
-    if (o.frames < 0) return usage("--frames takes a number from 0", "");
+    if (o.frames < 0) return usage("--frames takes a number from 0");
     if (s.shards > 1 && o.fps > 0) return usage("a film has no shards", "leave --shard or --fps out");
     return s;
 }

@@ -1,3 +1,5 @@
+#include <chrono>
+
 #include "cli/cli.h"
 #include "core/file.h"
 #include "core/log.h"
@@ -14,12 +16,7 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     int w = 0, h = 0;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &w, &h, &rest) != 2 || w < 1 || h < 1 || w > 16384 || h > 16384)
-        return Error{ExitCode::Usage,
-                     "\"" + text + "\" is no size",
-                     "",
-                     0,
-                     0,
-                     "write WIDTHxHEIGHT, each from 1 to 16384, such as 1024x768"};
+        return usage("\"" + text + "\" is no size", "write WIDTHxHEIGHT, each from 1 to 16384, such as 1024x768");
     return std::pair{w, h};
 }
 
@@ -33,12 +30,7 @@ namespace {
 Result<ViewMode> parseView(const std::string& text) {
     for (size_t i = 0; i < std::size(kViewModes); ++i)
         if (text == kViewModes[i]) return static_cast<ViewMode>(i);
-    return Error{ExitCode::Usage,
-                 "there is no view \"" + text + "\"",
-                 "",
-                 0,
-                 0,
-                 "final, tiers, overdraw, density, depth or normals"};
+    return usage("there is no view \"" + text + "\"", "final, tiers, overdraw, density, depth or normals");
 }
 
 Status setTechnique(Project& p, const std::string& name) {
@@ -54,8 +46,7 @@ Status setTechnique(Project& p, const std::string& name) {
 
 Status applyOverride(Project& p, const std::string& text) {
     const size_t equals = text.find('=');
-    if (equals == std::string::npos)
-        return Error{ExitCode::Usage, "--set " + text + " has no '='", "", 0, 0, "write PATH=VALUE"};
+    if (equals == std::string::npos) return usage("--set " + text + " has no '='", "write PATH=VALUE");
     auto f = findField(p, tables().components, text.substr(0, equals));
     if (!f) return f.error();
     return setFieldText(*f, text.substr(equals + 1));
@@ -65,7 +56,7 @@ Status writePicture(const Renderer& r, const fs::path& file, int w, int h) {
     if (Status s = makeFolderOf(file); !s) return s;
     if (file.extension() == ".exr") return writeImageExr(file, w, h, 3, r.readLinear());
     if (file.extension() == ".png") return writeImagePng(file, w, h, 3, r.readImage());
-    return Error{ExitCode::Usage, "images are written as .png or .exr", file.string(), 0, 0, "name --out so"};
+    return usage("images are written as .png or .exr", "name --out so").at(file);
 }
 
 struct Shot {
@@ -154,7 +145,7 @@ int renderVerb(const RenderOptions& o) {
     if (!size) return report(size.error());
     auto mode = parseView(o.view);
     if (!mode) return report(mode.error());
-    if (o.frames < 0) return report({ExitCode::Usage, "--frames takes a number from 0", "", 0, 0, ""});
+    if (o.frames < 0) return report(usage("--frames takes a number from 0"));
     auto project = openForRendering(o);
     if (!project) return report(project.error());
     auto gpu = makeHeadlessGpu();

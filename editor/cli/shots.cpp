@@ -34,34 +34,23 @@ Result<std::vector<std::string>> cameraNames(const Project& p, const std::string
     const std::vector<std::string> all = namesWith<Camera>(p);
     if (wanted.empty() && !all.empty()) return all;
     if (std::find(all.begin(), all.end(), wanted) != all.end()) return std::vector<std::string>{wanted};
-    return Error{wanted.empty() ? ExitCode::Unsound : ExitCode::Usage,
-                 wanted.empty() ? "the project has no camera" : "there is no camera \"" + wanted + "\"",
-                 p.dir.string(),
-                 0,
-                 0,
-                 all.empty() ? "add an entity with a Camera" : "its cameras: " + joined(all)};
+    const std::string remedy = all.empty() ? "add an entity with a Camera" : "its cameras: " + joined(all);
+    if (wanted.empty()) return unsound("the project has no camera", remedy).at(p.dir);
+    return usage("there is no camera \"" + wanted + "\"", remedy).at(p.dir);
 }
 
 Result<std::vector<std::string>> shotNames(RenderOptions& o, const Project& p) {
     if (o.path.empty()) return cameraNames(p, o.camera);
-    if (!o.camera.empty())
-        return Error{ExitCode::Usage, "--camera stands still, --path moves", "", 0, 0, "leave one of them out"};
+    if (!o.camera.empty()) return usage("--camera stands still, --path moves", "leave one of them out");
     const CameraPath* path = pathNamed(p, o.path);
     const std::vector<std::string> all = namesWith<CameraPath>(p);
     if (!path)
-        return Error{ExitCode::Usage,
-                     "there is no path \"" + o.path + "\"",
-                     p.dir.string(),
-                     0,
-                     0,
-                     all.empty() ? "add an entity with a CameraPath" : "its paths: " + joined(all)};
+        return usage("there is no path \"" + o.path + "\"",
+                     all.empty() ? "add an entity with a CameraPath" : "its paths: " + joined(all))
+            .at(p.dir);
     if (path->keys.empty())
-        return Error{ExitCode::Unsound,
-                     o.path + ".CameraPath has no keys",
-                     p.dir.string(),
-                     0,
-                     0,
-                     "add some: its inspector takes them from the view"};
+        return unsound(o.path + ".CameraPath has no keys", "add some: its inspector takes them from the view")
+            .at(p.dir);
     if (o.fps <= 0) o.fps = kFilmRate;
     if (o.frames <= 0)
         o.frames = static_cast<int>(std::min(kLongestFilm, std::floor(secondsOf(*path) * o.fps + 1e-6) + 1));

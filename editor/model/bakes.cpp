@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <chrono>
 #include <filesystem>
 #include <thread>
 
@@ -79,16 +80,14 @@ Result<std::string> keepSlices(const SliceSpec& spec, const BakeProgress& progre
     await(job, progress);
     const std::optional<Result<SliceImages>> made = job.take(0);
     if (!made)
-        return Error{
-            ExitCode::Interrupted, "slices of " + spec.species.name + " were not baked: it was cancelled", "", 0, 0,
-            "bake again"};
+        return interruption("slices of " + spec.species.name + " were not baked: it was cancelled", "bake again");
     if (!*made) return made->error();
     return fmt::format("{}: {:.1f} MB{}", spec.species.name, static_cast<double>((*made)->bytes()) / 1e6,
                        *cached ? ", cached already" : "");
 }
 
 Result<std::string> runSlices(Document& document, const BakeSettings&, const BakeProgress& progress) {
-    if (!document.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
+    if (!document.isOpen()) return failed("no project is open", "open or create one first");
     const std::vector<SliceSpec> specs = projectSlices(document.project(), document.tables());
     std::vector<std::string> said;
     for (const SliceSpec& spec : specs) {
@@ -122,31 +121,22 @@ void offerBakes(ScriptHost& host) {
 }
 
 Status checkBakeSettings(const BakeSettings& s) {
-    if (s.samples < 1 || s.samples > 65536)
-        return Error{ExitCode::Usage, fmt::format("{} samples", s.samples), "", 0, 0, "from 1 to 65536"};
+    if (s.samples < 1 || s.samples > 65536) return usage(fmt::format("{} samples", s.samples), "from 1 to 65536");
     if (s.size < 0 || s.size > 8192)
-        return Error{
-            ExitCode::Usage, fmt::format("a map of {} texels", s.size), "", 0, 0, "from 1 to 8192, or 0: as it is"};
+        return usage(fmt::format("a map of {} texels", s.size), "from 1 to 8192, or 0: as it is");
     return {};
 }
 
 Result<OcclusionBake> startOcclusion(Document& document, const BakeSettings& settings) {
     if (Status s = checkBakeSettings(settings); !s) return s.error();
-    if (!document.isOpen()) return Error{ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"};
+    if (!document.isOpen()) return failed("no project is open", "open or create one first");
     if (fieldEntity(document.project()).empty())
-        return Error{ExitCode::Unsound,
-                     "there is no GrassField to hold the ambient occlusion",
-                     document.project().dir.string(),
-                     0,
-                     0,
-                     "add an entity with a GrassField"};
+        return unsound("there is no GrassField to hold the ambient occlusion", "add an entity with a GrassField")
+            .at(document.project().dir);
     if (const Terrain* t = findGround(document.project()).terrain; t && t->mapSize > 0 && t->size.x != t->size.y)
-        return Error{ExitCode::Unsound,
-                     "ambient occlusion is baked for the whole terrain, which a square of mapSize does not cover",
-                     document.project().dir.string(),
-                     0,
-                     0,
-                     "set Terrain.mapSize to 0, or make the terrain square"};
+        return unsound("ambient occlusion is baked for the whole terrain, which a square of mapSize does not cover",
+                       "set Terrain.mapSize to 0, or make the terrain square")
+            .at(document.project().dir);
     const OcclusionSettings wanted = settingsOf(settings);
     const uint64_t hash = occlusionHash(document.project(), wanted);
     const auto copy = std::make_shared<Project>(snapshot(document.project(), document.tables().components));
@@ -159,12 +149,8 @@ std::optional<Status> finishOcclusion(Document& document, OcclusionBake& bake) {
     if (!bake.job.finished()) return {};
     std::optional<Result<Map>> made = bake.job.take(occlusionHash(document.project(), settingsOf(bake.settings)));
     if (!made)
-        return Error{ExitCode::Failed,
-                     "ambient occlusion was not baked: it was cancelled, or the scene changed meanwhile",
-                     "",
-                     0,
-                     0,
-                     "bake again"};
+        return failed("ambient occlusion was not baked: it was cancelled, or the scene changed meanwhile",
+                      "bake again");
     if (!*made) return made->error();
     return useOcclusion(document, std::move(**made));
 }

@@ -29,8 +29,7 @@ Status heightFromDensity(Document& document, const std::string& name) {
     const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField& from = *static_cast<const MapField*>(density->value);
-    if (!from.present())
-        return Error{ExitCode::Usage, density->path + ": there is no map", "", 0, 0, "create or import one first"};
+    if (!from.present()) return usage(density->path + ": there is no map", "create or import one first");
     const Result<MapScale> scale = mapScale(p, *density);
     if (!scale) return scale.error();
     Map map = convertMap(from.map, height->row->map->type);

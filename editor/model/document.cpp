@@ -17,18 +17,10 @@ namespace fs = std::filesystem;
 namespace sward {
 namespace {
 
-Error usage(std::string message, std::string remedy = "") {
-    return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
-}
 Error notWhilePlaying() {
-    return {ExitCode::Failed,
-            "the project is being played and cannot be changed, saved or left",
-            "",
-            0,
-            0,
-            "stop first: F5, or play.stop()"};
+    return failed("the project is being played and cannot be changed, saved or left", "stop first: F5, or play.stop()");
 }
-Error notOpen() { return {ExitCode::Failed, "no project is open", "", 0, 0, "open or create one first"}; }
+Error notOpen() { return failed("no project is open", "open or create one first"); }
 
 std::string folderName(const fs::path& dir) {
     const fs::path clean = fs::absolute(dir).lexically_normal();
@@ -144,8 +136,7 @@ Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
     std::error_code fault;
     const bool existed = fs::exists(dir, fault);
     if (!existed && !fs::create_directories(dir, fault))
-        return Error{ExitCode::Failed,      "cannot make the folder: " + fault.message(), dir.string(), 0, 0,
-                     "choose another place"};
+        return failed("cannot make the folder: " + fault.message(), "choose another place").at(dir);
     p.dir = fs::absolute(dir).lexically_normal();
     if (p.name == folderName(oldDir)) p.name = folderName(dir);
     auto written = save();
@@ -204,9 +195,7 @@ uint64_t Document::revision() const { return impl_->revision; }
 
 Status Document::startPlay(const PlayStart& start) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
-    if (impl_->groupDepth > 0)
-        return Error{ExitCode::Failed,    "play cannot start while a value is being changed", "", 0, 0,
-                     "let go of it first"};
+    if (impl_->groupDepth > 0) return failed("play cannot start while a value is being changed", "let go of it first");
     impl_->finishStroke();
     Result<std::unique_ptr<Playtest>> play = Playtest::start(*impl_->project, impl_->rows(), start);
     if (!play) return play.error();

@@ -71,9 +71,8 @@ void act(const Parts& parts) {
     FileDialog& d = parts.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status =
-        d.path.empty() ? Status{Error{ExitCode::Usage, "no folder is named", "", 0, 0, "type one or choose one above"}}
-                       : perform(d.task, parts.doc, target);
+    const Status status = d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")}
+                                         : perform(d.task, parts.doc, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);

@@ -22,9 +22,7 @@ void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand
     const std::optional<glm::dvec3> at = groundAt(p.doc, camera, hand.rect, in.x, in.y);
     if (!at) return;
     const std::optional<ConstFieldRef> map = chosenMap(p.doc, p.brushes);
-    if (!map)
-        return showError(p.messages,
-                         {ExitCode::Failed, "there is no map to paint on", "", 0, 0, "add a GrassField to an entity"});
+    if (!map) return showError(p.messages, failed("there is no map to paint on", "add a GrassField to an entity"));
     const glm::dvec3 origin = findGround(p.doc.project()).origin;
     const std::vector<BrushSettings> brushes = strokeBrushes(p.doc, p.brushes, in.ctrl(), in.shift());
     if (brushes.empty()) return say(p.messages, "there is no grass to erase");

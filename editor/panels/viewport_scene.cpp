@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <chrono>
+
 #include "app/play_control.h"
 #include "cost/frame_stats.h"
 #include "world/ground.h"

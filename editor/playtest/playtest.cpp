@@ -13,10 +13,6 @@ namespace {
 constexpr double kLatestSeconds = 1e9;
 constexpr double kMostSeconds = 0.25;  // of the clock at once: a slow machine plays slowly rather than in leaps
 
-Error refused(std::string message, std::string remedy) {
-    return {ExitCode::Failed, std::move(message), "", 0, 0, std::move(remedy)};
-}
-
 // Degrees about x, then z, then y, as StaticMesh has them.
 glm::dvec3 degreesOf(const glm::dmat3& m) {
     const double z = std::asin(std::clamp(m[0][1], -1.0, 1.0));
@@ -56,9 +52,9 @@ bool sound(const PlayStart& s) {
 Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<const ComponentRow> rows,
                                                   const PlayStart& start) {
     const Ground ground = findGround(p);
-    if (!ground.terrain) return refused("there is no ground to walk on", "add a Terrain to an entity");
+    if (!ground.terrain) return failed("there is no ground to walk on", "add a Terrain to an entity");
     if (!sound(start))
-        return refused("play cannot start there or then", "give finite numbers, and a time within 1e9 seconds");
+        return failed("play cannot start there or then", "give finite numbers, and a time within 1e9 seconds");
     std::unique_ptr<Playtest> play(new Playtest);
     play->project_ = snapshot(p, rows);
     play->world_ = {*ground.terrain, ground.origin};

@@ -26,8 +26,7 @@ int use(lua_State* L, State& state) {
     const std::string name = textArg(L, 1);
     const Project& p = openProject(L);
     if (!p.registry.get<Camera>(findEntity(p, name)))
-        raise(L, Error{ExitCode::Usage, fmt::format("there is no camera \"{}\"", name), "", 0, 0,
-                       "entity.list(\"Camera\") names them"});
+        raise(L, usage(fmt::format("there is no camera \"{}\"", name), "entity.list(\"Camera\") names them"));
     state.host.camera = name;
     if (state.host.useCamera) state.host.useCamera(name);
     return 0;

@@ -10,7 +10,7 @@ int list(lua_State* L, State& state) {
     const Project& p = openProject(L);
     const ComponentRow* only = nullptr;
     if (!lua_isnoneornil(L, 1) && !(only = findComponent(state.rows(), textArg(L, 1))))
-        raise(L, Error{ExitCode::Usage, fmt::format("there is no component \"{}\"", textArg(L, 1)), "", 0, 0, ""});
+        raise(L, usage(fmt::format("there is no component \"{}\"", textArg(L, 1))));
     lua_newtable(L);
     lua_Integer n = 0;
     for (const auto& [name, entity] : p.entities) {

@@ -69,8 +69,7 @@ fs::path projectPath(lua_State* L, const std::string& given) {
     std::error_code fault;
     const fs::path found = firstExisting({state.folder, fs::current_path(fault)}, given);
     if (!fs::is_directory(found, fault))
-        raise(L,
-              Error{ExitCode::Unsound, "there is no such project", given, 0, 0, "name a folder with a project.json"});
+        raise(L, unsound("there is no such project", "name a folder with a project.json").at(given));
     return realPath(found);
 }
 

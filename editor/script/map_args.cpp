@@ -8,8 +8,7 @@ NamedMap mapArg(lua_State* L, int arg) {
     const Project& p = openProject(L);
     const ConstFieldRef field = orRaise(L, findMap(p, stateOf(L).rows(), textArg(L, arg)));
     const auto& value = *static_cast<const MapField*>(field.value);
-    if (!value.present())
-        raise(L, Error{ExitCode::Usage, field.path + ": there is no map", "", 0, 0, "create or import one first"});
+    if (!value.present()) raise(L, usage(field.path + ": there is no map", "create or import one first"));
     const MapScale scale = orRaise(L, mapScale(p, field));
     return {field, value.map, scale.width, scale.depth, scale.repeats, scale.mirrored};
 }

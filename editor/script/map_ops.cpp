@@ -1,5 +1,7 @@
 #include "script/map_ops.h"
 
+#include <cmath>
+
 #include "script/texel_edit.h"
 
 namespace sward {

@@ -1,5 +1,7 @@
 #include "script/map_shapes.h"
 
+#include <cmath>
+
 #include "script/texel_edit.h"
 
 namespace sward {

@@ -63,8 +63,7 @@ Solid solidAt(lua_State* L, int index) {
 int write(lua_State* L, State&) {
     const std::filesystem::path file = writablePath(L, textArg(L, 1));
     luaL_checktype(L, 2, LUA_TTABLE);
-    if (file.extension() != ".glb")
-        raise(L, Error{ExitCode::Usage, "objects are written as .glb", file.string(), 0, 0, "name the file so"});
+    if (file.extension() != ".glb") raise(L, usage("objects are written as .glb", "name the file so").at(file));
     std::vector<Solid> solids;
     for (lua_Integer i = 1; i <= luaL_len(L, 2); ++i) {
         lua_geti(L, 2, i);

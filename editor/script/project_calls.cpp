@@ -46,8 +46,7 @@ int tempCopy(lua_State* L, State&) {
     const std::string given = textArg(L, 1);
     const fs::path from = projectPath(L, given);
     if (!fs::is_regular_file(from / "project.json"))
-        raise(L,
-              Error{ExitCode::Unsound, "this folder is no project", given, 0, 0, "name a folder with a project.json"});
+        raise(L, unsound("this folder is no project", "name a folder with a project.json").at(given));
     const fs::path to = makeTempDir(L) / from.filename();
     fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::skip_symlinks);
     pushText(L, to.string());

@@ -172,7 +172,7 @@ int openAll(lua_State* L) {
 
 // "token:12: text" as the error of line 12 of the file.
 Error located(const std::string& message, const std::string& token, const std::filesystem::path& file) {
-    Error error{ExitCode::Failed, message, "", 0, 0, ""};
+    Error error = failed(message);
     if (!message.starts_with(token + ":")) return error;
     const char* digits = message.c_str() + token.size() + 1;
     char* end = nullptr;
@@ -222,8 +222,7 @@ Status runChunk(lua_State* L, int nargs, const std::string& token, const std::fi
     const int status = lua_pcall(L, nargs, LUA_MULTRET, 0);
     lua_sethook(L, nullptr, 0, 0);
     if (status == LUA_OK && state.limitHit.empty()) return {};
-    Error error = status == LUA_OK ? Error{ExitCode::Failed, state.limitHit, file.string(), 0, 0, ""}
-                                   : failureOf(L, status, token, file);
+    Error error = status == LUA_OK ? failed(state.limitHit).at(file) : failureOf(L, status, token, file);
     lua_settop(L, 0);
     return error;
 }

@@ -14,21 +14,17 @@ using namespace script;
 
 constexpr size_t kMostScriptBytes = size_t(16) << 20;
 
-Error noMemory() { return {ExitCode::Failed, "there is no memory for a script", "", 0, 0, ""}; }
+Error noMemory() { return failed("there is no memory for a script"); }
 
 Result<std::string> readScript(const fs::path& file) {
     std::error_code fault;
-    if (!fs::is_regular_file(file, fault))
-        return Error{ExitCode::Usage, "there is no such script", file.string(), 0, 0, "name a Lua file"};
-    if (fs::file_size(file, fault) > kMostScriptBytes)
-        return Error{ExitCode::Unsound, "a script of more than 16 MiB", file.string(), 0, 0, ""};
+    if (!fs::is_regular_file(file, fault)) return usage("there is no such script", "name a Lua file").at(file);
+    if (fs::file_size(file, fault) > kMostScriptBytes) return unsound("a script of more than 16 MiB").at(file);
     std::ifstream in(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (!in)
-        return Error{ExitCode::Unsound, "the script cannot be read", file.string(), 0, 0, "look at its permissions"};
+    if (!in) return unsound("the script cannot be read", "look at its permissions").at(file);
     if (text.starts_with(LUA_SIGNATURE[0]))
-        return Error{ExitCode::Unsound, "this is compiled Lua; scripts are text only", file.string(), 0, 0,
-                     "run the source"};
+        return unsound("this is compiled Lua; scripts are text only", "run the source").at(file);
     return text;
 }
 
@@ -45,7 +41,7 @@ bool load(lua_State* L, const std::string& text, const std::string& token) {
 
 Error syntaxError(lua_State* L, const std::string& token, const fs::path& file) {
     std::string message = lua_tostring(L, -1);
-    Error error{ExitCode::Failed, message, file.string(), 0, 0, ""};
+    Error error = failed(message).at(file);
     if (!message.starts_with(token + ":")) return error;
     char* end = nullptr;
     error.line = static_cast<int>(std::strtol(message.c_str() + token.size() + 1, &end, 10));

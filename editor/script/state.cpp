@@ -20,7 +20,7 @@ void raise(lua_State* L, const Error& error) {
     luaL_error(L, "%s", error.text().c_str());
     std::abort();  // luaL_error does not return
 }
-void raise(lua_State* L, const std::string& message) { raise(L, Error{ExitCode::Failed, message, "", 0, 0, ""}); }
+void raise(lua_State* L, const std::string& message) { raise(L, failed(message)); }
 
 const Project& openProject(lua_State* L) {
     if (!stateOf(L).document().isOpen()) raise(L, "no project is open; project.open or project.new opens one");

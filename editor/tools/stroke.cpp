@@ -1,5 +1,7 @@
 #include "tools/stroke.h"
 
+#include <chrono>
+
 #include "core/jobs.h"
 #include "core/numerics.h"
 #include "scene/map_fields.h"
@@ -11,10 +13,6 @@ namespace {
 constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change nothing that one sees
 constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
-
-Error usage(std::string message, std::string remedy) {
-    return {ExitCode::Usage, std::move(message), "", 0, 0, std::move(remedy)};
-}
 
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
     if (const auto* own = p.registry.get<Terrain>(findEntity(p, entity))) return own;

@@ -14,10 +14,6 @@ namespace {
 using ui::Kind;
 using ui::Widget;
 
-Error usage(const std::string& message, const std::string& remedy = "") {
-    return {ExitCode::Usage, message, "", 0, 0, remedy};
-}
-
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
@@ -185,7 +181,7 @@ void Driver::typeText(const std::string& text) {
 // What the interface says of a value that was typed.
 Status Driver::typed(const std::string& label) {
     const auto error = app_.book.errors.find(label);
-    if (error != app_.book.errors.end()) return Error{ExitCode::Failed, label + ": " + error->second, "", 0, 0, ""};
+    if (error != app_.book.errors.end()) return failed(label + ": " + error->second);
     return {};
 }
 

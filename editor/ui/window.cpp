@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
+#include <algorithm>
 #include <deque>
 
 #include "ui/imgui_compat.h"
@@ -136,12 +137,8 @@ class Window final : public Surface {
 Error noWindow(const std::string& what) {
     const char* detail = nullptr;
     glfwGetError(&detail);
-    return {ExitCode::NoContext,
-            what + (detail ? std::string(": ") + detail : ""),
-            "",
-            0,
-            0,
-            "set DISPLAY, or use the verbs render and script, which need no window"};
+    return noContext(what + (detail ? std::string(": ") + detail : ""),
+                     "set DISPLAY, or use the verbs render and script, which need no window");
 }
 
 }  // namespace

@@ -15,6 +15,26 @@ std::string Error::text() const {
     return out;
 }
 
+Error Error::at(std::string where, int atLine, int atColumn) const {
+    return {code, message, std::move(where), atLine, atColumn, remedy};
+}
+
+Error failed(std::string message, std::string remedy) {
+    return {ExitCode::Failed, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+Error usage(std::string message, std::string remedy) {
+    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+Error unsound(std::string message, std::string remedy) {
+    return {ExitCode::Unsound, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+Error noContext(std::string message, std::string remedy) {
+    return {ExitCode::NoContext, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+Error interruption(std::string message, std::string remedy) {
+    return {ExitCode::Interrupted, std::move(message), {}, 0, 0, std::move(remedy)};
+}
+
 void checkFailed(const char* file, int line, const std::string& what) {
     std::fprintf(stderr, "%s:%d: check failed: %s\n", file, line, what.c_str());
     std::abort();

@@ -1,6 +1,8 @@
 // What a function returns when the user's input or machine is at fault, and what stops a programmer's mistake.
 // Does not: log. Whoever shows the error to the user does that once.
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,7 +23,17 @@ struct Error {
 
     // "file:line:column: message (remedy)", leaving out what is not known.
     std::string text() const;
+    // This error at another place: the file at fault, and its 1-based line and column where they are known.
+    Error at(std::string where, int atLine = 0, int atColumn = 0) const;
 };
+
+// Makers of errors, one an exit code: what is wrong, and what to do about it. `unsound("is no map", "export it
+// again").at(file, 3)` names the place too.
+Error failed(std::string message, std::string remedy = {});        // ExitCode::Failed: the machine did not do it
+Error usage(std::string message, std::string remedy = {});         // ExitCode::Usage: what was asked for cannot be
+Error unsound(std::string message, std::string remedy = {});       // ExitCode::Unsound: a file holds what it must not
+Error noContext(std::string message, std::string remedy = {});     // ExitCode::NoContext: there is no OpenGL 4.5
+Error interruption(std::string message, std::string remedy = {});  // ExitCode::Interrupted: the user stopped it
 
 // A value, or the error that kept it from being made.
 template <class T>
@@ -29,11 +41,14 @@ class [[nodiscard]] Result {
   public:
     Result(T value) : data_(std::in_place_index<0>, std::move(value)) {}
     Result(Error error) : data_(std::in_place_index<1>, std::move(error)) {}
+    // True if it holds the value; *, -> and error() may then be asked only of what is there (else
+    // std::bad_variant_access).
     explicit operator bool() const { return data_.index() == 0; }
     T& operator*() { return std::get<0>(data_); }
     const T& operator*() const { return std::get<0>(data_); }
     T* operator->() { return &std::get<0>(data_); }
     const T* operator->() const { return &std::get<0>(data_); }
+    // The error; only of a result that is false.
     const Error& error() const { return std::get<1>(data_); }
 
   private:
@@ -45,7 +60,9 @@ class [[nodiscard]] Result<void> {
   public:
     Result() = default;
     Result(Error error) : error_(std::move(error)), ok_(false) {}
+    // True if nothing went wrong; error() is empty then.
     explicit operator bool() const { return ok_; }
+    // The error; an empty one if nothing went wrong.
     const Error& error() const { return error_; }
 
   private:

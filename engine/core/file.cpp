@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 
@@ -50,10 +52,6 @@ fs::path userDir(const char* variable, const char* underHome, const char* kind) 
     return temp / fmt::format("sward-{}-{}", kind, getuid());
 }
 
-Error unsound(const std::string& message, const fs::path& file, std::string remedy = {}) {
-    return {ExitCode::Unsound, message, file.string(), 0, 0, std::move(remedy)};
-}
-
 }  // namespace
 
 Error fileError(const std::string& verb, const fs::path& file, int errorNumber) {
@@ -63,12 +61,7 @@ Error fileError(const std::string& verb, const fs::path& file, int errorNumber) 
     if (errorNumber == EACCES || errorNumber == EPERM) remedy = "check who may read and write it";
     if (errorNumber == EROFS) remedy = "the file system is read-only; save somewhere else";
     if (errorNumber == ENOENT) remedy = "check the path";
-    return {ExitCode::Failed,
-            fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)),
-            file.string(),
-            0,
-            0,
-            remedy};
+    return failed(fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)), remedy).at(file);
 }
 
 Result<std::string> readFile(const fs::path& file, uint64_t limit) {
@@ -81,9 +74,9 @@ Result<std::string> readFile(const fs::path& file, uint64_t limit) {
     if (in.fd < 0) return refuse(errno);
     struct stat info {};
     if (::fstat(in.fd, &info) != 0) return refuse(errno);
-    if (!S_ISREG(info.st_mode)) return unsound("is not a file", file);
+    if (!S_ISREG(info.st_mode)) return unsound("is not a file").at(file);
     const auto size = static_cast<uint64_t>(info.st_size);
-    if (size > limit) return unsound(fmt::format("has {} bytes; the limit is {}", size, limit), file);
+    if (size > limit) return unsound(fmt::format("has {} bytes; the limit is {}", size, limit)).at(file);
     std::string bytes(size, '\0');
     size_t have = 0;
     while (have < bytes.size()) {
@@ -154,19 +147,19 @@ Result<fs::path> resolveInside(const fs::path& root, const std::string& relative
     const fs::path given(relative);
     const std::string remedy = "name a file inside the project's folder";
     if (relative.empty() || relative.find('\0') != std::string::npos)
-        return unsound("the path of a file is empty or not a path", root, remedy);
-    if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), root, remedy);
+        return unsound("the path of a file is empty or not a path", remedy).at(root);
+    if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), remedy).at(root);
     for (const fs::path& part : given)
-        if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), root, remedy);
+        if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), remedy).at(root);
     std::error_code fault;
     fs::path base = fs::weakly_canonical(root.empty() ? fs::path(".") : root, fault);
     if (!base.has_filename()) base = base.parent_path();  // "folder/": its empty last part would match nothing
-    if (fault) return unsound(fmt::format("cannot be resolved: {}", fault.message()), root);
+    if (fault) return unsound(fmt::format("cannot be resolved: {}", fault.message())).at(root);
     const fs::path full = fs::weakly_canonical(base / given, fault);
-    if (fault) return unsound(fmt::format("\"{}\" cannot be resolved: {}", relative, fault.message()), root);
+    if (fault) return unsound(fmt::format("\"{}\" cannot be resolved: {}", relative, fault.message())).at(root);
     const auto [end, ignored] = std::mismatch(base.begin(), base.end(), full.begin(), full.end());
     if (end != base.end())
-        return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), root, remedy);
+        return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), remedy).at(root);
     return root / given;
 }
 

@@ -1,6 +1,7 @@
 #include "core/hash.h"
 
 #define XXH_STATIC_LINKING_ONLY  // the state by value, aligned as XXH3 needs it
+#include <fmt/format.h>
 #include <xxhash.h>
 
 namespace sward {

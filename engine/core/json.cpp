@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstring>
+
 #include "core/file.h"
 
 namespace sward {
@@ -107,7 +110,7 @@ class Builder {
     }
     bool fail(std::string message, Place place = {}, std::string remedy = {}) {
         if (place.line == 0) place = nextPlace();
-        error = {ExitCode::Unsound, std::move(message), file_, place.line, place.column, std::move(remedy)};
+        error = unsound(std::move(message), std::move(remedy)).at(file_, place.line, place.column);
         return false;
     }
     Json* put_(Json value) {
@@ -165,12 +168,7 @@ class Builder {
 
 Result<Json> parseJson(std::string_view text, const std::string& file) {
     if (text.size() > kMaxJsonBytes)
-        return Error{ExitCode::Unsound,
-                     fmt::format("{} bytes of JSON; the limit is {}", text.size(), kMaxJsonBytes),
-                     file,
-                     0,
-                     0,
-                     {}};
+        return unsound(fmt::format("{} bytes of JSON; the limit is {}", text.size(), kMaxJsonBytes)).at(file);
     Builder builder(text, file);
     const CountingIterator begin{text.data(), &builder.furthest}, end{text.data() + text.size(), nullptr};
     if (!nlohmann::json::sax_parse(begin, end, &builder)) return builder.error;

@@ -1,6 +1,8 @@
 #include "core/log.h"
 
 #include <cstdio>
+#include <map>
+#include <mutex>
 
 namespace sward {
 namespace {

@@ -58,14 +58,7 @@ struct Sweep {
     }
     fs::path fileOf(const CostRow& row) const { return request.folder / ("row-" + keyOf(row) + ".json"); }
 };
-Error stopped() {
-    return {ExitCode::Interrupted,
-            "interrupted; what is finished is kept",
-            "",
-            0,
-            0,
-            "run the same command again to go on"};
-}
+Error stopped() { return interruption("interrupted; what is finished is kept", "run the same command again to go on"); }
 
 // --- a row's picture and errors ----------------------------------------------------------------------------------
 struct Prepared {
@@ -299,9 +292,7 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
                         const CostProgress& progress) {
     std::error_code ec;
     fs::create_directories(request.folder, ec);
-    if (ec)
-        return Error{ExitCode::Failed,      "cannot make the folder: " + ec.message(), request.folder.string(), 0, 0,
-                     "choose another --out"};
+    if (ec) return failed("cannot make the folder: " + ec.message(), "choose another --out").at(request.folder);
     Sweep s{request, project, tables, gpu, progress};
     s.hash = sweepHash(request, project, tables);
     s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height,

@@ -117,8 +117,7 @@ Result<CostRow> costRowFrom(const Json& json) {
     row.metrics.appearance = r.appearance("drawn"), row.converged = r.appearance("converged");
     row.metrics.flip = r.number("flip"), row.metrics.ssim = r.number("ssim"), row.metrics.rmse = r.number("rmse"),
     row.metrics.psnr = r.number("psnr");
-    if (!r.missing.empty())
-        return Error{ExitCode::Unsound, "is no row of a sweep: \"" + r.missing + "\" is missing", "", json.line, 0, ""};
+    if (!r.missing.empty()) return unsound("is no row of a sweep: \"" + r.missing + "\" is missing").at("", json.line);
     return row;
 }
 
@@ -170,12 +169,9 @@ Result<CostRun> costFrom(const Json& json, const std::string& file) {
             bad = "a row names a machine that is not listed";
     if (run.total < static_cast<int>(run.rows.size())) bad = "it holds more rows than its sweep has";
     if (r.missing.empty() && bad.empty()) return run;
-    return Error{ExitCode::Unsound,
-                 bad.empty() ? "is no result of a sweep: \"" + r.missing + "\" is missing" : bad,
-                 file,
-                 0,
-                 0,
-                 "name a cost.json, or its folder"};
+    return unsound(bad.empty() ? "is no result of a sweep: \"" + r.missing + "\" is missing" : bad,
+                   "name a cost.json, or its folder")
+        .at(file);
 }
 
 Result<CostRun> readCost(const std::filesystem::path& file) {
@@ -186,9 +182,6 @@ Result<CostRun> readCost(const std::filesystem::path& file) {
 }
 
 Result<CostRun> mergeCosts(const std::vector<CostRun>& parts) {
-    const auto failed = [](const std::string& what, const std::string& remedy) {
-        return Error{ExitCode::Failed, what, "", 0, 0, remedy};
-    };
     if (parts.empty()) return failed("there are no parts to join", "name the cost.json of each");
     CostRun whole = parts[0];
     whole.rows.clear(), whole.machines.clear();

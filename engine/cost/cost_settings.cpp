@@ -70,8 +70,7 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
     const double number = std::atof(value.c_str());
     const bool whole = number == std::floor(number);
     if (!(number > 0) || (name == "msaa" && (!whole || number > 64)) || (name == "detail" && number > 1))
-        return Error{
-            ExitCode::Usage, name + "=" + value + " is out of its range", "", 0, 0, "msaa takes 1 to 64, detail ]0,1]"};
+        return usage(name + "=" + value + " is out of its range", "msaa takes 1 to 64, detail ]0,1]");
     if (name == "msaa")
         view.msaa = static_cast<int>(number);
     else
@@ -100,15 +99,14 @@ Result<std::vector<CostSetting>> costSettings(const Project& project, const std:
     const GrassField* field = nullptr;
     for (const auto& [name, e] : project.entities)
         if (!field) field = project.registry.get<GrassField>(e);
-    if (!field)
-        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    if (!field) return unsound("the project has no grass", "add a GrassField").at(project.dir);
     std::vector<CostSetting> out;
     std::string names;
     for (const CostTechnique& row : costTechniques()) {
         names += (names.empty() ? "" : ", ") + std::string(row.name);
         if (technique.empty() || technique == row.name) row.add(*field, out);
     }
-    if (out.empty()) return Error{ExitCode::Usage, "there is no technique \"" + technique + "\"", "", 0, 0, names};
+    if (out.empty()) return usage("there is no technique \"" + technique + "\"", names);
     return out;
 }
 
@@ -129,8 +127,7 @@ Status applySetting(Project& project, const Tables& tables, const CostSetting& s
         if (Status s = setField(project, tables, at + "technique", setting.technique); !s) return s;
         for (const std::string& value : setting.values) {
             const size_t equals = value.find('=');
-            if (equals == std::string::npos)
-                return Error{ExitCode::Usage, "\"" + value + "\" has no '='", "", 0, 0, "write NAME=VALUE"};
+            if (equals == std::string::npos) return usage("\"" + value + "\" has no '='", "write NAME=VALUE");
             const auto view_ = setView(view, value.substr(0, equals), value.substr(equals + 1));
             if (!view_) return view_.error();
             if (*view_) continue;

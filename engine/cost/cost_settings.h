@@ -21,6 +21,7 @@ struct CostTechnique {
     // Adds settings to try around a field's own.
     void (*add)(const GrassField& own, std::vector<CostSetting>& out);
 };
+// The table: one row a technique, each name as in kTechniques.
 std::span<const CostTechnique> costTechniques();
 
 // All settings for a project's grass (the first field by name), some 40, in the table's order; of one technique if it

@@ -1,5 +1,8 @@
 #include "cost/cost_truth.h"
 
+#include <chrono>
+#include <thread>
+
 #include "core/hash.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
@@ -90,8 +93,7 @@ Result<Traced> kept(const fs::path& file) {
     auto image = readImage(file, true), error = readImage(fs::path(file).replace_extension(".error.exr"), true);
     if (!image) return image.error();
     if (!error) return error.error();
-    if (image->channels != 4)
-        return Error{ExitCode::Unsound, "is no truth of a sweep", file.string(), 0, 0, "remove it"};
+    if (image->channels != 4) return unsound("is no truth of a sweep", "remove it").at(file);
     Traced t{pictureOf(*image, false),
              {},
              meanFinite(error->pixels),
@@ -127,12 +129,7 @@ Result<T> awaited(Job<T>& job, const CostProgress& progress, const std::string& 
     }
     auto made = job.take(0);
     if (made && !stop) return std::move(*made);
-    return Error{ExitCode::Interrupted,
-                 "interrupted; what is finished is kept",
-                 "",
-                 0,
-                 0,
-                 "run the same command again to go on"};
+    return interruption("interrupted; what is finished is kept", "run the same command again to go on");
 }
 
 Result<Traced> traced(const CostRequest& r, const Project& p, const Tables& tables, const CostView& view,
@@ -178,7 +175,7 @@ Result<CostTruth> costTruthAlone(const CostRequest& r, const Project& project, c
     if (std::any_of(truth->grass.begin(), truth->grass.end(), [](float g) { return g > 0; }))
         return CostTruth{
             std::move(truth->picture), std::move(truth->grass), {view.name, {}, {}, {}, truth->error, truth->image}};
-    return Error{ExitCode::Failed, view.name + " sees no grass", "", 0, 0, "choose another with --camera"};
+    return failed(view.name + " sees no grass", "choose another with --camera");
 }
 
 Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const Tables& tables, const CostView& view,

@@ -2,6 +2,7 @@
 #include "cost/fit.h"
 #include "cost/cost_times.h"
 
+#include <chrono>
 #include <map>
 
 #include "core/json.h"
@@ -56,7 +57,7 @@ struct Search {
     std::map<std::vector<std::string>, FitCandidate> seen = {};
     int limit = 0;
 };
-Error stopped() { return {ExitCode::Interrupted, "interrupted; nothing was changed", "", 0, 0, ""}; }
+Error stopped() { return interruption("interrupted; nothing was changed"); }
 
 // --- measuring one -----------------------------------------------------------------------------------------------
 struct Drawing {
@@ -253,17 +254,14 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
                          const CostProgress& progress) {
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
-    if (ec)
-        return Error{ExitCode::Failed, "cannot make the folder: " + ec.message(), request.cost.folder.string(), 0, 0,
-                     "choose another"};
+    if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
     Search s{request, project, tables, gpu, progress};
     s.limit = request.candidates;
     const GrassField* field = nullptr;
     for (const auto& [name, e] : project.entities)
         if (!field) field = project.registry.get<GrassField>(e);
     if (field) s.own = *field;
-    if (!field)
-        return Error{ExitCode::Unsound, "the project has no grass", project.dir.string(), 0, 0, "add a GrassField"};
+    if (!field) return unsound("the project has no grass", "add a GrassField").at(project.dir);
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
     auto shipped = measured(s, valuesOf(s.own, {}), true);

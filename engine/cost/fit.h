@@ -36,6 +36,9 @@ struct FitRequest {
     int candidates = 40;  // that the search may measure
     CostRequest cost;     // views, size, truth, folder for truths; settings and shards are not read
 };
+// Measures at most `request.candidates` settings of the project's fields and returns the best. Truths are traced first
+// and kept in cost.folder. Failed: the folder cannot be made. Unsound: the project has no grass. Interrupted:
+// `progress` said so.
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress);
 

@@ -34,10 +34,9 @@ ExpectedRecord recordOf(const Json& object) {
 
 Result<ExpectedValues> loadExpectedValues(const std::string& file) {
     std::ifstream stream(file);
-    if (!stream)
-        return Error{ExitCode::Failed, "cannot read the expected values", file, 0, 0, "run from the source tree"};
+    if (!stream) return failed("cannot read the expected values", "run from the source tree").at(file);
     const Json json = Json::parse(stream, nullptr, false);
-    if (!json.is_object()) return Error{ExitCode::Unsound, "is not a JSON object", file, 0, 0, ""};
+    if (!json.is_object()) return unsound("is not a JSON object").at(file);
     ExpectedValues values;
     for (const auto& [group, records] : json.items()) {
         if (!records.is_array()) continue;

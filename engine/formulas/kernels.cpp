@@ -289,7 +289,7 @@ Result<KernelRun> measureKernels(const KernelRequest& request, Gpu* gpu, const K
     const std::vector<Kernel> all = kernels(*values);
     for (size_t i = 0; i < all.size(); ++i) {
         if (!progress(all[i].row.name, double(i) / double(all.size())))
-            return Error{ExitCode::Interrupted, "interrupted; nothing was written", "", 0, 0, ""};
+            return interruption("interrupted; nothing was written");
         if (all[i].row.name.find(request.only) == std::string::npos) continue;
         auto rows = measureKernel(all[i], request.rounds, gpu);
         if (!rows) return rows.error();

@@ -16,6 +16,8 @@ namespace sward {
 // The frustum's six planes over eye-relative positions, normals inward: dot(n, p) + d >= 0 inside.
 struct Frustum {
     std::array<glm::vec4, 6> planes;
+    // Whether any of the box between `low` and `high` (metres, relative to the eye) may be in view; sometimes true for
+    // a box just outside a corner, never false for one that is seen.
     bool touches(const glm::vec3& low, const glm::vec3& high) const;
     bool holds(const glm::vec3& low, const glm::vec3& high) const;  // all of the box
 };
@@ -116,9 +118,15 @@ struct ViewTargets {
     int width = 0, height = 0, samples = 0;
     bool stencil = false;  // whether depth has one: D32F_S8
 };
-// `owner`: who is charged. levels: of what is resolved; 0: all. image: with what is shown on a screen.
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
-                        int levels, bool image);
+// What targets are to be made.
+struct TargetsWanted {
+    int width = 0, height = 0, samples = 1;  // pixels, at least 1; samples a pixel, at most Gpu::maxSamples
+    bool stencil = false;                    // beside the depth
+    int levels = 1;                          // of what is resolved; 0: all
+    bool image = false;                      // whether there is one to show on a screen
+};
+// Empty targets; `owner` ("domain/stem") is charged for their bytes.
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
@@ -144,6 +152,7 @@ struct DrawContext {
     PassStats* pass = nullptr;     // of the pass that runs
     const Pass* row = nullptr;
 
+    // The state that the running effect's makeState made; S must be its type.
     template <class S>
     S& own() {
         return *static_cast<S*>(state);

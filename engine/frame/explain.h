@@ -7,5 +7,6 @@
 #include "scene/project.h"
 
 namespace sward {
+// Ends with a line feed. Reads the project's components and the GPU's ledger; draws nothing.
 std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu, bool json);
 }  // namespace sward

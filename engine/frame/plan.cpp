@@ -1,5 +1,6 @@
 #include "frame/plan.h"
 
+#include <map>
 #include <set>
 
 namespace sward {

@@ -63,7 +63,7 @@ void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bo
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
     t = {};
-    t = makeTargets(gpu, "frame/targets", width, height, samples, stencil, 1, true);
+    t = makeTargets(gpu, "frame/targets", {width, height, samples, stencil, 1, true});
 }
 
 // The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins,
@@ -104,9 +104,9 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
-                        int levels, bool image) {
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted) {
     ViewTargets t;
+    const auto [width, height, samples, stencil, levels, image] = wanted;
     const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height, levels);
     if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
@@ -380,9 +380,7 @@ Status Renderer::draw(const Project& project, const ViewCamera& camera, const Vi
     if (settings.measure) r.describe(project);
     r.stats.gpuBytes = static_cast<uint64_t>(r.gpu.totalBytes());
     r.stats.frameMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (!ctx.error.empty())
-        return Error{
-            ExitCode::Failed, ctx.error, "", 0, 0, "the shaders/ folder must be of the same version as the program"};
+    if (!ctx.error.empty()) return failed(ctx.error, "the shaders/ folder must be of the same version as the program");
     return {};
 }
 

@@ -2,6 +2,8 @@
 
 #include <epoxy/egl.h>
 
+#include <cstring>
+
 #include "core/log.h"
 
 namespace sward {
@@ -75,13 +77,9 @@ void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLs
 
 Status describe(Gpu& gpu) {
     if (epoxy_gl_version() < 45)
-        return Error{
-            ExitCode::NoContext,
+        return noContext(
             fmt::format("OpenGL 4.5 is needed, the driver has {}.{}", epoxy_gl_version() / 10, epoxy_gl_version() % 10),
-            "",
-            0,
-            0,
-            "update the graphics driver, or install libgl1-mesa-dri for the software one"};
+            "update the graphics driver, or install libgl1-mesa-dri for the software one");
     gpu.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     gpu.version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
     gpu.software = isSoftware(gpu.renderer);
@@ -116,12 +114,8 @@ Result<std::unique_ptr<Gpu>> makeHeadlessGpu() {
         made = contextOn(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), *egl,
                          tried, "EGL surfaceless");
     if (!made)
-        return Error{ExitCode::NoContext,
-                     "no OpenGL 4.5 context without a window (" + tried + "EGL)",
-                     "",
-                     0,
-                     0,
-                     "install a driver: libegl1 with libgl1-mesa-dri renders in software"};
+        return noContext("no OpenGL 4.5 context without a window (" + tried + "EGL)",
+                         "install a driver: libegl1 with libgl1-mesa-dri renders in software");
     auto gpu = std::make_unique<Gpu>();
     gpu->context = egl;
     if (Status s = describe(*gpu); !s) return s.error();

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -69,12 +70,8 @@ struct Loader {
         std::ifstream in(folder / path);
         if (!in) {
             const std::string where = from.empty() ? "" : fmt::format(", included by {}:{}", from, fromLine);
-            return Error{ExitCode::Failed,
-                         "shader source not found" + where,
-                         (folder / path).string(),
-                         0,
-                         0,
-                         "the program needs the shaders/ folder of its own version"};
+            return failed("shader source not found" + where, "the program needs the shaders/ folder of its own version")
+                .at((folder / path).string());
         }
         const size_t number = out.files.size();
         out.files.push_back(path);
@@ -147,7 +144,7 @@ Result<GLuint> compileStage(const fs::path& folder, GLenum stage, const char* pa
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));
     glDeleteShader(shader);
-    return Error{ExitCode::Failed, "does not compile:\n" + namedLog(log, text->files), path, 0, 0, ""};
+    return failed("does not compile:\n" + namedLog(log, text->files)).at(path);
 }
 
 Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders) {
@@ -165,7 +162,7 @@ Result<GLuint> link(const char* name, const std::vector<GLuint>& shaders) {
     glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));
     glDeleteProgram(program);
-    return Error{ExitCode::Failed, "does not link:\n" + log, name, 0, 0, ""};
+    return failed("does not link:\n" + log).at(name);
 }
 
 fs::file_time_type newestOf(const fs::path& folder, const std::vector<std::string>& files) {

@@ -44,6 +44,7 @@ struct ProgramSources {
 struct Reload {
     int renewed = 0;
     std::vector<std::string> failed;
+    // True if no shader changed since the last reload.
     bool nothing() const { return renewed == 0 && failed.empty(); }
 };
 

@@ -36,7 +36,7 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
     s.textureOf = species.texture;
     s.bladeImage = bladeImage(ctx.project, species);
     s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
-    s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
+    s.bladeTexture = makeColorTexture(ctx.gpu, kOwner, s.bladeImage, false);
 }
 
 void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const GrassField& f, int index) {
@@ -202,7 +202,7 @@ void beginTransparency(const DrawContext& ctx, const GrassField& field) {
 void endTransparency() { glDisable(GL_BLEND); }
 
 Rgba8 bladeImage(const Project& project, const Species& species) {
-    Rgba8 image = species.texture.empty() ? Rgba8{} : loadTile(project.dir / species.texture);
+    Rgba8 image = species.texture.empty() ? Rgba8{} : loadColorImage(project.dir / species.texture);
     return image.pixels.empty() ? makeBladeImage(32, 128) : image;
 }
 

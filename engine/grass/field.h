@@ -1,8 +1,8 @@
 // What all of grass's tiers share of a field: patches, blade textures, maps, and how much light grass leaves to the
 // soil. Does not: draw.
 #pragma once
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "grass/appearance.h"
 #include "grass/cells.h"
 #include "grass/slice_textures.h"
@@ -44,6 +44,7 @@ struct FieldState : EffectState {
     void jobs(std::vector<JobNews>& out) const override;
 };
 
+// Row of the effect "grass/field" (techniques.cpp): runs in scenes with Grass and Terrain.
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();

@@ -30,7 +30,7 @@ void updateTexture(DrawContext& ctx, Kind& k, const Flowers& f) {
     if (k.textureOf == f.texture) return;
     k.textureOf = f.texture;
     k.image = flowerImage(ctx.project, f);
-    k.texture = makeTileTexture(ctx.gpu, kOwner, k.image.pixels, false);
+    k.texture = makeColorTexture(ctx.gpu, kOwner, k.image.pixels, false);
 }
 
 // Corners 0 to 3 are the stem's, from the root up; 4 to 7 the head's.

@@ -1,5 +1,7 @@
 #include "grass/geometry.h"
 
+#include <chrono>
+
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "grass/blade_list.h"

@@ -26,6 +26,7 @@ struct BladeMask {
 // `width` texels around, at least 4; as many rows as make them square.
 BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSize, int width);
 
+// Row of the effect "grass/mask" (techniques.cpp): runs in scenes with BladeShadows, CastingLights, Grass and Terrain.
 const EffectRow& maskEffect();
 
 }  // namespace sward

@@ -408,7 +408,7 @@ Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
             {2 - axis, 1, axis, spec.cellSize, out.top, width * kOver, height * kOver, layer % n, n, spec.cellSize},
             static_cast<size_t>(layer), out.vertical);
     });
-    if (control.cancelled()) return Error{ExitCode::Interrupted, "the slices were cancelled", "", 0, 0, ""};
+    if (control.cancelled()) return interruption("the slices were cancelled");
     control.setProgress(1);  // threads may have told theirs out of order
     return out;
 }

@@ -1,6 +1,7 @@
 // Index: making slices · uniforms · vertical slices · the horizontal slice · rows.
 #include "grass/slices.h"
 
+#include <chrono>
 #include <numeric>
 
 #include "core/file.h"

@@ -1,5 +1,7 @@
 #include "grass/tessellated.h"
 
+#include <chrono>
+
 #include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "grass/field.h"

@@ -4,14 +4,14 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <cstring>
+#include <optional>
+#include <thread>
+
 #include "maps/image_head.h"
 
 namespace sward {
 namespace {
-
-Error unsound(const std::filesystem::path& file, std::string message, std::string remedy = {}) {
-    return {ExitCode::Unsound, std::move(message), file.string(), 0, 0, std::move(remedy)};
-}
 
 void useAllCores() {
     static const bool once = [] {
@@ -69,7 +69,7 @@ class OiioReader final : public ImageReader {
   private:
     bool tiled() const { return input_->spec().tile_width > 0; }
     Error truncated(const std::string& why) const {
-        return unsound(file_, fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again");
+        return unsound(fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again").at(file_);
     }
     Status readFromScanlines(int y0, int rows, void* out) {
         if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, descOf(info_.type),
@@ -98,19 +98,19 @@ class OiioReader final : public ImageReader {
 
 Result<std::unique_ptr<ImageReader>> openFormat(const std::filesystem::path& file, const std::string& format) {
     auto input = OIIO::ImageInput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
-    if (!input) return unsound(file, fmt::format("cannot be read: this OpenImageIO has no {}", format));
+    if (!input) return unsound(fmt::format("cannot be read: this OpenImageIO has no {}", format)).at(file);
     OIIO::ImageSpec spec;
     if (!input->open(file.string(), spec, asStored()))
-        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(input->geterror())),
-                       "export it again");
+        return unsound(fmt::format("is truncated or damaged: {}", firstLine(input->geterror())), "export it again")
+            .at(file);
     const std::optional<PixelType> type = typeOf(spec.format);
     if (!type || spec.deep || spec.depth > 1)
-        return unsound(file,
-                       fmt::format("holds {}{}", spec.format.c_str(),
+        return unsound(fmt::format("holds {}{}", spec.format.c_str(),
                                    spec.deep        ? ", deep"
                                    : spec.depth > 1 ? ", a volume"
                                                     : ""),
-                       "use 8 or 16 bits, half or float");
+                       "use 8 or 16 bits, half or float")
+            .at(file);
     if (Status s = checkLimits(file, spec.width, spec.height, spec.nchannels, pixelBytes(*type)); !s) return s.error();
     const MapInfo info{spec.width, spec.height, spec.nchannels, *type};
     return std::unique_ptr<ImageReader>(std::make_unique<OiioReader>(file, std::move(input), info));
@@ -133,15 +133,16 @@ OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
 Status checkLimits(const std::filesystem::path& file, int64_t width, int64_t height, int64_t channels,
                    size_t bytesPerChannel) {
     if (width < 1 || height < 1)
-        return unsound(file, fmt::format("has size {} x {}", width, height), "a map has at least one texel");
+        return unsound(fmt::format("has size {} x {}", width, height), "a map has at least one texel").at(file);
     if (width > kMaxMapSide || height > kMaxMapSide)
-        return unsound(file, fmt::format("is {} x {}; the limit is {} a side", width, height, kMaxMapSide),
-                       "scale it down");
-    if (channels < 1 || channels > 4) return unsound(file, fmt::format("has {} channels; the limit is 4", channels));
+        return unsound(fmt::format("is {} x {}; the limit is {} a side", width, height, kMaxMapSide), "scale it down")
+            .at(file);
+    if (channels < 1 || channels > 4) return unsound(fmt::format("has {} channels; the limit is 4", channels)).at(file);
     const size_t bytes = size_t(width) * size_t(height) * size_t(channels) * bytesPerChannel;
     if (bytes > kMaxMapBytes)
-        return unsound(file, fmt::format("takes {} MiB; the limit is {}", bytes >> 20, kMaxMapBytes >> 20),
-                       "scale it down, or use fewer bits");
+        return unsound(fmt::format("takes {} MiB; the limit is {}", bytes >> 20, kMaxMapBytes >> 20),
+                       "scale it down, or use fewer bits")
+            .at(file);
     return {};
 }
 
@@ -153,34 +154,34 @@ Result<std::unique_ptr<ImageReader>> ImageReader::open(const std::filesystem::pa
     try {
         return openFormat(file, head->format);
     } catch (const std::exception& e) {
-        return unsound(file, fmt::format("is truncated or damaged: {}", firstLine(e.what())), "export it again");
+        return unsound(fmt::format("is truncated or damaged: {}", firstLine(e.what())), "export it again").at(file);
     }
 }
 
 Result<std::string> encodeImage(const std::string& format, const MapInfo& info,
                                 const std::function<void(int, int, void*)>& rows) {
-    const auto failed = [&](const std::string& why) {
-        return Error{ExitCode::Failed, fmt::format("cannot be encoded: {}", firstLine(why)), {}, 0, 0, {}};
+    const auto refusal = [&](const std::string& why) {
+        return failed(fmt::format("cannot be encoded: {}", firstLine(why)));
     };
     useAllCores();
     try {
         auto output = OIIO::ImageOutput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
-        if (!output) return failed(OIIO::geterror());
+        if (!output) return refusal(OIIO::geterror());
         OIIO::Filesystem::IOVecOutput memory;
         output->set_ioproxy(&memory);
-        if (!output->open("memory." + format, specFor(format, info))) return failed(output->geterror());
+        if (!output->open("memory." + format, specFor(format, info))) return refusal(output->geterror());
         std::vector<std::byte> band(size_t(info.width) * size_t(info.channels) * pixelBytes(info.type) * kTileSize);
         for (int y = 0; y < info.height; y += kTileSize) {
             const int n = std::min(kTileSize, info.height - y);
             rows(y, n, band.data());
             if (!output->write_scanlines(y, y + n, 0, descOf(info.type), band.data()))
-                return failed(output->geterror());
+                return refusal(output->geterror());
         }
-        if (!output->close()) return failed(output->geterror());
+        if (!output->close()) return refusal(output->geterror());
         const auto& bytes = memory.buffer();
         return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     } catch (const std::exception& e) {
-        return failed(e.what());
+        return refusal(e.what());
     }
 }
 

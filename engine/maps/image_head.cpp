@@ -1,5 +1,6 @@
 #include "maps/image_head.h"
 
+#include <cstring>
 #include <fstream>
 
 #include "core/file.h"
@@ -10,7 +11,7 @@ namespace {
 constexpr size_t kHeadBytes = size_t(1) << 16;  // an EXR's attributes up to the data window lie well within
 
 Error damaged(const std::filesystem::path& file, const std::string& what) {
-    return {ExitCode::Unsound, what, file.string(), 0, 0, "export it again"};
+    return unsound(what, "export it again").at(file);
 }
 
 uint32_t bigEndian(const char* p) {
@@ -75,8 +76,7 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     std::string head(kHeadBytes, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<size_t>(in.gcount()));
-    if (head.empty() && !in.eof())
-        return Error{ExitCode::Unsound, "cannot be read", file.string(), 0, 0, "check who may read it"};
+    if (head.empty() && !in.eof()) return unsound("cannot be read", "check who may read it").at(file);
     in.clear();
     const uint64_t size = std::filesystem::file_size(file, fault);
     const std::string_view start(head);
@@ -86,8 +86,7 @@ Result<ImageHead> readImageHead(const std::filesystem::path& file) {
     if (start.starts_with(std::string_view("II*\0", 4)) || start.starts_with(std::string_view("MM\0*", 4)) ||
         start.starts_with(std::string_view("II+\0", 4)) || start.starts_with(std::string_view("MM\0+", 4)))
         return readTiffHead(file, in, size);
-    return Error{ExitCode::Unsound,           "is no PNG, EXR or TIFF image, or is damaged", file.string(), 0, 0,
-                 "convert it to one of these"};
+    return unsound("is no PNG, EXR or TIFF image, or is damaged", "convert it to one of these").at(file);
 }
 
 }  // namespace sward

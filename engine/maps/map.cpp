@@ -1,5 +1,11 @@
 #include "maps/map.h"
 
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <map>
+#include <mutex>
+
 #include "core/error.h"
 #include "core/hash.h"
 #include "core/numerics.h"

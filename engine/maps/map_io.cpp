@@ -1,6 +1,9 @@
 // Index: reading images · R16 · readMap · writing · images for people.
 #include "maps/map_io.h"
 
+#include <cmath>
+#include <cstring>
+
 #include "core/file.h"
 #include "core/json.h"
 #include "maps/image_file.h"
@@ -13,13 +16,6 @@ namespace {
 
 using Range = std::optional<std::pair<double, double>>;
 
-Error unsound(const fs::path& file, std::string message, std::string remedy = {}) {
-    return {ExitCode::Unsound, std::move(message), file.string(), 0, 0, std::move(remedy)};
-}
-Error failed(const fs::path& file, std::string message, std::string remedy = {}) {
-    return {ExitCode::Failed, std::move(message), file.string(), 0, 0, std::move(remedy)};
-}
-
 std::string extensionOf(const fs::path& file) {
     std::string ext = file.extension().string();
     for (char& c : ext) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -31,12 +27,13 @@ Status checkWish(const fs::path& file, const MapInfo& info, const MapWish& wish)
     const bool addsAlpha = wish.channels == 4 && info.channels == 3;
     if (wish.channels != 0 && info.channels != wish.channels && !addsAlpha)
         return unsound(
-            file, fmt::format("has {} channel{}, not {}", info.channels, info.channels == 1 ? "" : "s", wish.channels),
-            fmt::format("export it with {}", wish.channels == 1   ? "one channel (grey, without alpha)"
-                                             : wish.channels == 2 ? "two channels"
-                                                                  : "red, green, blue and alpha"));
+                   fmt::format("has {} channel{}, not {}", info.channels, info.channels == 1 ? "" : "s", wish.channels),
+                   fmt::format("export it with {}", wish.channels == 1   ? "one channel (grey, without alpha)"
+                                                    : wish.channels == 2 ? "two channels"
+                                                                         : "red, green, blue and alpha"))
+            .at(file);
     if (wish.isHeight && info.type == PixelType::U8)
-        return unsound(file, "holds heights of 8 bits, which make steps", "export 16 bits or floats");
+        return unsound("holds heights of 8 bits, which make steps", "export 16 bits or floats").at(file);
     return {};
 }
 
@@ -115,24 +112,19 @@ Result<Sidecar> readSidecar(const fs::path& r16) {
     }
     Sidecar s;
     if (!readSide(*json, "width", s.width) || !readSide(*json, "height", s.height))
-        return Error{ExitCode::Unsound,
-                     "width and height must be whole numbers",
-                     file.string(),
-                     std::max(1, json->line),
-                     std::max(1, json->column),
-                     form};
+        return unsound("width and height must be whole numbers", form)
+            .at(file, std::max(1, json->line), std::max(1, json->column));
     const Json* range = json->find("range");
     if (!range) return s;
     if (!range->isArray() || range->array.size() != 2 || !range->array[0].isNumber() || !range->array[1].isNumber())
-        return Error{
-            ExitCode::Unsound, "range must be a list of two numbers", file.string(), range->line, range->column, form};
+        return unsound("range must be a list of two numbers", form).at(file, range->line, range->column);
     s.range = {range->array[0].number, range->array[1].number};
     return s;
 }
 
 Result<Map> readR16(const fs::path& file, const MapWish& wish, Range& range) {
     if (wish.channels > 1)
-        return unsound(file, fmt::format("has 1 channel, not {}", wish.channels), "use PNG, EXR or TIFF");
+        return unsound(fmt::format("has 1 channel, not {}", wish.channels), "use PNG, EXR or TIFF").at(file);
     const Result<Sidecar> side = readSidecar(file);
     if (!side) return side.error();
     if (Status s = checkLimits(file, side->width, side->height, 1, 2); !s) return s.error();
@@ -140,11 +132,11 @@ Result<Map> readR16(const fs::path& file, const MapWish& wish, Range& range) {
     const Result<std::string> bytes = readFile(file, kMaxMapBytes);
     if (!bytes) return bytes.error();
     if (bytes->size() != expected)
-        return unsound(
-            file,
-            fmt::format("has {} bytes; {} x {} texels take {}", bytes->size(), side->width, side->height, expected),
-            bytes->size() < expected ? "it is truncated, or its sidecar gives another size"
-                                     : "its sidecar gives another size");
+        return unsound(fmt::format("has {} bytes; {} x {} texels take {}", bytes->size(), side->width, side->height,
+                                   expected),
+                       bytes->size() < expected ? "it is truncated, or its sidecar gives another size"
+                                                : "its sidecar gives another size")
+            .at(file);
     if (side->range) range = side->range;
     Map map({side->width, side->height, 1, PixelType::U16});
     std::vector<uint16_t> row(size_t(side->width));
@@ -196,12 +188,13 @@ Result<Map> mapForFormat(const fs::path& file, const std::string& ext, const Map
     if (ext == ".exr") return convertMap(map, PixelType::F32, range);
     if (ext == ".tif") return map;
     if (ext != ".png" && ext != ".r16")
-        return failed(file, fmt::format("\"{}\" is no format for maps", ext), "use .png, .exr, .tif or .r16");
+        return failed(fmt::format("\"{}\" is no format for maps", ext), "use .png, .exr, .tif or .r16").at(file);
     if (ext == ".r16" && map.info().channels != 1)
-        return failed(file, "R16 holds one channel", "use .png, .exr or .tif");
+        return failed("R16 holds one channel", "use .png, .exr or .tif").at(file);
     if (type == PixelType::F32 && !range)
-        return failed(file, fmt::format("{} holds integers, and the map has floats", ext == ".png" ? "PNG" : "R16"),
-                      "use .exr or .tif, or say which range becomes 0 to full scale");
+        return failed(fmt::format("{} holds integers, and the map has floats", ext == ".png" ? "PNG" : "R16"),
+                      "use .exr or .tif, or say which range becomes 0 to full scale")
+            .at(file);
     return type == PixelType::U8 && ext == ".png" ? map : convertMap(map, PixelType::U16, range);
 }
 

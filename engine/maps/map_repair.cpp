@@ -1,5 +1,8 @@
 #include "maps/map_repair.h"
 
+#include <cmath>
+#include <cstring>
+
 #include "core/jobs.h"
 
 namespace sward {

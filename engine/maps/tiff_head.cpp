@@ -1,5 +1,8 @@
 // The first directory of a TIFF or BigTIFF: its size, and whether its strips or tiles lie within the file.
 // Source: TIFF 6.0 (Adobe 1992), section 2; BigTIFF as libtiff reads it.
+#include <algorithm>
+#include <map>
+
 #include "core/file.h"
 #include "maps/image_head.h"
 #include "maps/map.h"
@@ -103,9 +106,7 @@ bool piecesFit(Tiff& t, const std::map<uint64_t, Entry>& entries, uint64_t texel
 }  // namespace
 
 Result<ImageHead> readTiffHead(const std::filesystem::path& file, std::istream& in, uint64_t size) {
-    const auto refuse = [&](const char* what) {
-        return Error{ExitCode::Unsound, what, file.string(), 0, 0, "export it again"};
-    };
+    const auto refuse = [&](const char* what) { return unsound(what, "export it again").at(file); };
     Tiff t{in, size};
     t.reversed = t.number(0, 1) == 'M';
     t.big = t.number(2, 2) == 43;

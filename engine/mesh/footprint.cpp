@@ -1,6 +1,8 @@
 // The outline of what stands on the ground: cover · distances · reading.
 #include "mesh/footprint.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 namespace sward {

@@ -6,7 +6,9 @@
 #include <stb/stb_image.h>
 #include <tiny_gltf.h>
 
+#include <cstring>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <sstream>
 
 #include "core/file.h"
@@ -22,8 +24,8 @@ constexpr size_t kMaxBuffers = 16, kMaxImages = 64;
 constexpr float kMaxCoordinate = 1e6f;
 
 // An error without a file: readMesh knows it.
-Error unsound(std::string message, std::string remedy = "export it again") {
-    return {ExitCode::Unsound, std::move(message), "", 0, 0, std::move(remedy)};
+Error refused(std::string message, std::string remedy = "export it again") {
+    return unsound(std::move(message), std::move(remedy));
 }
 
 // --- before tinygltf sees the file -------------------------------------------------------------------------------
@@ -34,7 +36,7 @@ Result<std::string> jsonText(const std::string& bytes) {
     if (!isBinary(bytes)) return bytes;
     uint32_t length = 0;
     if (bytes.size() >= 20) std::memcpy(&length, bytes.data() + 12, 4);
-    if (bytes.size() < 20 || length > bytes.size() - 20) return unsound("is truncated: it ends within its header");
+    if (bytes.size() < 20 || length > bytes.size() - 20) return refused("is truncated: it ends within its header");
     std::string text = bytes.substr(20, length);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
     return text;
@@ -51,17 +53,17 @@ Status checkHead(const Json& json) {
         for (const Json& b : buffers->array)
             if (const Json* n = b.find("byteLength"); n && n->isNumber()) bytes += n->number;
         if (buffers->array.size() > kMaxBuffers || bytes > static_cast<double>(kMaxMeshBytes))
-            return unsound(fmt::format("has {} buffers of {:.0f} MB together; the limits are {} and {} MB",
+            return refused(fmt::format("has {} buffers of {:.0f} MB together; the limits are {} and {} MB",
                                        buffers->array.size(), bytes / 1e6, kMaxBuffers, kMaxMeshBytes / 1'000'000),
                            "make the object simpler");
     }
     if (const Json* images = list("images"); images && images->array.size() > kMaxImages)
-        return unsound(fmt::format("has {} images; the limit is {}", images->array.size(), kMaxImages),
+        return refused(fmt::format("has {} images; the limit is {}", images->array.size(), kMaxImages),
                        "make the object simpler");
     if (const Json* needs = list("extensionsRequired"))
         for (const Json& name : needs->array)
             if (name.isString() && name.text != "KHR_texture_transform" && name.text != "KHR_materials_unlit")
-                return unsound("requires the extension " + name.text + ", which is not read", "export it without");
+                return refused("requires the extension " + name.text + ", which is not read", "export it without");
     return {};
 }
 
@@ -125,9 +127,9 @@ Status parse(tinygltf::Model& model, const std::string& bytes, const std::string
             : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
     if (files.failed) return *files.failed;
     if (done) return {};
-    return unsound("is damaged or no glTF 2.0: " + error.substr(0, error.find('\n')));
+    return refused("is damaged or no glTF 2.0: " + error.substr(0, error.find('\n')));
 } catch (const std::exception& e) {
-    return unsound(std::string("is damaged: ") + e.what());
+    return refused(std::string("is damaged: ") + e.what());
 }
 
 // --- accessors ---------------------------------------------------------------------------------------------------
@@ -136,12 +138,12 @@ struct Bytes {
     size_t size = 0;
 };
 Result<Bytes> bytesOf(const tinygltf::Model& model, int view, const std::string& what) {
-    if (view < 0 || static_cast<size_t>(view) >= model.bufferViews.size()) return unsound(what + " has no buffer view");
+    if (view < 0 || static_cast<size_t>(view) >= model.bufferViews.size()) return refused(what + " has no buffer view");
     const tinygltf::BufferView& v = model.bufferViews[static_cast<size_t>(view)];
-    if (v.buffer < 0 || static_cast<size_t>(v.buffer) >= model.buffers.size()) return unsound(what + " has no buffer");
+    if (v.buffer < 0 || static_cast<size_t>(v.buffer) >= model.buffers.size()) return refused(what + " has no buffer");
     const auto& data = model.buffers[static_cast<size_t>(v.buffer)].data;
     if (v.byteOffset > data.size() || v.byteLength > data.size() - v.byteOffset)
-        return unsound(what + " reaches beyond its buffer");
+        return refused(what + " reaches beyond its buffer");
     return Bytes{data.data() + v.byteOffset, v.byteLength};
 }
 
@@ -194,13 +196,13 @@ size_t componentBytes(int type) {
 }
 Result<Elements> elementsOf(const tinygltf::Model& model, int accessor, int components, const std::string& what) {
     if (accessor < 0 || static_cast<size_t>(accessor) >= model.accessors.size())
-        return unsound(fmt::format("{} names accessor {}, which is not there", what, accessor));
+        return refused(fmt::format("{} names accessor {}, which is not there", what, accessor));
     const tinygltf::Accessor& a = model.accessors[static_cast<size_t>(accessor)];
     if (a.sparse.isSparse)
-        return unsound(what + " is a sparse accessor, which is not read", "export it without sparse accessors");
+        return refused(what + " is a sparse accessor, which is not read", "export it without sparse accessors");
     const int has = a.type == TINYGLTF_TYPE_SCALAR ? 1 : a.type >= 2 && a.type <= 4 ? a.type : 0;
     const size_t each = componentBytes(a.componentType);
-    if (has != components || each == 0) return unsound(fmt::format("{} is of a type that is not read", what));
+    if (has != components || each == 0) return refused(fmt::format("{} is of a type that is not read", what));
     const Result<Bytes> bytes = bytesOf(model, a.bufferView, what);
     if (!bytes) return bytes.error();
     const size_t size = each * static_cast<size_t>(components);
@@ -209,7 +211,7 @@ Result<Elements> elementsOf(const tinygltf::Model& model, int accessor, int comp
     if (a.count == 0) return e;
     if (a.byteOffset > bytes->size || size > bytes->size - a.byteOffset ||
         (a.count - 1) > (bytes->size - a.byteOffset - size) / e.stride)
-        return unsound(
+        return refused(
             fmt::format("{}: {} elements reach beyond the {} bytes of the buffer view", what, a.count, bytes->size));
     e.data = bytes->data + a.byteOffset;
     return e;
@@ -237,16 +239,16 @@ Result<std::vector<uint32_t>> trianglesOf(const tinygltf::Model& model, const ti
     if (p.indices >= 0) {
         const Result<Elements> e = elementsOf(model, p.indices, 1, "the indices");
         if (!e) return e.error();
-        if (e->componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) return unsound("the indices are no integers");
+        if (e->componentType == TINYGLTF_COMPONENT_TYPE_FLOAT) return refused("the indices are no integers");
         indices = *e;
     }
     const size_t n = indices ? indices->count : vertices;
     if (n / 3 > 3 * kMaxMeshTriangles)
-        return unsound(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
+        return refused(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
     std::vector<uint32_t> order = triangleOrder(p.mode, n);
     for (uint32_t& i : order) {
         if (indices) i = indices->index(i);
-        if (i >= vertices) return unsound(fmt::format("index {} is out of range: there are {} vertices", i, vertices));
+        if (i >= vertices) return refused(fmt::format("index {} is out of range: there are {} vertices", i, vertices));
     }
     return order;
 }
@@ -279,9 +281,9 @@ Result<std::vector<MeshVertex>> verticesOf(const tinygltf::Model& model, const t
     if (!normals) return normals.error();
     if (!uvs) return uvs.error();
     if ((hasNormals && normals->count < positions->count) || (uvs->data && uvs->count < positions->count))
-        return unsound("has fewer normals or texture coordinates than positions");
+        return refused("has fewer normals or texture coordinates than positions");
     if (positions->count > 3 * kMaxMeshTriangles)
-        return unsound(fmt::format("has more than {} vertices", 3 * kMaxMeshTriangles), "make the object simpler");
+        return refused(fmt::format("has more than {} vertices", 3 * kMaxMeshTriangles), "make the object simpler");
     const glm::dmat3 turn = at.normals();
     std::vector<MeshVertex> out(positions->count);
     for (size_t i = 0; i < out.size(); ++i) {
@@ -290,10 +292,10 @@ Result<std::vector<MeshVertex>> verticesOf(const tinygltf::Model& model, const t
         out[i].position = glm::vec3(at.matrix * glm::dvec4(raw, 1));
         out[i].uv = uvs->data ? glm::vec2(uvs->real(i, 0), uvs->real(i, 1)) : glm::vec2(0);
         if (!finite(out[i].position) || glm::length(out[i].position) > kMaxCoordinate)
-            return unsound(fmt::format("vertex {} lies nowhere: ({}, {}, {})", i, raw.x, raw.y, raw.z),
+            return refused(fmt::format("vertex {} lies nowhere: ({}, {}, {})", i, raw.x, raw.y, raw.z),
                            "positions are finite, and within 1000 km");
         if (!finite(normal) || !std::isfinite(out[i].uv.x + out[i].uv.y))
-            return unsound(fmt::format("vertex {} has a normal or texture coordinate that is not finite", i));
+            return refused(fmt::format("vertex {} has a normal or texture coordinate that is not finite", i));
         out[i].normal = unit(glm::vec3(turn * glm::dvec3(unit(normal))));
     }
     return out;
@@ -331,12 +333,12 @@ Result<MeshImage> decode(const Bytes& bytes) {
     int width = 0, height = 0, channels = 0;
     const int size = static_cast<int>(bytes.size);
     if (!stbi_info_from_memory(bytes.data, size, &width, &height, &channels))
-        return unsound("an image is neither PNG nor JPEG, or damaged");
+        return refused("an image is neither PNG nor JPEG, or damaged");
     if (width < 1 || height < 1 || width > kMaxMeshImageSide || height > kMaxMeshImageSide)
-        return unsound(fmt::format("an image is {} x {}; the limit is {} a side", width, height, kMaxMeshImageSide),
+        return refused(fmt::format("an image is {} x {}; the limit is {} a side", width, height, kMaxMeshImageSide),
                        "scale it down");
     unsigned char* pixels = stbi_load_from_memory(bytes.data, size, &width, &height, &channels, 4);
-    if (!pixels) return unsound("an image is truncated or damaged");
+    if (!pixels) return refused("an image is truncated or damaged");
     MeshImage image{width, height, {pixels, pixels + static_cast<size_t>(width) * static_cast<size_t>(height) * 4}};
     stbi_image_free(pixels);
     return image;
@@ -354,10 +356,10 @@ struct Reading {
 Result<int> imageOf(Reading& r, int texture) {
     const tinygltf::Model& m = r.model;
     if (static_cast<size_t>(texture) >= m.textures.size())
-        return unsound("a material names a texture that is not there");
+        return refused("a material names a texture that is not there");
     const int source = m.textures[static_cast<size_t>(texture)].source;
     if (source < 0 || static_cast<size_t>(source) >= m.images.size())
-        return unsound("a texture names no image that is there");
+        return refused("a texture names no image that is there");
     if (const auto known = r.images.find(source); known != r.images.end()) return known->second;
     const tinygltf::Image& image = m.images[static_cast<size_t>(source)];
     const Result<Bytes> bytes = image.bufferView >= 0 ? bytesOf(m, image.bufferView, "an image")
@@ -373,12 +375,12 @@ Result<MeshPart> materialOf(Reading& r, int material) {
     MeshPart part;
     if (material < 0) return part;
     if (static_cast<size_t>(material) >= r.model.materials.size())
-        return unsound("a primitive names a material that is not there");
+        return refused("a primitive names a material that is not there");
     const tinygltf::Material& m = r.model.materials[static_cast<size_t>(material)];
     const auto& factor = m.pbrMetallicRoughness.baseColorFactor;
     for (int c = 0; c < 3 && factor.size() == 4; ++c)
         part.color[c] = static_cast<float>(factor[static_cast<size_t>(c)]);
-    if (!finite(part.color)) return unsound("a base colour is not finite");
+    if (!finite(part.color)) return refused("a base colour is not finite");
     part.color = glm::clamp(part.color, 0.0f, 1.0f);
     if (m.alphaMode == "MASK") part.cutoff = std::clamp(static_cast<float>(m.alphaCutoff), 0.0f, 1.0f);
     if (m.alphaMode == "BLEND") part.cutoff = 0.5f;
@@ -399,11 +401,11 @@ Status addPrimitive(Reading& r, const tinygltf::Primitive& p, const Placed& at) 
     Result<std::vector<MeshVertex>> vertices = verticesOf(r.model, p, at, hasNormals);
     if (!vertices) return vertices.error();
     if ((r.verticesRead += vertices->size()) > 12 * kMaxMeshTriangles)
-        return unsound("has too many vertices", "make the object simpler");
+        return refused("has too many vertices", "make the object simpler");
     Result<std::vector<uint32_t>> order = trianglesOf(r.model, p, vertices->size());
     if (!order) return order.error();
     if ((r.mesh.indices.size() + order->size()) / 3 > kMaxMeshTriangles)
-        return unsound(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
+        return refused(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
     if (at.mirrors())
         for (size_t i = 0; i + 2 < order->size(); i += 3) std::swap((*order)[i + 1], (*order)[i + 2]);
     hasNormals ? compact(*vertices, *order) : flatten(*vertices, *order);
@@ -436,16 +438,16 @@ Status addNodes(Reading& r, int root) {
         const auto [index, parent] = left.back();
         left.pop_back();
         if (index < 0 || static_cast<size_t>(index) >= r.model.nodes.size())
-            return unsound(fmt::format("names node {}, which is not there", index));
+            return refused(fmt::format("names node {}, which is not there", index));
         if (r.visited[static_cast<size_t>(index)])
-            return unsound(fmt::format("node {} hangs on several: nodes must make trees", index));
+            return refused(fmt::format("node {} hangs on several: nodes must make trees", index));
         r.visited[static_cast<size_t>(index)] = true;
         const tinygltf::Node& n = r.model.nodes[static_cast<size_t>(index)];
         const Placed at{parent * matrixOf(n)};
         for (const int child : n.children) left.push_back({child, at.matrix});
         if (n.mesh < 0) continue;
         if (static_cast<size_t>(n.mesh) >= r.model.meshes.size())
-            return unsound(fmt::format("node {} names mesh {}, which is not there", index, n.mesh));
+            return refused(fmt::format("node {} names mesh {}, which is not there", index, n.mesh));
         for (const tinygltf::Primitive& p : r.model.meshes[static_cast<size_t>(n.mesh)].primitives)
             if (Status s = addPrimitive(r, p, at); !s) return s;
     }
@@ -456,7 +458,7 @@ Status addNodes(Reading& r, int root) {
 Result<std::vector<int>> rootNodes(const tinygltf::Model& m) {
     if (!m.scenes.empty()) {
         const int scene = m.defaultScene < 0 ? 0 : m.defaultScene;
-        if (static_cast<size_t>(scene) >= m.scenes.size()) return unsound("names a scene that is not there");
+        if (static_cast<size_t>(scene) >= m.scenes.size()) return refused("names a scene that is not there");
         return m.scenes[static_cast<size_t>(scene)].nodes;
     }
     std::vector<bool> hangs(m.nodes.size());
@@ -475,7 +477,7 @@ Result<Mesh> readFrom(const fs::path& root, const std::string& file) {
     if (!place) return place.error();
     const Result<std::string> bytes = readFile(*place, kMaxMeshBytes);
     if (!bytes) return bytes.error();
-    if (bytes->empty()) return unsound("is empty");
+    if (bytes->empty()) return refused("is empty");
     const Result<std::string> text = jsonText(*bytes);
     if (!text) return text.error();
     const Result<Json> json = parseJson(*text, file);
@@ -490,7 +492,7 @@ Result<Mesh> readFrom(const fs::path& root, const std::string& file) {
     for (const int node : *roots)
         if (Status s = addNodes(r, node); !s) return s.error();
     if (r.mesh.indices.empty())
-        return unsound("has no mesh with triangles in its scene", "export the object's meshes with it");
+        return refused("has no mesh with triangles in its scene", "export the object's meshes with it");
     r.mesh.files = std::move(files.read);
     updateBounds(r.mesh);
     return std::move(r.mesh);
@@ -587,7 +589,7 @@ Result<std::string> encodeGlb(const Mesh& mesh) {
     m.defaultScene = 0;
     std::ostringstream out;
     if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&m, out, false, true))
-        return Error{ExitCode::Failed, "the object cannot be encoded", "", 0, 0, ""};
+        return failed("the object cannot be encoded");
     return out.str();
 }
 

@@ -2,6 +2,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "core/numerics.h"
 
 namespace sward {

@@ -1,5 +1,7 @@
 #include "metrics/convolve.h"
 
+#include <cmath>
+
 #include "core/jobs.h"
 
 namespace sward {

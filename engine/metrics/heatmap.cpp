@@ -1,5 +1,8 @@
 #include "metrics/heatmap.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/numerics.h"
 
 namespace sward {

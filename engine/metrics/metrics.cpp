@@ -1,5 +1,7 @@
 #include "metrics/metrics.h"
 
+#include <algorithm>
+
 #include "metrics/ssim.h"
 
 namespace sward {

@@ -36,27 +36,14 @@ Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb) {
 
 Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector<float>& mask) {
     if (image.width != truth.width || image.height != truth.height)
-        return Error{ExitCode::Failed,
-                     "the images differ in size: " + sizeText(image) + " and " + sizeText(truth),
-                     "",
-                     0,
-                     0,
-                     "render both with the same --size"};
+        return failed("the images differ in size: " + sizeText(image) + " and " + sizeText(truth),
+                      "render both with the same --size");
     if (image.linear != truth.linear)
-        return Error{ExitCode::Unsound,
-                     "one image is linear and the other is not",
-                     "",
-                     0,
-                     0,
-                     "leave out --linear, or compare two EXR files"};
+        return unsound("one image is linear and the other is not", "leave out --linear, or compare two EXR files");
     const size_t n = truth.pixels.size();
     if (!mask.empty() && mask.size() != n)
-        return Error{ExitCode::Failed,
-                     fmt::format("the mask has {} pixels, the images have {} ({})", mask.size(), n, sizeText(truth)),
-                     "",
-                     0,
-                     0,
-                     "render it with the same --size"};
+        return failed(fmt::format("the mask has {} pixels, the images have {} ({})", mask.size(), n, sizeText(truth)),
+                      "render it with the same --size");
     PicturePair p{std::move(image), std::move(truth), std::vector<float>(n, 1)};
     for (size_t i = 0; i < n; ++i) {
         if (!mask.empty()) p.weight[i] = std::isfinite(mask[i]) ? std::clamp(mask[i], 0.0f, 1.0f) : 0.0f;
@@ -69,12 +56,8 @@ Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector
         p.weightSum += p.weight[i];
     }
     if (p.weightSum > 0) return p;
-    return Error{ExitCode::Failed,
-                 p.nonFinite == n ? "no pixel is finite in both images" : "no pixel is left to compare",
-                 "",
-                 0,
-                 0,
-                 mask.empty() ? "" : "look at the mask"};
+    return failed(p.nonFinite == n ? "no pixel is finite in both images" : "no pixel is left to compare",
+                  mask.empty() ? "" : "look at the mask");
 }
 
 double weightedMean(const ErrorMap& map, const std::vector<float>& weight) {

@@ -13,11 +13,11 @@ struct Sum {
 // The distance of one block's changes times its weight.
 Sum blockChange(const PicturePair& before, const PicturePair& after, const std::vector<float>& weight, int x, int y,
                 int side) {
-    const BlockLook truth = blockLook(after.truth, weight, x, y, side);
+    const BlockMoments truth = blockMoments(after.truth, weight, x, y, side);
     if (truth.weight <= 0) return {};
-    const BlockLook image = blockLook(after.image, weight, x, y, side);
-    const BlockLook imageBefore = blockLook(before.image, weight, x, y, side),
-                    truthBefore = blockLook(before.truth, weight, x, y, side);
+    const BlockMoments image = blockMoments(after.image, weight, x, y, side);
+    const BlockMoments imageBefore = blockMoments(before.image, weight, x, y, side),
+                       truthBefore = blockMoments(before.truth, weight, x, y, side);
     const glm::dvec3 mean = (image.mean - imageBefore.mean) - (truth.mean - truthBefore.mean);
     const glm::dvec3 deviation = (image.deviation - imageBefore.deviation) - (truth.deviation - truthBefore.deviation);
     const glm::dvec3 distance = glm::sqrt(mean * mean + deviation * deviation);
@@ -45,8 +45,7 @@ double stepPopping(const PicturePair& before, const PicturePair& after) {
 }  // namespace
 
 Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>(size_t)>& picture) {
-    if (pictures < 2)
-        return Error{ExitCode::Failed, "popping takes at least two pictures of a path", "", 0, 0, "take more"};
+    if (pictures < 2) return failed("popping takes at least two pictures of a path", "take more");
     Popping out;
     auto before = picture(0);
     if (!before) return before.error();
@@ -54,12 +53,8 @@ Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>
         auto after = picture(i);
         if (!after) return after.error();
         if (after->truth.width != before->truth.width || after->truth.height != before->truth.height)
-            return Error{ExitCode::Failed,
-                         fmt::format("picture {} of the path differs in size from the first", i),
-                         "",
-                         0,
-                         0,
-                         "render all at one --size"};
+            return failed(fmt::format("picture {} of the path differs in size from the first", i),
+                          "render all at one --size");
         const double step = out.steps.emplace_back(stepPopping(*before, *after));
         out.mean += step / static_cast<double>(pictures - 1);
         if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i) - 1;

@@ -2,8 +2,8 @@
 
 #include "core/hash.h"
 #include "core/log.h"
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "mesh/mesh_io.h"
 #include "world/placement.h"
 
@@ -36,7 +36,7 @@ struct MeshState : EffectState {
 
 std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     auto s = std::make_unique<MeshState>();
-    s->white = makeTileTexture(ctx.gpu, kOwner, {1, 1, {255, 255, 255, 255}});
+    s->white = makeColorTexture(ctx.gpu, kOwner, {1, 1, {255, 255, 255, 255}});
     return s;
 }
 
@@ -62,7 +62,7 @@ GpuMesh uploadMesh(Gpu& gpu, const Mesh& mesh) {
     out.indices = makeBuffer(gpu, kOwner, mesh.indices.size() * 4, mesh.indices.data());
     out.mesh = makeVertexArray(kOwner);
     for (const MeshImage& image : mesh.images)
-        out.images.push_back(makeTileTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
+        out.images.push_back(makeColorTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
     out.parts = mesh.parts;
     out.centre = (mesh.low + mesh.high) * 0.5f;
     out.radius = glm::length(mesh.high - mesh.low) * 0.5f;

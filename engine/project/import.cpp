@@ -6,10 +6,6 @@
 namespace sward {
 namespace {
 
-Error usage(std::string message, std::string remedy = {}) {
-    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
-}
-
 // What was asked for, else what is remembered.
 Result<MapImport> settle(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                          const ImportOptions& options) {

@@ -32,8 +32,7 @@ Result<Project> newProject(const fs::path& dir) {
     std::error_code fault;
     const bool existed = fs::exists(dir, fault);
     if (existed && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
-        return Error{
-            ExitCode::Failed, "exists and is not an empty folder", dir.string(), 0, 0, "name a new or an empty folder"};
+        return failed("exists and is not an empty folder", "name a new or an empty folder").at(dir);
     Project p = emptyProject(dir);
     if (auto saved = saveProject(p, sharedComponentRows()); !saved) {
         if (!existed) fs::remove_all(dir, fault);

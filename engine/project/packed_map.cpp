@@ -9,10 +9,6 @@ namespace {
 
 constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a share of red
 
-Error usage(std::string message, std::string remedy) {
-    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
-}
-
 // One of several channels, as a map of its own.
 Map channelOf(const Map& floats, int channel, PixelType type) {
     const MapInfo& info = floats.info();
@@ -80,13 +76,10 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip, std:
     const Result<Map> read = readMap(file, wish, repaired);
     if (!read) return read.error();
     if (read->info().channels < 3)
-        return Error{
-            ExitCode::Unsound,
-            fmt::format("has {} channels; a packed density map has red, green and blue", read->info().channels),
-            file.string(),
-            0,
-            0,
-            "leave out packed, or export it in colour"};
+        return unsound(
+                   fmt::format("has {} channels; a packed density map has red, green and blue", read->info().channels),
+                   "leave out packed, or export it in colour")
+            .at(file);
     const Map floats = convertMap(*read, PixelType::F32);
     return PackedMaps{channelOf(floats, 0, PixelType::U16), channelOf(floats, 2, PixelType::U8), hasOwnCoarse(floats)};
 }

@@ -9,7 +9,7 @@ void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base)
 
 // --- messages ----------------------------------------------------------------------------------------------------
 void refuse(ProjectReader& r, const Json& where, std::string message, std::string remedy = {}) {
-    r.refused.push_back({ExitCode::Unsound, std::move(message), r.file, where.line, where.column, std::move(remedy)});
+    r.refused.push_back(unsound(std::move(message), std::move(remedy)).at(r.file, where.line, where.column));
 }
 void report(ProjectReader& r, int line, std::string message) {
     r.repaired.push_back({fmt::format("{}:{}", r.file, line), std::move(message)});
@@ -206,9 +206,7 @@ void readComponent(ProjectReader& r, const ComponentRow& row, const std::string&
 
 void readEntity(ProjectReader& r, const std::string& name, const Json& j) {
     Result<Entity> e = addEntity(r.project, name);
-    if (!e)
-        return r.refused.push_back(
-            {ExitCode::Unsound, e.error().message, r.file, j.keyLine, j.keyColumn, e.error().remedy});
+    if (!e) return r.refused.push_back(unsound(e.error().message, e.error().remedy).at(r.file, j.keyLine, j.keyColumn));
     if (!j.isObject())
         return refuse(r, j, fmt::format("{}: must be an object of components, not {}", name, jsonTypeName(j.type)));
     for (const auto& [key, value] : j.object) {
@@ -259,17 +257,13 @@ std::span<const Upgrade> projectUpgrades() { return {}; }
 
 Status upgradeProject(Json& project, const std::string& file, std::span<const Upgrade> steps) {
     if (!project.isObject())
-        return Error{ExitCode::Unsound,
-                     fmt::format("a project is an object, not {}", jsonTypeName(project.type)),
-                     file,
-                     project.line,
-                     project.column,
-                     {}};
+        return unsound(fmt::format("a project is an object, not {}", jsonTypeName(project.type)))
+            .at(file, project.line, project.column);
     const int newest = 1 + static_cast<int>(steps.size());
     const Json* format = project.find("format");
     if (!format) return {};
     const auto refuseFormat = [&](std::string message, std::string remedy) {
-        return Error{ExitCode::Unsound, std::move(message), file, format->line, format->column, std::move(remedy)};
+        return unsound(std::move(message), std::move(remedy)).at(file, format->line, format->column);
     };
     const double n = format->number;
     if (!format->isNumber() || n < 1 || n != std::floor(n))

@@ -116,12 +116,8 @@ Status checkField(const FieldRow& row, const std::string& path, double value) {
     const double low = std::min<double>(row.hardMin, float(row.hardMin)),
                  high = std::max<double>(row.hardMax, float(row.hardMax));
     if (never || (value >= low && value <= high)) return {};
-    return Error{ExitCode::Failed,
-                 fmt::format("{}: {} cannot be saved: out of range", path, shortestText(value)),
-                 {},
-                 0,
-                 0,
-                 fmt::format("set it between {} and {}", shortestText(row.hardMin), shortestText(row.hardMax))};
+    return failed(fmt::format("{}: {} cannot be saved: out of range", path, shortestText(value)),
+                  fmt::format("set it between {} and {}", shortestText(row.hardMin), shortestText(row.hardMax)));
 }
 
 template <class V>

@@ -41,8 +41,7 @@ void readProjectJson(Loading& l) {
     const auto refuse = [&](Error e) { l.reader.refused.push_back(std::move(e)); };
     std::error_code ignored;
     if (!fs::is_directory(l.dir, ignored))
-        return refuse({ExitCode::Unsound, "is no folder with a project", l.dir.string(), 0, 0,
-                       "check the path, or make one with `sward new`"});
+        return refuse(unsound("is no folder with a project", "check the path, or make one with `sward new`").at(l.dir));
     const Result<fs::path> file = currentFile(l.dir, "project.json");
     if (!file) return refuse(file.error());
     l.reader.file = (l.dir / "project.json").string();
@@ -82,8 +81,7 @@ std::vector<MapLoad> mapsToLoad(Loading& l) {
 void readOne(const Loading& l, MapLoad& load) {
     if (fs::path(load.file).extension() ==
         ".r16") {  // its size stands in another file, and the two cannot change in one instant
-        load.map = Error{
-            ExitCode::Unsound, "a project's maps are PNG, EXR or TIFF", {}, 0, 0, "import the R16 file into the map"};
+        load.map = unsound("a project's maps are PNG, EXR or TIFF", "import the R16 file into the map");
         return;
     }
     const Result<fs::path> file = currentFile(l.dir, load.file);

@@ -84,8 +84,7 @@ Status checkMap(const PlannedMap& planned) {
     const MapInfo& info = planned.map->info();
     const MapRow& row = *planned.field.row->map;
     const auto refuse = [&](std::string what, std::string remedy) {
-        return Error{ExitCode::Failed, planned.field.path + ": " + std::move(what), planned.file, 0, 0,
-                     std::move(remedy)};
+        return failed(planned.field.path + ": " + std::move(what), std::move(remedy)).at(planned.file);
     };
     if (info.channels != row.channels)
         return refuse(fmt::format("has {} channels, not {}", info.channels, row.channels),
@@ -190,8 +189,7 @@ Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
 }  // namespace
 
 Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved) {
-    if (p.dir.empty())
-        return Error{ExitCode::Failed, "the project has no folder yet", {}, 0, 0, "save it to a new folder"};
+    if (p.dir.empty()) return failed("the project has no folder yet", "save it to a new folder");
     if (Status ok = checkValues(p, rows); !ok) return ok.error();
     std::error_code fault;
     const bool existed = fs::exists(p.dir, fault);

@@ -166,17 +166,13 @@ bool makeScene(RayFlowers& f) {
     return rtcGetDeviceError(f.device.get()) == RTC_ERROR_NONE;
 }
 
-Error failed(const std::string& message, const std::string& remedy) {
-    return Error{ExitCode::Failed, message, "", 0, 0, remedy};
-}
-
 // All that one kind has. Failed: too many, cancelled.
 Status standAll(RayFlowers& all, const Weather& weather, uint32_t kind, const JobControl& control) {
     const FlowerGrid grid = flowerGrid(*all.kinds[kind].flowers);
     const int across = static_cast<int>(std::ceil(all.terrain->size.x / grid.side)),
               down = static_cast<int>(std::ceil(all.terrain->size.y / grid.side));
     for (int z = 0; z < down; ++z) {
-        if (control.cancelled()) return failed("cancelled", "");
+        if (control.cancelled()) return failed("cancelled");
         for (int x = 0; x < across; ++x) standCell(all, weather, kind, grid, x, z);
         if (all.standing.size() > kMostRayFlowers)
             return failed(fmt::format("more than {} flowers make no reference", kMostRayFlowers),

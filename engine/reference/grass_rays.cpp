@@ -589,7 +589,7 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
     f->wind = windOf(p);
     if (f->wind) f->gusts = &gustsOf(*f->wind, f->made);
     for (size_t i = 0; i < f->grass->species.size() && i < MAX_SPECIES; ++i) {
-        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (control.cancelled()) return failed("cancelled");
         const Species& s = f->grass->species[i];
         auto kind = std::make_unique<Kind>();
         kind->species = &s;
@@ -606,12 +606,8 @@ Result<GrassRays> GrassRays::make(const Project& p, double time, const JobContro
         kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
         kind->device.reset(rtcNewDevice(nullptr));
         if (!kind->device)
-            return Error{ExitCode::Failed,
-                         "rays cannot be prepared: Embree has no memory, or does not know this processor",
-                         "",
-                         0,
-                         0,
-                         "close other programs"};
+            return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                          "close other programs");
         f->kinds.push_back(std::move(kind));
     }
     return GrassRays(std::move(f));

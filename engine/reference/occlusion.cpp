@@ -60,12 +60,7 @@ double skySeen(const RayScene& rays, const TerrainSurface& ground, double x, dou
 Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, JobControl& control) {
     const Ground ground = findGround(p);
     if (!ground.terrain)
-        return Error{ExitCode::Unsound,
-                     "there is no Terrain to bake ambient occlusion for",
-                     p.dir.string(),
-                     0,
-                     0,
-                     "add an entity with a Terrain"};
+        return unsound("there is no Terrain to bake ambient occlusion for", "add an entity with a Terrain").at(p.dir);
     const Result<std::vector<Triangles>> triangles = sceneTriangles(p, control);
     if (!triangles) return triangles.error();
     const Result<RayScene> rays = RayScene::make(*triangles);
@@ -85,7 +80,7 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
         }
         control.setProgress(static_cast<double>(++done) / info.height);
     });
-    if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+    if (control.cancelled()) return failed("cancelled");
     Map map(info);
     map.writeRows(0, info.height, texels.data());
     return map;

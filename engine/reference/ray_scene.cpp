@@ -1,5 +1,7 @@
 #include "reference/ray_scene.h"
 
+#include <cstring>
+
 #include "reference/embree.h"
 
 namespace sward {
@@ -27,19 +29,15 @@ struct RayScene::Device {
 };
 
 Result<RayScene> RayScene::make(const std::vector<Triangles>& meshes) {
-    const Error failed{ExitCode::Failed,
-                       "rays cannot be prepared: Embree has no memory, or does not know this processor",
-                       "",
-                       0,
-                       0,
-                       "close other programs, or make the objects simpler"};
+    const Error refusal = failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                                 "close other programs, or make the objects simpler");
     auto device = std::make_shared<Device>();
-    if (!device->scene) return failed;
+    if (!device->scene) return refusal;
     rtcSetSceneFlags(device->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between neighbours
     for (uint32_t i = 0; i < meshes.size(); ++i)
-        if (!meshes[i].indices.empty() && !device->add(meshes[i], i)) return failed;
+        if (!meshes[i].indices.empty() && !device->add(meshes[i], i)) return refusal;
     rtcCommitScene(device->scene.get());
-    if (rtcGetDeviceError(device->device.get()) != RTC_ERROR_NONE) return failed;
+    if (rtcGetDeviceError(device->device.get()) != RTC_ERROR_NONE) return refusal;
     return RayScene(std::move(device));
 }
 

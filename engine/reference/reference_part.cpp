@@ -1,5 +1,6 @@
 #include "reference/reference_part.h"
 
+#include <cstring>
 #include <fstream>
 
 #include "core/file.h"
@@ -25,8 +26,8 @@ size_t rowsOf(const ReferenceSettings& s) {
     return n;
 }
 
-Error unsound(const std::filesystem::path& file, const std::string& what) {
-    return {ExitCode::Unsound, what, file.string(), 0, 0, "make it again with sward reference --shard I/N"};
+Error broken(const std::filesystem::path& file, const std::string& what) {
+    return unsound(what, "make it again with sward reference --shard I/N").at(file);
 }
 
 std::optional<int> numberIn(const Json& j, const char* key, int least, int most) {
@@ -70,7 +71,7 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     const auto bytes = readFile(file, kMostBytes);
     if (!bytes) return bytes.error();
     const size_t end = bytes->find('\n');
-    if (!isReferencePart(file) || end == std::string::npos) return unsound(file, "this is no part of a reference");
+    if (!isReferencePart(file) || end == std::string::npos) return broken(file, "this is no part of a reference");
     const auto head = parseJson(std::string_view(*bytes).substr(0, end), file.string());
     if (!head) return head.error();
     ReferencePart p;
@@ -81,15 +82,15 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
                shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1);
     if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard ||
         !head->object.contains("of") || !head->object.contains("camera"))
-        return unsound(file, "the part's first line does not say what it is a part of");
+        return broken(file, "the part's first line does not say what it is a part of");
     s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards;
     p.camera = head->object.at("camera").text;
     p.of = std::strtoull(head->object.at("of").text.c_str(), nullptr, 16);
     const size_t pixels = static_cast<size_t>(s.width) * static_cast<size_t>(s.height),
                  wanted = rowsOf(s) * static_cast<size_t>(s.width) * kFloats * sizeof(float);
     if (bytes->size() - end - 1 != wanted)
-        return unsound(file, fmt::format("the part is damaged: {} bytes of pixels instead of {}",
-                                         bytes->size() - end - 1, wanted));
+        return broken(file, fmt::format("the part is damaged: {} bytes of pixels instead of {}",
+                                        bytes->size() - end - 1, wanted));
     p.truth = {s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
                std::vector<float>(pixels)};
     const char* at = bytes->data() + end + 1;
@@ -104,10 +105,7 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
 }
 
 Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
-    const auto failed = [](const std::string& message, const std::string& file, const std::string& remedy) {
-        return Error{ExitCode::Failed, message, file, 0, 0, remedy};
-    };
-    if (files.empty()) return failed("there are no parts", "", "name every part");
+    if (files.empty()) return failed("there are no parts", "name every part");
     std::vector<std::string> from;
     Truth whole;
     uint64_t of = 0;
@@ -121,11 +119,12 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
             whole = part->truth, of = part->of;
         }
         if (part->of != of || from.size() != static_cast<size_t>(s.shards))
-            return failed("this part is of another image than " + files[0].string(), file.string(),
-                          "project, camera, size, samples, seed, lighting and the number of shards must be the same");
+            return failed("this part is of another image than " + files[0].string(),
+                          "project, camera, size, samples, seed, lighting and the number of shards must be the same")
+                .at(file.string());
         if (!from[shard].empty())
-            return failed(fmt::format("shard {} is there twice, in {} too", shard, from[shard]), file.string(),
-                          "name each part once");
+            return failed(fmt::format("shard {} is there twice, in {} too", shard, from[shard]), "name each part once")
+                .at(file.string());
         from[shard] = file.string();
         eachRow(s, [&](size_t first, size_t n) {
             std::copy_n(&part->truth.color[3 * first], 3 * n, &whole.color[3 * first]);
@@ -135,7 +134,7 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
     }
     for (size_t i = 0; i < from.size(); ++i)
         if (from[i].empty())
-            return failed(fmt::format("shard {} of {} is missing", i, from.size()), "",
+            return failed(fmt::format("shard {} of {} is missing", i, from.size()),
                           fmt::format("make it with sward reference --shard {}/{}", i, from.size()));
     return whole;
 }

@@ -89,7 +89,7 @@ Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl
     if (ground.terrain && ground.terrain->height.present()) out.push_back(terrainSurface(*ground.terrain).triangles());
     std::map<std::string, Mesh> read;
     for (const PlacedMesh& placed : placedMeshes(p)) {
-        if (control.cancelled()) return Error{ExitCode::Failed, "cancelled", "", 0, 0, ""};
+        if (control.cancelled()) return failed("cancelled");
         if (!placed.mesh->castShadows) continue;
         const std::string& file = placed.mesh->file;
         if (!read.contains(file)) {

@@ -1,5 +1,7 @@
 #include "reference/surface.h"
 
+#include <algorithm>
+
 #include "core/numerics.h"
 #include "maps/map.h"
 

@@ -56,12 +56,14 @@ const char* featureName(Feature f);
 // "TERRAIN_HEIGHTS", for shaders.
 const char* featureConstant(Feature f);
 
+// The set of the features named.
 template <class... F>
 FeatureSet featureSet(F... f) {
     FeatureSet s;
     (s.set(static_cast<size_t>(f)), ...);
     return s;
 }
+// Whether `s` has feature `f`.
 inline bool has(const FeatureSet& s, Feature f) { return s.test(static_cast<size_t>(f)); }
 
 }  // namespace sward

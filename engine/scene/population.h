@@ -33,9 +33,9 @@ struct Patch {
     std::array<uint32_t, 256> upTo{};  // upTo[k]: blades with threshold <= k/255; upTo[0] = 0
 };
 
-// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). The same for the
-// same species, cellSize and seed. At most kMaxPatchBlades.
-inline constexpr int kMaxPatchBlades = 4'000'000;
+inline constexpr int kMaxPatchBlades = 4'000'000;  // a patch has no more
+// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). Equal arguments
+// give equal patches. cellSize: metres, above 0.
 Patch makePatch(const Species& species, float cellSize, uint32_t seed);
 // `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also
 // where they are few.

@@ -27,15 +27,9 @@ Entity makeEntity(Project& p, const std::string& name) {
 
 Result<Entity> addEntity(Project& p, const std::string& name) {
     if (!validEntityName(name))
-        return Error{ExitCode::Usage,
-                     fmt::format("\"{}\" cannot name an entity", name),
-                     {},
-                     0,
-                     0,
-                     "use letters, digits, '_' and '-'"};
+        return usage(fmt::format("\"{}\" cannot name an entity", name), "use letters, digits, '_' and '-'");
     if (p.entities.contains(name))
-        return Error{ExitCode::Usage,      fmt::format("there is already an entity \"{}\"", name), {}, 0, 0,
-                     "choose another name"};
+        return usage(fmt::format("there is already an entity \"{}\"", name), "choose another name");
     return makeEntity(p, name);
 }
 

@@ -1,5 +1,6 @@
 // Fields by PATH: finding, listing. Their values as text: project_values.cpp.
 #include <charconv>
+#include <cstring>
 
 #include "scene/project.h"
 
@@ -16,10 +17,6 @@ void* elementOf(const ListRow& list, void* of, size_t i) { return list.editAt(of
 const void* elementOf(const ListRow& list, const void* of, size_t i) { return list.at(of, i); }
 void* componentOf(const ComponentRow& row, Registry& r, Entity e) { return row.edit(r, e); }
 const void* componentOf(const ComponentRow& row, const Registry& r, Entity e) { return row.get(r, e); }
-
-Error usage(std::string message, std::string remedy = {}) {
-    return {ExitCode::Usage, std::move(message), {}, 0, 0, std::move(remedy)};
-}
 
 template <class Range, class NameOf>
 std::string listNames(const Range& range, NameOf&& nameOf) {

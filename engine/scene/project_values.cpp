@@ -8,8 +8,8 @@
 namespace sward {
 namespace {
 
-Error usage(const ConstFieldRef& f, const std::string& message, std::string remedy = {}) {
-    return {ExitCode::Usage, f.path + ": " + message, {}, 0, 0, std::move(remedy)};
+Error refused(const ConstFieldRef& f, const std::string& message, std::string remedy = {}) {
+    return usage(f.path + ": " + message, std::move(remedy));
 }
 
 std::string rangeText(const FieldRow& row) {
@@ -46,10 +46,10 @@ std::vector<std::string> splitNumbers(std::string text) {
 Result<double> numberIn(const ConstFieldRef& f, const std::string& text) {
     double value = 0;
     if (!parseNumber(text, value))
-        return usage(f, fmt::format("\"{}\" is not a number", text), "it takes numbers " + rangeText(*f.row));
+        return refused(f, fmt::format("\"{}\" is not a number", text), "it takes numbers " + rangeText(*f.row));
     const bool never = f.row->allowInf && value > 0 && std::isinf(value);
     if (!never && !(value >= f.row->hardMin && value <= f.row->hardMax))
-        return usage(f, fmt::format("{} is out of range", text), "it takes numbers " + rangeText(*f.row));
+        return refused(f, fmt::format("{} is out of range", text), "it takes numbers " + rangeText(*f.row));
     return value;
 }
 
@@ -58,7 +58,7 @@ Status setVector(const FieldRef& f, const std::string& text) {
     const std::vector<std::string> parts = splitNumbers(text);
     V value{};
     if (parts.size() != size_t(value.length()))
-        return usage(f, fmt::format("\"{}\" is not {} numbers", text, value.length()), "write them as [1, 2]");
+        return refused(f, fmt::format("\"{}\" is not {} numbers", text, value.length()), "write them as [1, 2]");
     for (int i = 0; i < value.length(); ++i) {
         const Result<double> number = numberIn(f, parts[size_t(i)]);
         if (!number) return number.error();
@@ -71,7 +71,7 @@ Status setVector(const FieldRef& f, const std::string& text) {
 Status setInt(const FieldRef& f, const std::string& text) {
     const Result<double> number = numberIn(f, text);
     if (!number) return number.error();
-    if (*number != std::floor(*number)) return usage(f, fmt::format("{} is not a whole number", text));
+    if (*number != std::floor(*number)) return refused(f, fmt::format("{} is not a whole number", text));
     *static_cast<int*>(f.value) = static_cast<int>(*number);
     return {};
 }
@@ -85,11 +85,11 @@ Status setEnum(const FieldRef& f, const std::string& text) {
         }
         names += fmt::format("{}{}", i ? ", " : "", f.row->options[i]);
     }
-    return usage(f, fmt::format("\"{}\" is none of its values", text), "it takes: " + names);
+    return refused(f, fmt::format("\"{}\" is none of its values", text), "it takes: " + names);
 }
 
 Status setBool(const FieldRef& f, const std::string& text) {
-    if (text != "true" && text != "false") return usage(f, fmt::format("\"{}\" is neither true nor false", text));
+    if (text != "true" && text != "false") return refused(f, fmt::format("\"{}\" is neither true nor false", text));
     *static_cast<bool*>(f.value) = text == "true";
     return {};
 }
@@ -97,7 +97,7 @@ Status setBool(const FieldRef& f, const std::string& text) {
 Status setString(const FieldRef& f, const std::string& text) {
     if (f.row->isFile && !text.empty())
         if (const auto inside = resolveInside(".", text); !inside)
-            return usage(f, inside.error().message, inside.error().remedy);
+            return refused(f, inside.error().message, inside.error().remedy);
     *static_cast<std::string*>(f.value) = text;
     return {};
 }
@@ -194,11 +194,11 @@ Status setFieldText(const FieldRef& f, const std::string& given) {
         case FieldType::Enum:
             return setEnum(f, text);
         case FieldType::Map:
-            if (!text.empty()) return usage(f, "a map cannot be set by text", "import a file into it");
+            if (!text.empty()) return refused(f, "a map cannot be set by text", "import a file into it");
             *static_cast<MapField*>(f.value) = {};
             return {};
         case FieldType::List:
-            return usage(f, "a list cannot be set by text", "set the fields of its elements");
+            return refused(f, "a list cannot be set by text", "set the fields of its elements");
     }
     return {};
 }

@@ -1,5 +1,7 @@
 #include "scene/rows.h"
 
+#include <map>
+
 namespace sward {
 namespace {
 

@@ -85,14 +85,11 @@ Status checkUnique(const Project& p, double blades) {
     const std::string field = uniqueField(p);
     if (field.empty() || blades <= kMaxUniqueBlades) return {};
     const std::string path = field + ".GrassField.population";
-    return Error{
-        ExitCode::Unsound,
-        fmt::format("{}: {:.0f} blades of their own are more than \"unique\" may have: {:.0f}, which take 128 MB", path,
-                    blades, kMaxUniqueBlades),
-        p.dir.empty() ? std::string() : (p.dir / "project.json").string(),
-        0,
-        0,
-        "set it to \"patch\", or lower bladesPerM2 or the terrain's size"};
+    return unsound(fmt::format(
+                       "{}: {:.0f} blades of their own are more than \"unique\" may have: {:.0f}, which take 128 MB",
+                       path, blades, kMaxUniqueBlades),
+                   "set it to \"patch\", or lower bladesPerM2 or the terrain's size")
+        .at(p.dir.empty() ? std::string() : (p.dir / "project.json").string());
 }
 
 Status checkUnique(const Project& p) { return uniqueField(p).empty() ? Status() : checkUnique(p, virtualBlades(p)); }

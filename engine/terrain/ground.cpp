@@ -4,8 +4,8 @@
 
 #include "core/log.h"
 #include "core/numerics.h"
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "scene/tiling.h"
 #include "terrain/lod.h"
 
@@ -17,8 +17,8 @@ constexpr const char* kOwner = "terrain/ground";
 struct GroundState : EffectState {
     Buffer nodes, vertices, indices;
     VertexArray mesh;
-    Texture tile;
-    std::string tileOf = "?";  // file of the tile texture; "" is the made one
+    Texture soil;
+    std::string soilOf = "?";  // file of the ground's texture; "" is the made one
     std::vector<TerrainNode> selected;
     int failed = 0;
 };
@@ -61,10 +61,10 @@ std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
 }
 
 void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
-    if (s.tileOf == t.groundTexture) return;
-    s.tileOf = t.groundTexture;
-    const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadTile(ctx.project.dir / t.groundTexture);
-    s.tile = makeTileTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
+    if (s.soilOf == t.groundTexture) return;
+    s.soilOf = t.groundTexture;
+    const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadColorImage(ctx.project.dir / t.groundTexture);
+    s.soil = makeColorTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
 }
 
 // For the whole frame: nothing else uses the bindings.
@@ -73,7 +73,7 @@ void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
                                                              tilingOf(t, t.terrainMapTiling).repeats)
                                               : 0;
     static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
-    const GLuint textures[] = {ctx.shared.heights, map, s.tile.id()};
+    const GLuint textures[] = {ctx.shared.heights, map, s.soil.id()};
     glBindTextures(TEX_HEIGHT, 3, textures);
 }
 

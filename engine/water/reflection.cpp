@@ -24,7 +24,7 @@ void ensureTargets(DrawContext& ctx, ReflectionState& s, float share) {
     const int width = pixels(ctx.targets.width), height = pixels(ctx.targets.height);
     if (s.targets.width == width && s.targets.height == height && s.targets.samples == ctx.targets.samples) return;
     s.targets = {};
-    s.targets = makeTargets(ctx.gpu, kOwner, width, height, ctx.targets.samples, false, 0, false);
+    s.targets = makeTargets(ctx.gpu, kOwner, {width, height, ctx.targets.samples, false, 0, false});
     glTextureParameterf(s.targets.resolved.id(), GL_TEXTURE_MAX_ANISOTROPY, kAnisotropy);
 }
 

@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "water/reflection" (techniques.cpp): runs in scenes with WaterReflection, Water and Terrain.
 const EffectRow& reflectionEffect();
 }  // namespace sward

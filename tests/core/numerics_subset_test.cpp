@@ -1,7 +1,9 @@
 // The lint of the common subset: what compiles silently on one side and breaks, or means something else, on the other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <regex>
 #include <set>
 

@@ -193,7 +193,7 @@ TEST_F(EditorUi, TheFileDialogSavesAsAndOpensAndSaysWhatWentWrong) {
 }
 
 TEST_F(EditorUi, AnErrorStandsOverTheViewportUntilDismissed) {
-    showError(app->messages, {ExitCode::Failed, "the disk is full", "maps/a.png", 0, 0, "free some space"});
+    showError(app->messages, failed("the disk is full", "free some space").at("maps/a.png"));
     EXPECT_NE(get("Viewport/Error").find("disk is full"), std::string::npos);
     ok(ui->click("Viewport/Dismiss"));
     EXPECT_FALSE(ui->exists("Viewport/Error"));
@@ -210,7 +210,7 @@ TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
     ok(doc.setField("lawn.GrassField.population", "patch"));
     ok(ui->wait(3));
     EXPECT_FALSE(ui->exists("Viewport/Error"));
-    showError(app->messages, {ExitCode::Failed, "the disk is full", "", 0, 0, ""});
+    showError(app->messages, failed("the disk is full"));
     ok(doc.setField("lawn.GrassField.seed", "7"));
     ok(ui->wait(3));
     EXPECT_TRUE(ui->exists("Viewport/Error")) << "another error is not drawing's to take away";

@@ -1,9 +1,9 @@
 // Pictures drawn in parts, and with a share of the blades: what the editor's viewport does on a slow renderer.
 #include <gtest/gtest.h>
 
-#include "../support.h"
 #include "frame/renderer.h"
 #include "project/project_files.h"
+#include "support.h"
 #include "techniques.h"
 #include "world/view_camera.h"
 

@@ -1,3 +1,5 @@
+#include <chrono>
+
 #include "gpu/program.h"
 
 #include "core/log.h"

@@ -1,4 +1,5 @@
 // Grass as slices against grass as blades: how much it covers, how bright it is, and what settings may change of that.
+#include <chrono>
 #include <numeric>
 #include <thread>
 

@@ -2,6 +2,7 @@
 // that is not finite; none that lacks pixels may pass.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <random>
 
 #include "maps/map_io.h"

@@ -1,4 +1,4 @@
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 
 #include "core/log.h"
 #include "core/numerics.h"
@@ -66,7 +66,7 @@ Rgba8 makeBladeImage(int width, int height) {
     return out;
 }
 
-Rgba8 loadTile(const std::filesystem::path& file) {
+Rgba8 loadColorImage(const std::filesystem::path& file) {
     auto image = readImage(file);
     if (!image) {
         logWarning(image.error().text() + "; a texture made by the program stands in");
@@ -114,7 +114,7 @@ void dilateColor(Rgba8& image) {
     }
 }
 
-Texture makeTileTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat) {
+Texture makeColorTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat) {
     Texture t = makeTexture2D(gpu, owner, GL_SRGB8_ALPHA8, image.width, image.height, 0, repeat);
     glTextureSubImage2D(t.id(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     glGenerateTextureMipmap(t.id());

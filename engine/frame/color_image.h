@@ -21,9 +21,9 @@ Rgba8 makeSoil(int side);
 // it.
 Rgba8 makeBladeImage(int width, int height);
 // Empty (and a warning logged) if the file cannot be read: callers fall back to the made one.
-Rgba8 loadTile(const std::filesystem::path& file);
+Rgba8 loadColorImage(const std::filesystem::path& file);
 // Gives transparent texels the colour of their nearest opaque ones, so that filtering draws no halo.
 void dilateColor(Rgba8& image);
-Texture makeTileTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat = true);
+Texture makeColorTexture(Gpu& gpu, const std::string& owner, const Rgba8& image, bool repeat = true);
 
 }  // namespace sward

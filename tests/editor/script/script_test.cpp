@@ -331,13 +331,13 @@ struct RecordingUi : UiDriver {
     Status set(const std::string& label, const std::string& text) override { return note("set " + label + " " + text); }
     Result<std::string> get(const std::string& label) override {
         if (label == "Brush/Radius") return std::string("2.5");
-        return Error{ExitCode::Failed, "no widget " + label, "", 0, 0, ""};
+        return failed("no widget " + label);
     }
     bool exists(const std::string& label) override { return label == "Brush/Radius"; }
     Status key(const std::string& chord) override { return note("key " + chord); }
     Result<std::array<double, 4>> rect(const std::string& label) override {
         if (label == "Brush/Radius") return std::array<double, 4>{10, 20, 30.5, 40};
-        return Error{ExitCode::Failed, "no widget " + label, "", 0, 0, ""};
+        return failed("no widget " + label);
     }
     Status drag(double x1, double y1, double x2, double y2, const std::string& held) override {
         return note(fmt::format("drag {} {} {} {}{}{}", x1, y1, x2, y2, held.empty() ? "" : " ", held));
