@@ -3,7 +3,9 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/frame_clock.h"
 #include "app/messages.h"

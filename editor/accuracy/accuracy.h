@@ -170,6 +170,7 @@ struct MeasureParts {
 // Starts on a copy of the project as it is now, at the camera shown or the first; what was measured before is reused.
 // Shows why if it cannot: no project, no camera, or it runs already.
 void startSweep(Sweep& sweep, const MeasureParts& parts);
+// The same for a fit to its budget.
 void startFit(Fit& fit, const MeasureParts& parts);
 // Once a frame: takes in what has ended, and says so.
 void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages);
@@ -177,6 +178,7 @@ void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages);
 bool measuring(const Accuracy& accuracy);
 // Kills it and drops its copy; what it has measured so far is kept and reused by the next.
 void stopSweep(Sweep& sweep);
+// The same for a fit.
 void stopFit(Fit& fit);
 // Both.
 void stopRuns(Accuracy& accuracy);
@@ -191,6 +193,7 @@ CostSetting settingOf(const std::string& technique, const std::string& text);
 bool isPresent(const Document& document, const CostSetting& setting);
 // Sets each field of grass in one undo step. Settings of the view (msaa, detail) are not the project's: returns those.
 Result<std::vector<std::string>> adoptSettings(Document& document, const CostSetting& setting);
+// What `sward fit --json` printed. Unsound if it is no JSON or holds no result.
 Result<FitShown> fitFrom(const std::string& json);
 
 }  // namespace sward

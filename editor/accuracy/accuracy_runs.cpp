@@ -2,6 +2,7 @@
 // results.
 #include <fmt/format.h>
 
+#include <limits>
 #include <sstream>
 
 #include "accuracy/accuracy.h"

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/commands.h"

@@ -1,5 +1,8 @@
 #include "app/commands.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/app.h"

@@ -20,6 +20,7 @@ struct Command {
     bool (*checked)(EditorApp&) = nullptr;  // of what is switched on and off
     bool inPlay = false;                    // also while the project is played
 };
+// All rows, menu by menu, in the order in which they are shown.
 std::span<const Command> commands();
 
 // How a menu shows a command now.

@@ -1,7 +1,10 @@
 #include "app/play_control.h"
 
+#include <algorithm>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
 #include "app/edits.h"
 #include "app/frame_clock.h"

@@ -37,6 +37,7 @@ struct PlayParts {
     Messages& messages;
 };
 
+// A copy of the project runs, or is paused.
 bool playing(const Document& document);
 // Finishes a stroke under way, then starts at the view and ends what the hand was doing; or stops. `typing`: a value is
 // half typed. Then, and while a slider or ring is held, nothing starts and it is said why.

@@ -20,6 +20,7 @@ std::filesystem::path autosaveFolder(const std::filesystem::path& dir);
 std::vector<std::filesystem::path> autosavesOf(const std::filesystem::path& dir);
 // Writes the next one and drops what is older than the newest few. Returns its folder. On failure the others stay.
 Result<std::filesystem::path> writeAutosave(const Project& p, std::span<const ComponentRow> rows);
+// All copies of a project go.
 void forgetAutosaves(const std::filesystem::path& dir);
 
 class Document;

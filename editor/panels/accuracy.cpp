@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include "accuracy/accuracy.h"
+
+#include <cmath>
 #include "app/edits.h"
 #include "app/frame_clock.h"
 #include "app/messages.h"

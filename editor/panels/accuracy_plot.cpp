@@ -1,5 +1,8 @@
 #include "panels/accuracy_plot.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <imgui.h>
 

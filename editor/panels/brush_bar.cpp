@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/edits.h"
 #include "app/messages.h"
 #include "model/new_map.h"

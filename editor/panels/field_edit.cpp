@@ -1,5 +1,7 @@
 #include "panels/field_edit.h"
 
+#include <functional>
+
 #include <imgui.h>
 
 namespace sward {

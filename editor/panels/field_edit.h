@@ -1,6 +1,7 @@
 // How widgets change fields of the document: after the frame's widgets, refusals beside the widget, a drag one step.
 // Does not: draw the widgets.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "app/edits.h"

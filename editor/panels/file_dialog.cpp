@@ -1,6 +1,9 @@
 // Open, Save As and New: a browser of folders. A folder that holds project.json is a project and is marked.
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "app/edits.h"
 #include "app/file_tasks.h"
 #include "core/log.h"

@@ -2,6 +2,8 @@
 #include <imgui.h>
 
 #include "panels/inspector_camera.h"
+
+#include <functional>
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
 #include "ui/theme.h"

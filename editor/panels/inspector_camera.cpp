@@ -1,5 +1,9 @@
 #include "panels/inspector_camera.h"
 
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/play_control.h"

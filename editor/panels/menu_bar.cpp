@@ -1,6 +1,8 @@
 // The menu bar: commands by menu, then what the View menu lists from tables.
 #include <imgui.h>
 
+#include <cctype>
+
 #include "app/commands.h"
 #include "app/layout.h"
 #include "app/viewport.h"

@@ -1,6 +1,8 @@
 // The entities of the project: choose, add, remove.
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/selection.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"

@@ -1,5 +1,8 @@
 #include "panels/overlay_legend.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <imgui.h>
 
 #include "tools/brush_target.h"

@@ -1,6 +1,8 @@
 // The table of panels: which there are, where they lie, and which parts of the editor each of them gets.
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/app.h"
 #include "app/commands.h"
 #include "panels/field_edit.h"

@@ -1,5 +1,7 @@
 #include "panels/panels.h"
 
+#include <algorithm>
+
 #include <imgui.h>
 
 #include "ui/theme.h"

@@ -42,6 +42,7 @@ struct PanelRow {
     const char* menu = nullptr;  // what it is called there, if not by its name
     bool edits = false;          // greyed while the project is played
 };
+// All rows; panels of the menu bar in the order from left to right, tabs of the bottom likewise.
 std::span<const PanelRow> panelRows();
 // All of them, each in its area, with the splitters between, in a window of this size; what they take of it is written
 // to `areas`. `playing`: panels that edit are greyed. The editor is handed on to the rows.
@@ -58,7 +59,9 @@ PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
 int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, Edits& edits,
                  Messages& messages);
+// A button for looking and one a brush; choosing one may choose another map.
 void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messages);
+// The entities: chosen, added by a typed name, removed.
 void drawOutliner(const FieldParts& parts, Selection& selection);
 // The components of the entity that is `selected`; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
@@ -66,6 +69,7 @@ void drawInspector(const FieldParts& parts, const std::string& selected, ViewSta
 void drawConsole(Console& console, bool inputWaits);
 // `measured`: the counts are of a measured drawing.
 void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
+// The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
 void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& counts, bool measured);
 // `lastMs`: what the last drawing of the viewport took.
@@ -76,6 +80,7 @@ void drawStatusBar(const Document& document, const ViewCounts& counts, double dr
 // `adopt` runs after the document holds another project.
 void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages,
                     const std::function<void()>& adopt);
+// Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
 void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
 // True while it waits for the editor's first frames, which must then come.
 bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
@@ -85,7 +90,9 @@ std::string counted(uint64_t n);
 
 // Heights and widths of what does not follow from the layout, at the present font.
 float brushBarHeight(int rows);
+// One line of text and a margin.
 float statusBarHeight();
+// One button and a margin.
 float toolStripWidth();
 
 }  // namespace sward

@@ -1,6 +1,9 @@
 // Start, pause and step, in the middle of the menu bar; and the viewport's frame while it is played.
 #include "panels/play_bar.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "model/document.h"

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/background_work.h"
 #include "app/viewport.h"
 #include "panels/panels.h"

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "app/viewport.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"

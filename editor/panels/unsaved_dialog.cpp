@@ -1,6 +1,8 @@
 // Asks what to do with unsaved work before it would be lost.
 #include <imgui.h>
 
+#include <functional>
+
 #include "app/edits.h"
 #include "app/file_tasks.h"
 #include "core/log.h"

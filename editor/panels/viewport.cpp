@@ -1,5 +1,8 @@
 #include "panels/viewport.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <imgui.h>
 
 #include "app/play_control.h"

@@ -1,5 +1,8 @@
 #include "panels/viewport_compare.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,5 +1,8 @@
 #include "panels/viewport_input.h"
 
+#include <algorithm>
+#include <cmath>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

@@ -1,5 +1,9 @@
 #include "panels/viewport_rings.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "panels/viewport_input.h"

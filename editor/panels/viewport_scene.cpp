@@ -2,7 +2,9 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "app/play_control.h"
 #include "cost/frame_stats.h"

@@ -1,5 +1,6 @@
 #include "tools/brush_cost.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "frame/renderer.h"

@@ -1,5 +1,7 @@
 #include "tools/brush_target.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "tools/stroke.h"

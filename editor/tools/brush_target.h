@@ -37,6 +37,7 @@ std::vector<BrushSettings> strokeBrushes(const Document& document, BrushBook& bo
 // --- the overlay: on at first for what cannot be seen otherwise (directions, forces, openness), remembered for each
 // map
 bool overlayShown(const Document& document, const BrushBook& book);
+// For the chosen map; remembered.
 void toggleOverlay(const Document& document, BrushBook& book);
 // What the renderer lays over the scene; nothing if it is off, or the map is absent and nothing presses.
 MapOverlay overlayOf(const Document& document, const BrushBook& book);

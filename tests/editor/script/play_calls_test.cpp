@@ -1,7 +1,8 @@
 // play.* as scripts see it; tests/scripts/play.lua walks through a sample project.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "editor/script_stage.h"
+#include "editor/script/script_stage.h"
 #include "playtest/playtest.h"
 
 namespace sward {
