@@ -8,6 +8,9 @@
 #include "gpu/program.h"
 #include "gpu/resources.h"
 #include "shared/frame.h"
+#include "shared/grass.h"
+#include "shared/light.h"
+#include "shared/terrain.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 

@@ -60,7 +60,7 @@ void draw(DrawContext& ctx) {
     const float metresPerPixel =
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
-        static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
+        static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.mapShare.x;
     glUniform4f(0, kindNumber(field->row->map->kind), static_cast<float>(overlay.tiling), metresPerPixel,
                 texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
