@@ -1,12 +1,73 @@
-// What brushes do in scripts, by the kind of map.
-#include "script_stage.h"
+// brush.* of docs/scripting.md, by the kind of map.
+#include "editor/script/script_stage.h"
 
 namespace sward {
 namespace {
 
 using test::Stage;
 
-TEST(ScriptBrush, DirectionsAreCombedAndLaidTowardsAnAngle) {
+TEST(BrushCalls, BrushesPaintOneUndoStepAStroke) {
+    EXPECT_RUNS(R"(
+        project.new()
+        brush.select{map = 'density', mode = 'set', radius = 3, value = 0.5, falloff = 0}
+        brush.stroke{{20, 20}, {30, 20}}
+        expect.near(map.at('density', 25, 20), 0.5, 1e-4)
+        expect.equal(map.at('density', 25, 30), 1)
+        brush.select{mode = 'subtract', radius = 1, strength = 0.25}
+        brush.stroke{{10, 10}}
+        expect.near(map.at('density', 10, 10), 0.75, 0.01)
+        expect.truthy(edit.undo()) expect.truthy(edit.undo()) expect.truthy(not edit.undo())
+        expect.equal(map.mean('density'), 1)
+        expect.truthy(edit.redo())
+        brush.select{mode = 'noise', radius = 5, seed = 3} brush.stroke{{20, 20}}
+        brush.select{mode = 'smooth', radius = 5} brush.stroke{{20, 20}, {20, 20}}
+        brush.select{mode = 'add', radius = 50} brush.stroke{{20, 20}}
+        expect.equal(map.mean('density'), 1))");
+    EXPECT_FAULT(Stage(), "project.new() brush.stroke{}", "must have a point");
+    EXPECT_FAULT(Stage(), "project.new() brush.stroke{{1, 0/0}}", "point 1");
+    EXPECT_FAULT(Stage(), "brush.select{mode = 'spray'}", "add, subtract, set, smooth, noise");
+    EXPECT_FAULT(Stage(), "brush.select{radius = -1}", "radius");
+    EXPECT_FAULT(Stage(), "brush.select{radius = 0}", "above 0");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'nope'}", "\"nope\"");
+    EXPECT_FAULT(Stage(), "brush.select{size = 1}", "no option is called size");
+    EXPECT_FAULT(Stage(), "project.new() brush.select{map = 'vegetation'} brush.stroke{{1, 1}}", "no map to paint on");
+}
+
+TEST(BrushCalls, AStrokeOnAMapThatRepeatsFallsIntoItsOneRepeat) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set("ground.Terrain.size", {40, 40})
+        entity.set("lawn.GrassField.species[lawn].densityTiling", 4)
+        map.create{path = "density", width = 100, height = 100, value = 0}
+        brush.select{map = "density", mode = "set", radius = 1, strength = 1, value = 1, falloff = 0}
+        brush.stroke{{30, 25}}
+        for _, at in ipairs{{0, 5}, {10, 15}, {30, 25}, {40, 35}, {29.5, 25}, {9.5, 5}} do
+            expect.equal(map.at("density", at[1], at[2]), 1, at[1] .. ", " .. at[2])
+        end
+        expect.equal(map.at("density", 25, 25), 0)
+        local before = map.hash("density")
+        edit.undo()
+        expect.equal(map.mean("density"), 0)
+        edit.redo()
+        expect.equal(map.hash("density"), before))");
+}
+
+TEST(BrushCalls, AStrokeOnMirroredHeightsRaisesTheGroundWhereItWent) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set("ground.Terrain.size", {40, 40})
+        entity.set("ground.Terrain.heightTiling", 4)
+        map.create{path = "height", width = 100, height = 100, value = 0}
+        brush.select{map = "height", mode = "set", radius = 1, strength = 1, value = 2, falloff = 0}
+        brush.stroke{{13, 5}}
+        for _, x in ipairs{7, 13, 27, 33} do expect.near(map.at("height", x, 5), 2, 1e-5) end
+        expect.equal(map.at("height", 3, 5), 0)
+        brush.stroke{{10, 5}}
+        expect.near(map.at("height", 10.4, 5), 2, 1e-5)
+        expect.near(map.at("height", 9.6, 5), 2, 1e-5))");
+}
+
+TEST(BrushCalls, DirectionsAreCombedAndLaidTowardsAnAngle) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()
         map.create{path = 'orientation', width = 160, height = 160, type = 'u16', value = 0.5}
@@ -30,7 +91,7 @@ TEST(ScriptBrush, DirectionsAreCombedAndLaidTowardsAnAngle) {
                  "does not paint directions");
 }
 
-TEST(ScriptBrush, ColoursAreLaidErasedAndSmoothed) {
+TEST(BrushCalls, ColoursAreLaidErasedAndSmoothed) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()
         for _, name in ipairs {'terrainMap', 'vegetation'} do
@@ -60,7 +121,7 @@ TEST(ScriptBrush, ColoursAreLaidErasedAndSmoothed) {
     EXPECT_FAULT(Stage(), "brush.select{color = {0.5, 0.5, -0.5}}", "not between 0 and 1");
 }
 
-TEST(ScriptBrush, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
+TEST(BrushCalls, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()
         map.create{path = 'forces', width = 160, height = 160, value = {0.5, 0.5, 0, 0}}
@@ -89,7 +150,7 @@ TEST(ScriptBrush, ForcesArePressedAlongTheStrokeAndLiftedAgain) {
                  "no map to paint on");
 }
 
-TEST(ScriptBrush, EraseTakesEverySpeciesInOneStep) {
+TEST(BrushCalls, EraseTakesEverySpeciesInOneStep) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()
         entity.set('lawn.GrassField.species', {{name = 'lawn'}, {name = 'clover'}})
@@ -107,8 +168,6 @@ TEST(ScriptBrush, EraseTakesEverySpeciesInOneStep) {
               "");
     EXPECT_FAULT(Stage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
 }
-
-// --- the console -----------------------------------------------------------------------------------------------------
 
 }  // namespace
 }  // namespace sward

@@ -1,8 +1,9 @@
 // play.* as scripts see it; tests/scripts/play.lua walks through a sample project.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "editor/script/script_stage.h"
 #include "playtest/playtest.h"
-#include "script_stage.h"
 
 namespace sward {
 namespace {

@@ -36,3 +36,5 @@ struct Stage {
         const std::string fault_ = (run).fault(script);                         \
         EXPECT_NE(fault_.find(part), std::string::npos) << "fault: " << fault_; \
     } while (0)
+// That a script runs to its end.
+#define EXPECT_RUNS(text) EXPECT_EQ(::sward::test::Stage().fault(text), "")
