@@ -160,11 +160,8 @@ void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s
     if (!ctx.use(kList, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-    glUniform1ui(0, s.chosen.count);
-    glUniform1ui(1, s.batchVertices);
-    glUniform1ui(2, s.batches);
-    glUniform1ui(3, s.drawPoints);
-    glUniform1ui(4, s.pointDraws);
+    glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
+    glUniform1ui(1, s.pointDraws);
     glDispatchCompute(1, 1, 1);
     if (ctx.settings.measure) recount(ctx, s.chosen);
 }
@@ -271,10 +268,7 @@ struct StripPrograms {
 
 bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
-    glUniform1ui(0, batch);
-    glUniform1ui(1, batch * s.batchVertices);
-    glUniform1ui(2, s.batchPieces);
-    glUniform1ui(3, pieceBlades(ctx.gpu));
+    glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
