@@ -9,6 +9,7 @@
 #include "techniques.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
+#include "fields.h"
 
 namespace {
 using namespace sward;
@@ -20,7 +21,7 @@ struct Timed {
     Project project;
     std::vector<double> ms;
 
-    Timed(Project p, Technique t) : project(std::move(p)) { grassIn(project).technique = static_cast<int>(t); }
+    Timed(Project p, Technique t) : project(std::move(p)) { grassIn(project).technique = nameOf(t); }
     // One frame with one finish at its end.
     double frame(const ViewCamera& c, const ViewSettings& s) {
         bool drawn = false;
@@ -150,10 +151,10 @@ SWARD_LIMITS("hybrid-whole", [] {
 // --- making and loading slices -----------------------------------------------------------------------------
 
 SWARD_LIMITS("slices", [] {
-    GrassField f;
+    FlatField f;
     f.species[0].bladesPerM2 = 88000, f.species[0].height = 0.03f, f.species[0].width = 0.0015f;
     f.slices = 10, f.sliceWidth = 512, f.sliceHeight = 64, f.farSize = 512;
-    const SliceSpec spec = sliceSpec(f, f.species[0], makeBladeImage(32, 128), true);
+    const SliceSpec spec = sliceSpec(f.asField(), 0, makeBladeImage(32, 128), true);
     const auto folder = std::filesystem::temp_directory_path() / fmt::format("sward-bench-{}", getpid());
     JobControl control;
     std::optional<SliceImages> images;

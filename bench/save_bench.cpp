@@ -4,6 +4,7 @@
 #include "project/project_files.h"
 #include "tests/project/kill_save.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 using namespace sward;
 
@@ -20,7 +21,7 @@ void killWhileSaving() {
 void saveAfterAStroke() {
     const test::TempDir dir;
     Project p = test::killState(dir / "p", true);
-    const auto rows = sharedComponentRows();
+    const auto rows = tables().components;
     if (!saveProject(p, rows)) return reportLimit("files written by saving after one stroke", std::nan(""), 1, "files");
     const Project before = snapshot(p, rows);
     static_cast<MapField*>(findMap(p, rows, "density")->value)->map.set(20, 20, 0, 0.25f);

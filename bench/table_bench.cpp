@@ -9,6 +9,7 @@
 #include "techniques.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
+#include "fields.h"
 
 namespace {
 using namespace sward;
@@ -66,9 +67,9 @@ std::optional<Project> sceneOf(const Published& row, Population population) {
     if (!(row.added & kObjects)) removeAll<StaticMesh>(*p);
     if (!(row.added & kFlowers)) removeAll<Flowers>(*p);
     resize(*p, row.side);
-    GrassField& f = grassIn(*p);
-    f.technique = static_cast<int>(Technique::Tessellated);
-    f.population = static_cast<int>(population);
+    FlatField f = grassIn(*p);
+    f.technique = nameOf(Technique::Tessellated);
+    f.population = population;
     if (row.side <= kLargestStored) thinToStore(f, *p);
     return std::move(*p);
 }
@@ -86,8 +87,8 @@ struct Drawn {
 
     explicit Drawn(Project p) : project(std::move(p)) {}
     void frame(int effects, bool first) {
-        GrassField& f = grassIn(project);
-        f.farBlur = static_cast<int>(effects ? FarBlur::Gaussian : FarBlur::None);
+        FlatField f = grassIn(project);
+        f.farBlur = effects ? FarBlur::Gaussian : FarBlur::None;
         f.farDarkening = effects ? 0.4f : 0;
         ViewSettings s = sized(320, 240, 1);
         s.measure = first;

@@ -8,6 +8,7 @@
 #include "tests/gl_calls.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
+#include "fields.h"
 
 namespace {
 using namespace sward;
@@ -17,9 +18,9 @@ using namespace sward::test;
 constexpr Design kPlain{"416,025 plain blades", 400, 0.3f, 0.012f, 32.25, 0, 0, 0, 0};
 Project plain() {
     Project p = designed(kPlain, kPlain.side);
-    GrassField& f = grassIn(p);
-    f.technique = static_cast<int>(Technique::Tessellated);
-    f.beyond = static_cast<int>(Beyond::Nothing);
+    FlatField f = grassIn(p);
+    f.technique = nameOf(Technique::Tessellated);
+    f.beyond = Beyond::Nothing;
     f.cellSize = 0.75f;
     f.shadowMask = 0;
     f.groundShadows = false;
@@ -60,8 +61,8 @@ SWARD_LIMITS("tessellated-plain", [] {
     Renderer renderers[2] = {Renderer(*gpu(), tables()), Renderer(*gpu(), tables())};
     Project projects[2] = {plain(), plain()};
     for (Project& p : projects) {
-        GrassField& f = grassIn(p);
-        f.levelBy = static_cast<int>(LevelBy::Pixels);
+        FlatField f = grassIn(p);
+        f.levelBy = LevelBy::Pixels;
         f.pixelsPerQuad = 8;
         f.species[0].smoothness = 6;
     }
@@ -89,7 +90,7 @@ void raceAt(int level) {
     std::array<std::vector<double>, 2> ms;
     Renderer renderers[2] = {Renderer(*gpu(), tables()), Renderer(*gpu(), tables())};
     Project p = plain();
-    GrassField& f = grassIn(p);
+    FlatField f = grassIn(p);
     f.species[0].smoothness = level;
     f.species[0].bladesPerM2 = 100;
     f.maxDistance = 1e5f;  // so that nothing is far
@@ -122,7 +123,7 @@ Project million() {
 void measureCpu(Culling culling) {
     Renderer renderer(*gpu(), tables());
     Project p = million();
-    grassIn(p).culling = static_cast<int>(culling);
+    grassIn(p).culling = culling;
     std::vector<double> ms;
     GlCalls calls;
     for (int i = 0; i < 6; ++i) {

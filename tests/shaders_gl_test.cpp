@@ -12,6 +12,7 @@
 #include "gpu/program.h"
 #include "scenes.h"
 #include "support.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

@@ -5,6 +5,8 @@
 #include "scenes.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 Project small_() {
     Project p = lawn();
     put(p, "ground", Terrain{}).size = {8, 8};
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    FlatField f = flatField(p, "grass");
     f.minGeom = 1, f.maxGeom = 2, f.minBTF = 3, f.maxBTF = 4;
     f.slices = 3, f.sliceWidth = 32, f.sliceHeight = 16, f.farSize = 32;
     put(p, "eye", Camera{{1, 1, 1}, {4, 0, 4}, 50, 0});

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "cost/cost_rows.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 TEST(CostPlot, ShowsEachRowTheFrontierAndTheFloors) {
     CostRun r = run({row(0, 10, 0.1), row(1, 20, 0.05), row(2, 30, 0.07)}, 3);
     markFrontier(r.rows);
-    const Plot plot = costPlot(r, "eye");
+    const Plot plot = costPlot(r, "eye", tables().techniques);
     EXPECT_EQ(std::count_if(plot.dots.begin(), plot.dots.end(),
                             [](const PlotDot& d) { return d.title.find("maxGeom") != std::string::npos; }),
               3);
@@ -24,7 +25,7 @@ TEST(CostPlot, ShowsEachRowTheFrontierAndTheFloors) {
     EXPECT_GT(plot.dots[0].at.y, 0);
     EXPECT_LT(plot.dots[0].at.x, plot.dots[1].at.x) << "slower is farther right";
     EXPECT_LT(plot.dots[0].at.y, plot.dots[1].at.y) << "worse is higher";
-    EXPECT_EQ(costPlot(r, "nobody").width, 0);
+    EXPECT_EQ(costPlot(r, "nobody", tables().techniques).width, 0);
     const auto pixels = plotPixels(plot);
     const size_t at = 3 * (static_cast<size_t>(plot.dots[1].at.y) * static_cast<size_t>(plot.width) +
                            static_cast<size_t>(plot.dots[1].at.x));

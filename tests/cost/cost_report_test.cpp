@@ -6,6 +6,7 @@
 #include "cost/cost_rows.h"
 #include "maps/map_io.h"
 #include "support.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -18,7 +19,7 @@ TEST(CostReport, IsOneFileThatRefersToNothingElse) {
     const std::vector<uint8_t> gray(20 * 20 * 3, 128);
     ASSERT_TRUE(writeImagePng(dir / "row.png", 20, 20, 3, gray));
     ASSERT_TRUE(writeImagePng(dir / "truth.png", 20, 20, 3, gray));
-    ASSERT_TRUE(writeCostFiles(r, dir.path, dir.path));
+    ASSERT_TRUE(writeCostFiles(r, dir.path, dir.path, tables().techniques));
     const std::string html = readText(dir / "report.html");
     EXPECT_NE(html.find("&lt;park&gt; &amp; co"), std::string::npos);
     EXPECT_NE(html.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "techniques.h"
+#include "fields.h"
 
 namespace sward::test {
 namespace {
@@ -19,7 +20,7 @@ Project grassy() {
 
 TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
     const Project p = grassy();
-    auto all = costSettings(p);
+    auto all = costSettings(p, tables());
     ASSERT_TRUE(all);
     EXPECT_GE(all->size(), 35u);
     EXPECT_LE(all->size(), 48u);
@@ -29,24 +30,23 @@ TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
         ViewSettings view;
         const Status done = applySetting(copy, tables(), s, view);
         EXPECT_TRUE(done) << s.technique << " " << s.text() << ": " << done.error().text();
-        EXPECT_STREQ(kTechniques[copy.registry.get<GrassField>(findEntity(copy, "meadow"))->technique],
-                     s.technique.c_str());
-        const GrassField& f = *copy.registry.get<GrassField>(findEntity(copy, "meadow"));
+        const FlatField f = flatField(copy, "meadow");
+        EXPECT_EQ(f.technique, s.technique);
         EXPECT_LE(f.minGeom, f.maxGeom) << s.text();
         EXPECT_LE(f.minBTF, f.maxBTF) << s.text();
         EXPECT_TRUE(texts.insert(s.technique + " " + s.text()).second) << s.text();
     }
-    for (const char* name : kTechniques)
-        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == name; }))
-            << name;
+    for (const TechniqueRow& row : tables().techniques)
+        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == row.name; }))
+            << row.name;
 }
 
 TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
-    auto flat = costSettings(grassy(), "flat");
+    auto flat = costSettings(grassy(), tables(), "flat");
     ASSERT_TRUE(flat);
     EXPECT_EQ(flat->size(), 2u);
-    EXPECT_EQ(costSettings(grassy(), "felt").error().code, ExitCode::Usage);
-    EXPECT_EQ(costSettings(Project{}).error().code, ExitCode::Unsound);
+    EXPECT_EQ(costSettings(grassy(), tables(), "felt").error().code, ExitCode::Usage);
+    EXPECT_EQ(costSettings(Project{}, tables()).error().code, ExitCode::Unsound);
     Project p = grassy();
     ViewSettings view;
     EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"msaa=0"}}, view).error().code, ExitCode::Usage);

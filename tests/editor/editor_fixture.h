@@ -75,7 +75,8 @@ class EditorUi : public EditorFixture {};
 class EditorTools : public EditorFixture {
   protected:
     TierDistances tiers() {
-        return tiersOf(*doc.project().registry.get<GrassField>(findEntity(doc.project(), "lawn")));
+        const HybridTiers* own = doc.project().registry.get<HybridTiers>(findEntity(doc.project(), "lawn"));
+        return tiersOf(own ? *own : HybridTiers{});
     }
     std::array<double, 2> grip(const std::string& tier) {
         const auto r = ui->rect("Viewport/Ring " + tier);

@@ -2,6 +2,7 @@
 #include "core/log.h"
 #include "objects.h"
 #include "world/forces.h"
+#include "fields.h"
 
 namespace sward::test {
 namespace {
@@ -18,7 +19,7 @@ struct Scene {
         Terrain t;
         t.size = {20, 20};
         put(p, "ground", t);
-        GrassField f;
+        FlatField f;
         f.species[0].height = 0.3f;
         put(p, "grass", f);
         putObject(p, "block",

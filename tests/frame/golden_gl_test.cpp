@@ -6,6 +6,7 @@
 #include "project/project_files.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

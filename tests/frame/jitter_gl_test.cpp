@@ -1,5 +1,7 @@
 // Frames moved by fractions of a pixel sample it at other places, and so add up to a converged one.
 #include "scenes.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -36,7 +38,7 @@ TEST(Jitter, FramesOfOnePixelAddUpToOneThatManySamplesGive) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(Technique::Geometry);
+    flatField(p, "grass").technique = nameOf(Technique::Geometry);
     std::vector<float> all(160 * 120 * 3, 0), half = all;
     for (int i = 0; i < 16; ++i) {
         const auto frame =

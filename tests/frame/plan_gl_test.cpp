@@ -5,6 +5,7 @@
 
 #include "project/project_files.h"
 #include "scenes.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -37,7 +38,7 @@ TEST(PlanOrder, OfEverySampleIsTheSameForAHundredShuffledTables) {
     for (int i = 0; i < 100; ++i) {
         std::shuffle(rows.begin(), rows.end(), random);
         for (const Project& p : projects) {
-            const FeatureSet features = sceneFeatures(p.registry, tables().components);
+            const FeatureSet features = sceneFeatures(p.registry, tables());
             for (const unsigned view : {kViewMain, kViewReflection})
                 ASSERT_EQ(stepNames(features, view, tables().effects), stepNames(features, view, rows)) << p.name;
         }

@@ -2,6 +2,8 @@
 // plan, programs and bytes as before.
 #include "core/json.h"
 #include "objects.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -40,14 +42,14 @@ const std::filesystem::path& objectsFolder() {
 }
 Project everything() {
     Project p = lawn();
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    FlatField f = flatField(p, "grass");
     Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
     f.species[0].density = field(filled({64, 64, 1, PixelType::U16}, 0.7f));
     f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f));
     f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f));
     f.ambientOcclusion = field(filled({16, 16, 1, PixelType::U8}, 0.9f));
     f.forces = field(filled({16, 16, 4, PixelType::U8}, 0.6f));
-    f.farBlur = static_cast<int>(FarBlur::Gaussian);
+    f.farBlur = FarBlur::Gaussian;
     f.farDarkening = 0.3f;
     put<Wind>(p, "wind");
     put<ForceSource>(p, "stone");
@@ -142,9 +144,9 @@ TEST(TraceMaps, RemovingEachLeavesTheSceneThatNeverHadIt) {
 
 // What ends a tier or a kind of shadow without any component or map going.
 TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
-    const auto grass = [](Project& p) -> GrassField& { return *p.registry.get<GrassField>(findEntity(p, "grass")); };
+    const auto grass = [](Project& p) { return flatField(p, "grass"); };
     const auto technique = [&](Technique t) {
-        return [&grass, t](Project& p) { grass(p).technique = static_cast<int>(t); };
+        return [&grass, t](Project& p) { grass(p).technique = nameOf(t); };
     };
     std::vector<Removal> removals = {
         {"blades alone", technique(Technique::Geometry)},
@@ -169,12 +171,12 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
          }},
         {"no force of an outline",
          [](Project& p) { p.registry.get<ForceSource>(findEntity(p, "cube"))->shape = ForceShape::Object; }},
-        {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = static_cast<int>(FarBlur::None); }},
+        {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = FarBlur::None; }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades",
          [&](Project& p) {
-             grass(p).technique = static_cast<int>(Technique::Tessellated),
-             grass(p).beyond = static_cast<int>(Beyond::Nothing);
+             grass(p).technique = nameOf(Technique::Tessellated),
+             grass(p).beyond = Beyond::Nothing;
          }},
         {"water that mirrors the sky alone",
          [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
@@ -190,7 +192,7 @@ TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
     NoGlErrors errors;
     for (const Technique other : {Technique::Hybrid, Technique::Geometry, Technique::Flat}) {
         const auto become = [](Project& p, Technique t) {
-            p.registry.get<GrassField>(findEntity(p, "grass"))->technique = static_cast<int>(t);
+            flatField(p, "grass").technique = nameOf(t);
         };
         Project p = everything();
         become(p, other);
@@ -205,7 +207,7 @@ TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
         become(p, Technique::Tessellated);
         EXPECT_GT(traceOf(renderer, p).ledger.count("grass/tessellated"), 0u);
         become(p, other);
-        expectSame(never, traceOf(renderer, p), kTechniques[static_cast<size_t>(other)]);
+        expectSame(never, traceOf(renderer, p), nameOf(other));
     }
 }
 
@@ -262,13 +264,13 @@ TEST(Trace, ExplainSaysHowFarTheTechniqueFollowsWhatMovesGrass) {
     put<Wind>(p, "wind");
     put<ForceSource>(p, "stone");
     put(p, "stone", Transform{{10, 0, 8}});
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    FlatField f = flatField(p, "grass");
     const auto told = [&](Technique t) {
-        f.technique = static_cast<int>(t);
+        f.technique = nameOf(t);
         return renderer.explain(p, false);
     };
     const auto holds = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
-    f.beyond = static_cast<int>(Beyond::Nothing);
+    f.beyond = Beyond::Nothing;
     const std::string blades = told(Technique::Tessellated), flat = told(Technique::Flat),
                       hybrid = told(Technique::Hybrid);
     EXPECT_TRUE(holds(blades, "note      blades bend and quiver each by itself\n")) << blades;
@@ -285,7 +287,7 @@ TEST(Trace, ExplainHasALineForWhatDarkensFarGrass) {
     Renderer renderer(gpu(), tables());
     Project p = lawn();
     EXPECT_EQ(renderer.explain(p, false).find("\n  grass/far-darkening:"), std::string::npos);
-    p.registry.get<GrassField>(findEntity(p, "grass"))->farDarkening = 0.3f;
+    flatField(p, "grass").farDarkening = 0.3f;
     EXPECT_NE(renderer.explain(p, false).find("\n  grass/far-darkening: far grass is darker"), std::string::npos);
 }
 

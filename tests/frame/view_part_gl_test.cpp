@@ -16,7 +16,7 @@ class ViewParts : public testing::Test {
         auto made = makeHeadlessGpu();
         ASSERT_TRUE(made) << made.error().text();
         gpu = std::move(*made);
-        auto opened = newProject(dir / "lawn");
+        auto opened = newProject(dir / "lawn", tables().components);
         ASSERT_TRUE(opened) << opened.error().text();
         project = std::make_unique<Project>(std::move(*opened));
         renderer = std::make_unique<Renderer>(*gpu, tables());

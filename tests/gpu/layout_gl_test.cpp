@@ -15,6 +15,7 @@
 #include "gpu/program.h"
 #include "project/project_files.h"
 #include "scenes.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -140,7 +141,7 @@ std::vector<FeatureSet> featuresOfSamples() {
             if (!entry.is_directory()) continue;
             const auto p = loadProject(entry.path(), tables().components);
             EXPECT_TRUE(p) << (p ? "" : p.error().text());
-            if (p) out.push_back(sceneFeatures(p->registry, tables().components));
+            if (p) out.push_back(sceneFeatures(p->registry, tables()));
         }
     return out;
 }

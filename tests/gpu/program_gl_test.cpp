@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "scenes.h"
 #include "support.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

@@ -35,7 +35,7 @@ FieldLight lit(const glm::vec3& direction, LightWeighting weighting, const glm::
     FieldLight l;
     l.sky = ambient, l.ground = ambient;
     l.suns = {{glm::normalize(direction), {3, 2.5f, 2}}};
-    l.weighting = static_cast<int>(weighting);
+    l.weighting = weighting;
     return l;
 }
 constexpr LightWeighting kForms[] = {LightWeighting::Cosine, LightWeighting::Atan,    LightWeighting::Poly9,
@@ -170,7 +170,7 @@ TEST(LightWeighting, EveryFormIsFiniteAndSharesOutOneAtHardPoints) {
     for (const LightWeighting form : kForms)
         for (const glm::vec3& light : kHard) {
             const float noise = form == LightWeighting::Published ? 5e-4f : 3e-7f;
-            const glm::vec4 w = imageWeights(light, static_cast<int>(form));
+            const glm::vec4 w = imageWeights(light, form);
             for (const float share : {w.x, w.y, w.z, w.w, fifth(w)}) {
                 EXPECT_GE(share, -noise) << static_cast<int>(form) << ": " << light.x << " " << light.y << " "
                                          << light.z;
@@ -189,9 +189,9 @@ TEST(LightWeighting, FormsAgreeWithinWhatTheyCost) {
                     r = std::sqrt(1 - y * y);
         const glm::vec3 light(r * std::cos(turn), y, r * std::sin(turn));
         if (std::min(std::abs(light.x), std::abs(light.z)) < 1e-2f) continue;
-        const glm::vec4 exact = imageWeights(light, static_cast<int>(LightWeighting::Atan));
+        const glm::vec4 exact = imageWeights(light, LightWeighting::Atan);
         for (const auto& [form, most] : errors) {
-            const glm::vec4 w = imageWeights(light, static_cast<int>(form));
+            const glm::vec4 w = imageWeights(light, form);
             for (int c = 0; c < 4; ++c)
                 EXPECT_NEAR(w[c], exact[c], most)
                     << static_cast<int>(form) << " light " << light.x << " " << light.y << " " << light.z;
@@ -201,12 +201,12 @@ TEST(LightWeighting, FormsAgreeWithinWhatTheyCost) {
 
 TEST(LightWeighting, LightOnAnAxisIsThatAxisAlone) {
     for (const LightWeighting form : kForms) {
-        EXPECT_NEAR(imageWeights({1, 0, 0}, static_cast<int>(form)).x, 1, 1e-6f);
-        EXPECT_NEAR(imageWeights({0, 1, 0}, static_cast<int>(form)).y, 1, 1e-6f);
-        EXPECT_NEAR(imageWeights({0, 0, 1}, static_cast<int>(form)).z, 1, 1e-6f);
-        EXPECT_NEAR(imageWeights({-1, 0, 0}, static_cast<int>(form)).w, 1, 1e-6f);
-        EXPECT_NEAR(fifth(imageWeights({0, 0, -1}, static_cast<int>(form))), 1, 1e-6f);
-        EXPECT_NEAR(imageWeights({0, -1, 0}, static_cast<int>(form)).y, 1, 1e-6f) << "the nadir counts as the zenith";
+        EXPECT_NEAR(imageWeights({1, 0, 0}, form).x, 1, 1e-6f);
+        EXPECT_NEAR(imageWeights({0, 1, 0}, form).y, 1, 1e-6f);
+        EXPECT_NEAR(imageWeights({0, 0, 1}, form).z, 1, 1e-6f);
+        EXPECT_NEAR(imageWeights({-1, 0, 0}, form).w, 1, 1e-6f);
+        EXPECT_NEAR(fifth(imageWeights({0, 0, -1}, form)), 1, 1e-6f);
+        EXPECT_NEAR(imageWeights({0, -1, 0}, form).y, 1, 1e-6f) << "the nadir counts as the zenith";
     }
 }
 

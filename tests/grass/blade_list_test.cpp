@@ -5,13 +5,16 @@
 #include <set>
 
 #include "core/numerics.h"
+#include "fields.h"
 
 namespace sward {
 namespace {
 
+using namespace test;
+
 struct Field {
     Terrain terrain;
-    GrassField grass;
+    FlatField grass;
     Patch patch;
     HeightBounds bounds;
     Frustum frustum = frustumOf(viewProjection({{10, 1.7, 10}, {16, 0, 15}, 55, 0}, 320, 240));
@@ -30,7 +33,7 @@ struct Field {
                       0.4f + 0.6f * f32::hashUnit(f32::hash2(static_cast<uint32_t>(x), static_cast<uint32_t>(y))));
         s.density = {"maps/d.png", m};
     }
-    CellQuery query() const { return cellQuery(terrain, bounds, grass, grass.species[0], patch, eye, frustum, 400); }
+    CellQuery query() const { return cellQuery(queryOf(terrain, bounds, grass, patch), {eye, frustum, 400}); }
 };
 using Seen = std::set<std::pair<uint32_t, uint32_t>>;  // cell, blade
 

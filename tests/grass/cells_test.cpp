@@ -5,9 +5,12 @@
 #include <set>
 
 #include "core/numerics.h"
+#include "fields.h"
 
 namespace sward {
 namespace {
+
+using namespace test;
 
 Frustum everywhere() {
     Frustum f;
@@ -17,7 +20,7 @@ Frustum everywhere() {
 
 struct Field {
     Terrain terrain;
-    GrassField grass;
+    FlatField grass;
     Patch patch;
     HeightBounds bounds;
     Frustum frustum = everywhere();
@@ -26,10 +29,10 @@ struct Field {
     explicit Field(double size = 20, float bladesPerM2 = 400) {
         terrain.size = {size, size};
         grass.species[0].bladesPerM2 = bladesPerM2;
-        grass.technique = static_cast<int>(Technique::Geometry);
+        grass.technique = nameOf(Technique::Geometry);
         patch = makePatch(grass.species[0], grass.cellSize, 1);
     }
-    CellQuery query() { return cellQuery(terrain, bounds, grass, grass.species[0], patch, eye, frustum, 200); }
+    CellQuery query() { return cellQuery(queryOf(terrain, bounds, grass, patch), {eye, frustum, 200}); }
     void density(const std::function<float(int, int)>& f, int side = 40) {
         Map m({side, side, 1, PixelType::U16});
         for (int y = 0; y < side; ++y)
@@ -57,7 +60,7 @@ TEST(Cells, BladesFollowTheDensityOfTheirRoot) {
 
 TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
     Field f;
-    f.grass.technique = static_cast<int>(Technique::Hybrid);
+    f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = 2, f.grass.maxGeom = 7;
     f.density([](int x, int y) { return static_cast<float>((x * 7 + y * 13) % 40) / 39.0f; });
     const CellQuery q = f.query();
@@ -88,17 +91,17 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
 
 TEST(Cells, NothingBeyondMaxGeomIsSubmittedAndFlatSubmitsNothing) {
     Field f;
-    f.grass.technique = static_cast<int>(Technique::Hybrid);
+    f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = 2, f.grass.maxGeom = 4;
     for (const CellDraw& c : selectCells(f.query()))
         EXPECT_LT(std::hypot(c.cellX * 0.5 + 0.25 - 10, c.cellZ * 0.5 + 0.25 - 10), 4.4);
-    f.grass.technique = static_cast<int>(Technique::Flat);
+    f.grass.technique = nameOf(Technique::Flat);
     EXPECT_TRUE(selectCells(f.query()).empty());
 }
 
 TEST(Cells, EqualTierDistancesAreAStepAndInfinityNeverFades) {
     Field f;
-    f.grass.technique = static_cast<int>(Technique::Hybrid);
+    f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = f.grass.maxGeom = 5;
     const uint64_t step = countVisible(f.query());
     EXPECT_NEAR(static_cast<double>(step), 400 * 3.14159 * (25 - 1.7 * 1.7), 300);
@@ -110,7 +113,7 @@ TEST(Cells, NodesThatAreLookedAtDoNotGrowWithTheField) {
     uint64_t nodes[2];
     for (int i = 0; i < 2; ++i) {
         Field f(i == 0 ? 100 : 100 * 32, 40);
-        f.grass.technique = static_cast<int>(Technique::Hybrid);
+        f.grass.technique = nameOf(Technique::Hybrid);
         f.eye = {20, 1.7, 20};
         (void)selectCells(f.query(), &nodes[i]);
     }

@@ -7,6 +7,7 @@
 #include "frame/renderer.h"
 #include "scene/project.h"
 #include "world/view_camera.h"
+#include "fields.h"
 
 namespace sward::test {
 
@@ -25,7 +26,7 @@ template <class C>
 void give(Project& p, const std::string& entity, C value) {
     p.registry.add<C>(*addEntity(p, entity), std::move(value));
 }
-inline GrassField& grassIn(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+inline FlatField grassIn(Project& p) { return flatField(p, "grass"); }
 inline Light& sunIn(Project& p) { return *p.registry.get<Light>(findEntity(p, "sun")); }
 
 inline Project designed(const Design& d, double side) {
@@ -33,7 +34,7 @@ inline Project designed(const Design& d, double side) {
     Terrain ground;
     ground.size = {side, side};
     give(p, "ground", ground);
-    GrassField f;
+    FlatField f;
     f.species[0].bladesPerM2 = d.bladesPerM2;
     f.species[0].height = d.height;
     f.species[0].width = d.width;

@@ -6,6 +6,7 @@
 #include "objects.h"
 #include "reference/reference.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

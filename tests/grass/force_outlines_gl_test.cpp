@@ -6,6 +6,7 @@
 #include "shared/bindings.h"
 #include "shared/wind.h"
 #include "world/forces.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

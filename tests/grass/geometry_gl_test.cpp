@@ -3,11 +3,13 @@
 #include "cost/frame_stats.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
-GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassOf(Project& p) { return flatField(p, "grass"); }
 
 const PassStats& passOf(const Renderer& r, const std::string& name) {
     for (const PassStats& p : r.stats().passes)
@@ -60,8 +62,8 @@ TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(Technique::Geometry);
+    FlatField f = grassOf(p);
+    f.technique = nameOf(Technique::Geometry);
     f.fade = 0;
     f.species[0].segments = 1;
     f.species[0].density = field(filled({8, 8, 1, PixelType::U16}, 0.5f));
@@ -88,7 +90,7 @@ TEST(GrassPicture, CallsDoNotGrowWithTheFieldAndFlatDrawsNone) {
         ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
         draws[i] = passOf(r, "grass/geometry").draws;
         if (i == 1) {
-            grassOf(p).technique = static_cast<int>(Technique::Flat);
+            grassOf(p).technique = nameOf(Technique::Flat);
             ASSERT_TRUE(r.draw(p, eyeHeight(), small()));
             EXPECT_EQ(passOf(r, "grass/geometry").draws, 0u);
         }
@@ -132,9 +134,9 @@ TEST(GrassPicture, IsTheSameWhetherBladesAreListedOneByOneOrByRanges) {
     for (const Transparency way : {Transparency::Coverage, Transparency::Blend})
         for (const int samples : {1, 4}) {
             Project p = lawn();
-            GrassField& f = grassOf(p);
+            FlatField f = grassOf(p);
             f.minGeom = 2, f.maxGeom = 6;
-            f.transparency = static_cast<int>(way);
+            f.transparency = way;
             ViewSettings s = small();
             s.msaa = samples;
             s.measure = true;
@@ -155,8 +157,8 @@ TEST(GrassPicture, IsTheSameWhetherBladesAreListedOneByOneOrByRanges) {
 TEST(GrassPicture, PaintedLeanTurnsTheBlades) {
     Renderer r(gpu(), tables());
     Project p = lawn();
-    GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(Technique::Geometry);
+    FlatField f = grassOf(p);
+    f.technique = nameOf(Technique::Geometry);
     f.species[0].bladesPerM2 = 4000;
     f.species[0].leanDeg = 45;
     f.species[0].leanVariationDeg = 3;
@@ -229,7 +231,7 @@ TEST(GrassPicture, OverdrawCountsFragments) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->transparency =
+    flatField(p, "grass").transparency =
         static_cast<int>(Transparency::Blend);  // else the ground is not lit under blades
     ViewSettings s = small();
     s.mode = ViewMode::Overdraw;

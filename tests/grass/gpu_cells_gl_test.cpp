@@ -10,6 +10,8 @@
 #include "scenes.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -36,8 +38,8 @@ Project meadow(Technique technique, bool painted) {
     Project p = lawn();
     Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
     t.size = {43.3, 37.7};  // its last cells are cut
-    GrassField& f = grassIn(p);
-    f.technique = static_cast<int>(technique);
+    FlatField f = grassIn(p);
+    f.technique = nameOf(technique);
     f.minGeom = 3, f.maxGeom = 9;
     f.maxDistance = 22, f.thinning = 0.6f;
     f.sliceWidth = f.sliceHeight = f.farSize = 16;
@@ -48,7 +50,7 @@ Project meadow(Technique technique, bool painted) {
     return p;
 }
 std::vector<uint8_t> pictureOf(Renderer& r, Project& p, Culling culling, const ViewCamera& c) {
-    grassIn(p).culling = static_cast<int>(culling);
+    grassIn(p).culling = culling;
     ViewSettings s = small();
     s.measure = true;
     const Status drawn = r.draw(p, c, s);
@@ -66,7 +68,7 @@ TEST(GpuCells, PicturesAndCountsAreTheCpus) {
             for (const ViewCamera& view : views) {
                 const auto expected = pictureOf(cpu, p, Culling::Cpu, view),
                            found = pictureOf(own, p, Culling::Gpu, view);
-                EXPECT_TRUE(expected == found) << kTechniques[static_cast<size_t>(technique)] << " painted " << painted;
+                EXPECT_TRUE(expected == found) << nameOf(technique) << " painted " << painted;
                 if (technique != Technique::Tessellated) continue;  // elsewhere the CPU lists blades
                 EXPECT_EQ(cpu.stats().cells, own.stats().cells);
                 EXPECT_EQ(cpu.stats().bladesGeometry, own.stats().bladesGeometry);
@@ -80,7 +82,7 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
     for (const Technique technique : {Technique::Tessellated, Technique::Hybrid})
         for (const Culling culling : {Culling::Gpu, Culling::Cpu}) {
             Project p = meadow(technique, true);
-            GrassField& f = grassIn(p);
+            FlatField f = grassIn(p);
             f.species.push_back(f.species[0]);
             f.species[1].name = "low", f.species[1].height *= 0.5f;
             Map ones({8, 8, 1, PixelType::U8});
@@ -91,7 +93,7 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
             f.species[1].density = {};
             for (int frame = 0; frame < 2; ++frame)
                 EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight()))
-                    << kTechniques[static_cast<size_t>(technique)] << " " << kCullings[static_cast<size_t>(culling)]
+                    << nameOf(technique) << " " << kCullings[static_cast<size_t>(culling)]
                     << " frame " << frame;
             EXPECT_EQ(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
         }
@@ -100,7 +102,7 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
 TEST(GpuCells, StagesDrawWhatWasChosenAsWell) {
     NoGlErrors errors;
     Project p = meadow(Technique::Tessellated, true);
-    grassIn(p).tessellation = static_cast<int>(Tessellation::Stages);
+    grassIn(p).tessellation = Tessellation::Stages;
     Renderer cpu(gpu(), tables()), own(gpu(), tables());
     EXPECT_TRUE(pictureOf(cpu, p, Culling::Cpu, eyeHeight()) == pictureOf(own, p, Culling::Gpu, eyeHeight()));
 }
@@ -117,7 +119,7 @@ TEST(GpuCells, TheSameFrameIsTheSamePictureAgain) {
 class Chosen : public ::testing::Test {
   protected:
     Terrain terrain;
-    GrassField field;
+    FlatField field;
     HeightBounds bounds;
     Patch patch;
     Programs programs;
@@ -183,7 +185,7 @@ TEST_F(Chosen, CellsAreTheCpusInTheSameOrderFromAnywhere) {
         terrain.height = painted ? MapField{"maps/h.exr", hills()} : MapField{};
         updateHeightBounds(bounds, terrain);
         field.cellSize = static_cast<float>(random(0.2, 2));
-        field.technique = static_cast<int>(tessellated ? Technique::Tessellated : Technique::Hybrid);
+        field.technique = nameOf(tessellated ? Technique::Tessellated : Technique::Hybrid);
         field.maxDistance = static_cast<float>(range), field.minGeom = static_cast<float>(range / 3),
         field.maxGeom = static_cast<float>(range);
         field.species[0].bladesPerM2 = 40;
@@ -192,7 +194,7 @@ TEST_F(Chosen, CellsAreTheCpusInTheSameOrderFromAnywhere) {
         const glm::dvec3 eye(random(0, terrain.size.x), random(0.3, 12), random(0, terrain.size.y));
         const Frustum frustum = frustumOf(
             viewProjection({eye, eye + glm::dvec3(random(-1, 1), random(-0.8, 0.2), random(-1, 1)), 60, 0}, 320, 240));
-        CellQuery q = cellQuery(terrain, bounds, field, field.species[0], patch, eye, frustum, 300);
+        CellQuery q = cellQuery(queryOf(terrain, bounds, field, patch), {eye, frustum, 300});
         if (tessellated)
             q.levels = {6, field.maxDistance, i % 2 ? 40.0f : 0.0f, q.reach}, q.thinning = 0.5f / field.maxDistance;
         else
@@ -206,9 +208,9 @@ TEST_F(Chosen, CellsAreTheCpusInTheSameOrderFromAnywhere) {
 
 Project million() {
     Project p = designed({"a million blades", 1100, 0.3f, 0.012f, 32.25, 0, 0, 0, 0}, 32.25);
-    GrassField& f = grassIn(p);
-    f.technique = static_cast<int>(Technique::Tessellated);
-    f.beyond = static_cast<int>(Beyond::Nothing);
+    FlatField f = grassIn(p);
+    f.technique = nameOf(Technique::Tessellated);
+    f.beyond = Beyond::Nothing;
     f.maxDistance = 60, f.thinning = 0, f.lowerFrom = 1;
     f.shadowMask = 0;
     give(p, "wind", Wind{});
@@ -225,7 +227,7 @@ TEST(GpuCells, AMillionBladesAreFewCallsAndLittleUpload) {
         Renderer r(gpu(), tables());
         Project p = million();
         grassIn(p).cellSize = 0.75f;
-        grassIn(p).culling = static_cast<int>(culling);
+        grassIn(p).culling = culling;
         for (int i = 0; i < 2; ++i) {  // libepoxy has found every function by then
             s.measure = i == 0;
             ASSERT_TRUE(r.draw(p, edge, s));

@@ -2,6 +2,8 @@
 #include "scene/population.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -14,7 +16,7 @@ Project oneBlade(float azimuthDeg) {
     Terrain t;
     t.size = {4, 4};
     put(p, "ground", t);
-    GrassField f;
+    FlatField f;
     f.cellSize = 4;
     f.minGeom = f.maxGeom = std::numeric_limits<float>::infinity();
     f.shadowMask = 0;
@@ -54,7 +56,7 @@ Shadow shadowOf(Renderer& r, Project& p) {
     ViewSettings s = small();
     s.width = s.height = 240;
     const ViewCamera c{{2, 60, 2}, {2, 0, 2}, 4, 0};
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    FlatField f = flatField(p, "grass");
     f.groundShadows = true;
     EXPECT_TRUE(r.draw(p, c, s));
     const auto with = r.readLinear();

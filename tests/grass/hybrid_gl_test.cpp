@@ -10,11 +10,13 @@
 #include "grass/slices.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
-void technique(Project& p, Technique t) { grassIn(p).technique = static_cast<int>(t); }
+void technique(Project& p, Technique t) { grassIn(p).technique = nameOf(t); }
 
 std::vector<uint8_t> picture(Renderer& r, Project& p, const ViewCamera& c, const ViewSettings& s) {
     const Status drawn = r.draw(p, c, s);
@@ -190,7 +192,7 @@ TEST(HybridStorage, CompressedLooksLikeFactored) {
     const ViewSettings s = sized(320, 240);
     const auto factored = picture(r, p, person(14), s);
     const int64_t bytes = gpu().ledger["grass/slices"] + gpu().ledger["grass/far"];
-    grassIn(p).storage = static_cast<int>(Storage::Compressed);
+    grassIn(p).storage = Storage::Compressed;
     const auto compressed = picture(r, p, person(14), s);
     const int64_t fewer = gpu().ledger["grass/slices"] + gpu().ledger["grass/far"];
     technique(p, Technique::Flat);
@@ -241,7 +243,7 @@ void expectSane(Renderer& r, Project& p, const ViewCamera& c, const std::string&
 
 Project quickLawn() {
     Project p = lawn();
-    GrassField& f = grassIn(p);
+    FlatField f = grassIn(p);
     f.minGeom = 3, f.maxGeom = 6, f.minBTF = 9, f.maxBTF = 12;
     f.slices = 4, f.sliceWidth = 64, f.sliceHeight = 32, f.farSize = 64;
     return p;
@@ -250,7 +252,7 @@ Project quickLawn() {
 TEST(HybridBadInput, TiersMeetInAnyOrder) {
     Renderer r(gpu(), tables());
     Project p = quickLawn();
-    GrassField& f = grassIn(p);
+    FlatField f = grassIn(p);
     const float inf = std::numeric_limits<float>::infinity();
     for (const auto& [a, b] : {std::pair{5.0f, 5.0f}, std::pair{8.0f, 4.0f}, std::pair{0.0f, 0.0f},
                                std::pair{5.0f, inf}, std::pair{inf, inf}, std::pair{30.0f, 40.0f}}) {
@@ -392,9 +394,9 @@ TEST(HybridRepetition, ShowsNoPeakAtTheLatticeOfCells) {
     NoGlErrors errors;
     const Project p = designed(kLawn, 14);
     JobControl control;
-    const GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    const FlatField f = flatField(p, "grass");
     const SliceImages images =
-        std::move(*bakeSlices(sliceSpec(f, f.species[0], makeBladeImage(32, 128), true), control));
+        std::move(*bakeSlices(sliceSpec(f.asField(), 0, makeBladeImage(32, 128), true), control));
     Renderer r(gpu(), tables());
     const Lattice periodic = lattice(tiled(images, Tiling::Periodic)),
                   mirrored = lattice(tiled(images, Tiling::Mirrored));

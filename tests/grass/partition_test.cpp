@@ -6,9 +6,12 @@
 
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "fields.h"
 
 namespace sward {
 namespace {
+
+using namespace test;
 
 constexpr float kDensities[] = {0.0f, 0.1f, 0.25f, 0.5f, 0.6f, 0.9f, 1.0f};
 constexpr double kSide = 12;
@@ -24,8 +27,8 @@ struct Counts {
     uint64_t exist = 0, geometry = 0, slices = 0, wrong = 0;  // wrong: none or both, or one where none may be
 };
 
-GrassField halfWay() {
-    GrassField f;
+FlatField halfWay() {
+    FlatField f;
     f.species[0].bladesPerM2 = 800;
     f.minGeom = 2, f.maxGeom = 7, f.minBTF = 20, f.maxBTF = 30;
     f.fade = 0;
@@ -37,14 +40,13 @@ struct Chosen {
     std::map<std::pair<int, int>, CellDraw> blades;
     std::set<std::pair<int, int>> slices;
 };
-Chosen choose(const GrassField& f, const Patch& patch, const Map& density) {
+Chosen choose(const FlatField& f, const Patch& patch, const Map& density) {
     Terrain ground;
     ground.size = {kSide, kSide};
-    GrassField painted = f;
-    painted.species[0].density = {"maps/d.png", density};
+    f.species[0].density = {"maps/d.png", density};
     const Frustum all = everywhere();
     const HeightBounds flat;
-    const CellQuery q = cellQuery(ground, flat, painted, painted.species[0], patch, kEye, all, 200);
+    const CellQuery q = cellQuery(queryOf(ground, flat, f, patch), {kEye, all, 200});
     Chosen c;
     for (const CellDraw& d : selectCells(q)) c.blades[{d.cellX, d.cellZ}] = d;
     for (const SliceCell& s : selectSliceCells(q, f.minGeom, f.maxBTF)) c.slices.insert({s.cellX, s.cellZ});
@@ -52,7 +54,7 @@ Chosen choose(const GrassField& f, const Patch& patch, const Map& density) {
 }
 
 // Distance of a blade of a cell from the eye, where the cell's version has it.
-float distanceOf(const Blade& b, int x, int z, const GrassField& f) {
+float distanceOf(const Blade& b, int x, int z, const FlatField& f) {
     const f32::CellVersion v = f32::cellVersion(x, z, static_cast<uint32_t>(f.seed));
     const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, f.cellSize);
     return static_cast<float>(glm::length(glm::dvec3(x * f.cellSize + in.x, 0, z * f.cellSize + in.y) - kEye));
@@ -66,7 +68,7 @@ Map constant(float value) {
 
 // published: geometry by the paper's rule instead.
 Counts countField(float density, bool published) {
-    const GrassField f = halfWay();
+    const FlatField f = halfWay();
     const Patch patch = makePatch(f.species[0], f.cellSize, static_cast<uint32_t>(f.seed));
     const Chosen chosen = choose(f, patch, constant(density));
     const float inv = f32::lodInverse(f.minGeom, f.maxGeom);

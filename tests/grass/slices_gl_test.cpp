@@ -8,6 +8,8 @@
 #include "scenes.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -15,14 +17,14 @@ namespace {
 // A dense lawn with small slices, soil that is not green.
 Project meadow(Technique technique) {
     Project p = lawn();
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
-    f.technique = static_cast<int>(technique);
+    FlatField f = flatField(p, "grass");
+    f.technique = nameOf(technique);
     f.species[0].bladesPerM2 = 3000;
     f.sliceWidth = f.farSize = 64, f.sliceHeight = 32;
     p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
     return p;
 }
-GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassOf(Project& p) { return flatField(p, "grass"); }
 
 ViewSettings sized(int msaa = 4) {
     ViewSettings s = small();
@@ -65,13 +67,13 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
     NoGlErrors errors;
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         Project p = meadow(technique);
-        grassOf(p).lightWeights = static_cast<int>(LightWeighting::Atan);
+        grassOf(p).lightWeights = LightWeighting::Atan;
         const auto factored = picture(p);
         for (const Storage storage : {Storage::Full, Storage::Compressed}) {
-            grassOf(p).storage = static_cast<int>(storage);
+            grassOf(p).storage = storage;
             const auto other = picture(p);
             EXPECT_LT(rmse(other, factored), 0.015)
-                << kStorages[static_cast<int>(storage)] << ", technique " << static_cast<int>(technique);
+                << kStorages[static_cast<int>(storage)] << ", technique " << nameOf(technique);
             EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored))
                 << kStorages[static_cast<int>(storage)];
         }
@@ -83,9 +85,9 @@ TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
     const auto blades = picture(meadow(Technique::Geometry));
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const auto slices = picture(meadow(technique));
-        EXPECT_NEAR(covered(slices), covered(blades), 0.12) << static_cast<int>(technique);
+        EXPECT_NEAR(covered(slices), covered(blades), 0.12) << nameOf(technique);
         // From steeply above wide blades, vertical slices are a third too bright: they hold no view from above.
-        EXPECT_NEAR(brightness(slices), brightness(blades), 0.45 * brightness(blades)) << static_cast<int>(technique);
+        EXPECT_NEAR(brightness(slices), brightness(blades), 0.45 * brightness(blades)) << nameOf(technique);
     }
 }
 
@@ -97,7 +99,7 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     const auto blades = picture(meadow(Technique::Geometry));
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
         Project p = meadow(Technique::Slices);
-        grassOf(p).transparency = static_cast<int>(way);
+        grassOf(p).transparency = way;
         grassOf(p).sharpness =
             3;  // of layers that are blended, each half transparent, smoother ones let more soil through: 0.26 at 2
         const auto drawn = picture(p);
@@ -140,7 +142,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     const auto change = [](Technique technique) {
         const auto leant = [&](float x) {
             Project p = meadow(technique);
-            GrassField& f = grassOf(p);
+            FlatField f = grassOf(p);
             f.species[0].leanDeg = 25;
             Map m({4, 4, 2, PixelType::U16});
             for (int i = 0; i < 16; ++i) m.set(i % 4, i / 4, 0, x), m.set(i % 4, i / 4, 1, 0.5f);
@@ -155,7 +157,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     EXPECT_GT(std::abs(blades), 0.01);
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const double slices = change(technique);
-        EXPECT_GT(slices * blades, 0) << "technique " << static_cast<int>(technique) << ": " << slices
+        EXPECT_GT(slices * blades, 0) << "technique " << nameOf(technique) << ": " << slices
                                       << ", blades: " << blades;
     }
 }
@@ -188,7 +190,7 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
                 const glm::dvec3 share = pressedColor(technique, sun, distance) / blades;
                 const std::string which = fmt::format(
                     "{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green",
-                    kTechniques[static_cast<size_t>(technique)], distance, sun.elevationDeg, share.x, share.y);
+                    nameOf(technique), distance, sun.elevationDeg, share.x, share.y);
                 std::printf("  %s\n", which.c_str());
                 EXPECT_NEAR(share.y, 1, 0.5) << which;
                 EXPECT_GT(share.y / share.x, 0.8) << which << "; soil is red";
@@ -312,7 +314,7 @@ TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
     NoGlErrors errors;
     const auto redness = [](bool tallFirst) {
         Project p = meadow(Technique::Flat);
-        GrassField& f = grassOf(p);
+        FlatField f = grassOf(p);
         Species low = f.species[0], tall = f.species[0];
         low.name = "low", low.height = 0.05f;
         tall.name = "tall", tall.height = 0.5f;

@@ -3,23 +3,25 @@
 #include "grass/comparison.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
-GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassOf(Project& p) { return flatField(p, "grass"); }
 
 // A lawn whose soil is shaded alike under every technique; all blades, to beyond the ground's end.
 Project lawnBy(Technique technique) {
     Project p = lawn();
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {10, 10};
-    GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(technique);
+    FlatField f = grassOf(p);
+    f.technique = nameOf(technique);
     f.groundShadows = false;
     f.maxDistance = 200;
     f.thinning = 0;
     f.lowerFrom = 1;
-    f.beyond = static_cast<int>(Beyond::Nothing);
+    f.beyond = Beyond::Nothing;
     return p;
 }
 std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& c = eyeHeight(),
@@ -58,7 +60,7 @@ Map waves(const MapInfo& info) {
 }
 // Every map that the population or its look follows.
 void paint(Project& p) {
-    GrassField& f = grassOf(p);
+    FlatField f = grassOf(p);
     f.species[0].density = field(waves({32, 32, 1, PixelType::U16}));
     f.orientation = field(waves({16, 16, 2, PixelType::U16}));
     f.vegetation = field(waves({16, 16, 4, PixelType::U8}));
@@ -74,15 +76,15 @@ TEST(Tessellated, StripsAndStagesDrawTheSamePicture) {
         for (const LevelBy by : {LevelBy::Distance, LevelBy::Pixels}) {
             Project p = lawnBy(Technique::Tessellated);
             if (painted) paint(p);
-            GrassField& f = grassOf(p);
-            f.levelBy = static_cast<int>(by);
+            FlatField f = grassOf(p);
+            f.levelBy = by;
             f.maxDistance = 20, f.thinning = 0.5f, f.lowerFrom = 0.7f;
             for (const int samples : {1, 4}) {
                 ViewSettings view = small();
                 view.msaa = samples;
-                f.tessellation = static_cast<int>(Tessellation::Stages);
+                f.tessellation = Tessellation::Stages;
                 const auto stages = pictureOf(r, p, eyeHeight(), view);
-                f.tessellation = static_cast<int>(Tessellation::Strips);
+                f.tessellation = Tessellation::Strips;
                 const double share = differing(pictureOf(r, p, eyeHeight(), view), stages);
                 RecordProperty(fmt::format("{}-{}-{}", painted ? "painted" : "plain", kLevelsBy[f.levelBy], samples),
                                fmt::format("{:.5f}", share));
@@ -100,7 +102,7 @@ TEST(Tessellated, TheBladesAreGeometrys) {
         if (painted) paint(geometry), paint(tessellated);
         const auto a = pictureOf(r, geometry);
         for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips}) {
-            grassOf(tessellated).tessellation = static_cast<int>(way);
+            grassOf(tessellated).tessellation = way;
             const auto b = pictureOf(r, tessellated);
             EXPECT_NEAR(meanOf(a), meanOf(b), 0.01 * meanOf(a)) << painted;
             const std::vector<bool> all(a.size() / 3, true);
@@ -112,8 +114,8 @@ TEST(Tessellated, TheBladesAreGeometrys) {
 TEST(Tessellated, BladesAreAsFineAsTheirDistanceAsks) {
     Renderer r(gpu(), tables());
     Project p = lawnBy(Technique::Tessellated);
-    GrassField& f = grassOf(p);
-    f.tessellation = static_cast<int>(Tessellation::Strips);
+    FlatField f = grassOf(p);
+    f.tessellation = Tessellation::Strips;
     f.maxDistance = 1e5f;       // so that all are near
     f.species[0].width = 0.2f;  // and none is plain
     uint64_t one = 0;
@@ -145,7 +147,7 @@ TEST(Tessellated, BeyondTheGreatestDistanceNoBladeIsDrawn) {
     tiers.mode = ViewMode::Tiers;
     const ViewCamera high{{5, 9, 5}, {5, 0, 5.01}, 55, 0};
     for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips}) {
-        grassOf(p).tessellation = static_cast<int>(way);
+        grassOf(p).tessellation = way;
         grassOf(p).maxDistance = 8.5f;
         EXPECT_EQ(pictureOf(r, p, high, tiers), pictureOf(r, bare, high, tiers));
         grassOf(p).maxDistance = 50;
@@ -156,7 +158,7 @@ TEST(Tessellated, BeyondTheGreatestDistanceNoBladeIsDrawn) {
 TEST(Tessellated, ThinnedBladesCoverAsMuchByTheirWidth) {
     Renderer r(gpu(), tables());
     Project p = lawnBy(Technique::Tessellated);
-    GrassField& f = grassOf(p);
+    FlatField f = grassOf(p);
     f.species[0].clumpSize = 0;
     f.fade = 0;
     f.maxDistance = 30;
@@ -183,11 +185,11 @@ TEST(Tessellated, EveryViewShowsBlades) {
     for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips})
         for (const ViewMode mode : {ViewMode::Tiers, ViewMode::Overdraw, ViewMode::Normals, ViewMode::Density}) {
             Project p = lawnBy(Technique::Tessellated), bare = lawnBy(Technique::Tessellated);
-            grassOf(p).tessellation = static_cast<int>(way);
+            grassOf(p).tessellation = way;
             grassOf(bare).maxDistance = 0.1f;
             // Blended blades lie over the ground; others hide it, so that a pixel counts one of both.
             if (mode == ViewMode::Overdraw)
-                grassOf(p).transparency = grassOf(bare).transparency = static_cast<int>(Transparency::Blend);
+                grassOf(p).transparency = grassOf(bare).transparency = Transparency::Blend;
             ViewSettings s = small();
             s.mode = mode;
             EXPECT_GT(differing(pictureOf(r, p, eyeHeight(), s), pictureOf(r, bare, eyeHeight(), s)), 0.05)
@@ -199,21 +201,21 @@ TEST(Tessellated, IsFiniteForBladesOfNoSizeAndExtremeSettings) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     const std::function<void(GrassField&)> extremes[] = {
-        [](GrassField& f) { f.species[0].height = 0; },
-        [](GrassField& f) { f.species[0].width = 0; },
-        [](GrassField& f) { f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90; },
-        [](GrassField& f) { f.thinning = 1, f.lowerFrom = 0; },
-        [](GrassField& f) { f.maxDistance = 0.1f; },
-        [](GrassField& f) { f.maxDistance = 1e6f, f.species[0].smoothness = 64, f.species[0].bladesPerM2 = 20; },
-        [](GrassField& f) {
-            f.levelBy = static_cast<int>(LevelBy::Pixels), f.pixelsPerQuad = 0.5f, f.species[0].smoothness = 16,
+        [](const FlatField& f) { f.species[0].height = 0; },
+        [](const FlatField& f) { f.species[0].width = 0; },
+        [](const FlatField& f) { f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90; },
+        [](const FlatField& f) { f.thinning = 1, f.lowerFrom = 0; },
+        [](const FlatField& f) { f.maxDistance = 0.1f; },
+        [](const FlatField& f) { f.maxDistance = 1e6f, f.species[0].smoothness = 64, f.species[0].bladesPerM2 = 20; },
+        [](const FlatField& f) {
+            f.levelBy = LevelBy::Pixels, f.pixelsPerQuad = 0.5f, f.species[0].smoothness = 16,
             f.species[0].bladesPerM2 = 20;
         },
     };
     for (const auto& extreme : extremes)
         for (const Tessellation way : {Tessellation::Stages, Tessellation::Strips}) {
             Project p = lawnBy(Technique::Tessellated);
-            grassOf(p).tessellation = static_cast<int>(way);
+            grassOf(p).tessellation = way;
             extreme(grassOf(p));
             ASSERT_TRUE(r.draw(p, {{5, 0.1, 5}, {5, 0.05, 7}, 55, 0}, small()));  // among the blades
             for (const float v : r.readLinear()) ASSERT_TRUE(std::isfinite(v) && v >= 0) << &extreme - extremes;
@@ -260,8 +262,8 @@ TEST(Tessellated, GrassGoesOnBeyondTheLastBlade) {
     const auto greenFar = [&](Beyond beyond) {
         Project p = lawnBy(Technique::Tessellated);
         p.registry.get<Terrain>(findEntity(p, "ground"))->size = {200, 200};
-        GrassField& f = grassOf(p);
-        f.maxDistance = 6, f.lowerFrom = 0.7f, f.beyond = static_cast<int>(beyond);
+        FlatField f = grassOf(p);
+        f.maxDistance = 6, f.lowerFrom = 0.7f, f.beyond = beyond;
         f.species[0].bladesPerM2 = 1000;
         f.sliceWidth = f.sliceHeight = f.farSize = 32;
         const ViewCamera away{{100, 1.7, 100}, {130, 0, 130}, 40};

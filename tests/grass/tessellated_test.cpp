@@ -3,9 +3,12 @@
 
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "fields.h"
 
 namespace sward {
 namespace {
+
+using namespace test;
 
 int most(const BladeLevels& l, float distance) {
     return f32::tessMost(static_cast<float>(l.smoothness), distance, l.maxDistance, l.quadsAtOneMetre, l.reach);
@@ -46,14 +49,14 @@ TEST(TessellatedLevels, ThinnedCellsSendEveryBladeThatIsLeft) {
     terrain.size = {30, 30};
     HeightBounds bounds;
     updateHeightBounds(bounds, terrain);
-    GrassField field;
-    field.technique = static_cast<int>(Technique::Tessellated);
+    FlatField field;
+    field.technique = nameOf(Technique::Tessellated);
     field.species[0].bladesPerM2 = 400;
     field.maxDistance = 20;
     const Patch patch = makePatch(field.species[0], field.cellSize, 1);
     const glm::dvec3 eye{15, 1, 1};
     const Frustum all{};  // planes of zeros: everything is inside
-    CellQuery q = cellQuery(terrain, bounds, field, field.species[0], patch, eye, all, 100);
+    CellQuery q = cellQuery(queryOf(terrain, bounds, field, patch), {eye, all, 100});
     q.thinning = 0.75f / 20;
     q.levels = {5, 20, 0, q.reach};
     uint64_t sent = 0, left = 0;

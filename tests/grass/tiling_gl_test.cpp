@@ -4,13 +4,15 @@
 #include "grass/cells.h"
 #include "scenes.h"
 #include "world/ground.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
 
 using namespace test;
 
-GrassField& grassIn(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassIn(Project& p) { return flatField(p, "grass"); }
 Terrain& groundIn(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
 
 Map patches(int side, PixelType type) {
@@ -32,8 +34,8 @@ Map laidOut(const Map& m, int n, bool mirrored) {
 
 Project fieldOf(Technique technique) {
     Project p = lawn();
-    GrassField& f = grassIn(p);
-    f.technique = static_cast<int>(technique);
+    FlatField f = grassIn(p);
+    f.technique = nameOf(technique);
     f.minGeom = 3, f.maxGeom = 5, f.minBTF = 7, f.maxBTF = 9;
     f.slices = 5, f.sliceWidth = 64, f.sliceHeight = 32, f.farSize = 64;
     return p;
@@ -71,7 +73,7 @@ TEST(MapTiling, ARepeatedMapIsThePictureOfTheMapLaidOut) {
             const bool repeats = p == &tiled;
             const int n = repeats || p == &plain ? 1 : 4;
             Terrain& t = groundIn(*p);
-            GrassField& f = grassIn(*p);
+            FlatField f = grassIn(*p);
             t.height = field(laidOut(hills, n, true), "maps/h.exr");
             t.terrainMap = field(laidOut(soil, n, false), "maps/s.png");
             f.species[0].density = field(laidOut(density, n, false), "maps/d.png");
@@ -79,7 +81,7 @@ TEST(MapTiling, ARepeatedMapIsThePictureOfTheMapLaidOut) {
             if (repeats) t.heightTiling = t.terrainMapTiling = f.species[0].densityTiling = f.bladeHeightTiling = 4;
         }
         const auto want = drawn(once), got = drawn(tiled), wrong = drawn(plain);
-        EXPECT_LT(differs(want, got), 0.35) << "technique " << static_cast<int>(technique);
+        EXPECT_LT(differs(want, got), 0.35) << "technique " << nameOf(technique);
         EXPECT_GT(differs(want, wrong), 2) << "the maps show";
     }
 }
@@ -112,7 +114,7 @@ TEST(BladeHeight, BladesOfNoHeightLeaveThePictureOfBareGround) {
         grassIn(flat).bladeHeight = field(filled({4, 4, 1, PixelType::U8}, 0), "maps/b.png");
         grassIn(bare).species[0].density = field(filled({4, 4, 1, PixelType::U16}, 0), "maps/d.png");
         const auto ground = drawn(bare);
-        EXPECT_LT(differs(drawn(flat), ground), 0.05) << "technique " << static_cast<int>(technique);
+        EXPECT_LT(differs(drawn(flat), ground), 0.05) << "technique " << nameOf(technique);
         EXPECT_GT(differs(drawn(grown), ground), 2);
     }
 }
@@ -121,7 +123,7 @@ TEST(BladeHeight, AFullMapChangesNothing) {
     for (const Technique technique : kAll) {
         Project full = fieldOf(technique), none = fieldOf(technique);
         grassIn(full).bladeHeight = field(filled({4, 4, 1, PixelType::U8}, 1), "maps/b.png");
-        EXPECT_LT(differs(drawn(full), drawn(none)), 0.02) << "technique " << static_cast<int>(technique);
+        EXPECT_LT(differs(drawn(full), drawn(none)), 0.02) << "technique " << nameOf(technique);
     }
 }
 
@@ -130,12 +132,12 @@ TEST(BladeHeight, HalfTheHeightIsASpeciesOfHalfTheHeight) {
     for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
         Project mapped = fieldOf(technique), low = fieldOf(technique), high = fieldOf(technique);
         for (Project* p : {&mapped, &low, &high})
-            grassIn(*p).beyond = static_cast<int>(Beyond::Nothing), grassIn(*p).shadowMask = 0,
+            grassIn(*p).beyond = Beyond::Nothing, grassIn(*p).shadowMask = 0,
             grassIn(*p).groundShadows = false;
         grassIn(mapped).bladeHeight = field(filled({4, 4, 1, PixelType::F32}, 0.5f), "maps/b.exr");
         grassIn(low).species[0].height *= 0.5f;
         const auto want = drawn(low);
-        EXPECT_LT(differs(drawn(mapped), want), 1.0) << "technique " << static_cast<int>(technique);
+        EXPECT_LT(differs(drawn(mapped), want), 1.0) << "technique " << nameOf(technique);
         EXPECT_GT(differs(drawn(high), want), 2.0);
     }
 }
@@ -155,17 +157,17 @@ TEST(UniqueBlades, AreDrawnByGeometryAndTessellatedInsteadOfThePatch) {
             grassIn(*p).species[0].density = field(patches(20, PixelType::U16), "maps/d.png");
             grassIn(*p).fade = 0;
         }
-        grassIn(unique).population = static_cast<int>(Population::Unique);
+        grassIn(unique).population = Population::Unique;
         const auto a = drawn(patch), b = drawn(unique);
-        EXPECT_GT(differs(a, b), 1) << "technique " << static_cast<int>(technique);
-        EXPECT_NEAR(meanOf(a), meanOf(b), 1.5) << "technique " << static_cast<int>(technique);
+        EXPECT_GT(differs(a, b), 1) << "technique " << nameOf(technique);
+        EXPECT_NEAR(meanOf(a), meanOf(b), 1.5) << "technique " << nameOf(technique);
     }
 }
 
 TEST(UniqueBlades, RangesForAGpuAndListsForASoftwareRendererAreOnePicture) {
     const NoGlErrors noErrors;
     Project p = fieldOf(Technique::Geometry);
-    grassIn(p).population = static_cast<int>(Population::Unique);
+    grassIn(p).population = Population::Unique;
     grassIn(p).species[0].density = field(patches(20, PixelType::U16), "maps/d.png");
     const auto lists = drawn(p);
     const bool software = gpu().software;
@@ -177,8 +179,8 @@ TEST(UniqueBlades, RangesForAGpuAndListsForASoftwareRendererAreOnePicture) {
 
 TEST(UniqueBlades, FollowThePaintedDensityAndGoWithTheirPopulation) {
     Project p = fieldOf(Technique::Geometry);
-    GrassField& f = grassIn(p);
-    f.population = static_cast<int>(Population::Unique);
+    FlatField f = grassIn(p);
+    f.population = Population::Unique;
     f.species[0].density = field(filled({40, 40, 1, PixelType::U16}, 1), "maps/d.png");
     Renderer renderer(gpu(), tables());
     const auto picture = [&] {
@@ -191,13 +193,13 @@ TEST(UniqueBlades, FollowThePaintedDensityAndGoWithTheirPopulation) {
     const auto bare = picture();
     EXPECT_GT(differs(full, bare), 1);
     EXPECT_EQ(renderer.stats().bladesGeometry, 0u);
-    f.population = static_cast<int>(Population::Patch);
+    f.population = Population::Patch;
     EXPECT_LT(differs(picture(), bare), 0.02);
 }
 
 TEST(UniqueBlades, BeyondMemoryNothingIsDrawnAndTheErrorSaysWhy) {
     Project p = fieldOf(Technique::Geometry);
-    grassIn(p).population = static_cast<int>(Population::Unique);
+    grassIn(p).population = Population::Unique;
     groundIn(p).size = {5000, 5000};
     Renderer renderer(gpu(), tables());
     const Status refused = renderer.draw(p, eyeHeight(), small());
@@ -209,10 +211,10 @@ TEST(UniqueBlades, BeyondMemoryNothingIsDrawnAndTheErrorSaysWhy) {
 
 TEST(UniqueBlades, ExplainSaysThatSlicesRepeatThePatch) {
     Project p = fieldOf(Technique::Hybrid);
-    grassIn(p).population = static_cast<int>(Population::Unique);
+    grassIn(p).population = Population::Unique;
     Renderer renderer(gpu(), tables());
     EXPECT_NE(renderer.explain(p, false).find("slices are images of one patch"), std::string::npos);
-    grassIn(p).technique = static_cast<int>(Technique::Geometry);
+    grassIn(p).technique = nameOf(Technique::Geometry);
     EXPECT_EQ(renderer.explain(p, false).find("slices are images of one patch"), std::string::npos);
 }
 

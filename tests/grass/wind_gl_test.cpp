@@ -7,11 +7,13 @@
 #include "scenes.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
-GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassOf(Project& p) { return flatField(p, "grass"); }
 std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& camera, const ViewSettings& settings) {
     const Status drawn = r.draw(p, camera, settings);
     EXPECT_TRUE(drawn) << drawn.error().text();
@@ -38,9 +40,9 @@ const Way kWays[] = {{"hybrid", Technique::Hybrid},
 // Two species, of which the second is low; all tiers are in view, shadows on the ground too.
 Project windy(const Way& way) {
     Project p = lawn();
-    GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(way.technique), f.tessellation = static_cast<int>(way.tessellation),
-    f.population = static_cast<int>(way.population);
+    FlatField f = grassOf(p);
+    f.technique = nameOf(way.technique), f.tessellation = way.tessellation,
+    f.population = way.population;
     f.minGeom = 2, f.maxGeom = 4, f.minBTF = 6, f.maxBTF = 9, f.maxDistance = 15;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     f.species.push_back(f.species[0]);
@@ -84,10 +86,10 @@ constexpr int kWidth = 192, kHeight = 72;
 // Upright blades in a strip that runs away from the eye, in a wind that blows evenly to the right.
 Project strip(Technique technique, float stiffness) {
     Project p = lawn();
-    GrassField& f = grassOf(p);
-    f.technique = static_cast<int>(technique);
+    FlatField f = grassOf(p);
+    f.technique = nameOf(technique);
     f.minGeom = 100, f.maxGeom = 200, f.minBTF = 300, f.maxBTF = 400;
-    f.maxDistance = 400, f.thinning = 0, f.lowerFrom = 1, f.beyond = static_cast<int>(Beyond::Nothing);
+    f.maxDistance = 400, f.thinning = 0, f.lowerFrom = 1, f.beyond = Beyond::Nothing;
     f.sliceWidth = 128, f.sliceHeight = 64, f.farSize = 32, f.farHeight = 0, f.shadowMask = 0, f.groundShadows = false;
     Species& s = f.species[0];
     s.bladesPerM2 = 1500, s.height = 1, s.heightVariation = 0, s.bend = s.leanDeg = s.leanVariationDeg = 0,
@@ -183,9 +185,9 @@ TEST(Stiffness, DoesNotHoldUpWhatAFootPresses) {
             return pictureOf(r, p, along(), s);
         };
         const auto flat = picture(1, true);
-        EXPECT_TRUE(flat == picture(100, true)) << static_cast<int>(technique);
-        EXPECT_TRUE(flat != picture(100, false)) << static_cast<int>(technique);
-        EXPECT_TRUE(picture(1, false) != picture(100, false)) << static_cast<int>(technique);
+        EXPECT_TRUE(flat == picture(100, true)) << nameOf(technique);
+        EXPECT_TRUE(flat != picture(100, false)) << nameOf(technique);
+        EXPECT_TRUE(picture(1, false) != picture(100, false)) << nameOf(technique);
     }
 }
 

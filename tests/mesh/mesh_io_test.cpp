@@ -317,7 +317,7 @@ TEST(MeshIo, DamageOfEveryKindIsRefusedOrReadAsSomethingSound) {
 
 // --- in a project ------------------------------------------------------------------------------------------------
 Project withObject(const fs::path& dir) {
-    auto p = newProject(dir);
+    auto p = newProject(dir, tables().components);
     EXPECT_TRUE(p);
     const Entity e = *addEntity(*p, "thing");
     p->registry.add<StaticMesh>(e, {.file = "models/thing.gltf"});

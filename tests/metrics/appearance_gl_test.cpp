@@ -7,6 +7,8 @@
 #include "metrics/pictures.h"
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -85,7 +87,7 @@ using Ranking = std::array<Metrics, 5>;
 Ranking rankingAt(Renderer& r, const Design& d, double distance) {
     Project p = designed(d, d.side);
     grassIn(p).species[0].clumpSize = 0;  // another seed would move clumps, too: decimetres that are not of the blades
-    grassIn(p).technique = static_cast<int>(Technique::Geometry);
+    grassIn(p).technique = nameOf(Technique::Geometry);
     grassIn(p).maxGeom = std::numeric_limits<float>::infinity();
     const ViewCamera c = crop(distance);
     const Linear truth = converged(r, p, c);

@@ -2,6 +2,7 @@
 #include "objects.h"
 #include "world/placement.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

@@ -1,6 +1,8 @@
 // Shadows of objects lie where geometry says, on ground, blades and objects, do not swim, and cost nothing at night.
 #include "objects.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -71,8 +73,8 @@ TEST(Shadows, BladesAndObjectsInTheShadowAreDarker) {
     const float slabDark = lightAt(renderer, kAbove, large(), {10, 0.2, 8}).y,
                 slabLit = lightAt(renderer, kAbove, large(), {10, 2, 10}).y;
     EXPECT_LT(slabDark, 0.5f * slabLit) << "the slab lies in the cube's shadow";
-    GrassField f;
-    f.technique = static_cast<int>(Technique::Geometry);
+    FlatField f;
+    f.technique = nameOf(Technique::Geometry);
     f.species[0].bladesPerM2 = 300;
     f.species[0].width = 0.06f;
     f.species[0].height = 0.2f;

@@ -8,12 +8,13 @@
 #include "scene/project.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
 namespace fs = std::filesystem;
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 // Ground and a meadow of two species.
 Project meadow() {
     Project p;

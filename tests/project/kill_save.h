@@ -12,6 +12,7 @@
 #include "project/project_files.h"
 #include "scene/project.h"
 #include "tests/child.h"
+#include "techniques.h"
 
 namespace sward::test {
 
@@ -40,7 +41,7 @@ inline Project killState(const std::filesystem::path& dir, bool b) {
 // Empty if the project at dir is state a or state b from one end to the other; else what is wrong.
 inline std::string faultOf(const std::filesystem::path& dir) {
     LoadReport report;
-    Result<Project> p = loadProject(dir, sharedComponentRows(), &report);
+    Result<Project> p = loadProject(dir, tables().components, &report);
     if (!p) return "unreadable: " + p.error().text();
     if (!report.repaired.empty()) return "repaired: " + report.repaired[0].where + report.repaired[0].message;
     if (p->name != "a" && p->name != "b") return "named \"" + p->name + "\"";
@@ -61,14 +62,14 @@ inline const ChildFunctionRow kSaveInTurn("save-in-turn", [](const std::vector<s
     const Project states[] = {killState(args.at(0), false), killState(args.at(0), true)};
     if (write(STDOUT_FILENO, ".", 1) != 1) return "nobody listens";
     for (int n = std::stoi(args.at(1));; ++n)
-        if (const auto saved = saveProject(states[n % 2], sharedComponentRows()); !saved) return saved.error().text();
+        if (const auto saved = saveProject(states[n % 2], tables().components); !saved) return saved.error().text();
 });
 
 // Starts `times` children that save the two states in turn, kills each after up to `longestMs`, and loads what it left.
 // Returns how many left an unsound or mixed project; `why`: the first.
 inline int killSaveLoop(int times, const std::filesystem::path& dir, std::string* why, unsigned seed = 1,
                         int longestMs = 40) {
-    if (!saveProject(killState(dir, false), sharedComponentRows())) return times;
+    if (!saveProject(killState(dir, false), tables().components)) return times;
     std::mt19937 random(seed);
     int faults = 0;
     for (int i = 0; i < times; ++i) {

@@ -6,12 +6,13 @@
 #include "project/project_files.h"
 #include "scene/project.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
 
 namespace fs = std::filesystem;
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 Project loaded(const fs::path& dir) {
     Result<Project> p = loadProject(dir, rows());
     EXPECT_TRUE(p) << (p ? "" : p.error().text());
@@ -20,7 +21,7 @@ Project loaded(const fs::path& dir) {
 
 TEST(NewProject, HasGroundGrassSunSkyHazeAndACamera) {
     TempDir dir;
-    ASSERT_TRUE(newProject(dir / "park"));
+    ASSERT_TRUE(newProject(dir / "park", rows()));
     Project p = loaded(dir / "park");
     EXPECT_EQ(p.name, "park");
     const std::set<std::string> names{"camera", "ground", "haze", "lawn", "sky", "sun"};
@@ -32,13 +33,13 @@ TEST(NewProject, HasGroundGrassSunSkyHazeAndACamera) {
         featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps,
                    Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows,
                    Feature::GroundShadows, Feature::Sun, Feature::CastingLights, Feature::Sky, Feature::Fog);
-    EXPECT_EQ(sceneFeatures(p.registry, rows()), expected);
+    EXPECT_EQ(sceneFeatures(p.registry, tables()), expected);
 }
 
 TEST(NewProject, IsNotMadeWhereThereAreFiles) {
     TempDir dir;
     writeText(dir / "park/letter.txt", "dear");
-    const Result<Project> p = newProject(dir / "park");
+    const Result<Project> p = newProject(dir / "park", rows());
     ASSERT_FALSE(p);
     EXPECT_EQ(p.error().code, ExitCode::Failed);
     EXPECT_EQ(std::distance(fs::directory_iterator(dir / "park"), {}), 1);

@@ -5,9 +5,13 @@
 #include "maps/map_io.h"
 #include "scenes.h"
 #include "support.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
+
+using namespace test;
 
 using test::TempDir;
 
@@ -17,13 +21,13 @@ Map ramp(int side, PixelType type, int by) {
         for (int x = 0; x < side; ++x) m.set(x, y, 0, static_cast<float>((x * by + y * 5) % 256) / 255.0f);
     return m;
 }
-GrassField& grassIn(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "grass")); }
+FlatField grassIn(Project& p) { return flatField(p, "grass"); }
 const auto kRows = tables().components;
 
 TEST(PackedMap, ARoundTripKeepsDensityAndHeightsToTheBit) {
     const TempDir dir;
     Project p = test::lawn();
-    GrassField& f = grassIn(p);
+    FlatField f = grassIn(p);
     f.species[0].density = {"maps/d.png", ramp(70, PixelType::U16, 3)};
     f.bladeHeight = {"maps/h.png", ramp(70, PixelType::U8, 7)};
     f.species[0].densityTiling = f.bladeHeightTiling = 4;

@@ -10,13 +10,14 @@
 #include "scene/project.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 
 // A project of one entity "e", one component a line from line 3 on.
 std::string entity(const std::string& components) {
@@ -62,6 +63,7 @@ Project repaired(const TempDir& dir, const std::string& text, const std::vector<
 }
 Project accepted(const TempDir& dir, const std::string& text) { return repaired(dir, text, {}); }
 
+const HybridTiers& tiersIn(const Project& p) { return *p.registry.get<HybridTiers>(findEntity(p, "e")); }
 const GrassField& grassOf(const Project& p) { return *p.registry.get<GrassField>(findEntity(p, "e")); }
 }  // namespace
 
@@ -115,8 +117,8 @@ TEST(RefusedProjects, ATextBeyondTheLimitOfSize) {
 
 TEST(RefusedProjects, ANewerFormatWithTheRemedy) {
     TempDir dir;
-    const Error e = refusal(dir, "{\"entities\": {},\n  \"format\": 2}");
-    EXPECT_EQ(e.message, "format 2 is newer than this Sward, which reads up to 1");
+    const Error e = refusal(dir, "{\"entities\": {},\n  \"format\": 3}");
+    EXPECT_EQ(e.message, "format 3 is newer than this Sward, which reads up to 2");
     EXPECT_EQ(e.line, 2);
     EXPECT_EQ(e.column, 13);
     EXPECT_NE(e.remedy.find("newer one"), std::string::npos);
@@ -127,13 +129,13 @@ TEST(RefusedProjects, ANewerFormatWithTheRemedy) {
 TEST(RefusedProjects, ParametersWithTheirPlace) {
     TempDir dir;
     const Refused cases[] = {
-        {"\"GrassField\": {\"minGeom\": -1}", 3, 27, "e.GrassField.minGeom: -1 must not be negative"},
-        {"\"GrassField\": {\"maxGeom\": -0.5}", 3, 27, "e.GrassField.maxGeom: -0.5 must not be negative"},
+        {"\"GrassField\": {\"minGeom\": -1}", 3, 27, "e.HybridTiers.minGeom: -1 must not be negative"},
+        {"\"GrassField\": {\"maxGeom\": -0.5}", 3, 27, "e.HybridTiers.maxGeom: -0.5 must not be negative"},
         {"\"Terrain\": {\"lodDistance\": -3}", 3, 28, "e.Terrain.lodDistance: -3 must not be negative"},
         {"\"Fog\": {\"visibility\": -4000}", 3, 23, "e.Fog.visibility: -4000 must not be negative"},
         {"\"Camera\": {\"fovDeg\": \"inf\"}", 3, 22, "e.Camera.fovDeg: \"inf\" is not allowed here"},
         {"\"Camera\": {\"fovDeg\": \"nan\"}", 3, 22, "e.Camera.fovDeg: \"nan\" is not allowed here"},
-        {"\"GrassField\": {\"minGeom\": \"-inf\"}", 3, 27, "e.GrassField.minGeom: \"-inf\" is not allowed here"},
+        {"\"GrassField\": {\"minGeom\": \"-inf\"}", 3, 27, "e.HybridTiers.minGeom: \"-inf\" is not allowed here"},
         {"\"Camera\": {\"eye\": [0, \"nan\", 0]}", 3, 23, "e.Camera.eye: \"nan\" is not allowed here"},
         {"\"Camera\": {\"eye\": [0, 1]}", 3, 19, "e.Camera.eye: must be a list of 3 numbers"},
         {"\"Camera\": {\"fovDeg\": 1e39}", 3, 22, "e.Camera.fovDeg: 1e39 is out of range"},
@@ -276,21 +278,21 @@ TEST(RepairedProjects, TierDistancesThatAreSwappedOrEqual) {
     TempDir dir;
     const Project swapped =
         repaired(dir, entity("\"GrassField\": {\"minGeom\": 12, \"maxGeom\": 4}"),
-                 {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 4 and 12"});
-    EXPECT_EQ(grassOf(swapped).minGeom, 4.0f);
-    EXPECT_EQ(grassOf(swapped).maxGeom, 12.0f);
+                 {"project.json:3: e.HybridTiers: minGeom was greater than maxGeom; swapped to 4 and 12"});
+    EXPECT_EQ(tiersIn(swapped).minGeom, 4.0f);
+    EXPECT_EQ(tiersIn(swapped).maxGeom, 12.0f);
     const Project equal =
         repaired(dir, entity("\"GrassField\": {\"minGeom\": 10, \"maxGeom\": 10}"),
-                 {"project.json:3: e.GrassField: minGeom and maxGeom were both 10; maxGeom is now 11"});
-    EXPECT_GT(grassOf(equal).maxGeom, grassOf(equal).minGeom);
+                 {"project.json:3: e.HybridTiers: minGeom and maxGeom were both 10; maxGeom is now 11"});
+    EXPECT_GT(tiersIn(equal).maxGeom, tiersIn(equal).minGeom);
     const Project infinite =
         repaired(dir, entity("\"GrassField\": {\"minGeom\": \"inf\", \"maxGeom\": 10}"),
-                 {"project.json:3: e.GrassField: minGeom was greater than maxGeom; swapped to 10 and inf"});
-    EXPECT_EQ(grassOf(infinite).minGeom, 10.0f);
+                 {"project.json:3: e.HybridTiers: minGeom was greater than maxGeom; swapped to 10 and inf"});
+    EXPECT_EQ(tiersIn(infinite).minGeom, 10.0f);
     const Project zero =
         repaired(dir, entity("\"GrassField\": {\"minGeom\": 0, \"maxGeom\": 0}"),
-                 {"project.json:3: e.GrassField: minGeom and maxGeom were both 0; maxGeom is now 0.1"});
-    EXPECT_EQ(grassOf(zero).minGeom, 0.0f);
+                 {"project.json:3: e.HybridTiers: minGeom and maxGeom were both 0; maxGeom is now 0.1"});
+    EXPECT_EQ(tiersIn(zero).minGeom, 0.0f);
 }
 
 TEST(RepairedProjects, ACameraThatLooksAtItself) {
@@ -418,8 +420,8 @@ TEST(AcceptedProjects, InfiniteTierDistances) {
     TempDir dir;
     const Project p = accepted(
         dir, entity("\"GrassField\": {\"minGeom\": 3, \"maxGeom\": \"inf\"},\n\"Fog\": {\"visibility\": \"inf\"}"));
-    EXPECT_TRUE(std::isinf(grassOf(p).maxGeom));
-    EXPECT_FALSE(has(sceneFeatures(p.registry, rows()), Feature::Fog)) << "no haze";
+    EXPECT_TRUE(std::isinf(tiersIn(p).maxGeom));
+    EXPECT_FALSE(has(sceneFeatures(p.registry, tables()), Feature::Fog)) << "no haze";
     accepted(dir, entity("\"GrassField\": {\"minGeom\": \"inf\", \"maxGeom\": \"inf\"}"));
     ASSERT_TRUE(saveProject(p, rows()));
     EXPECT_NE(readText(dir / "p/project.json").find("\"maxGeom\": \"inf\""), std::string::npos);
@@ -437,7 +439,7 @@ TEST(AcceptedProjects, FieldsThatAreAbsentHaveTheirDefaults) {
 TEST(AcceptedProjects, AnEmptySpeciesListGrowsNothing) {
     TempDir dir;
     const Project p = accepted(dir, entity("\"GrassField\": {\"species\": []}"));
-    EXPECT_TRUE(sceneFeatures(p.registry, rows()).none());
+    EXPECT_TRUE(sceneFeatures(p.registry, tables()).none());
     EXPECT_EQ(virtualBlades(p), 0);
 }
 

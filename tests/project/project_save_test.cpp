@@ -10,13 +10,15 @@
 #include "tests/maps/images.h"
 #include "tests/project/kill_save.h"
 #include "tests/support.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 
 // Every file under dir with its bytes.
 std::map<std::string, std::string> contents(const fs::path& dir) {
@@ -174,7 +176,7 @@ TEST(Saving, SaveAsBringsImagesAlong) {
     Project p = killState(dir / "p", false);
     fs::create_directories(dir / "p");
     ASSERT_TRUE(writeImagePng(dir / "p/blade.png", 1, 1, 4, {1, 2, 3, 4}));
-    p.registry.get<GrassField>(findEntity(p, "lawn"))->species[0].texture = "blade.png";
+    flatField(p, "lawn").species[0].texture = "blade.png";
     ASSERT_TRUE(saveProject(p, rows()));
     const Project before = snapshot(p, rows());
     p.dir = dir / "q/r";
@@ -190,9 +192,9 @@ TEST(Saving, WhatCannotBeLoadedIsNotSaved) {
     Project p = killState(dir / "p", true);
     ASSERT_TRUE(saveProject(p, rows()));
     const auto before = contents(dir / "p");
-    p.registry.get<GrassField>(findEntity(p, "lawn"))->minGeom = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(saveProject(p, rows()).error().message.find("lawn.GrassField.minGeom"), std::string::npos);
-    p.registry.get<GrassField>(findEntity(p, "lawn"))->minGeom = 4;
+    flatField(p, "lawn").minGeom = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_NE(saveProject(p, rows()).error().message.find("lawn.HybridTiers.minGeom"), std::string::npos);
+    flatField(p, "lawn").minGeom = 4;
     p.registry.get<Terrain>(findEntity(p, "ground"))->height.map = patternMap({8, 8, 1, PixelType::U8});
     EXPECT_NE(saveProject(p, rows()).error().message.find("8 bits"), std::string::npos);
     p.registry.get<Terrain>(findEntity(p, "ground"))->height.map = patternMap({8, 8, 2, PixelType::U16});

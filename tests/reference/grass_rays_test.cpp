@@ -14,6 +14,7 @@
 #include "support.h"
 #include "world/forces.h"
 #include "world/wind.h"
+#include "fields.h"
 
 namespace sward::test {
 namespace {
@@ -55,7 +56,7 @@ struct BruteForce {
         t.height = field(heights, "maps/h.exr");
         if (tiled) t.mapSize = 5, t.heightTiling = 1.7f;
         put(p, "ground", t);
-        GrassField f;
+        FlatField f;
         f.cellSize = 0.75f;
         Species& s = f.species[0];
         s.bladesPerM2 = 300, s.height = 0.2f, s.width = 0.02f, s.texture = plainImage(), s.clumpStrength = 1,
@@ -70,7 +71,7 @@ struct BruteForce {
                 paint.set(x, y, 0, static_cast<float>(x) / 4), paint.set(x, y, 1, static_cast<float>((x + y) % 3) / 2);
         f.orientation = field(paint, "maps/o.png");
         f.orientationTiling = 1.5f;
-        f.population = static_cast<int>(population);
+        f.population = population;
         if (tiled) {
             s.densityTiling = 1.3f;
             Map share({7, 7, 1, PixelType::U8});
@@ -79,8 +80,8 @@ struct BruteForce {
             f.bladeHeight = field(share, "maps/b.png");
             f.bladeHeightTiling = 2.2f;
         }
-        GrassField& grass = put(p, "grass", f);
-        if (population == Population::Unique) own = makeUnique(grass.species[0], grass, t);
+        FlatField grass = put(p, "grass", f);
+        if (population == Population::Unique) own = makeUnique(grass.species[0], grass.grows, t);
         if (windy) {
             Wind wind;
             wind.strength = 0.8f, wind.gustSize = 1, wind.turbulence = 1;
@@ -120,20 +121,23 @@ struct BruteForce {
                                     : 1;
             const glm::vec4 texel =
                 paintedAt(f.orientation.map, place, static_cast<double>(f.orientationTiling), false);
-            const f32::BladePlace here = f32::bladePlace(
-                f32::paintOf(texel.x, texel.y), leanAtFull(f.species[0]),
-                f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed)),
-                clumpStrengths(f.species[0]));
-            glm::vec2 lean = here.lean;
+            f32::BladeStand stand = f32::emptyStand();
+            stand.paint = f32::paintOf(texel.x, texel.y), stand.leanAtFull = leanAtFull(f.species[0]);
+            stand.clump = f32::clumpValues(x, z, in, f.cellSize, f.species[0].clumpSize, static_cast<uint32_t>(f.seed));
+            const glm::vec3 clumps = clumpStrengths(f.species[0]);
+            stand.clumpLean = clumps.x, stand.clumpHeight = clumps.y, stand.clumpLightness = clumps.z;
+            stand.tall = share;
             if (const Wind* wind = windOf(p))
-                lean += windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts,
-                                   in, b.dither) /
-                        f.species[0].stiffness;
+                stand.wind = windLeanAt(
+                                 windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts,
+                                 in, b.dither) /
+                             f.species[0].stiffness;
             glm::vec3 force = forceAt(forcesOf(p, kTime, &outlines), at);
             if (f.forces.present())
                 force = f32::forceOf(force + f32::paintedForce(paintedAt(f.forces.map, place, 1, false)));
-            lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * version.mirror);
-            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean, here.scale * share),
+            stand.push = {force.x, force.y}, stand.press = force.z;
+            const f32::BladeLean here = f32::leanOf(stand, b.facing * version.mirror);
+            addBlade(b, f32::poseBlade(b.control, b.tip, b.facing, version.mirror, here.lean, here.scale),
                      {at.x, terrainHeight(t, at.x, at.y), at.y});
         }
     }

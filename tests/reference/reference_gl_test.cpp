@@ -6,6 +6,8 @@
 #include "scenes.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -23,8 +25,8 @@ Project garden(const TempDir& folder) {
     Terrain t;
     t.size = {4, 4};
     put(p, "ground", t);
-    GrassField f;
-    f.technique = static_cast<int>(Technique::Geometry);
+    FlatField f;
+    f.technique = nameOf(Technique::Geometry);
     f.shadowMask = 0;
     f.groundShadows = false;
     Species& s =
@@ -114,7 +116,7 @@ TEST(ReferenceAgreement, GeometryIsTheTruthInDirectLight) {
     EXPECT_LE(a.rmse, 0.01);
     EXPECT_LE(a.worstBlock, 4);
     // What must not agree: the same field with its blades a tenth wider.
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].width *= 1.1f;
+    flatField(p, "grass").species[0].width *= 1.1f;
     const Agreement wider = compare(drawn, traced(p, beside(), 64));
     EXPECT_GT(wider.rmse, 0.01);
     EXPECT_GT(wider.worstBlock, 4);
@@ -127,8 +129,8 @@ double leaningShare(Technique technique, float lean) {
     t.size = {4, 4};
     t.groundColor = glm::vec3(0);  // blades alone
     put(p, "ground", t);
-    GrassField f;
-    f.technique = static_cast<int>(technique);
+    FlatField f;
+    f.technique = nameOf(technique);
     f.minGeom = 8, f.maxGeom = 9, f.thinning = 0, f.maxDistance = 100;
     Species& s = f.species[0];
     s.bladesPerM2 = 6000, s.height = 0.1f, s.width = 0.005f, s.leanDeg = 35, s.clumpStrength = 0;
@@ -158,7 +160,7 @@ TEST(ReferenceAgreement, LeaningBladesShadeEachOtherAsTheyDoInTruth) {
     for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
         const double one = leaningShare(technique, -1), upright = leaningShare(technique, 0),
                      other = leaningShare(technique, 1);
-        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", kTechniques[static_cast<int>(technique)], one,
+        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", nameOf(technique), one,
                     upright, other);
         EXPECT_NEAR(upright, 1, 0.1);
         EXPECT_NEAR(one / other, 1, 0.2);

@@ -14,6 +14,8 @@
 #include "sky/exposure.h"
 #include "support.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -70,7 +72,7 @@ TEST(ReferenceFurnace, WhiteBladesOnWhiteGroundAreLostInIt) {
     // Light is neither made nor lost between them: what a blade hides it sends on. Paths end by chance, so the mean is
     // it.
     Project p = furnace();
-    GrassField f;
+    FlatField f;
     f.cellSize = 1;
     Species& s = f.species[0];
     s.bladesPerM2 = 80, s.height = 0.3f, s.width = 0.05f, s.texture = plainImage();
@@ -101,7 +103,7 @@ Project oneBlade() {
     Project p = furnace();
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {12, 12};
     removeEntity(p, "sky");
-    GrassField f;
+    FlatField f;
     f.cellSize = 4;
     Species& s = f.species[0];
     s.bladesPerM2 = 1.0f / 16, s.height = 0.8f, s.width = 0.15f, s.texture = plainImage(), s.leanVariationDeg = 80,

@@ -10,12 +10,13 @@
 #include "scene/project.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 
 void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
 

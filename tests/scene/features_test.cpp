@@ -6,6 +6,8 @@
 #include <set>
 
 #include "scene/components.h"
+#include "techniques.h"
+#include "grass/grass_fields.h"
 
 namespace sward {
 namespace {
@@ -33,7 +35,7 @@ TEST(FeatureRows, SayEverythingOfEachAndNothingTwice) {
 TEST(FeatureRows, AComponentAsksForWhatIsOfAFieldOrForWhatIsOfTheScene) {
     EXPECT_TRUE(has(fieldFeatures(), Feature::GrassDensity) && has(fieldFeatures(), Feature::Translucency));
     EXPECT_FALSE(has(fieldFeatures(), Feature::Wind) || has(fieldFeatures(), Feature::Terrain));
-    for (const ComponentRow& row : sharedComponentRows()) {
+    for (const ComponentRow& row : tables().components) {
         const FeatureSet asked = row.features(row.defaults());
         EXPECT_TRUE((asked & fieldFeatures()).none() || (asked & ~fieldFeatures()).none()) << row.name;
     }

@@ -7,13 +7,15 @@
 #include "scene/project.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 
 // Ground and a meadow of two species.
 Project meadow() {
@@ -26,7 +28,7 @@ Project meadow() {
     p.registry.add<GrassField>(*addEntity(p, "meadow"), std::move(field));
     return p;
 }
-GrassField& grassOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "meadow")); }
+FlatField grassOf(Project& p) { return flatField(p, "meadow"); }
 std::string pathOf(Project& p, const std::string& path) {
     const Result<FieldRef> f = findField(p, rows(), path);
     return f ? f->path : f.error().text();
@@ -126,9 +128,9 @@ TEST(Snapshots, ShareTilesAndNothingElse) {
     EXPECT_TRUE(grassOf(copy).species[0].density.map.sameTiles(grassOf(p).species[0].density.map));
     EXPECT_EQ(copy.unknown, p.unknown);
     grassOf(copy).species[0].density.map.set(0, 0, 0, 0.5f);
-    grassOf(copy).minGeom = 1;
+    grassOf(copy).seed = 77;
     EXPECT_NE(grassOf(copy).species[0].density.map.hash(), grassOf(p).species[0].density.map.hash());
-    EXPECT_EQ(grassOf(p).minGeom, GrassField().minGeom);
+    EXPECT_EQ(grassOf(p).seed, GrassField().seed);
     EXPECT_TRUE(removeEntity(copy, "meadow"));
     EXPECT_TRUE(p.registry.valid(findEntity(p, "meadow")));
 }

@@ -8,6 +8,7 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "tests/support.h"
+#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;
@@ -16,10 +17,10 @@ using sward::test::TempDir;
 using sward::test::writeText;
 
 namespace {
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 
 Project made(const fs::path& dir) {
-    Result<Project> p = newProject(dir);
+    Result<Project> p = newProject(dir, tables().components);
     EXPECT_TRUE(p) << (p ? "" : p.error().text());
     return std::move(*p);
 }

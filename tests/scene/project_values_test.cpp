@@ -2,11 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "scene/project.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
 
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+std::span<const ComponentRow> rows() { return tables().components; }
 // Ground and a meadow of two species.
 Project meadow() {
     Project p;

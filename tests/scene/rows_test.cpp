@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/components.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
@@ -15,14 +16,14 @@ const FieldRow* fieldOf(const ComponentRow& row, std::string_view name) {
 }
 
 TEST(Rows, AComponentIsFoundByItsWholeNameAlone) {
-    const auto rows = sharedComponentRows();
+    const auto rows = tables().components;
     for (const ComponentRow& row : rows) EXPECT_EQ(findComponent(rows, row.name), &row);
     for (const char* none : {"", "grassField", "Grass", "GrassField "})
         EXPECT_EQ(findComponent(rows, none), nullptr) << none;
 }
 
 TEST(Rows, AnElementIsSelectedByANameThatIsItsOwnElseByItsNumber) {
-    const ComponentRow* field = findComponent(sharedComponentRows(), "GrassField");
+    const ComponentRow* field = findComponent(tables().components, "GrassField");
     ASSERT_NE(field, nullptr);
     const FieldRow* species = fieldOf(*field, "species");
     ASSERT_NE(species, nullptr);

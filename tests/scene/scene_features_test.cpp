@@ -8,11 +8,16 @@
 
 #include "scene/components.h"
 #include "scene/project.h"
+#include "fields.h"
+#include "techniques.h"
+#include "grass/grass_fields.h"
 
 namespace sward {
 namespace {
 
-std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+using namespace test;
+
+std::span<const ComponentRow> rows() { return tables().components; }
 
 TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     const auto featuresOf = [](const char* name, const void* value) {
@@ -23,26 +28,27 @@ TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     terrain.height.map = terrain.terrainMap.map = Map({2, 2, 1, PixelType::F32});
     EXPECT_EQ(featuresOf("Terrain", &terrain),
               featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
-    GrassField grass;
+    FlatField grass;
+    const auto featuresOfField = [&] { return fieldFeatures(tables().techniques, grass.asField()); };
     const FeatureSet drawn =
         featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
-    EXPECT_EQ(featuresOf("GrassField", &grass),
+    EXPECT_EQ(featuresOfField(),
               drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
     grass.shadowMask = 0;
     grass.groundShadows = false;
     grass.species[0].clumpSize = 0;
-    EXPECT_EQ(featuresOf("GrassField", &grass), drawn);
+    EXPECT_EQ(featuresOfField(), drawn);
     grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
         Map({2, 2, 1, PixelType::U8});
-    EXPECT_EQ(featuresOf("GrassField", &grass), drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation,
+    EXPECT_EQ(featuresOfField(), drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation,
                                                                    Feature::GrassVegetation, Feature::GrassOcclusion));
     grass.species[0].translucency = grass.species[0].gloss = 1;
-    EXPECT_TRUE((featuresOf("GrassField", &grass) & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
-    grass.technique = static_cast<int>(Technique::Flat);
+    EXPECT_TRUE((featuresOfField() & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
+    grass.technique = nameOf(Technique::Flat);
     grass.shadowMask = 64;
-    EXPECT_FALSE(has(featuresOf("GrassField", &grass), Feature::BladeShadows)) << "no blade is drawn";
+    EXPECT_FALSE(has(featuresOfField(), Feature::BladeShadows)) << "no blade is drawn";
     grass.species[0].bladesPerM2 = 0;
-    EXPECT_TRUE(featuresOf("GrassField", &grass).none()) << "nothing grows";
+    EXPECT_TRUE(featuresOfField().none()) << "nothing grows";
     Light light;
     EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun, Feature::CastingLights));
     light.castShadows = false;
@@ -67,12 +73,13 @@ TEST(SceneFeatures, AddingAndRemovingAComponentLeavesTheFeaturesAsBefore) {
     Project p;
     const Entity e = *addEntity(p, "e");
     for (const ComponentRow& row : rows()) {
-        const FeatureSet before = sceneFeatures(p.registry, rows());
+        const FeatureSet before = sceneFeatures(p.registry, tables());
         row.assign(p.registry, e, nullptr);
+        const FeatureSet onEntity = row.featuresOnEntity ? row.featuresOnEntity(p.registry, e, tables(), false) : FeatureSet();
         const bool nowhere = std::string(row.name) == "ForceSource";  // without a Transform it presses nothing
-        EXPECT_EQ(sceneFeatures(p.registry, rows()), nowhere ? FeatureSet() : row.features(row.defaults())) << row.name;
+        EXPECT_EQ(sceneFeatures(p.registry, tables()), nowhere ? FeatureSet() : row.features(row.defaults()) | onEntity) << row.name;
         row.remove(p.registry, e);
-        EXPECT_EQ(sceneFeatures(p.registry, rows()), before) << row.name;
+        EXPECT_EQ(sceneFeatures(p.registry, tables()), before) << row.name;
         EXPECT_EQ(row.get(p.registry, e), nullptr);
     }
 }
@@ -82,21 +89,21 @@ TEST(SceneFeatures, AForceIsThereWhereItsSourceStandsOrLeftTracks) {
     const Entity e = *addEntity(p, "e");
     ForceSource& s = *p.registry.add<ForceSource>(e);
     s.shape = ForceShape::Outline;
-    EXPECT_TRUE(sceneFeatures(p.registry, rows()).none());
-    EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Forces).empty());
+    EXPECT_TRUE(sceneFeatures(p.registry, tables()).none());
+    EXPECT_TRUE(entitiesWith(p.registry, tables(), Feature::Forces).empty());
     s.tracks.push_back({{1, 1}, {2, 2}, 0});
-    EXPECT_TRUE(has(sceneFeatures(p.registry, rows()), Feature::Forces));
+    EXPECT_TRUE(has(sceneFeatures(p.registry, tables()), Feature::Forces));
     s.tracks.clear();
     p.registry.add<Transform>(e);
-    EXPECT_EQ(sceneFeatures(p.registry, rows()), featureSet(Feature::Forces, Feature::ForceOutlines));
+    EXPECT_EQ(sceneFeatures(p.registry, tables()), featureSet(Feature::Forces, Feature::ForceOutlines));
 }
 
 TEST(SceneFeatures, KnowWhichEntitiesAskForThem) {
     Project p;
     for (const char* name : {"b", "a", "c"}) p.registry.add<Light>(*addEntity(p, name));
     p.registry.get<Light>(findEntity(p, "c"))->intensity = 0;
-    EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::CastingLights), (std::vector<std::string>{"a", "b"}));
-    EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Fog).empty());
+    EXPECT_EQ(entitiesWith(p.registry, tables(), Feature::CastingLights), (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(entitiesWith(p.registry, tables(), Feature::Fog).empty());
 }
 
 TEST(SceneFeatures, HaveNamesForPeopleAndForShaders) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "scenes.h"
+#include "fields.h"
 
 namespace sward {
 namespace {
@@ -13,13 +14,13 @@ using namespace test;
 
 struct Field {
     Terrain terrain;
-    GrassField grass;
+    FlatField grass;
     Field(double side, float bladesPerM2) {
         terrain.size = {side, side};
         grass.species[0].bladesPerM2 = bladesPerM2;
-        grass.population = static_cast<int>(Population::Unique);
+        grass.population = Population::Unique;
     }
-    UniqueBlades made() const { return makeUnique(grass.species[0], grass, terrain); }
+    UniqueBlades made() const { return makeUnique(grass.species[0], grass.grows, terrain); }
 };
 
 // J-9: texels of less than one expected blade have their share.
@@ -95,7 +96,7 @@ TEST(Unique, BladesEndWhereTheTerrainDoes) {
 
 TEST(Unique, ItsKeyFollowsWhatItIsMadeFrom) {
     Field f(20, 100);
-    const auto key = [&] { return uniqueKey(f.grass.species[0], f.grass, f.terrain); };
+    const auto key = [&] { return uniqueKey(f.grass.species[0], f.grass.grows, f.terrain); };
     const uint64_t before = key();
     f.terrain.size.x = 21;
     const uint64_t larger = key();
@@ -109,7 +110,7 @@ TEST(Unique, ItsKeyFollowsWhatItIsMadeFrom) {
 TEST(Unique, MoreThanMemoryHoldsIsRefusedWithTheLimitAndTheRemedy) {
     Project p = lawn();
     EXPECT_TRUE(checkUnique(p, 1e12)) << "a patch costs the same however often it is repeated";
-    p.registry.get<GrassField>(findEntity(p, "grass"))->population = static_cast<int>(Population::Unique);
+    flatField(p, "grass").population = Population::Unique;
     EXPECT_TRUE(checkUnique(p, virtualBlades(p)));
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {2000, 2000};
     const Status refused = checkUnique(p, virtualBlades(p));

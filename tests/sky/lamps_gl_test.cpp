@@ -1,5 +1,7 @@
 #include "scenes.h"
 #include "shared/light.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -82,7 +84,7 @@ TEST(Lamps, AreFiniteInsideABladeOnEveryAxisAndBelowTheHorizonAtTheirBrightest) 
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].bladesPerM2 = 40;
+    flatField(p, "grass").species[0].bladesPerM2 = 40;
     Light light = lantern();
     light.intensity = 65504;
     light.color = glm::vec3(65504);

@@ -1,5 +1,6 @@
 #include "scenes.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

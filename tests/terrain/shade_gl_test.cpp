@@ -3,6 +3,7 @@
 
 #include "objects.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {

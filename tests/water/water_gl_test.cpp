@@ -4,6 +4,8 @@
 #include "reference/reference.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
+#include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -176,7 +178,7 @@ TEST(Water, WithoutReflectionNothingOfItIsRunOrHeld) {
 TEST(Water, TheMirroredViewDrawsGrassCoarsely) {
     NoGlErrors errors;
     Project p = lawn();
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, "grass"));
+    FlatField f = flatField(p, "grass");
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     put<Water>(p, "lake", {.level = 0.05f});
     Renderer r(gpu(), tables());
@@ -185,7 +187,7 @@ TEST(Water, TheMirroredViewDrawsGrassCoarsely) {
     EXPECT_FALSE(holds(names, "mirrored grass/geometry"));
     EXPECT_FALSE(holds(names, "mirrored grass/ground-shadow"));
     EXPECT_TRUE(holds(names, "grass/geometry"));
-    f.technique = static_cast<int>(Technique::Tessellated);
+    f.technique = nameOf(Technique::Tessellated);
     EXPECT_TRUE(holds(passesOf(r, p, eyeHeight()), "mirrored grass/tessellated"));
 }
 

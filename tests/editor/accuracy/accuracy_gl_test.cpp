@@ -141,7 +141,7 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     const auto at = ui->rect("Accuracy/Point hybrid maxGeom=6 msaa=4");
     ASSERT_TRUE(at) << at.error().text();
     ok(ui->click("Accuracy/Point hybrid maxGeom=6 msaa=4"));
-    EXPECT_EQ(field("lawn.GrassField.maxGeom"), "6");
+    EXPECT_EQ(field("lawn.HybridTiers.maxGeom"), "6");
     EXPECT_NE(app->messages.status.find("msaa=4"), std::string::npos) << app->messages.status;
     ok(ui->key("ctrl+z"));
     EXPECT_FALSE(doc.canUndo());
@@ -170,10 +170,10 @@ TEST_F(EditorAccuracy, AFitIsPreviewedRightOfTheLineAndChangesNothingUntilItIsAd
     EXPECT_EQ(apart(plain, split, 0, 0.45), 0);
     EXPECT_GT(apart(plain, split, 0.55, 1), 0.005);
     EXPECT_FALSE(doc.canUndo());
-    EXPECT_EQ(field("lawn.GrassField.maxGeom"), "12");
+    EXPECT_EQ(field("lawn.HybridTiers.maxGeom"), "12");
     ok(ui->click("Accuracy/Adopt"));
     ok(ui->wait(2));
-    EXPECT_EQ(field("lawn.GrassField.maxGeom"), "0.1");
+    EXPECT_EQ(field("lawn.HybridTiers.maxGeom"), "0.1");
     const Image adopted = shot();
     EXPECT_LT(apart(adopted, split, 0.55, 1), 0.002) << "what was previewed is what is drawn";
     ok(ui->key("ctrl+z"));

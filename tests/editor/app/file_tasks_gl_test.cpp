@@ -1,5 +1,6 @@
 // Saving by its key, and what is on disk then.
 #include "editor/editor_fixture.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {

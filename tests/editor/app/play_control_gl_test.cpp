@@ -9,6 +9,7 @@
 #include "editor/playtest/playtest.h"
 #include "project/project_files.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
@@ -73,7 +74,7 @@ TEST_F(EditorPlay, ButtonsAndTheMenuDoTheSame) {
 }
 
 TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
-    ok(ui->set("Inspector/lawn.GrassField.maxGeom", "9"));
+    ok(ui->set("Inspector/lawn.HybridTiers.maxGeom", "9"));
     ok(ui->set("Brush/Mode", "Subtract"));
     paint();
     ok(ui->key("ctrl+z"));
@@ -103,7 +104,7 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
 }
 
 TEST_F(EditorPlay, NothingIsSavedTakenBackOrPaintedMeanwhileAndItIsSaid) {
-    ok(ui->set("Inspector/lawn.GrassField.maxGeom", "9"));
+    ok(ui->set("Inspector/lawn.HybridTiers.maxGeom", "9"));
     ok(ui->set("Brush/Mode", "Subtract"));
     const uint64_t before = hash();
     ok(ui->key("f5"));
@@ -119,10 +120,10 @@ TEST_F(EditorPlay, NothingIsSavedTakenBackOrPaintedMeanwhileAndItIsSaid) {
     EXPECT_TRUE(doc.dirty());
     captureMouse(app->play, doc, *app->surface, false);
     EXPECT_FALSE(ui->click("Tools/Add")) << "greyed";
-    EXPECT_FALSE(ui->set("Inspector/lawn.GrassField.maxGeom", "7")) << "greyed";
+    EXPECT_FALSE(ui->set("Inspector/lawn.HybridTiers.maxGeom", "7")) << "greyed";
     ok(ui->key("f5"));
     EXPECT_EQ(hash(), before);
-    ok(ui->set("Inspector/lawn.GrassField.maxGeom", "7"));
+    ok(ui->set("Inspector/lawn.HybridTiers.maxGeom", "7"));
 }
 
 TEST_F(EditorPlay, TheMouseTurnsTheHeadUntilEscapeFreesIt) {
@@ -167,7 +168,7 @@ TEST_F(EditorPlay, PressedAmidAStrokeItFinishesTheStroke) {
 }
 
 TEST_F(EditorPlay, AHalfTypedValueAndADraggedSliderAreNotLost) {
-    const std::string path = "lawn.GrassField.maxGeom", label = "Inspector/" + path;
+    const std::string path = "lawn.HybridTiers.maxGeom", label = "Inspector/" + path;
     ASSERT_TRUE(ui->get(label));
     const ui::Widget w = app->book.widgets.at(label);
     const double x = static_cast<double>(w.x0 + w.x1) / 2, y = static_cast<double>(w.y0 + w.y1) / 2;
@@ -202,7 +203,7 @@ TEST_F(EditorPlay, AHalfTypedValueAndADraggedSliderAreNotLost) {
 }
 
 TEST_F(EditorPlay, ClosingTheProgramStopsItAndAsksForUnsavedWork) {
-    ok(ui->set("Inspector/lawn.GrassField.maxGeom", "9"));
+    ok(ui->set("Inspector/lawn.HybridTiers.maxGeom", "9"));
     ok(ui->key("f5"));
     ok(ui->key("ctrl+q"));
     EXPECT_FALSE(playing(doc));

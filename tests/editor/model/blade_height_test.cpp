@@ -33,7 +33,7 @@ TEST(BladeHeight, WhatIsNoDensityOrIsNotThereIsRefused) {
     test::TempDir dir;
     Document doc(tables());
     ASSERT_TRUE(doc.create(dir / "p"));
-    for (const char* path : {"lawn.GrassField.orientation", "lawn.GrassField.maxGeom", "nobody.GrassField.density"}) {
+    for (const char* path : {"lawn.GrassField.orientation", "lawn.HybridTiers.maxGeom", "nobody.GrassField.density"}) {
         const Status s = heightFromDensity(doc, path);
         ASSERT_FALSE(s) << path;
         EXPECT_EQ(s.error().code, ExitCode::Usage) << path;

@@ -263,7 +263,7 @@ TEST(Document, ANewMapChangesNothingThatIsSeenAndIsOneStep) {
     EXPECT_EQ(value("vegetation", 3), 0);
     EXPECT_NEAR(value("forces", 0), 0.5, 3e-3);
     EXPECT_EQ(value("forces", 3), 0);
-    EXPECT_FALSE(f.doc.createMap("lawn.GrassField.maxGeom"));
+    EXPECT_FALSE(f.doc.createMap("lawn.HybridTiers.maxGeom"));
     EXPECT_FALSE(f.doc.createMap("nobody.GrassField.orientation"));
 }
 

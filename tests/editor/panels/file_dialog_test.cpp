@@ -2,6 +2,7 @@
 #include "app/file_tasks.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {

@@ -2,6 +2,7 @@
 #include "panels/inspector_camera.h"
 
 #include "editor/panels/panel_stage.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {

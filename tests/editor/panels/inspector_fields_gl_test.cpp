@@ -7,7 +7,7 @@ namespace {
 using test::EditorUi;
 
 TEST_F(EditorUi, TheInspectorTypesPastTheSliderAndStopsAtTheHardRange) {
-    const std::string path = "lawn.GrassField.maxGeom", label = "Inspector/" + path;
+    const std::string path = "lawn.HybridTiers.maxGeom", label = "Inspector/" + path;
     ok(ui->set(label, "750"));
     EXPECT_EQ(field(path), "750");
     ok(ui->set(label, "inf"));

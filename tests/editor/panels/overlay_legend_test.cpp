@@ -1,4 +1,5 @@
 #include "panels/overlay_legend.h"
+#include "techniques.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ TEST(OverlayLegend, SaysOfEachMapWhatItsEndsMean) {
             if (f.list) again(f.list->fields, again);
         }
     };
-    for (const ComponentRow& row : sharedComponentRows()) visit(row.fields, visit);
+    for (const ComponentRow& row : tables().components) visit(row.fields, visit);
     EXPECT_EQ(said["density"], "0 bare 1 full");
     EXPECT_EQ(said["ambientOcclusion"], "0 closed 1 open");
     EXPECT_EQ(said["bladeHeight"], "0 no height 1 full height");

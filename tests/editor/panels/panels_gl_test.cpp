@@ -8,9 +8,9 @@ using test::EditorUi;
 
 TEST_F(EditorUi, PanelsAreHiddenAndShownFromTheViewMenu) {
     ok(ui->click("Menu/View/Inspector"));
-    EXPECT_FALSE(ui->exists("Inspector/lawn.GrassField.maxGeom"));
+    EXPECT_FALSE(ui->exists("Inspector/lawn.HybridTiers.maxGeom"));
     ok(ui->click("Menu/View/Inspector"));
-    EXPECT_TRUE(ui->exists("Inspector/lawn.GrassField.maxGeom"));
+    EXPECT_TRUE(ui->exists("Inspector/lawn.HybridTiers.maxGeom"));
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ TEST_F(EditorTools, ThePanelSetsTechniqueFadeSlicesAndTheView) {
     ok(ui->set("Tiers/technique", "geometry"));
     EXPECT_EQ(field("lawn.GrassField.technique"), "geometry");
     ok(ui->set("Tiers/fade", "0.25"));
-    EXPECT_EQ(field("lawn.GrassField.fade"), "0.25");
+    EXPECT_EQ(field("lawn.GrassDrawing.fade"), "0.25");
     ok(ui->set("Tiers/slices", "6"));
-    EXPECT_EQ(field("lawn.GrassField.slices"), "6");
+    EXPECT_EQ(field("lawn.GrassSlices.slices"), "6");
     ok(ui->set("Tiers/False colours", "true"));
     EXPECT_EQ(app->view.mode, ViewMode::Tiers);
     ok(ui->set("Tiers/False colours", "false"));
@@ -58,7 +58,7 @@ TEST_F(EditorTools, ThePanelSetsTechniqueFadeSlicesAndTheView) {
 
 TEST_F(EditorTools, DistancesOutOfOrderAreOfferedToBePutInOrder) {
     EXPECT_FALSE(ui->exists("Tiers/Put in order"));
-    ASSERT_TRUE(doc.setField("lawn.GrassField.minGeom", "30"));
+    ASSERT_TRUE(doc.setField("lawn.HybridTiers.minGeom", "30"));
     ok(ui->click("Tiers/Put in order"));
     EXPECT_TRUE(tiersInOrder(tiers()));
     EXPECT_EQ(tiers()[0], 12);

@@ -10,7 +10,7 @@ class SplitLine : public test::PanelStage {
   protected:
     SplitLine() {
         hand.rect = {100, 50, 400, 300};
-        comparison.against = Against::Flat;
+        comparison.against = Against::Technique;
         draw = [this] { hoverSplit(comparison, hand, in, true); };
     }
     void pointTo(double x, double y) {

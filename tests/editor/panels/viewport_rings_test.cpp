@@ -2,6 +2,7 @@
 #include "panels/viewport_rings.h"
 
 #include "editor/panels/panel_stage.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {
@@ -23,7 +24,7 @@ TEST_F(TierRings, TheChosenFieldComesBeforeTheSelectedAndThatBeforeTheFirst) {
     EXPECT_EQ(tierEntity(doc, "", "z"), "z");
     EXPECT_EQ(tierEntity(doc, "lawn", "z"), "lawn");
     EXPECT_EQ(tierEntity(doc, "gone", "camera"), "a") << "neither has a field";
-    EXPECT_EQ(tierPath("z", 1), "z.GrassField.maxGeom");
+    EXPECT_EQ(tierPath("z", 1), "z.HybridTiers.maxGeom");
     Document none(tables());
     EXPECT_EQ(tierEntity(none, "", ""), "");
     EXPECT_EQ(tierField(none, ""), nullptr);
@@ -39,12 +40,12 @@ TEST_F(TierRings, AHandWithoutARingChangesNothing) {
 
 TEST_F(TierRings, WhatWasDraggedIsOneStepAndEscapeTakesItBack) {
     tiers.hover = RingHit{{1}, {200, 150}, 0, 0};
-    const std::string before = field("lawn.GrassField.maxGeom");
+    const std::string before = field("lawn.HybridTiers.maxGeom");
     ASSERT_TRUE(grabRing(parts(), {}, edits));
-    EXPECT_EQ(edits.holding, "lawn.GrassField.maxGeom");
-    ASSERT_TRUE(doc.setField("lawn.GrassField.maxGeom", "20"));
+    EXPECT_EQ(edits.holding, "lawn.HybridTiers.maxGeom");
+    ASSERT_TRUE(doc.setField("lawn.HybridTiers.maxGeom", "20"));
     cancelRing(tiers, doc, edits, messages);
-    EXPECT_EQ(field("lawn.GrassField.maxGeom"), before);
+    EXPECT_EQ(field("lawn.HybridTiers.maxGeom"), before);
     EXPECT_FALSE(tiers.drag);
     EXPECT_EQ(edits.holding, "");
     EXPECT_FALSE(doc.canUndo());

@@ -10,6 +10,7 @@
 #include "world/forces.h"
 #include "world/placement.h"
 #include "world/view_camera.h"
+#include "techniques.h"
 
 namespace sward {
 namespace {

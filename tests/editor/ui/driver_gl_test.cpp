@@ -28,7 +28,7 @@ TEST_F(EditorUi, EveryWidgetThatScriptsNameIsThere) {
                               "Viewport/Camera",
                               "Outliner/lawn",
                               "Outliner/New entity",
-                              "Inspector/lawn.GrassField.maxGeom",
+                              "Inspector/lawn.HybridTiers.maxGeom",
                               "Inspector/ground.Terrain.size",
                               "Inspector/sun.Light.elevationDeg",
                               "Tabs/Console",
@@ -37,7 +37,7 @@ TEST_F(EditorUi, EveryWidgetThatScriptsNameIsThere) {
                               "Status/Saved"})
         EXPECT_TRUE(ui->exists(label)) << label;
     EXPECT_FALSE(ui->exists("Brush/Nothing"));
-    EXPECT_FALSE(ui->exists("Inspector/nobody.GrassField.maxGeom"));
+    EXPECT_FALSE(ui->exists("Inspector/nobody.HybridTiers.maxGeom"));
     const Status missing = ui->click("Nowhere/Nothing");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().code, ExitCode::Usage);
