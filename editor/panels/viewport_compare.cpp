@@ -45,7 +45,7 @@ void scaleBar(const EditorApp& app) {
     }
     const ErrorMetric metric = app.accuracy.comparison.metric;
     list.AddText({x, y - 17}, IM_COL32_WHITE,
-                 fmt::format("{} error", kErrorMetrics[static_cast<size_t>(metric)]).c_str());
+                 fmt::format("{} error", kErrorMetrics[metric]).c_str());
     list.AddText({x - 10, y - 3}, IM_COL32_WHITE, "0");
     list.AddText({x + w + 5, y - 3}, IM_COL32_WHITE, fmt::format("{:g}", heatScale(metric)).c_str());
 }
