@@ -75,8 +75,8 @@ void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
 void drawCameraTools(EditorApp& app, const ComponentRow& row, const void* component) {
     const std::string path = app.selected + "." + row.name;
     const ui::Disabled walks(playing(app));
-    if (std::string_view(row.name) == "Camera") cameraTools(app, path, *static_cast<const Camera*>(component));
-    if (std::string_view(row.name) == "CameraPath") pathTools(app, path, *static_cast<const CameraPath*>(component));
+    if (isRowOf<Camera>(row)) cameraTools(app, path, *static_cast<const Camera*>(component));
+    if (isRowOf<CameraPath>(row)) pathTools(app, path, *static_cast<const CameraPath*>(component));
 }
 
 }  // namespace sward

@@ -18,10 +18,9 @@ namespace {
 
 std::vector<std::string> cameraNames(EditorApp& app) {
     std::vector<std::string> names;
-    const ComponentRow* row = findComponent(app.doc.tables().components, "Camera");
-    if (!row || !app.doc.isOpen()) return names;
+    if (!app.doc.isOpen()) return names;
     for (const auto& [name, entity] : app.doc.project().entities)
-        if (row->get(app.doc.project().registry, entity)) names.push_back(name);
+        if (app.doc.project().registry.get<Camera>(entity)) names.push_back(name);
     return names;
 }
 
