@@ -69,9 +69,11 @@ void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
 
 // For the whole frame: nothing else uses the bindings.
 void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
-    const GLuint map = t.terrainMap.present() ? ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true,
-                                                             tilingOf(t, t.terrainMapTiling).repeats)
-                                              : 0;
+    const auto texture = [&](const MapField& m) {
+        return ctx.maps.get("terrain/map", entityOf(ctx.project, t) + ".Terrain.terrainMap", m.map, true,
+                            tilingOf(t, t.terrainMapTiling).repeats);
+    };
+    const GLuint map = t.terrainMap.present() ? texture(t.terrainMap) : 0;
     static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
     const GLuint textures[] = {ctx.shared.heights, map, s.tile.id()};
     glBindTextures(TEX_HEIGHT, 3, textures);
@@ -107,7 +109,8 @@ void select(DrawContext& ctx) {
         g.groundBase = static_cast<float>(offset + scale * base - ctx.eye.y);
         g.groundScale = static_cast<float>(scale);
         g.groundTexel = base;
-        ctx.shared.heights = ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
+        ctx.shared.heights =
+            ctx.maps.get("terrain/heights", entityOf(ctx.project, t) + ".Terrain.height", t.height.map);
     } else {
         g.groundBase = static_cast<float>(-ctx.eye.y);
     }
