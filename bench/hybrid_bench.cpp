@@ -1,8 +1,8 @@
 // The hybrid field's time against all its blades drawn as geometry, and what slices cost to make and to load.
 #include "bench/limits.h"
 #include "core/file.h"
+#include "frame/color_image.h"
 #include "frame/renderer.h"
-#include "frame/tiles.h"
 #include "grass/slice_file.h"
 #include "grass/slice_textures.h"
 #include "grass/slices.h"

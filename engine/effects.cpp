@@ -30,7 +30,7 @@ std::span<const EffectRow> effectRows() {
         windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
         meshEffect(),        shadowEffect(),                                                                 // objects
         forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
-        geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
+        uniqueEffect(), geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
         tessellatedEffect(), flowersEffect(),                                           // grass
         waterEffect(),       reflectionEffect(),                                        // water
         farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen

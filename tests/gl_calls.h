@@ -54,45 +54,34 @@ struct Hook<pointer> {
 };
 }  // namespace gl_calls
 
-#define SWARD_GL_CALLS(X)                                                                                              \
-    X(glAttachShader)                                                                                                  \
-    X(glBeginQuery)                                                                                                    \
-    X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) X(glBindTextureUnit)                 \
-        X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) X(glBlendFunc) X(         \
-            glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) X(glClearColor) \
-            X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) X(glClearNamedFramebufferfv) X(     \
-                glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) X(glCompileShader)                 \
-                X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) X(glCreateTextures) X( \
-                    glCreateVertexArrays) X(glDebugMessageCallback) X(glDebugMessageControl) X(glDeleteBuffers)        \
-                    X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) X(glDeleteShader) X(glDeleteSync) X( \
-                        glDeleteTextures) X(glDeleteVertexArrays) X(glDepthFunc) X(glDepthMask) X(glDisable)           \
-                        X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(             \
-                            glDrawArrays) X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElementsInstanced)  \
-                            X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) X(         \
-                                glEndQuery) X(glFenceSync) X(glFinish) X(glFrontFace) X(glGenQueries)                  \
-                                X(glGenerateTextureMipmap) X(glGetIntegerv) X(glGetNamedBufferSubData) X(              \
-                                    glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v)                    \
-                                    X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) X(glGetTextureImage) X(      \
-                                        glGetTextureLevelParameteriv) X(glLinkProgram) X(glMemoryBarrier)              \
-                                        X(glMultiDrawArraysIndirect) X(glMultiDrawElementsIndirect) X(                 \
-                                            glNamedBufferStorage) X(glNamedBufferSubData)                              \
-                                            X(glNamedFramebufferDrawBuffer) X(glNamedFramebufferTexture) X(            \
-                                                glNamedFramebufferTextureLayer) X(glObjectLabel) X(glPatchParameteri)  \
-                                                X(glPixelStorei) X(glPopDebugGroup) X(glPushDebugGroup) X(             \
-                                                    glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp)   \
-                                                    X(glTextureBarrier) X(glTextureParameterf) X(glTextureParameteri)  \
-                                                        X(glTextureStorage2D) X(glTextureStorage2DMultisample)         \
-                                                            X(glTextureStorage3D) X(glTextureSubImage2D)               \
-                                                                X(glTextureSubImage3D) X(glUniform1f) X(glUniform1i)   \
-                                                                    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(   \
-                                                                        glUniform3ui) X(glUniform4f) X(glUniform4ui)   \
-                                                                        X(glUseProgram) X(glVertexArrayAttribBinding)  \
-                                                                            X(glVertexArrayAttribFormat)               \
-                                                                                X(glVertexArrayAttribIFormat)          \
-                                                                                    X(glVertexArrayBindingDivisor) X(  \
-                                                                                        glVertexArrayElementBuffer)    \
-                                                                                        X(glVertexArrayVertexBuffer)   \
-                                                                                            X(glViewport)
+// The functions counted; clang-format would step every row to the right.
+// clang-format off
+#define SWARD_GL_CALLS(X) \
+    X(glAttachShader) X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) \
+    X(glBindTextureUnit) X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) \
+    X(glBlendFunc) X(glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) \
+    X(glClearColor) X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) \
+    X(glClearNamedFramebufferfv) X(glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) \
+    X(glCompileShader) X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) \
+    X(glCreateTextures) X(glCreateVertexArrays) X(glDebugMessageCallback) X(glDebugMessageControl) \
+    X(glDeleteBuffers) X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) X(glDeleteShader) \
+    X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glDepthFunc) X(glDepthMask) X(glDisable) \
+    X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(glDrawArrays) \
+    X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElementsInstanced) \
+    X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) X(glEndQuery) X(glFenceSync) \
+    X(glFinish) X(glFrontFace) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetIntegerv) \
+    X(glGetNamedBufferSubData) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v) \
+    X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) X(glGetTextureImage) X(glGetTextureLevelParameteriv) \
+    X(glLinkProgram) X(glMemoryBarrier) X(glMultiDrawArraysIndirect) X(glMultiDrawElementsIndirect) \
+    X(glNamedBufferStorage) X(glNamedBufferSubData) X(glNamedFramebufferDrawBuffer) X(glNamedFramebufferTexture) \
+    X(glNamedFramebufferTextureLayer) X(glObjectLabel) X(glPatchParameteri) X(glPixelStorei) X(glPopDebugGroup) \
+    X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureBarrier) \
+    X(glTextureParameterf) X(glTextureParameteri) X(glTextureStorage2D) X(glTextureStorage2DMultisample) \
+    X(glTextureStorage3D) X(glTextureSubImage2D) X(glTextureSubImage3D) X(glUniform1f) X(glUniform1i) \
+    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3ui) X(glUniform4f) X(glUniform4ui) X(glUseProgram) \
+    X(glVertexArrayAttribBinding) X(glVertexArrayAttribFormat) X(glVertexArrayAttribIFormat) \
+    X(glVertexArrayBindingDivisor) X(glVertexArrayElementBuffer) X(glVertexArrayVertexBuffer) X(glViewport)
+// clang-format on
 
 // Counts from here to its end. The functions must have been called once before, so that libepoxy has found them.
 struct CountGlCalls {

@@ -5,11 +5,12 @@
 
 #include <algorithm>
 
+#include "sources.h"
 #include "support.h"
 
 namespace {
 namespace fs = std::filesystem;
-using Lines = std::vector<std::string>;
+using namespace sward::test;
 
 // From low to high; folders of one row are neighbours that never include each other.
 const std::vector<std::vector<std::string>> kLayers = {
@@ -47,13 +48,6 @@ Place placeOf(const fs::path& relative) {
     return {-1, folder};
 }
 
-Lines linesOf(const fs::path& file) {
-    std::ifstream in(file);
-    Lines lines;
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
-
 // What an #include line names, without quotes or brackets; empty if the line is none.
 std::string includedBy(const std::string& line) {
     const size_t hash = line.find_first_not_of(" \t");
@@ -71,19 +65,6 @@ fs::path resolve(const fs::path& root, const fs::path& from, const std::string& 
         if (fs::is_regular_file(base / name))
             return fs::weakly_canonical(base / name).lexically_relative(fs::weakly_canonical(root));
     return {};
-}
-
-// Sources under these folders of root, relative to it, sorted.
-std::vector<fs::path> sources(const fs::path& root, std::initializer_list<const char*> folders) {
-    std::vector<fs::path> out;
-    for (const char* folder : folders) {
-        if (!fs::is_directory(root / folder)) continue;
-        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-            if (const fs::path ext = entry.path().extension(); ext == ".h" || ext == ".cpp")
-                out.push_back(entry.path().lexically_relative(root));
-    }
-    std::sort(out.begin(), out.end());
-    return out;
 }
 
 // Why `file` must not include `name`; empty if it may.
@@ -163,11 +144,6 @@ Lines lengthBreaches(const fs::path& root) {
     return out;
 }
 
-std::string joined(const Lines& lines) {
-    std::string out;
-    for (const std::string& line : lines) out += "\n  " + line;
-    return out;
-}
 const fs::path kRoot = SWARD_SOURCE_DIR;
 
 TEST(Layers, NoFileIncludesWhatIsAboveOrBesideIt) {
@@ -184,11 +160,52 @@ TEST(Layers, NoFileOrFunctionIsLongerThanItsNameCanCarry) {
     EXPECT_TRUE(found.empty()) << joined(found);
 }
 
+// Sources under `folder` of root that have no test of their own path: tests/<path>_test.cpp or _gl_test.cpp, where the
+// engine's folders stand directly under tests/.
+Lines withoutTest(const fs::path& root, const char* folder, size_t* all) {
+    Lines out;
+    for (const fs::path& file : sources(root, {folder})) {
+        if (file.extension() != ".cpp") continue;
+        ++*all;
+        fs::path stem = root / "tests" / (*file.begin() == "engine" ? file.lexically_relative("engine") : file);
+        stem.replace_extension();
+        if (!fs::exists(stem.string() + "_test.cpp") && !fs::exists(stem.string() + "_gl_test.cpp"))
+            out.push_back(file.string());
+    }
+    return out;
+}
+// What is held; raised as it is reached, never lowered.
+constexpr double kTestedEngine = 0.6, kTestedEditor = 0.27;
+
+void expectTested(const char* folder, double wanted) {
+    size_t all = 0;
+    const Lines without = withoutTest(kRoot, folder, &all);
+    ASSERT_GT(all, 50u) << "the sources were not found";
+    EXPECT_GE(1 - double(without.size()) / double(all), wanted)
+        << without.size() << " of " << all << " sources have no test of their own name:" << joined(without);
+}
+TEST(Layers, TestsMirrorTheSources) {
+    expectTested("engine", kTestedEngine);
+    expectTested("editor", kTestedEditor);
+}
+
 // --- the checks themselves
 
+TEST(LayersPlanted, ASourceWithoutATestOfItsNameIsFound) {
+    const TempDir dir;
+    for (const char* file : {"engine/core/a.cpp", "engine/core/b.cpp", "engine/core/c.cpp", "engine/core/c.h",
+                             "editor/ui/a.cpp", "editor/ui/b.cpp", "tests/core/a_test.cpp", "tests/core/b_gl_test.cpp",
+                             "tests/editor/ui/a_test.cpp", "tests/ui/b_test.cpp"})
+        writeText(dir / file, "// A file.\n");
+    size_t all = 0;
+    EXPECT_EQ(withoutTest(dir.path, "engine", &all), Lines{"engine/core/c.cpp"});
+    EXPECT_EQ(withoutTest(dir.path, "editor", &all), Lines{"editor/ui/b.cpp"});
+    EXPECT_EQ(all, 5u);
+}
+
 TEST(LayersPlanted, EveryKindOfBreachIsFoundWithFileAndLine) {
-    const sward::test::TempDir dir;
-    const auto plant = [&](const char* file, const char* text) { sward::test::writeText(dir / file, text); };
+    const TempDir dir;
+    const auto plant = [&](const char* file, const char* text) { writeText(dir / file, text); };
     for (const char* header : {"core/low.h", "scene/scene.h", "grass/grass.h", "sky/sky.h", "techniques.h"})
         plant((std::string("engine/") + header).c_str(), "// Is here.\n#pragma once\n");
     plant("editor/panel.h", "// A panel.\n#pragma once\n#include <imgui.h>\n#include \"techniques.h\"\n");  // may
@@ -212,10 +229,10 @@ TEST(LayersPlanted, EveryKindOfBreachIsFoundWithFileAndLine) {
 }
 
 TEST(LayersPlanted, MuteHeadersAndLongFunctionsAreFound) {
-    const sward::test::TempDir dir;
-    sward::test::writeText(dir / "engine/core/mute.h", "#include <vector>\n#pragma once\n");
-    sward::test::writeText(dir / "engine/core/bare.h", "// No guard.\n");
-    sward::test::writeText(dir / "engine/core/fine.h", "#pragma once\n// Says it.\n");
+    const TempDir dir;
+    writeText(dir / "engine/core/mute.h", "#include <vector>\n#pragma once\n");
+    writeText(dir / "engine/core/bare.h", "// No guard.\n");
+    writeText(dir / "engine/core/fine.h", "#pragma once\n// Says it.\n");
     EXPECT_EQ(headerBreaches(dir.path).size(), 2u);
 
     const auto function = [](size_t lines) {
@@ -223,8 +240,8 @@ TEST(LayersPlanted, MuteHeadersAndLongFunctionsAreFound) {
         for (size_t i = 2; i < lines; ++i) text += "    ++a;\n";
         return text + "}\n";
     };
-    sward::test::writeText(dir / "engine/core/long.cpp", function(80) + function(81));
-    sward::test::writeText(dir / "engine/core/longer.cpp", std::string(601, '\n'));
+    writeText(dir / "engine/core/long.cpp", function(80) + function(81));
+    writeText(dir / "engine/core/longer.cpp", std::string(601, '\n'));
     const Lines found = lengthBreaches(dir.path);
     ASSERT_EQ(found.size(), 2u) << joined(found);
     EXPECT_TRUE(found[0].starts_with("engine/core/long.cpp:81: a function of 81 lines")) << found[0];

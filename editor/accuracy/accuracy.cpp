@@ -3,10 +3,15 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "app/app.h"
+#include "app/frame_clock.h"
+#include "app/messages.h"
+#include "app/viewport.h"
 #include "metrics/heatmap.h"
+#include "model/document.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -63,17 +68,15 @@ void dropScene(Comparison& c) {
     c.copyRevision = ~uint64_t(0);
 }
 
-ComparisonKey keyOf(EditorApp& app) {
-    const Comparison& c = app.accuracy.comparison;
-    const Viewport& v = app.viewport;
-    return {c.against,      app.doc.revision(), viewOf(v.camera),
-            v.pictureWidth, v.pictureHeight,    c.preview ? c.preview->technique + c.preview->text() : ""};
+ComparisonKey keyOf(const Comparison& c, const Document& doc, const ComparedView& view) {
+    return {c.against,  doc.revision(), view.camera,
+            view.width, view.height,    c.preview ? c.preview->technique + c.preview->text() : ""};
 }
 
-ViewSettings settingsFor(EditorApp& app, int width, int height) {
+ViewSettings settingsFor(const FrameClock& clock, int width, int height) {
     ViewSettings s;
     s.width = width, s.height = height;
-    s.background = app.surface->fixedStep() == 0;
+    s.background = !clock.fixed;
     return s;
 }
 
@@ -85,11 +88,11 @@ Status drawn(Renderer& renderer, const Project& project, const ViewCamera& camer
 }
 
 // What is on the screen, at the comparison's size.
-bool drawOwn(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+bool drawOwn(Comparison& c, const CompareParts& p) {
     if (!c.own.pixels.empty()) return true;
     const glm::ivec2 size = comparisonSize(c.key.width, c.key.height);
-    return accept(app, drawn(*app.renderer, app.doc.project(), c.key.camera, settingsFor(app, size.x, size.y), c.own));
+    return accept(p.messages,
+                  drawn(p.renderer, p.doc.project(), c.key.camera, settingsFor(p.clock, size.x, size.y), c.own));
 }
 
 std::optional<Metrics> scoresOf(const Picture& own, const Picture& other, const std::vector<float>& grass) {
@@ -131,23 +134,21 @@ Result<ComparedPass> tracePass(const PassWork& work, JobControl& control) {
     return out;
 }
 
-PassWork nextPass(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+PassWork nextPass(Comparison& c, const Document& doc) {
     if (c.copyRevision != c.key.revision) {
         dropScene(c);
-        c.copy = std::make_shared<Project>(snapshot(app.doc.project(), app.doc.tables().components));
+        c.copy = std::make_shared<Project>(snapshot(doc.project(), doc.tables().components));
         c.copyRevision = c.key.revision;
     }
     const glm::ivec2 size = comparisonSize(c.key.width, c.key.height);
-    return {c.copy, &app.doc.tables(), c.scene, c.sum, c.own, c.key.camera, size.x, size.y};
+    return {c.copy, &doc.tables(), c.scene, c.sum, c.own, c.key.camera, size.x, size.y};
 }
 
-void takePass(EditorApp& app, Result<ComparedPass> pass) {
-    Comparison& c = app.accuracy.comparison;
-    app.framesWanted = std::max(app.framesWanted, 2);
+void takePass(Comparison& c, const CompareParts& p, Result<ComparedPass> pass) {
+    p.clock.wanted = std::max(p.clock.wanted, 2);
     if (!pass) {
-        showError(app, pass.error());
-        return compareWith(app, Against::Off);
+        showError(p.messages, pass.error());
+        return compareWith(c, p.clock.now, Against::Off);
     }
     c.scene = std::move(pass->scene);
     c.sum = std::move(pass->sum);
@@ -155,92 +156,86 @@ void takePass(EditorApp& app, Result<ComparedPass> pass) {
     c.grass = std::move(pass->grass);
     c.truthError = pass->truthError;
     c.metrics = pass->metrics;
-    c.picture = uploaded(app.gpu, "editor/comparison", c.other.width, c.other.height, bytesOf(c.other));
+    c.picture = uploaded(p.gpu, "editor/comparison", c.other.width, c.other.height, bytesOf(c.other));
     c.topFirst = c.heatDue = true;
 }
 
-void followReference(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
-    if (!drawOwn(app)) return compareWith(app, Against::Off);
-    if (app.surface->fixedStep() > 0) {
+void followReference(Comparison& c, const CompareParts& p) {
+    if (!drawOwn(c, p)) return compareWith(c, p.clock.now, Against::Off);
+    if (p.clock.fixed) {
         JobControl control;
         while (c.against == Against::Reference && c.sum.passes < kHeadlessPasses)
-            takePass(app, tracePass(nextPass(app), control));
+            takePass(c, p, tracePass(nextPass(c, p.doc), control));
         return;
     }
     if (c.job.active()) {
-        if (auto pass = c.job.take(c.key.revision)) takePass(app, std::move(*pass));
+        if (auto pass = c.job.take(c.key.revision)) takePass(c, p, std::move(*pass));
     } else if (c.sum.passes < kMostPasses) {
-        c.job = Job<ComparedPass>("reference", c.key.revision,
-                                  [work = nextPass(app)](JobControl& control) { return tracePass(work, control); });
+        c.job = Job<ComparedPass>("reference", c.key.revision, [work = nextPass(c, p.doc)](JobControl& control) {
+            return tracePass(work, control);
+        });
     }
 }
 
 // --- against a technique, or settings: another renderer on a copy
 
-Status makeCopy(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+Status makeCopy(Comparison& c, const CompareParts& p) {
     if (c.copyRevision == c.key.revision) return {};
-    c.copy = std::make_shared<Project>(snapshot(app.doc.project(), app.doc.tables().components));
+    c.copy = std::make_shared<Project>(snapshot(p.doc.project(), p.doc.tables().components));
     c.copyRevision = c.key.revision;
-    if (!c.renderer) c.renderer = std::make_unique<Renderer>(app.gpu, app.doc.tables());
+    if (!c.renderer) c.renderer = std::make_unique<Renderer>(p.gpu, p.doc.tables());
     ViewSettings view;  // its fields are not the project's
     const CostSetting setting = c.against == Against::Settings && c.preview
                                     ? *c.preview
                                     : CostSetting{kAgainst[static_cast<size_t>(c.against)], {}};
-    return applySetting(*c.copy, app.doc.tables(), setting, view);
+    return applySetting(*c.copy, p.doc.tables(), setting, view);
 }
 
-Status drawStrip(EditorApp& app, int from, int to) {
-    Comparison& c = app.accuracy.comparison;
+Status drawStrip(Comparison& c, const CompareParts& p, int from, int to) {
     if (to <= from) return {};
-    ViewSettings s = settingsFor(app, c.key.width, to - from);
+    ViewSettings s = settingsFor(p.clock, c.key.width, to - from);
     s.part = {0, from, c.key.width, c.key.height};
     if (Status status = c.renderer->draw(*c.copy, c.key.camera, s); !status) return status;
-    if (c.picture.id() == 0)
-        c.picture = makeTexture2D(app.gpu, "editor/comparison", GL_RGBA8, c.key.width, c.key.height);
+    if (c.picture.id() == 0) c.picture = makeTexture2D(p.gpu, "editor/comparison", GL_RGBA8, c.key.width, c.key.height);
     glCopyImageSubData(c.renderer->image(), GL_TEXTURE_2D, 0, 0, 0, 0, c.picture.id(), GL_TEXTURE_2D, 0, 0, from, 0,
                        c.key.width, to - from, 1);
     c.topFirst = false;
     return {};
 }
 
-Status scoreTechnique(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+Status scoreTechnique(Comparison& c, const CompareParts& p) {
     const glm::ivec2 size = comparisonSize(c.key.width, c.key.height);
-    if (Status s = drawn(*c.renderer, *c.copy, c.key.camera, settingsFor(app, size.x, size.y), c.other); !s) return s;
+    if (Status s = drawn(*c.renderer, *c.copy, c.key.camera, settingsFor(p.clock, size.x, size.y), c.other); !s)
+        return s;
     c.metrics = scoresOf(c.own, c.other, c.grass);
     c.heatDue = true;
     return {};
 }
 
 // From the top down, since that is how it is seen to come.
-Status stepTechnique(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
-    if (Status s = makeCopy(app); !s) return s;
-    const bool whole = app.surface->fixedStep() > 0;
+Status stepTechnique(Comparison& c, const CompareParts& p) {
+    if (Status s = makeCopy(c, p); !s) return s;
+    const bool whole = p.clock.fixed;
     do {
         const int h = c.key.height, to = h - h * c.strips / kStrips, from = h - h * (c.strips + 1) / kStrips;
-        if (Status s = drawStrip(app, from, to); !s) return s;
+        if (Status s = drawStrip(c, p, from, to); !s) return s;
         ++c.strips;
     } while (whole && c.strips < kStrips);
-    return c.strips == kStrips ? scoreTechnique(app) : Status{};
+    return c.strips == kStrips ? scoreTechnique(c, p) : Status{};
 }
 
-void followTechnique(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+void followTechnique(Comparison& c, const CompareParts& p) {
     if (c.strips >= kStrips) {
         // What was drawn with drafts of slices is drawn anew once they are there.
         const std::vector<JobNews> jobs = c.renderer->jobs();
         if (std::any_of(jobs.begin(), jobs.end(), [](const JobNews& j) { return j.finished; })) c.strips = 0;
         return;
     }
-    if (!drawOwn(app) || !accept(app, stepTechnique(app))) compareWith(app, Against::Off);
-    app.framesWanted = std::max(app.framesWanted, 2);
+    if (!drawOwn(c, p) || !accept(p.messages, stepTechnique(c, p))) compareWith(c, p.clock.now, Against::Off);
+    p.clock.wanted = std::max(p.clock.wanted, 2);
 }
 
-void drawHeat(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+void drawHeat(Comparison& c, const CompareParts& p) {
     if (!c.heatDue || c.show != CompareShow::Error || c.own.pixels.empty() || c.other.pixels.empty()) return;
     c.heatDue = false;
     const Result<PicturePair> pair = pairPictures(c.own, c.other, c.grass);
@@ -252,16 +247,12 @@ void drawHeat(EditorApp& app) {
         if (!std::isfinite(errors[i]))
             for (size_t k = 0; k < 3; ++k)
                 rgb[3 * i + k] = static_cast<uint8_t>(40 + 60 * std::clamp(c.own.pixels[i].y, 0.0f, 1.0f));
-    c.heat = uploaded(app.gpu, "editor/comparison", c.own.width, c.own.height, rgb);
+    c.heat = uploaded(p.gpu, "editor/comparison", c.own.width, c.own.height, rgb);
 }
 
-bool atRest(const EditorApp& app) {
-    const Comparison& c = app.accuracy.comparison;
-    const Viewport& v = app.viewport;
-    if (!v.hasImage || app.doc.stroking() || c.key.width < 1 || c.key.height < 1) return false;
-    if (app.surface->fixedStep() > 0) return app.refineNow;
-    return v.gesture == Gesture::None && !v.flying && app.now - c.changed >= kCompareRestSeconds &&
-           v.resolution.drawnScale >= 1 && app.making.empty();
+bool atRest(const Comparison& c, const CompareParts& p, const ComparedView& view) {
+    if (!view.rests || p.doc.stroking() || c.key.width < 1 || c.key.height < 1) return false;
+    return p.clock.fixed || p.clock.now - c.changed >= kCompareRestSeconds;
 }
 
 bool sameView(const ViewCamera& a, const ViewCamera& b) {
@@ -316,67 +307,69 @@ bool ComparisonKey::operator==(const ComparisonKey& o) const {
            height == o.height && settings == o.settings;
 }
 
-void compareWith(EditorApp& app, Against against) {
-    Comparison& c = app.accuracy.comparison;
+void compareWith(Comparison& c, double now, Against against) {
     if (c.against == against) return;
     dropCompared(c);
     dropScene(c);
     c.against = against;
     c.gripHovered = false;
-    c.changed = app.now;
+    c.changed = now;
     c.key = {};
-    if (against == Against::Off && app.viewport.gesture == Gesture::Split) app.viewport.gesture = Gesture::None;
 }
 
-void endComparison(EditorApp& app) {
-    compareWith(app, Against::Off);
-    app.accuracy.comparison.retired.clear();
+void endComparison(Comparison& c) {
+    compareWith(c, c.changed, Against::Off);
+    c.retired.clear();
 }
 
-void previewSettings(EditorApp& app, const CostSetting& setting) {
-    compareWith(app, Against::Off);
-    app.accuracy.comparison.preview = setting;
-    compareWith(app, Against::Settings);
+void previewSettings(Comparison& c, double now, const CostSetting& setting) {
+    compareWith(c, now, Against::Off);
+    c.preview = setting;
+    compareWith(c, now, Against::Settings);
 }
 
-void chooseMetric(EditorApp& app, ErrorMetric metric) {
-    app.accuracy.comparison.metric = metric;
-    app.accuracy.comparison.heatDue = true;
+void chooseMetric(Comparison& c, ErrorMetric metric) {
+    c.metric = metric;
+    c.heatDue = true;
 }
 
-void followComparison(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+ComparedView comparedView(const FlyCamera& camera, const ViewportPicture& picture, const ViewportHand& hand,
+                          const FrameClock& clock, bool making) {
+    const bool still = hand.gesture == Gesture::None && !hand.flying && picture.resolution.drawnScale >= 1 && !making;
+    return {viewOf(camera), picture.width, picture.height, picture.hasImage && (clock.fixed ? clock.refineNow : still)};
+}
+
+void followComparison(Comparison& c, const CompareParts& parts, const ComparedView& view) {
     c.retired.clear();
     if (c.against == Against::Off) return;
-    if (const ComparisonKey key = keyOf(app); !(key == c.key)) {
+    if (const ComparisonKey key = keyOf(c, parts.doc, view); !(key == c.key)) {
         dropCompared(c);
         if (key.revision != c.key.revision) c.scene.reset();
         c.key = key;
-        c.changed = app.now;
+        c.changed = parts.clock.now;
     }
-    if (atRest(app)) c.against == Against::Reference ? followReference(app) : followTechnique(app);
-    drawHeat(app);
+    if (atRest(c, parts, view)) c.against == Against::Reference ? followReference(c, parts) : followTechnique(c, parts);
+    drawHeat(c, parts);
 }
 
-bool comparing(const EditorApp& app) {
-    const Comparison& c = app.accuracy.comparison;
-    if (c.against == Against::Off || !app.doc.isOpen() || app.surface->fixedStep() > 0) return false;
+bool comparing(const Comparison& c, const Document& document, const FrameClock& clock) {
+    if (c.against == Against::Off || !document.isOpen() || clock.fixed) return false;
     return isTechnique(c.against) ? c.strips < kStrips || (c.renderer && !c.renderer->jobs().empty())
                                   : c.sum.passes < kMostPasses;
 }
 
-std::string techniqueShown(Document& document) {
+std::string techniqueShown(const Document& document) {
     const auto* field = firstOf<GrassField>(document.project());
-    return field ? kTechniques[field->technique] : "";
+    return field ? field->technique : "";
 }
 
-std::string comparisonLabel(const EditorApp& app) {
-    const Comparison& c = app.accuracy.comparison;
+std::string comparisonLabel(const Comparison& c, const Document& document, const FrameClock& clock) {
     const std::string name = c.against == Against::Settings && c.preview ? "preview: " + c.preview->technique
                                                                          : kAgainst[static_cast<size_t>(c.against)];
     if (c.picture.id() == 0)
-        return name +
-               (comparing(app) && app.now - c.changed >= kCompareRestSeconds ? ", coming" : ", once the view rests");
+        return name + (comparing(c, document, clock) && clock.now - c.changed >= kCompareRestSeconds
+                           ? ", coming"
+                           : ", once the view rests");
     if (c.against == Against::Reference)
         return fmt::format("{}, {} sample{}", name, c.sum.passes, c.sum.passes == 1 ? "" : "s");
     return name;

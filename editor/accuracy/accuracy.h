@@ -18,8 +18,12 @@
 
 namespace sward {
 
-struct EditorApp;
 class Document;
+struct FlyCamera;
+struct FrameClock;
+struct Messages;
+struct ViewportHand;
+struct ViewportPicture;
 
 // --- passes of the reference: one sample a pixel each, of a seed of its own
 struct PassSum {
@@ -89,17 +93,40 @@ struct Comparison {
     uint64_t copyRevision = ~uint64_t(0);
     std::unique_ptr<Renderer> renderer;  // of a technique
 };
-// Another choice drops what was made for the last one; Off all of it.
-void compareWith(EditorApp& app, Against against);
-void previewSettings(EditorApp& app, const CostSetting& setting);
-void chooseMetric(EditorApp& app, ErrorMetric metric);
+// Another choice drops what was made for the last one; Off all of it. `now`: seconds, as frames count them.
+void compareWith(Comparison& c, double now, Against against);
+// Compares with the project under these settings, which it does not take on.
+void previewSettings(Comparison& c, double now, const CostSetting& setting);
+// The measure that the map of errors shows.
+void chooseMetric(Comparison& c, ErrorMetric metric);
+// What of the view is compared.
+struct ComparedView {
+    ViewCamera camera;
+    int width = 0, height = 0;  // of the viewport's picture
+    bool rests = false;         // that picture is whole, and neither the view nor what it shows changes
+};
+// `making`: the renderer still makes things beside that will show.
+ComparedView comparedView(const FlyCamera& camera, const ViewportPicture& picture, const ViewportHand& hand,
+                          const FrameClock& clock, bool making);
+// What a comparison is made with.
+struct CompareParts {
+    Document& doc;
+    Gpu& gpu;
+    Renderer& renderer;  // the viewport's
+    FrameClock& clock;
+    Messages& messages;
+};
 // Once a frame, after the viewport's picture: starts, takes in, or drops what is due. Never waits, but for headless
-// screenshots.
-void followComparison(EditorApp& app);
-void endComparison(EditorApp& app);                 // with all its memory at once: no frame is being built
-bool comparing(const EditorApp& app);               // there is more to come though nothing moves
-std::string comparisonLabel(const EditorApp& app);  // "reference, 24 samples"
-std::string techniqueShown(Document& document);     // of the project's first field; "" without one
+// screenshots. What fails is shown and ends the comparison.
+void followComparison(Comparison& c, const CompareParts& parts, const ComparedView& view);
+// With all its memory at once: no frame is being built.
+void endComparison(Comparison& c);
+// There is more to come though nothing moves.
+bool comparing(const Comparison& c, const Document& document, const FrameClock& clock);
+// "reference, 24 samples"
+std::string comparisonLabel(const Comparison& c, const Document& document, const FrameClock& clock);
+// Of the project's first field; "" without one.
+std::string techniqueShown(const Document& document);
 
 // --- the project's own plot, measured by `sward cost` beside the editor
 struct Sweep {
@@ -132,23 +159,41 @@ struct Accuracy {
     Fit fit;
 };
 
+// What a measurement is started from.
+struct MeasureParts {
+    Document& doc;
+    const std::string& program;  // Accuracy::program
+    const FlyCamera& camera;
+    const FrameClock& clock;
+    Messages& messages;
+};
 // Starts on a copy of the project as it is now, at the camera shown or the first; what was measured before is reused.
-void startSweep(EditorApp& app);
-void startFit(EditorApp& app);
-void followRuns(EditorApp& app);  // once a frame: takes in what has ended
-bool measuring(const EditorApp& app);
-void stopSweep(EditorApp& app);  // kills it and drops its copy
-void stopFit(EditorApp& app);
-void stopRuns(EditorApp& app);               // both
-int rowsMeasured(const Sweep& sweep);        // so far, by the files that it keeps
-std::string accuracyCamera(EditorApp& app);  // the project's camera that is shown, or the first; "" without one
+// Shows why if it cannot: no project, no camera, or it runs already.
+void startSweep(Sweep& sweep, const MeasureParts& parts);
+// The same for a fit to its budget.
+void startFit(Fit& fit, const MeasureParts& parts);
+// Once a frame: takes in what has ended, and says so.
+void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages);
+// A sweep or a fit runs.
+bool measuring(const Accuracy& accuracy);
+// Kills it and drops its copy; what it has measured so far is kept and reused by the next.
+void stopSweep(Sweep& sweep);
+// The same for a fit.
+void stopFit(Fit& fit);
+// Both.
+void stopRuns(Accuracy& accuracy);
+// So far, by the files that it keeps.
+int rowsMeasured(const Sweep& sweep);
+// The project's camera that is shown, or the first by name; "" without one.
+std::string accuracyCamera(const Document& document, const FlyCamera& view);
 
 // "maxGeom=6 msaa=4" of a technique.
 CostSetting settingOf(const std::string& technique, const std::string& text);
 // Whether the project is drawn by it, with the view as the editor's: 4 samples, all detail.
-bool isPresent(Document& document, const CostSetting& setting);
+bool isPresent(const Document& document, const CostSetting& setting);
 // Sets each field of grass in one undo step. Settings of the view (msaa, detail) are not the project's: returns those.
 Result<std::vector<std::string>> adoptSettings(Document& document, const CostSetting& setting);
+// What `sward fit --json` printed. Unsound if it is no JSON or holds no result.
 Result<FitShown> fitFrom(const std::string& json);
 
 }  // namespace sward

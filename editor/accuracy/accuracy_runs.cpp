@@ -2,14 +2,18 @@
 // results.
 #include <fmt/format.h>
 
+#include <limits>
 #include <sstream>
 
 #include "accuracy/accuracy.h"
-#include "app/app.h"
+#include "app/frame_clock.h"
+#include "app/messages.h"
 #include "core/file.h"
 #include "core/hash.h"
 #include "cost/cost_files.h"
+#include "model/document.h"
 #include "project/project_files.h"
+#include "tools/camera_control.h"
 #include "world/view_camera.h"
 
 namespace fs = std::filesystem;
@@ -20,19 +24,19 @@ namespace {
 constexpr const char* kSize = "320x240";
 constexpr const char* kSamples = "16";
 
-fs::path folderFor(EditorApp& app) {
-    return stateDir() / "cost" / hashHex(projectHash(app.doc.project(), app.doc.tables().components));
+fs::path folderFor(const Document& doc) {
+    return stateDir() / "cost" / hashHex(projectHash(doc.project(), doc.tables().components));
 }
 
 // Unsaved work included; image files come from the project's folder.
-Status writeCopy(EditorApp& app, const fs::path& to) {
+Status writeCopy(const Document& doc, const fs::path& to) {
     std::error_code fault;
     fs::remove_all(to, fault);
     if (Status s = makeFolderOf(to); !s) return s;
-    Project copy = snapshot(app.doc.project(), app.doc.tables().components), original;
+    Project copy = snapshot(doc.project(), doc.tables().components), original;
     original.dir = copy.dir;
     copy.dir = to;
-    const auto written = saveProject(copy, app.doc.tables().components, original.dir.empty() ? nullptr : &original);
+    const auto written = saveProject(copy, doc.tables().components, original.dir.empty() ? nullptr : &original);
     return written ? Status{} : Status{written.error()};
 }
 
@@ -51,18 +55,18 @@ std::string failure(const char* verb, int code, const fs::path& errors) {
 }
 
 template <class Run>
-Status launch(EditorApp& app, Run& run, const char* verb, std::vector<std::string> more) {
-    if (!app.doc.isOpen()) return failed("no project is open", "open or create one first");
-    const std::string camera = accuracyCamera(app);
+Status launch(const MeasureParts& p, Run& run, const char* verb, std::vector<std::string> more) {
+    if (!p.doc.isOpen()) return failed("no project is open", "open or create one first");
+    const std::string camera = accuracyCamera(p.doc, p.camera);
     if (camera.empty()) return unsound("the project has no camera to measure from", "add an entity with a Camera");
     if (run.child.running()) return failed(std::string(verb) + " runs already", "stop it first");
-    run.folder = folderFor(app);
+    run.folder = folderFor(p.doc);
     run.copy = run.folder / (std::string("project-") + verb);
-    run.started = app.now;
+    run.started = p.clock.now;
     run.error.clear();
-    if (Status s = writeCopy(app, run.copy); !s) return s;
-    std::vector<std::string> args{app.accuracy.program, verb,    run.copy.string(), "--camera", camera, "--size", kSize,
-                                  "--samples",          kSamples};
+    if (Status s = writeCopy(p.doc, run.copy); !s) return s;
+    std::vector<std::string> args{p.program, verb,  run.copy.string(), "--camera", camera,
+                                  "--size",  kSize, "--samples",       kSamples};
     args.insert(args.end(), more.begin(), more.end());
     Result<ChildProcess> child =
         ChildProcess::start(args, run.folder / (std::string(verb) + ".out"), run.folder / (std::string(verb) + ".err"));
@@ -86,35 +90,34 @@ void stopRun(Run& run) {
 
 // The end of a run: its exit code, once.
 template <class Run>
-std::optional<int> ended(EditorApp& app, Run& run) {
+std::optional<int> ended(Run& run, FrameClock& clock) {
     const std::optional<int> code = run.child.poll();
     if (!code) return {};
     dropCopy(run);
-    app.framesWanted = 4;
+    clock.wanted = 4;
     return code;
 }
 
-void finishSweep(EditorApp& app, int code) {
-    Sweep& s = app.accuracy.sweep;
+void finishSweep(Sweep& s, Messages& messages, int code) {
     if (code != 0) {
         s.error = failure("cost", code, s.folder / "cost.err");
         return;
     }
     Result<CostRun> run = readCost(s.folder / "cost.json");
     if (run)
-        s.run = std::move(*run), say(app, fmt::format("measured: {} settings", s.run->rows.size()));
+        s.run = std::move(*run), say(messages, fmt::format("measured: {} settings", s.run->rows.size()));
     else
         s.error = run.error().text();
 }
 
 // It prints its result, also that nothing fits.
-void finishFit(EditorApp& app, int code) {
-    Fit& f = app.accuracy.fit;
+void finishFit(Fit& f, Messages& messages, int code) {
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
     Result<FitShown> shown =
         text && !text->empty() ? fitFrom(*text) : Result<FitShown>(failed(failure("fit", code, f.folder / "fit.err")));
     if (shown)
-        f.result = std::move(*shown), say(app, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
+        f.result = std::move(*shown),
+        say(messages, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
     else
         f.error = shown.error().text();
 }
@@ -132,7 +135,7 @@ bool isViewSetting(const std::string& value) { return value.starts_with("msaa=")
 
 std::string grassPath(const std::string& entity, const std::string& name) { return entity + ".GrassField." + name; }
 
-std::vector<std::string> grassEntities(Document& document) {
+std::vector<std::string> grassEntities(const Document& document) {
     std::vector<std::string> names;
     for (const auto& [name, e] : document.project().entities)
         if (document.project().registry.get<GrassField>(e)) names.push_back(name);
@@ -152,31 +155,29 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
 
 }  // namespace
 
-void startSweep(EditorApp& app) {
-    Sweep& s = app.accuracy.sweep;
+void startSweep(Sweep& s, const MeasureParts& parts) {
     s.run.reset();
-    const Status started = launch(app, s, "cost", {"--rounds", "3", "--out", folderFor(app).string()});
-    if (!accept(app, started)) dropCopy(s);
+    const Status started = launch(parts, s, "cost", {"--rounds", "3", "--out", folderFor(parts.doc).string()});
+    if (!accept(parts.messages, started)) dropCopy(s);
 }
 
-void startFit(EditorApp& app) {
-    Fit& f = app.accuracy.fit;
+void startFit(Fit& f, const MeasureParts& parts) {
     f.result.reset();
     const Status started =
-        launch(app, f, "fit", {"--budget-ms", fmt::format("{:g}", f.budget), "--candidates", "20", "--json"});
-    if (!accept(app, started)) dropCopy(f);
+        launch(parts, f, "fit", {"--budget-ms", fmt::format("{:g}", f.budget), "--candidates", "20", "--json"});
+    if (!accept(parts.messages, started)) dropCopy(f);
 }
 
-void followRuns(EditorApp& app) {
-    if (const auto code = ended(app, app.accuracy.sweep)) finishSweep(app, *code);
-    if (const auto code = ended(app, app.accuracy.fit)) finishFit(app, *code);
+void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
+    if (const auto code = ended(accuracy.sweep, clock)) finishSweep(accuracy.sweep, messages, *code);
+    if (const auto code = ended(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
 }
 
-bool measuring(const EditorApp& app) { return app.accuracy.sweep.child.running() || app.accuracy.fit.child.running(); }
+bool measuring(const Accuracy& accuracy) { return accuracy.sweep.child.running() || accuracy.fit.child.running(); }
 
-void stopSweep(EditorApp& app) { stopRun(app.accuracy.sweep); }
-void stopFit(EditorApp& app) { stopRun(app.accuracy.fit); }
-void stopRuns(EditorApp& app) { stopSweep(app), stopFit(app); }
+void stopSweep(Sweep& sweep) { stopRun(sweep); }
+void stopFit(Fit& fit) { stopRun(fit); }
+void stopRuns(Accuracy& accuracy) { stopSweep(accuracy.sweep), stopFit(accuracy.fit); }
 
 int rowsMeasured(const Sweep& sweep) {
     int rows = 0;
@@ -186,15 +187,15 @@ int rowsMeasured(const Sweep& sweep) {
     return rows;
 }
 
-std::string accuracyCamera(EditorApp& app) {
+std::string accuracyCamera(const Document& document, const FlyCamera& view) {
     std::string first;
-    const ViewCamera now = viewOf(app.viewport.camera);
-    for (const auto& [name, e] : app.doc.project().entities) {
-        const Camera* c = app.doc.project().registry.get<Camera>(e);
+    const ViewCamera now = viewOf(view);
+    for (const auto& [name, e] : document.project().entities) {
+        const Camera* c = document.project().registry.get<Camera>(e);
         if (!c) continue;
         if (first.empty()) first = name;
         if (glm::length(c->eye - now.eye) < 1e-4 &&
-            glm::length(glm::normalize(c->target - c->eye) - forwardOf(app.viewport.camera)) < 1e-5)
+            glm::length(glm::normalize(c->target - c->eye) - forwardOf(view)) < 1e-5)
             return name;
     }
     return first;
@@ -208,7 +209,7 @@ CostSetting settingOf(const std::string& technique, const std::string& text) {
     return s;
 }
 
-bool isPresent(Document& document, const CostSetting& setting) {
+bool isPresent(const Document& document, const CostSetting& setting) {
     for (const std::string& entity : grassEntities(document)) {
         if (techniqueShown(document) != setting.technique) return false;
         for (const std::string& value : setting.values) {

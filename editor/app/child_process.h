@@ -20,6 +20,7 @@ class ChildProcess {
     ChildProcess& operator=(ChildProcess&& other) noexcept;
     ~ChildProcess();  // stop()
 
+    // Until poll has told its end, or it was stopped.
     bool running() const { return pid_ > 0; }
     // Its exit code, once, when it has ended; 128 + the signal that killed it. Nothing while it runs.
     std::optional<int> poll();

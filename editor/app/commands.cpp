@@ -1,7 +1,11 @@
 #include "app/commands.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/app.h"
 #include "model/blade_height.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
@@ -9,23 +13,48 @@
 namespace sward {
 namespace {
 
-bool always(EditorApp&) { return true; }
-bool opened(EditorApp& app) { return app.doc.isOpen(); }
-bool canUndo(EditorApp& app) { return app.doc.canUndo() && !app.doc.stroking() && app.holding.empty(); }
-bool canRedo(EditorApp& app) { return app.doc.canRedo() && !app.doc.stroking() && app.holding.empty(); }
+void undo(Document& doc, Messages& messages) {
+    const std::string label = doc.undoLabel();
+    if (doc.undo()) say(messages, "undone: " + label);
+}
+void redo(Document& doc, Messages& messages) {
+    const std::string label = doc.redoLabel();
+    if (doc.redo()) say(messages, "done again: " + label);
+}
 
-void undo(EditorApp& app) {
-    const std::string label = app.doc.undoLabel();
-    if (app.doc.undo()) say(app, "undone: " + label);
+void focusGround(FlyCamera& camera, const std::optional<glm::dvec3>& ground, float brushRadius) {
+    if (!ground) return;
+    const double distance = glm::length(*ground - camera.eye);
+    focus(camera, *ground, std::min(distance, std::max(3.0, 4.0 * static_cast<double>(brushRadius))));
 }
-void redo(EditorApp& app) {
-    const std::string label = app.doc.redoLabel();
-    if (app.doc.redo()) say(app, "done again: " + label);
+
+void shiftErases(BrushBook& brushes, Messages& messages) {
+    brushes.shiftErases = !brushes.shiftErases;
+    say(messages, brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
 }
-void save(EditorApp& app) { saveNow(app); }
+
+void bakeOcclusion(Document& doc, std::optional<OcclusionBake>& bake, Messages& messages) {
+    Result<OcclusionBake> started = startOcclusion(doc, {});
+    if (!started) return showError(messages, started.error());
+    bake = std::move(*started);
+    say(messages, "baking ambient occlusion");
+}
+
+// Of the density that is painted, else of the first one.
+void makeBladeHeight(Document& doc, const std::string& painted, Messages& messages) {
+    std::string density;
+    for (const ConstFieldRef& map : allMaps(doc.project(), doc.tables().components))
+        if (map.row->map->role == MapRole::Density && (density.empty() || map.path == painted)) density = map.path;
+    if (density.empty()) return say(messages, "Height from Density: no species has a density map");
+    if (Status s = heightFromDensity(doc, density); !s) return showError(messages, s.error());
+    say(messages, "blades are lower towards the edges of " + density);
+}
+
+// --- adapters of the table's rows: each hands the parts of the editor out that its command uses
+
 template <FileTask Task>
 void task(EditorApp& app) {
-    requestTask(app, Task);
+    requestTask(app.files, app.unsaved, app.doc, Task);
 }
 template <int Steps>
 void size(EditorApp& app) {
@@ -35,63 +64,44 @@ template <int Steps>
 void strength(EditorApp& app) {
     strengthenBrush(currentBrush(app.brushes), Steps);
 }
-void focusGround(EditorApp& app) {
-    Viewport& v = app.viewport;
-    if (!v.ground) return;
-    const double distance = glm::length(*v.ground - v.camera.eye);
-    focus(v.camera, *v.ground,
-          std::min(distance, std::max(3.0, 4.0 * static_cast<double>(currentBrush(app.brushes).radius))));
-}
+void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
+void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
+void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
+void focusPointer(EditorApp& app) { focusGround(app.view.camera, app.hand.ground, currentBrush(app.brushes).radius); }
 
-void shiftErases(EditorApp& app) {
-    app.brushes.shiftErases = !app.brushes.shiftErases;
-    say(app, app.brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
-}
+bool always(EditorApp&) { return true; }
+bool opened(EditorApp& app) { return app.doc.isOpen(); }
+bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
+bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
+bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
+bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
-bool played(EditorApp& app) { return playing(app); }
-
-bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.occlusion && app.holding.empty(); }
-void bakeOcclusion(EditorApp& app) {
-    Result<OcclusionBake> bake = startOcclusion(app.doc, {});
-    if (!bake) return showError(app, bake.error());
-    app.occlusion = std::move(*bake);
-    say(app, "baking ambient occlusion");
-}
-
-// Of the density that is painted, else of the first one.
-void makeBladeHeight(EditorApp& app) {
-    std::string density;
-    for (const ConstFieldRef& map : allMaps(app.doc.project(), app.doc.tables().components))
-        if (map.row->map->role == MapRole::Density && (density.empty() || map.path == app.brushes.map))
-            density = map.path;
-    if (density.empty()) return say(app, "Height from Density: no species has a density map");
-    if (Status s = heightFromDensity(app.doc, density); !s) return showError(app, s.error());
-    say(app, "blades are lower towards the edges of " + density);
-}
-
+using App = EditorApp;
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
-    {"File", "Save", "ctrl+s", "", save, opened},
+    {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.messages); }, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
-    {"Edit", "Undo", "ctrl+z", "", undo, canUndo},
-    {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", redo, canRedo},
+    {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
+    {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
-    {"Brush", "Look Without Painting", "v", "", toggleLook, opened},
-    {"Brush", "Map Overlay", "o", "", toggleOverlay, opened, true, overlayShown},
-    {"Brush", "Pick Colour Under Pointer", "i", "", pickColor, opened, false},
-    {"Brush", "Shift Erases", "", "", shiftErases, always, true,
-     [](EditorApp& app) { return app.brushes.shiftErases; }},
-    {"Play", "Start or Stop", "f5", "", togglePlay, opened, true, played, true},
-    {"Play", "Pause", "f6", "", togglePause, opened, true, nullptr, true},
-    {"Play", "One Step", "f11", "", stepOnce, opened, true, nullptr, true},
-    {"Bake", "Ambient Occlusion", "", "", bakeOcclusion, canBake},
-    {"Bake", "Height from Density", "", "", makeBladeHeight, opened},
-    {"View", "Focus Under Pointer", "f", "", focusGround, opened, false},
+    {"Brush", "Look Without Painting", "v", "", lookOnly, opened},
+    {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
+     [](App& a) { return overlayShown(a.doc, a.brushes); }},
+    {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
+    {"Brush", "Shift Erases", "", "", [](App& a) { shiftErases(a.brushes, a.messages); }, always, true,
+     [](App& a) { return a.brushes.shiftErases; }},
+    {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},
+    {"Play", "Pause", "f6", "", [](App& a) { togglePause(playParts(a)); }, opened, true, nullptr, true},
+    {"Play", "One Step", "f11", "", [](App& a) { stepOnce(playParts(a)); }, opened, true, nullptr, true},
+    {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
+     canBake},
+    {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
+    {"View", "Focus Under Pointer", "f", "", focusPointer, opened, false},
 };
 
 bool matches(const char* chord, const Chord& pressed) {
@@ -99,36 +109,42 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const EditorApp& app) {
-    return app.files.task != FileTask::None || app.unsaved.then || !app.autosave.found.empty();
+bool dialogOpen(const FileDialog& files, const UnsavedDialog& unsaved, const Autosave& autosave) {
+    return files.task != FileTask::None || unsaved.then || !autosave.found.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
-bool typing(const EditorApp& app) { return ImGui::GetIO().WantTextInput || !app.book.editing.empty(); }
+bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }
 bool goesPastText(const Command& c) { return std::string(c.menu) == "File" || std::string(c.menu) == "Play"; }
 
 // Letters walk while the mouse is captured; what else waits for the end of play says so.
-void refuseInPlay(EditorApp& app, const Command& c, const Chord& pressed) {
-    if (pressed.ctrl || !app.play.captured) say(app, fmt::format("{}: not while playing; F5 stops", c.label));
+void refuseInPlay(const Command& c, const Chord& pressed, bool captured, Messages& messages) {
+    if (pressed.ctrl || !captured) say(messages, fmt::format("{}: not while playing; F5 stops", c.label));
 }
 
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
 
+std::vector<CommandState> commandStates(EditorApp& app) {
+    std::vector<CommandState> states;
+    for (const Command& c : kCommands)
+        states.push_back({&c, c.enabled(app) && (c.inPlay || !playing(app.doc)), c.checked && c.checked(app)});
+    return states;
+}
+
 void runShortcuts(EditorApp& app) {
-    if (dialogOpen(app)) return;
+    if (dialogOpen(app.files, app.unsaved, app.autosave)) return;
     for (const int key : app.in.pressedKeys) {
         const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
-        const bool flying = app.viewport.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
+        const bool flying = app.hand.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
         for (const Command& c : commands()) {
             if (!matches(c.chord, pressed) && !matches(c.chord2, pressed)) continue;
-            if (playing(app) && !c.inPlay && !typing(app)) {
-                refuseInPlay(app, c, pressed);
+            const bool text = hasKeyboard(app.book);
+            if (playing(app.doc) && !c.inPlay && !text) {
+                refuseInPlay(c, pressed, app.play.captured, app.messages);
                 break;
             }
-            if (flying || (typing(app) && !goesPastText(c)) || (!c.anywhere && !app.viewport.hovered) ||
-                !c.enabled(app))
-                continue;
+            if (flying || (text && !goesPastText(c)) || (!c.anywhere && !app.hand.hovered) || !c.enabled(app)) continue;
             c.run(app);
             break;
         }

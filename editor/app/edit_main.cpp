@@ -34,11 +34,11 @@ int editMain(const std::filesystem::path& project) {
     const std::unique_ptr<UiDriver> driver = makeUiDriver(app);
     ScriptHost host{document, driver.get()};
     host.print = [](const std::string& line) { logInfo(line); };
-    host.useCamera = [&app](const std::string& name) { goToCamera(app, name); };
-    host.playStart = [&app] { return PlayStart{viewOf(app.viewport.camera), 0, true}; };
+    host.useCamera = [&](const std::string& name) { goToCamera(document, name, app.view.camera); };
+    host.playStart = [&app] { return PlayStart{viewOf(app.view.camera), 0, true}; };
     offerBakes(host);
     ScriptConsole console(host);
-    app.runLua = [&console](const std::string& line) { return console.run(line); };
+    app.console.runLua = [&console](const std::string& line) { return console.run(line); };
     runUntilQuit(app);
     return 0;
 }

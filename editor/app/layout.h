@@ -39,8 +39,10 @@ Areas areasOf(const Layout& layout, float width, float height, float menuHeight,
 // Brings sizes into what fits the window.
 void clampLayout(Layout& layout, float width, float height);
 
+// Where the person's layout is kept; nothing if neither XDG_CONFIG_HOME nor HOME is absolute.
 std::optional<std::filesystem::path> layoutFile();
 Layout loadLayout(const std::filesystem::path& file);  // defaults for what is missing or senseless
+// Makes the folders on the way. False if it could not be written whole.
 bool saveLayout(const std::filesystem::path& file, const Layout& layout);
 
 }  // namespace sward

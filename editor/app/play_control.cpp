@@ -1,10 +1,19 @@
 #include "app/play_control.h"
 
+#include <algorithm>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
-#include "app/app.h"
+#include "app/edits.h"
+#include "app/frame_clock.h"
+#include "app/messages.h"
+#include "app/viewport.h"
+#include "model/document.h"
 #include "playtest/playtest.h"
+#include "ui/input_queue.h"
+#include "ui/surface.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -12,57 +21,56 @@ namespace {
 
 constexpr double kMostSeconds = 0.25;
 
-bool wentDown(const EditorApp& app, int key) {
-    const std::vector<int>& keys = app.in.pressedKeys;
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
+bool wentDown(const FrameInput& in, int key) {
+    return std::find(in.pressedKeys.begin(), in.pressedKeys.end(), key) != in.pressedKeys.end();
 }
 
-bool held(const EditorApp& app, int key) { return app.in.keys[static_cast<size_t>(key)]; }
+bool held(const FrameInput& in, int key) { return in.keys[static_cast<size_t>(key)]; }
 
 // The pointer turns the head as it turns the view when flying.
-void turnHead(EditorApp& app, PlayInput& in) {
-    PlayControl& c = app.play;
+void turnHead(PlayControl& c, const FrameInput& in, PlayInput& out) {
     FlyCamera head;
-    head.yaw = in.yaw;
-    head.pitch = in.pitch;
-    for (const auto& [x, y] : app.in.path) {
+    head.yaw = out.yaw;
+    head.pitch = out.pitch;
+    for (const auto& [x, y] : in.path) {
         if (c.looked) look(head, x - c.lastX, y - c.lastY);
         c.looked = true;
         c.lastX = x, c.lastY = y;
     }
-    in.yaw = head.yaw;
-    in.pitch = head.pitch;
+    out.yaw = head.yaw;
+    out.pitch = head.pitch;
 }
 
 // With the mouse free the walker stands, unless a script moves it.
-void handOver(EditorApp& app, Playtest& play) {
-    if (!app.play.captured) return;
-    PlayInput in = play.held();
-    turnHead(app, in);
-    const auto axis = [&](int more, int less) { return (held(app, more) ? 1.0 : 0.0) - (held(app, less) ? 1.0 : 0.0); };
-    const bool command = app.in.ctrl();  // Ctrl+S is no step back
-    in.move = command ? glm::dvec2(0) : glm::dvec2(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_W, GLFW_KEY_S));
-    in.run = app.in.shift();
-    in.jump = held(app, GLFW_KEY_SPACE) || wentDown(app, GLFW_KEY_SPACE);
-    play.hold(in);
+void handOver(PlayControl& c, const FrameInput& in, Playtest& play) {
+    if (!c.captured) return;
+    PlayInput out = play.held();
+    turnHead(c, in, out);
+    const auto axis = [&](int more, int less) { return (held(in, more) ? 1.0 : 0.0) - (held(in, less) ? 1.0 : 0.0); };
+    const bool command = in.ctrl();  // Ctrl+S is no step back
+    out.move = command ? glm::dvec2(0) : glm::dvec2(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_W, GLFW_KEY_S));
+    out.run = in.shift();
+    out.jump = held(in, GLFW_KEY_SPACE) || wentDown(in, GLFW_KEY_SPACE);
+    play.hold(out);
 }
 
-void redraw(EditorApp& app) {
-    app.viewport.drawnRevision = ~uint64_t(0);
-    app.framesWanted = 4;
+void redraw(const PlayParts& p) {
+    p.picture.drawnRevision = kNeverDrawn;
+    p.clock.wanted = 4;
 }
+
+void capture(const PlayParts& p, bool captured) { captureMouse(p.control, p.doc, p.surface, captured); }
 
 }  // namespace
 
-bool playing(const EditorApp& app) { return app.doc.play() != nullptr; }
+bool playing(const Document& document) { return document.play() != nullptr; }
 
-void captureMouse(EditorApp& app, bool captured) {
-    PlayControl& c = app.play;
-    if (c.captured == captured) return;
-    c.captured = captured;
-    c.looked = false;
-    app.surface->captureMouse(captured);
-    if (Playtest* play = app.doc.play(); play && !captured) {
+void captureMouse(PlayControl& control, Document& document, ui::Surface& surface, bool captured) {
+    if (control.captured == captured) return;
+    control.captured = captured;
+    control.looked = false;
+    surface.captureMouse(captured);
+    if (Playtest* play = document.play(); play && !captured) {
         PlayInput rest = play->held();
         rest.move = {0, 0};
         rest.run = rest.jump = false;
@@ -70,78 +78,76 @@ void captureMouse(EditorApp& app, bool captured) {
     }
 }
 
-void togglePlay(EditorApp& app) {
-    if (playing(app)) return stopPlay(app);
-    if (!app.book.editing.empty() || !app.book.typing.empty())
-        return say(app, "finish typing first (Enter, or Esc to give up), then play");
-    if (!app.holding.empty()) return say(app, "let go of what is being dragged first, then play");
-    Viewport& v = app.viewport;
-    if (v.gesture == Gesture::Ring) return say(app, "let go of the ring first, then play");
-    if (!accept(app, app.doc.startPlay({viewOf(v.camera), 0, true}))) return;
-    v.gesture = Gesture::None;
-    v.flying = false;
-    app.play.last = app.now;
-    captureMouse(app, true);
-    redraw(app);
-    say(app, "playing: the project stays as it is; F5 stops");
+void togglePlay(const PlayParts& p, const FlyCamera& view, ViewportHand& hand, const Edits& edits, bool typing) {
+    if (playing(p.doc)) return stopPlay(p);
+    if (typing) return say(p.messages, "finish typing first (Enter, or Esc to give up), then play");
+    if (!edits.holding.empty()) return say(p.messages, "let go of what is being dragged first, then play");
+    if (hand.gesture == Gesture::Ring) return say(p.messages, "let go of the ring first, then play");
+    if (!accept(p.messages, p.doc.startPlay({viewOf(view), 0, true}))) return;
+    hand.gesture = Gesture::None;
+    hand.flying = false;
+    p.control.last = p.clock.now;
+    capture(p, true);
+    redraw(p);
+    say(p.messages, "playing: the project stays as it is; F5 stops");
 }
 
-void stopPlay(EditorApp& app) {
-    if (!playing(app)) return;
-    captureMouse(app, false);
-    app.doc.stopPlay();
-    redraw(app);
-    say(app, "stopped: everything is as it was before");
+void stopPlay(const PlayParts& p) {
+    if (!playing(p.doc)) return;
+    capture(p, false);
+    p.doc.stopPlay();
+    redraw(p);
+    say(p.messages, "stopped: everything is as it was before");
 }
 
-void togglePause(EditorApp& app) {
-    Playtest* play = app.doc.play();
-    if (!play) return say(app, "nothing is played; F5 starts");
+void togglePause(const PlayParts& p) {
+    Playtest* play = p.doc.play();
+    if (!play) return say(p.messages, "nothing is played; F5 starts");
     play->pause(!play->paused());
-    captureMouse(app, !play->paused());
-    redraw(app);
-    say(app, play->paused() ? "paused: F6 goes on, F11 takes one step" : "playing");
+    capture(p, !play->paused());
+    redraw(p);
+    say(p.messages, play->paused() ? "paused: F6 goes on, F11 takes one step" : "playing");
 }
 
-void stepOnce(EditorApp& app) {
-    Playtest* play = app.doc.play();
-    if (!play) return say(app, "nothing is played; F5 starts");
-    if (!play->paused()) togglePause(app);
+void stepOnce(const PlayParts& p) {
+    Playtest* play = p.doc.play();
+    if (!play) return say(p.messages, "nothing is played; F5 starts");
+    if (!play->paused()) togglePause(p);
     play->step();
-    redraw(app);
-    say(app, fmt::format("step {}: {:.3f} s", play->state().tick, play->time()));
+    redraw(p);
+    say(p.messages, fmt::format("step {}: {:.3f} s", play->state().tick, play->time()));
 }
 
-void followPlay(EditorApp& app) {
-    Playtest* play = app.doc.play();
-    PlayControl& c = app.play;
-    if (std::exchange(c.seen, playing(app)) != playing(app)) {  // scripts start and stop it too
-        redraw(app);
-        c.last = app.now;
+void followPlay(const PlayParts& p, const FrameInput& in) {
+    Playtest* play = p.doc.play();
+    PlayControl& c = p.control;
+    if (std::exchange(c.seen, playing(p.doc)) != playing(p.doc)) {  // scripts start and stop it too
+        redraw(p);
+        c.last = p.clock.now;
     }
-    if (!play) return captureMouse(app, false);
-    if (c.captured && wentDown(app, GLFW_KEY_ESCAPE)) {
-        captureMouse(app, false);
-        say(app, "the mouse is free; a click in the picture takes it again, F5 stops");
+    if (!play) return capture(p, false);
+    if (c.captured && wentDown(in, GLFW_KEY_ESCAPE)) {
+        capture(p, false);
+        say(p.messages, "the mouse is free; a click in the picture takes it again, F5 stops");
     }
-    handOver(app, *play);
-    const double seconds = std::clamp(app.now - std::exchange(c.last, app.now), 0.0, kMostSeconds);
+    handOver(c, in, *play);
+    const double seconds = std::clamp(p.clock.now - std::exchange(c.last, p.clock.now), 0.0, kMostSeconds);
     play->advance(seconds);
 }
 
-FrameInput widgetInput(const EditorApp& app) {
-    if (!app.play.captured) return app.in;
+FrameInput widgetInput(const FrameInput& in, const PlayControl& control) {
+    if (!control.captured) return in;
     FrameInput none;
     none.x = none.y = -1e6;
     return none;
 }
 
-const Project& projectShown(const EditorApp& app) {
-    return playing(app) ? app.doc.play()->project() : app.doc.project();
+const Project& projectShown(const Document& document) {
+    return playing(document) ? document.play()->project() : document.project();
 }
-ViewCamera viewShown(const EditorApp& app) {
-    return playing(app) ? app.doc.play()->view() : viewOf(app.viewport.camera);
+ViewCamera viewShown(const Document& document, const FlyCamera& view) {
+    return playing(document) ? document.play()->view() : viewOf(view);
 }
-double timeShown(const EditorApp& app) { return playing(app) ? app.doc.play()->time() : 0; }
+double timeShown(const Document& document) { return playing(document) ? document.play()->time() : 0; }
 
 }  // namespace sward

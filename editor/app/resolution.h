@@ -25,6 +25,7 @@ struct ResolutionPlan {
     double detail = 1;
     double from = 0, to = 1;  // strip of the full picture, as shares of its height from the top
 
+    // The picture in one piece: no strip of it.
     bool whole() const { return from <= 0 && to >= 1; }
 };
 

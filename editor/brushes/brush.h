@@ -50,8 +50,10 @@ inline constexpr double kColourSpread = 8;  // as far as mip level 3 reaches
 // The tiles that a stamp may change: [x0, x1[ by [y0, y1[; empty if it misses the map or paints nothing.
 struct TileRange {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    // Tiles in it.
     size_t count() const { return size_t(x1 - x0) * size_t(y1 - y0); }
 };
+// Of a map of this shape.
 TileRange stampTiles(const MapInfo& info, const Stamp& stamp);
 
 struct BrushRow {
@@ -67,10 +69,13 @@ struct BrushRow {
     unsigned kinds = 0;    // the maps that it paints: a sum of bitOf
     bool follows = false;  // paints the way the stroke goes: the first stamp waits until it goes somewhere, or ends
 };
+// Whether the brush paints maps of this kind.
 bool paints(const BrushRow& row, MapKind kind);
 // "press, smooth or subtract": the brushes that paint such maps.
 std::string brushesFor(MapKind kind);
+// All brushes, in the order of the tool strip.
 std::span<const BrushRow> brushRows();
+// By BrushRow::name; null if there is none.
 const BrushRow* findBrush(const std::string& name);
 
 // Stamp centres every `step` metres along a line of points (metres). `carry` is the distance from the first point to

@@ -82,6 +82,7 @@ inline float roundingThreshold(uint32_t turn) {
 // False for settings that paint nothing, or that are not finite.
 bool usableBrush(const Stamp& stamp, const BrushSettings& brush);
 
+// The tile as changeOf(row) leaves it, for maps of this texel type; the old pointer if nothing changed.
 template <int Channels, class T, class ChangeOf>
 std::shared_ptr<const Tile> paintTyped(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush,
                                        const ChangeOf& changeOf) {
@@ -160,6 +161,7 @@ struct PaintedForce {
 PaintedForce forceOfTexel(const double* texel);
 // The same for forces: target(i). What acts is mixed, so that what a texel of no share holds does not show.
 void texelOfForce(const PaintedForce& force, double* texel);  // a push of no share: none
+// Forces of a row towards target(i), by the weights of the stamp.
 template <class Real, class Target>
 void pressTowards(const PaintRow<Real>& row, const Target& target) {
     changeTexels(row, [&](int i, double w, double* texel) {

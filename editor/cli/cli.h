@@ -13,6 +13,7 @@
 
 namespace sward {
 
+// Reads the arguments, runs their verb, and gives the exit code of the process. No verb: the editor.
 int runCommandLine(int argc, char** argv);
 
 // Options that render, and what later sweeps and measures pictures, share.
@@ -31,6 +32,7 @@ struct RenderOptions {
     std::string out;
     std::string stats;
 };
+// `sward render`: pictures of a project, or measured frames.
 int renderVerb(const RenderOptions& options);
 struct ReferenceOptions : RenderOptions {
     int samples = 16;
@@ -38,11 +40,13 @@ struct ReferenceOptions : RenderOptions {
     std::string shard;  // "I/N"; empty: the whole image
     uint32_t seed = 1;
 };
+// `sward reference`: pictures by the path tracer, or a shard of one.
 int referenceVerb(const ReferenceOptions& options);
 struct MergeCommand {
     std::vector<std::string> parts;
     std::string out;
 };
+// `sward merge`: shards of one picture, or of one sweep, joined.
 int mergeVerb(const MergeCommand& options);
 
 struct CostOptions : RenderOptions {
@@ -52,6 +56,7 @@ struct CostOptions : RenderOptions {
     uint32_t seed = 1;
     bool numerics = false, json = false;  // the formulas' price instead of a project's
 };
+// `sward cost`: time and error of each technique at many settings.
 int costVerb(const CostOptions& options);
 // The parts of a sharded sweep, joined into a cost.json or cost.csv.
 int mergeCostVerb(const MergeCommand& options);
@@ -62,6 +67,7 @@ struct FitOptions : CostOptions {
     int candidates = 40;
     bool write = false;
 };
+// `sward fit`: the truest settings within a budget.
 int fitVerb(const FitOptions& options);
 
 struct CompareOptions {
@@ -69,34 +75,44 @@ struct CompareOptions {
     double ppd = 67;  // pixels per degree, of FLIP
     bool json = false, linear = false;
 };
+// `sward compare`: how two pictures or films differ, by all metrics.
 int compareVerb(const CompareOptions& options);
 
+// `sward new`: a project in a folder that is empty or is not there yet.
 int newVerb(const std::string& dir);
+// `sward check`: reads the project and says what is wrong with it. `strict`: warnings count as errors.
 int checkVerb(const std::string& project, bool strict);
 struct ImportCommand {
     std::string project, map, file;
     bool flip = false, packed = false;
     std::string range;  // "LOW,HIGH"
 };
+// `sward import`: an image file into a map.
 int importVerb(const ImportCommand& options);
 struct ExportCommand {
     std::string project, map, out;
     bool flip = false, packed = false;
 };
+// `sward export`: a map into an image file.
 int exportVerb(const ExportCommand& options);
 struct BakeCommand {
     std::string project;
     std::vector<std::string> only;  // flags of the bakes wanted; none: all
     int samples = 64, size = 0;
 };
+// `sward bake`: what model/bakes.h lists.
 int bakeVerb(const BakeCommand& options);
+// `sward explain`: the passes that run for a project, and why.
 int explainVerb(const std::string& project, bool json);
+// `sward hardcases`: the formulas on the CPU and the GPU where they are hardest.
 int hardcasesVerb(bool json);
 struct ScriptOptions {
     std::string file, project;
     bool window = false;
 };
+// `sward script`: a Lua file, without a window unless one is asked for.
 int scriptVerb(const ScriptOptions& options);
+// The editor in a window; `project` may be empty.
 int editVerb(const std::string& project);
 
 // --- shared by the verbs

@@ -80,7 +80,7 @@ int fitVerb(const FitOptions& o) {
                              "raise --budget-ms, or lower --size"));
     if (!o.json) printFit(*r);
     if (!o.write) return 0;
-    if (Status s = save(o, r->best); !s) return report(s.error());
+    if (Status s = save(o, *r); !s) return report(s.error());
     if (!o.json) std::printf("saved in %s\n", o.project.c_str());
     return 0;
 }

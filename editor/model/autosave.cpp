@@ -8,10 +8,11 @@
 #include <chrono>
 #include <thread>
 
-#include "app/app.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "core/log.h"
 #include "core/save_folder.h"
+#include "model/document.h"
 #include "project/project_files.h"
 
 namespace fs = std::filesystem;
@@ -46,18 +47,17 @@ bool heldByAnother(const fs::path& folder) {
     return pid > 0 && pid != getpid() && kill(static_cast<pid_t>(pid), 0) == 0;
 }
 
-void begin(EditorApp& app, double now) {
-    Autosave& a = app.autosave;
+void begin(Autosave& a, const Document& doc, double now) {
     a.since = now;
-    a.revision = app.doc.revision();
+    a.revision = doc.revision();
     a.mine = true;
-    const std::span<const ComponentRow> rows = app.doc.tables().components;
-    auto copy = std::make_shared<Project>(snapshot(app.doc.project(), rows));
+    const std::span<const ComponentRow> rows = doc.tables().components;
+    auto copy = std::make_shared<Project>(snapshot(doc.project(), rows));
     a.job = Job<fs::path>("autosave", a.revision, [copy, rows](JobControl&) { return writeAutosave(*copy, rows); });
 }
 
-void report(EditorApp& app) {
-    const auto done = app.autosave.job.take(app.autosave.revision);
+void report(Autosave& a) {
+    const auto done = a.job.take(a.revision);
     if (!done) return;
     if (*done)
         logInfo("unsaved work is copied to " + (**done).string());
@@ -65,15 +65,13 @@ void report(EditorApp& app) {
         logWarning("unsaved work could not be copied: " + done->error().text());
 }
 
-void follow(EditorApp& app, double now) {
-    Autosave& a = app.autosave;
+void follow(Autosave& a, const Document& doc, double now) {
     if (a.mine) forgetAutosaves(a.of);
-    a.of = app.doc.project().dir;
+    a.of = doc.project().dir;
     a.since = now;
     a.mine = false;
     a.found = autosavesOf(a.of);
     a.opening = !a.found.empty();
-    if (a.opening) app.framesWanted = 4;
 }
 
 }  // namespace
@@ -117,23 +115,24 @@ void forgetAutosaves(const fs::path& dir) {
     fs::remove_all(autosaveFolder(dir), ignored);
 }
 
-void tickAutosave(EditorApp& app, double now) {
-    Autosave& a = app.autosave;
-    if (!a.on || !app.doc.isOpen()) return;
-    report(app);
-    if (a.job.active()) return;
-    if (a.of != app.doc.project().dir) follow(app, now);
-    if (!app.doc.dirty()) {
+bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
+    if (!a.on || !doc.isOpen()) return false;
+    report(a);
+    if (a.job.active()) return false;
+    const bool another = a.of != doc.project().dir;
+    if (another) follow(a, doc, now);
+    const bool asks = another && a.opening;
+    if (!doc.dirty()) {
         if (std::exchange(a.mine, false)) forgetAutosaves(a.of);
         a.since = now;
-        return;
+        return asks;
     }
-    const bool busy = app.doc.stroking() || !app.holding.empty() || a.revision == app.doc.revision();
-    if (!busy && now - a.since >= kAutosaveSeconds) begin(app, now);
+    const bool busy = doc.stroking() || held || a.revision == doc.revision();
+    if (!busy && now - a.since >= kAutosaveSeconds) begin(a, doc, now);
+    return asks;
 }
 
-void endAutosave(EditorApp& app) {
-    Autosave& a = app.autosave;
+void endAutosave(Autosave& a) {
     if (!a.on) return;
     while (a.job.active() && !a.job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (std::exchange(a.mine, false)) forgetAutosaves(a.of);

@@ -20,9 +20,10 @@ std::filesystem::path autosaveFolder(const std::filesystem::path& dir);
 std::vector<std::filesystem::path> autosavesOf(const std::filesystem::path& dir);
 // Writes the next one and drops what is older than the newest few. Returns its folder. On failure the others stay.
 Result<std::filesystem::path> writeAutosave(const Project& p, std::span<const ComponentRow> rows);
+// All copies of a project go.
 void forgetAutosaves(const std::filesystem::path& dir);
 
-struct EditorApp;
+class Document;
 struct Autosave {
     bool on = false;           // a person's editor; not tests and scripts
     std::filesystem::path of;  // folder of the project that the rest is about
@@ -34,9 +35,9 @@ struct Autosave {
     bool opening = false;
 };
 // Now and then, with the time in seconds: begins a copy when one is due, and looks for another run's when a project was
-// opened.
-void tickAutosave(EditorApp& app, double now);
-// The person left the program in order: nothing is to be offered next time.
-void endAutosave(EditorApp& app);
+// opened. `held`: a drag is on, so that nothing is copied now. True if a question is to be asked now.
+bool tickAutosave(Autosave& autosave, Document& document, bool held, double now);
+// The person left the program in order: waits for a copy under way; nothing is to be offered next time.
+void endAutosave(Autosave& autosave);
 
 }  // namespace sward

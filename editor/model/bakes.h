@@ -27,6 +27,7 @@ struct BakeRow {
     // cancelled: nothing has changed then.
     Result<std::string> (*run)(Document&, const BakeSettings&, const BakeProgress&);
 };
+// All bakes, in the order in which `sward bake` runs them.
 std::span<const BakeRow> bakeRows();
 struct ScriptHost;
 // Scripts of the host may bake (bake.NAME).

@@ -30,19 +30,24 @@ struct PlayStart;
 
 class Document {
   public:
+    // No project is open yet. The history keeps about `undoBytes` of earlier states.
     explicit Document(const Tables& tables, size_t undoBytes = size_t(512) << 20);
     ~Document();
 
     // --- files: a failure leaves the document as it was
     Status open(const std::filesystem::path& dir);
+    // A new project in a folder that is empty or is not there yet, and opens it.
     Status create(const std::filesystem::path& dir);
     Result<std::vector<std::string>> save();  // the files written
+    // Into another folder, which the project is in from then on.
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
     // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
     Status takeOver(const std::filesystem::path& dir, const std::string& label);
+    // A project is open: project() has one.
     bool isOpen() const;
     bool dirty() const;              // differs from what is on disk
     const Project& project() const;  // changed by the calls below alone
+    // Those that it was made with.
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo
 
@@ -50,17 +55,25 @@ class Document {
     // refused. A stroke under way is finished first. Fails while a group is open (something is being dragged), while it
     // is played already, and as Playtest::start does.
     Status startPlay(const PlayStart& start);
+    // Drops the copy; nothing happens when nothing is played.
     void stopPlay();
     Playtest* play();  // null: not played
+    // The same, only to be read.
     const Playtest* play() const;
 
     // --- edits: each is one undo step, unless within a group
     Status setField(const std::string& path, const std::string& text);
+    // Names are letters, digits, "_" and "-", and one's own.
     Status addEntity(const std::string& name);
+    // With all its components.
     Status removeEntity(const std::string& name);
+    // With its defaults; fails if the entity has one.
     Status addComponent(const std::string& entity, const std::string& component);
+    // Fails if the entity has none.
     Status removeComponent(const std::string& entity, const std::string& component);
+    // At the end of "lawn.GrassField.species", with its defaults and a name of its own.
     Status addListElement(const std::string& listPath);
+    // "lawn.GrassField.species[clover]".
     Status removeListElement(const std::string& elementPath);
     // A map that is not there yet, as model/new_map.h makes it; nothing if it is there.
     Status createMap(const std::string& mapPath);
@@ -70,6 +83,7 @@ class Document {
     // How a map came in, for the next time (Project::imports): beside the undo steps.
     void rememberImport(const std::string& mapPath, const MapImport& import);
     void beginGroup(const std::string& label);  // nests; sliders hold one while dragged
+    // Ends one level; the outermost makes the undo step, if anything changed.
     void endGroup();
     // Takes back what the outermost group has changed so far, and ends this level of it: for an edit of several parts
     // of which one failed.
@@ -84,6 +98,7 @@ class Document {
     // The same on several maps at once, a brush for each. `create`: maps that are not there yet are made first
     // (model/new_map.h), within the step.
     Status beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create);
+    // The next point of the stroke; nothing without one.
     void strokeTo(double x, double z);
     // Works off queued stamps for at most budgetMs (0: all). True while work is left.
     bool pumpStroke(double budgetMs);
@@ -93,10 +108,15 @@ class Document {
     // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes
     // the oldest steps go, but never the newest; counted are the tiles that a step alone keeps.
     bool canUndo() const;
+    // Likewise for redo.
     bool canRedo() const;
+    // What undo would take back, and redo bring again: the step's label; "" if there is none.
     std::string undoLabel() const;
+    // Likewise for redo.
     std::string redoLabel() const;
+    // Takes the last step back. False if there is none or it may not be now.
     bool undo();
+    // Brings back what was taken back last. False likewise.
     bool redo();
 
   private:

@@ -31,6 +31,7 @@ auto withValues(const FieldRow& field, Base* a, const void* b, F&& f) {
         case FieldType::Color:
             return f(at<glm::vec3>(a, field), at<glm::vec3>(b, field));
         case FieldType::String:
+        case FieldType::Name:
             return f(at<std::string>(a, field), at<std::string>(b, field));
         case FieldType::Map:
             return f(at<MapField>(a, field), at<MapField>(b, field));

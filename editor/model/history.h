@@ -7,11 +7,13 @@ namespace sward {
 
 class History {
   public:
+    // The steps that can be undone hold at most this many bytes, but for the newest.
     explicit History(size_t budgetBytes) : budget_(budgetBytes) {}
 
     // A new step: what could be redone is forgotten, and the oldest steps go while all together exceed the budget.
     // The newest always stays.
     void push(UndoStep step);
+    // Forgets all steps; position() begins at 0.
     void clear();
     // Null if there is none. `forward` false: the step to undo; true: to redo.
     const UndoStep* next(bool forward) const;

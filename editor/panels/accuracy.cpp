@@ -3,16 +3,22 @@
 #include <fmt/ranges.h>
 #include <imgui.h>
 
+#include "accuracy/accuracy.h"
+
+#include <cmath>
+#include "app/edits.h"
+#include "app/frame_clock.h"
+#include "app/messages.h"
 #include "panels/accuracy_plot.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
 
-void choices(EditorApp& app) {
-    Comparison& c = app.accuracy.comparison;
+void choices(Comparison& c, double now) {
     if (!ImGui::BeginTable("choices", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 4.2f);
     ImGui::TableSetupColumn("value");
@@ -21,7 +27,7 @@ void choices(EditorApp& app) {
     caption("Against",
             "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same "
             "grass.");
-    if (ui::combo("Against", against, chosen)) compareWith(app, static_cast<Against>(chosen));
+    if (ui::combo("Against", against, chosen)) compareWith(c, now, static_cast<Against>(chosen));
     const ui::Disabled off(c.against == Against::Off);
     const std::vector<std::string> shows(std::begin(kCompareShows), std::end(kCompareShows));
     int show = static_cast<int>(c.show);
@@ -36,7 +42,7 @@ void choices(EditorApp& app) {
     caption("Error",
             "appearance: does it look the same, whichever blade stands where.  flip: what an eye sees when pictures "
             "alternate.\nrmse: pixel by pixel.  ssim: structure, pixel by pixel.");
-    if (ui::combo("Metric", metrics, metric)) chooseMetric(app, static_cast<ErrorMetric>(metric));
+    if (ui::combo("Metric", metrics, metric)) chooseMetric(c, static_cast<ErrorMetric>(metric));
     ImGui::EndTable();
 }
 
@@ -48,12 +54,9 @@ void score(const char* label, const std::string& text, const char* help) {
     ui::tooltip(help);
 }
 
-void scores(EditorApp& app) {
-    const Comparison& c = app.accuracy.comparison;
+void scores(const Comparison& c, const std::string& label) {
     if (c.against == Against::Off) return ImGui::TextDisabled("Choose what to compare with.");
-    if (!c.metrics)
-        return ui::coloredText(ui::kDimText,
-                               c.picture.id() == 0 ? comparisonLabel(app).c_str() : "no grass is in view");
+    if (!c.metrics) return ui::coloredText(ui::kDimText, c.picture.id() == 0 ? label.c_str() : "no grass is in view");
     const Metrics& m = *c.metrics;
     score("appearance", fmt::format("{:.4f} \xC2\xB1 {:.3f}", m.appearance.distance, m.appearance.sigma),
           "How different the grass looks: 0 is the same, 0.2 another material. The second number is how far chance "
@@ -70,22 +73,21 @@ void scores(EditorApp& app) {
           "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
 }
 
-std::string elapsed(const EditorApp& app, double started) { return fmt::format("{:.0f} s", app.now - started); }
+std::string elapsed(double now, double started) { return fmt::format("{:.0f} s", now - started); }
 
-void sweepRow(EditorApp& app) {
-    Sweep& s = app.accuracy.sweep;
+void sweepRow(Sweep& s, const MeasureParts& parts) {
     if (s.child.running()) {
-        if (ui::button("Stop")) stopSweep(app);
+        if (ui::button("Stop")) stopSweep(s);
         ImGui::SameLine(0, 8);
         const int rows = rowsMeasured(s);
         const std::string done = rows == 0 ? "the truth first" : fmt::format("{} settings", rows);
-        ui::coloredText(
-            ui::kDimText,
-            fmt::format("measuring {}: {}, {}", accuracyCamera(app), done, elapsed(app, s.started)).c_str());
+        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {}, {}", accuracyCamera(parts.doc, parts.camera), done,
+                                                  elapsed(parts.clock.now, s.started))
+                                          .c_str());
         return;
     }
-    const ui::Disabled none(!app.doc.isOpen());
-    if (ui::button("Measure")) startSweep(app);
+    const ui::Disabled none(!parts.doc.isOpen());
+    if (ui::button("Measure")) startSweep(s, parts);
     ui::tooltip(
         "Draws this project with every technique at many settings, and holds each against the truth. Takes some "
         "minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
@@ -99,30 +101,36 @@ void sweepRow(EditorApp& app) {
     if (!s.error.empty()) ui::tooltip(s.error);
 }
 
-void adopt(EditorApp& app, const CostSetting& setting) {
-    app.deferred.push_back([&app, setting] {
-        const auto left = adoptSettings(app.doc, setting);
-        if (!left) return showError(app, left.error());
-        say(app, "adopted " + setting.technique + " " + setting.text() +
-                     (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
+void adopt(Document& doc, Edits& edits, Messages& messages, const CostSetting& setting) {
+    edits.deferred.push_back([&doc, &messages, setting] {
+        const auto left = adoptSettings(doc, setting);
+        if (!left) return showError(messages, left.error());
+        say(messages,
+            "adopted " + setting.technique + " " + setting.text() +
+                (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
     });
 }
 
-void plotColumn(EditorApp& app) {
-    sweepRow(app);
-    if (const auto chosen = drawCostPlot(app)) adopt(app, *chosen);
+void plotColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, double lastMs) {
+    sweepRow(accuracy.sweep, parts);
+    const Comparison& c = accuracy.comparison;
+    std::optional<ViewportPoint> viewport;
+    if (c.against == Against::Reference && c.metrics && lastMs > 0)
+        viewport = ViewportPoint{lastMs, c.metrics->appearance.distance};
+    if (const auto chosen = drawCostPlot(accuracy.sweep.run, parts.doc, viewport))
+        adopt(parts.doc, edits, parts.messages, *chosen);
 }
 
-void fitResult(EditorApp& app) {
-    Fit& f = app.accuracy.fit;
+void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
+    Fit& f = accuracy.fit;
     if (!f.error.empty()) return ImGui::TextWrapped("%s", f.error.c_str());
     if (!f.result) return ImGui::TextWrapped("%s", "Finds the tiers that look truest within this time a frame.");
     const FitShown& r = *f.result;
     const CostSetting setting = settingOf("hybrid", r.settings);
-    if (ui::button("Preview")) previewSettings(app, setting);
+    if (ui::button("Preview")) previewSettings(accuracy.comparison, parts.clock.now, setting);
     ui::tooltip("Shows these settings right of the line in the viewport; the project stays as it is.");
     ImGui::SameLine(0, 6);
-    if (ui::button("Adopt", 0, true)) adopt(app, setting);
+    if (ui::button("Adopt", 0, true)) adopt(parts.doc, edits, parts.messages, setting);
     ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
     ImGui::PushTextWrapPos(0);
     const std::string error = std::isfinite(r.appearance) ? fmt::format(", error {:.4f}", r.appearance) : "";
@@ -138,8 +146,8 @@ void fitResult(EditorApp& app) {
     ImGui::PopTextWrapPos();
 }
 
-void fitColumn(EditorApp& app) {
-    Fit& f = app.accuracy.fit;
+void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
+    Fit& f = accuracy.fit;
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "Budget");
     ImGui::SameLine(0, 5);
@@ -150,19 +158,20 @@ void fitColumn(EditorApp& app) {
     ui::tooltip("What a frame of 320 x 240 may take on this machine, in milliseconds.");
     ImGui::SameLine(0, 6);
     if (f.child.running()) {
-        if (ui::button("Stop fit")) stopFit(app);
-        return ui::coloredText(ui::kDimText, ("trying settings, " + elapsed(app, f.started)).c_str());
+        if (ui::button("Stop fit")) stopFit(f);
+        return ui::coloredText(ui::kDimText, ("trying settings, " + elapsed(parts.clock.now, f.started)).c_str());
     }
     {
-        const ui::Disabled none(!app.doc.isOpen());
-        if (ui::button("Fit to budget")) startFit(app);
+        const ui::Disabled none(!parts.doc.isOpen());
+        if (ui::button("Fit to budget")) startFit(f, parts);
     }
-    fitResult(app);
+    fitResult(accuracy, parts, edits);
 }
 
 }  // namespace
 
-void drawAccuracy(EditorApp& app) {
+void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, double lastMs) {
+    Comparison& c = accuracy.comparison;
     ImGui::BeginChild("accuracy");
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
     const int columns = ems < 40 ? 1 : 3;  // what does not fit beside goes below
@@ -170,12 +179,12 @@ void drawAccuracy(EditorApp& app) {
         for (const float share : {1.1f, 2.2f, 1.25f})
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
-        choices(app);
-        scores(app);
+        choices(c, parts.clock.now);
+        scores(c, comparisonLabel(c, parts.doc, parts.clock));
         ImGui::TableNextColumn();
-        plotColumn(app);
+        plotColumn(accuracy, parts, edits, lastMs);
         ImGui::TableNextColumn();
-        fitColumn(app);
+        fitColumn(accuracy, parts, edits);
         ImGui::EndTable();
     }
     ImGui::EndChild();

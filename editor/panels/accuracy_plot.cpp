@@ -1,9 +1,14 @@
 #include "panels/accuracy_plot.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "accuracy/accuracy.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -149,34 +154,34 @@ const CostRow* rowUnder(const Plot& p, const CostRun& run) {
     return best;
 }
 
-void recordPoint(EditorApp& app, const ImVec2& at, const CostRow& r) {
+void recordPoint(const ImVec2& at, const CostRow& r) {
     const std::string name = fmt::format("Accuracy/Point {} {}", r.technique, r.settings);
-    if (app.book.reveal == name) ImGui::SetScrollHereY(1), app.book.reveal.clear();
-    ui::Widget& w = app.book.next[name];
-    w = {};
+    if (ui::takeReveal(name)) ImGui::SetScrollHereY(1);
+    ui::Widget w;
     w.visible = ImGui::IsRectVisible({at.x - 1, at.y - 1}, {at.x + 1, at.y + 1});
     w.kind = ui::Kind::Area;
     w.x0 = at.x - 3, w.x1 = at.x + 3, w.y0 = at.y - 3, w.y1 = at.y + 3;
     w.value = fmt::format("{:.4f}", r.metrics.appearance.distance);
+    ui::recordAt(name, w);
 }
 
-void points(EditorApp& app, const Plot& p, const CostRun& run, const CostRow* hovered) {
+void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Document& doc,
+            const std::optional<ViewportPoint>& viewport) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     bool marked = false;
     for (const CostRow& r : run.rows) {
         if (!isDrawn(r)) continue;
         const ImVec2 at = pointAt(p, r);
         list.AddCircleFilled(at, &r == hovered ? 5.5f : r.onFrontier ? 4.0f : 3.0f, colorOf(r.technique));
-        recordPoint(app, at, r);
-        if (marked || !isPresent(app.doc, settingOf(r.technique, r.settings))) continue;
+        recordPoint(at, r);
+        if (marked || !isPresent(doc, settingOf(r.technique, r.settings))) continue;
         marked = true;
         list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
         list.AddText({at.x + 10, at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "now");
     }
-    const Comparison& c = app.accuracy.comparison;
-    if (marked || c.against != Against::Reference || !c.metrics || app.viewport.lastMs <= 0) return;
-    const ImVec2 at{std::clamp(p.x.at(app.viewport.lastMs), p.low.x, p.high.x),
-                    std::clamp(p.y.at(c.metrics->appearance.distance), p.low.y, p.high.y)};
+    if (marked || !viewport) return;
+    const ImVec2 at{std::clamp(p.x.at(viewport->ms), p.low.x, p.high.x),
+                    std::clamp(p.y.at(viewport->error), p.low.y, p.high.y)};
     list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
     list.AddText({std::min(at.x + 10, p.high.x - 60), at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "viewport");
 }
@@ -191,7 +196,8 @@ void emptyPlot(const ImVec2& at, const ImVec2& size) {
 
 }  // namespace
 
-std::optional<CostSetting> drawCostPlot(EditorApp& app) {
+std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, const Document& document,
+                                        const std::optional<ViewportPoint>& viewport) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float left =
         ImGui::GetWindowHeight() - ImGui::GetCursorPosY() - 4;  // whatever part of the panel is scrolled to
@@ -199,8 +205,8 @@ std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     const bool pressed = ImGui::InvisibleButton("plot", size);
     ui::record("Plot", ui::Kind::Area);
     const bool over = ImGui::IsItemHovered();
-    if (!app.accuracy.sweep.run || app.accuracy.sweep.run->floors.empty()) return emptyPlot(at, size), std::nullopt;
-    const CostRun& run = *app.accuracy.sweep.run;
+    if (!measured || measured->floors.empty()) return emptyPlot(at, size), std::nullopt;
+    const CostRun& run = *measured;
     const CostFloors& floors = run.floors.front();
     const Plot p = layOut(run, floors, at, size);
     axes(p);
@@ -211,7 +217,7 @@ std::optional<CostSetting> drawCostPlot(EditorApp& app) {
     frontier(p, run);
     legend(p);
     const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
-    points(app, p, run, hovered);
+    points(p, run, hovered, document, viewport);
     if (!hovered) {
         if (over)
             ui::tooltip(

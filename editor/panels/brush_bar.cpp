@@ -2,10 +2,16 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "app/edits.h"
+#include "app/messages.h"
 #include "model/new_map.h"
 #include "panels/panels.h"
 #include "tools/brush_target.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -18,42 +24,48 @@ void caption(const char* text) {
 
 float em(float ems) { return ImGui::GetFontSize() * ems; }
 
+// Where the next widget goes.
+struct Rows {
+    float right;  // where the bar ends
+    int count = 1;
+};
+
 // Beside the last widget, or on a new row if what follows does not fit.
-void next(EditorApp& app, const char* label, float width) {
+void next(Rows& rows, const char* label, float width) {
     const float needed = 14 + ImGui::CalcTextSize(label).x + 5 + width;
-    if (ImGui::GetItemRectMax().x + needed > app.areas.brushBar.x + app.areas.brushBar.w - 6)
-        ++app.brushBarRows;
+    if (ImGui::GetItemRectMax().x + needed > rows.right - 6)
+        ++rows.count;
     else
         ImGui::SameLine(0, 14);
 }
 
-void mapCombo(EditorApp& app) {
+void mapCombo(Rows& rows, const Document& doc, BrushBook& brushes) {
     std::vector<std::string> names, paths;
-    for (const ConstFieldRef& map : paintableMaps(app)) {
+    for (const ConstFieldRef& map : paintableMaps(doc)) {
         paths.push_back(map.path);
         names.push_back(static_cast<const MapField*>(map.value)->present() ? map.path : map.path + " (new)");
     }
-    const auto it = std::find(paths.begin(), paths.end(), app.brushes.map);
+    const auto it = std::find(paths.begin(), paths.end(), brushes.map);
     int chosen = it == paths.end() ? -1 : static_cast<int>(it - paths.begin());
-    next(app, "Map", em(21) + 80);
+    next(rows, "Map", em(21) + 80);
     caption("Map");
     ImGui::SetNextItemWidth(em(21));
-    if (ui::combo("Map", names, chosen)) selectMap(app, paths[static_cast<size_t>(chosen)]);
-    const std::optional<ConstFieldRef> map = chosenMap(app);
+    if (ui::combo("Map", names, chosen)) selectMap(doc, brushes, paths[static_cast<size_t>(chosen)]);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     ui::tooltip("The map that the brush paints" + (map ? fmt::format(": {}.\n{}", map->row->help, map->path) : "."));
     ImGui::SameLine(0, 5);
-    if (ui::button("Overlay", 0, overlayShown(app))) toggleOverlay(app);
+    if (ui::button("Overlay", 0, overlayShown(doc, brushes))) toggleOverlay(doc, brushes);
     ui::tooltip("Shows the map as a colour over the scene (O).");
 }
 
 // One click makes the map that is not there; without one there is nothing to see or paint.
-void createButton(EditorApp& app, const ConstFieldRef& map) {
-    const std::string size = describeNewMap(app.doc.project(), map), path = map.path;
+void createButton(Rows& rows, Document& doc, const ConstFieldRef& map, Edits& edits, Messages& messages) {
+    const std::string size = describeNewMap(doc.project(), map), path = map.path;
     const std::string shortly = size.substr(0, size.find(" texels"));
-    next(app, shortly.c_str(), em(7));
+    next(rows, shortly.c_str(), em(7));
     if (ui::button("Create map", 0, true))
-        app.deferred.push_back([&app, path, size] {
-            if (accept(app, app.doc.createMap(path))) say(app, fmt::format("new map {}: {}", path, size));
+        edits.deferred.push_back([&doc, &messages, path, size] {
+            if (accept(messages, doc.createMap(path))) say(messages, fmt::format("new map {}: {}", path, size));
         });
     ui::tooltip("The project has no " + path + " yet.\nMakes it: " + size +
                 ". The first stroke does so too; undo takes it back.");
@@ -63,19 +75,18 @@ void createButton(EditorApp& app, const ConstFieldRef& map) {
     ui::record("New map", ui::Kind::Label, size);
 }
 
-void modeCombo(EditorApp& app) {
+void modeCombo(const Document& doc, BrushBook& brushes, Messages& messages) {
     std::vector<std::string> labels{"Look"}, tools{kLookTool};
     for (const BrushRow& row : brushRows()) labels.push_back(row.label), tools.push_back(row.name);
-    const auto it = std::find(tools.begin(), tools.end(), app.brushes.tool);
+    const auto it = std::find(tools.begin(), tools.end(), brushes.tool);
     int chosen = static_cast<int>(it - tools.begin());
     caption("Mode");
     ImGui::SetNextItemWidth(em(7));
-    if (ui::combo("Mode", labels, chosen)) selectTool(app, tools[static_cast<size_t>(chosen)]);
+    if (ui::combo("Mode", labels, chosen)) selectTool(doc, brushes, messages, tools[static_cast<size_t>(chosen)]);
 }
 
-void number(EditorApp& app, const char* label, float& value, float width, const ui::NumberSpec& spec,
-            const char* help) {
-    next(app, label, width);
+void number(Rows& rows, const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
+    next(rows, label, width);
     caption(label);
     ImGui::SetNextItemWidth(width);
     ui::slider(label, value, spec);
@@ -95,13 +106,12 @@ ui::NumberSpec range(double softMin, double softMax, double hardMin, double hard
 
 // A compass that shows the angle as the eye sees it: up is away from the viewer. Pressed or dragged, it takes the
 // pointer's direction.
-void dial(EditorApp& app, float& angleDeg) {
+void dial(double yaw, float& angleDeg) {
     const float side = ImGui::GetFrameHeight();
     ImGui::InvisibleButton("dial", {side, side});
     ui::record("Dial", ui::Kind::Area, ui::numberText(static_cast<double>(angleDeg)));
     const ImVec2 low = ImGui::GetItemRectMin(), c{low.x + side / 2, low.y + side / 2}, mouse = ImGui::GetIO().MousePos;
-    const float yawDeg = static_cast<float>(glm::degrees(app.viewport.camera.yaw)), dx = mouse.x - c.x,
-                dy = mouse.y - c.y;
+    const float yawDeg = static_cast<float>(glm::degrees(yaw)), dx = mouse.x - c.x, dy = mouse.y - c.y;
     if (ImGui::IsItemActive() && std::hypot(dx, dy) > 2) {
         const float turn = glm::degrees(std::atan2(dx, -dy)) + yawDeg;
         angleDeg = std::round(turn - 360 * std::floor(turn / 360));
@@ -117,18 +127,18 @@ void dial(EditorApp& app, float& angleDeg) {
                            {c.x + (x * 0.2f + y * 0.5f) * r, c.y + (y * 0.2f - x * 0.5f) * r}, IM_COL32_WHITE);
 }
 
-void angle(EditorApp& app, float& angleDeg) {
-    number(app, "Angle", angleDeg, em(5.5f), range(0, 360, -360, 360, "deg"),
+void angle(Rows& rows, double yaw, float& angleDeg) {
+    number(rows, "Angle", angleDeg, em(5.5f), range(0, 360, -360, 360, "deg"),
            "Where the blades lean, clockwise from north (-z) seen from above.");
     ImGui::SameLine(0, 4);
-    dial(app, angleDeg);
+    dial(yaw, angleDeg);
 }
 
 // What is laid on a map of colours: a swatch with a picker, and the colour as it is written in image programs.
-void color(EditorApp& app) {
-    next(app, "Colour", em(7) + ImGui::GetFrameHeight());
+void color(Rows& rows, BrushBook& brushes) {
+    next(rows, "Colour", em(7) + ImGui::GetFrameHeight());
     caption("Colour");
-    glm::vec3& chosen = currentColor(app.brushes);
+    glm::vec3& chosen = currentColor(brushes);
     ui::srgbEdit("Colour/Swatch", &chosen.x);
     ui::tooltip("What the brush lays. Click to choose; I takes the map's colour under the pointer.");
     ImGui::SameLine(0, 4);
@@ -143,33 +153,39 @@ void color(EditorApp& app) {
     ui::tooltip(error ? *error : "Red, green and blue as #rrggbb.");
 }
 
-}  // namespace
-
-void drawBrushBar(EditorApp& app) {
-    app.brushBarRows = 1;
-    const ui::Disabled noProject(!app.doc.isOpen());
-    modeCombo(app);
-    mapCombo(app);
-    const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (map && !static_cast<const MapField*>(map->value)->present()) createButton(app, *map);
-    const ui::Disabled looking(app.brushes.tool == kLookTool);
-    BrushSettings& b = currentBrush(app.brushes);
+// The settings of the present tool on the present map.
+void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw) {
+    BrushSettings& b = currentBrush(brushes);
     const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
-    number(app, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
-    number(app, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
+    number(rows, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
+    number(rows, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
            lays      ? "How far the blades lean over: - and = change it."
            : presses ? "How flat the blades are pressed, and how far pushed: - and = change it."
                      : "How much one pass over a place changes it: - and = change it.");
-    number(app, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
-    if (b.mode == "direction") angle(app, b.angleDeg);
+    number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
+    if (b.mode == "direction") angle(rows, yaw, b.angleDeg);
     const bool colours = map && map->row->map->kind == MapKind::Colours;
-    if (colours) color(app);
+    if (colours) color(rows, brushes);
     if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
-        number(app, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),
+        number(rows, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),
                "How far the colour covers what lies under the map; 1: wholly.");
     if (b.mode == "set" && !colours)
-        number(app, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
+        number(rows, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
                "What the brush paints towards: 0 is bare, 1 is full.");
+}
+
+}  // namespace
+
+int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes, Edits& edits, Messages& messages) {
+    Rows rows{area.x + area.w};
+    const ui::Disabled noProject(!doc.isOpen());
+    modeCombo(doc, brushes, messages);
+    mapCombo(rows, doc, brushes);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
+    if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
+    const ui::Disabled looking(brushes.tool == kLookTool);
+    settings(rows, brushes, map, yaw);
+    return rows.count;
 }
 
 }  // namespace sward

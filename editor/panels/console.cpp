@@ -1,14 +1,16 @@
 // The log, and a line that runs a script command.
 #include <imgui.h>
 
+#include "app/console.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
 
-void lines(EditorApp& app) {
-    for (const LogLine& line : app.log.lines) {
+void lines(const LogBook& log) {
+    for (const LogLine& line : log.lines) {
         const ImU32 color = line.level == LogLevel::Error     ? ui::kErrorText
                             : line.level == LogLevel::Warning ? ui::kWarningText
                                                               : ImGui::GetColorU32(ImGuiCol_Text);
@@ -19,30 +21,30 @@ void lines(EditorApp& app) {
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);
 }
 
-void run(EditorApp& app) {
-    const std::string line = app.consoleLine;
+void enter(Console& console) {
+    const std::string line = console.line;
     if (line.empty()) return;
-    app.consoleLine.clear();
-    app.consoleHistory.push_back(line);
+    console.line.clear();
+    console.history.push_back(line);
     logInfo("> " + line);
-    app.luaLines.push_back(line);
+    console.luaLines.push_back(line);
 }
 
 }  // namespace
 
-void drawConsole(EditorApp& app) {
-    const float inputHeight = app.runLua ? ImGui::GetFrameHeightWithSpacing() : 0;
+void drawConsole(Console& console, bool inputWaits) {
+    const float inputHeight = console.runLua ? ImGui::GetFrameHeightWithSpacing() : 0;
     ImGui::BeginChild("log", {0, -inputHeight});
-    lines(app);
+    lines(console.log);
     ImGui::EndChild();
-    ui::record("Log", ui::Kind::Area, app.log.lines.empty() ? "" : app.log.lines.back().text);
-    if (!app.runLua) return;
+    ui::record("Log", ui::Kind::Area, console.log.lines.empty() ? "" : console.log.lines.back().text);
+    if (!console.runLua) return;
     ImGui::SetNextItemWidth(-1);
     bool entered = false;
-    ui::input("Command", app.consoleLine, "a line of Lua, such as  map.mean(\"density\")", &entered);
+    ui::input("Command", console.line, "a line of Lua, such as  map.mean(\"density\")", &entered);
     if (!entered) return;
-    run(app);
-    if (!app.queue.pending()) ImGui::SetKeyboardFocusHere(-1);  // else a click that waits would lose to it
+    enter(console);
+    if (!inputWaits) ImGui::SetKeyboardFocusHere(-1);  // else a click that waits would lose to it
 }
 
 }  // namespace sward

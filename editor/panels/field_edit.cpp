@@ -1,5 +1,7 @@
 #include "panels/field_edit.h"
 
+#include <functional>
+
 #include <imgui.h>
 
 namespace sward {
@@ -14,20 +16,24 @@ std::string refusal(const Error& error, const std::string& path) {
 
 }  // namespace
 
-void setField(EditorApp& app, const std::string& path, const std::string& text, const std::string& label) {
-    app.deferred.push_back([&app, path, text, label] {
-        const Status status = app.doc.setField(path, text);
+void setField(const FieldParts& parts, const std::string& path, const std::string& text, const std::string& label) {
+    parts.edits.deferred.push_back([parts, path, text, label] {
+        const Status status = parts.doc.setField(path, text);
         if (status)
-            app.book.errors.erase(label);
+            parts.errors.erase(label);
         else
-            app.book.errors[label] = refusal(status.error(), path);
+            parts.errors[label] = refusal(status.error(), path);
     });
 }
 
-void holdEdit(EditorApp& app, const std::string& path) {
-    if (!app.holding.empty()) return;
-    app.holding = path;
-    app.deferred.push_back([&app, path] { app.doc.beginGroup("set " + path); });
+void holdEdit(const FieldParts& parts, const std::string& path) {
+    if (!parts.edits.holding.empty()) return;
+    parts.edits.holding = path;
+    parts.edits.deferred.push_back([&doc = parts.doc, path] { doc.beginGroup("set " + path); });
+}
+
+void deferEdit(const FieldParts& parts, std::function<Status()> edit) {
+    parts.edits.deferred.push_back([&messages = parts.messages, edit = std::move(edit)] { accept(messages, edit()); });
 }
 
 ui::NumberSpec numberSpec(const FieldRow& row) {
@@ -40,13 +46,13 @@ ui::NumberSpec numberSpec(const FieldRow& row) {
     return s;
 }
 
-void takeEdit(EditorApp& app, const ConstFieldRef& f, const ui::NumberEdit& edit, double value,
+void takeEdit(const FieldParts& parts, const ConstFieldRef& f, const ui::NumberEdit& edit, double value,
               const std::string& label) {
     if (edit.changed) {
-        holdEdit(app, f.path);
-        setField(app, f.path, ui::numberText(value, f.row->type == FieldType::Int), label);
+        holdEdit(parts, f.path);
+        setField(parts, f.path, ui::numberText(value, f.row->type == FieldType::Int), label);
     }
-    if (edit.typed) setField(app, f.path, *edit.typed, label);
+    if (edit.typed) setField(parts, f.path, *edit.typed, label);
 }
 
 void caption(const char* text, const char* help) {

@@ -1,9 +1,16 @@
 // Open, Save As and New: a browser of folders. A folder that holds project.json is a project and is marked.
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+
+#include "app/edits.h"
+#include "app/file_tasks.h"
+#include "core/log.h"
 #include "panels/panels.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -38,14 +45,23 @@ void enter(FileDialog& d, const fs::path& folder) {
     list(d);
 }
 
-Status perform(EditorApp& app, const fs::path& target) {
-    switch (app.files.task) {
+// What the dialog works on; all must outlive the edits that it defers.
+struct Parts {
+    FileDialog& files;
+    Document& doc;
+    Edits& edits;
+    Messages& messages;
+    std::function<void()> adopt;  // after the document holds another project
+};
+
+Status perform(FileTask task, Document& doc, const fs::path& target) {
+    switch (task) {
         case FileTask::Open:
-            return app.doc.open(target);
+            return doc.open(target);
         case FileTask::New:
-            return app.doc.create(target);
+            return doc.create(target);
         case FileTask::SaveAs: {
-            const auto written = app.doc.saveAs(target);
+            const auto written = doc.saveAs(target);
             return written ? Status{} : Status{written.error()};
         }
         case FileTask::None:
@@ -54,28 +70,28 @@ Status perform(EditorApp& app, const fs::path& target) {
     return {};
 }
 
-void act(EditorApp& app) {
-    FileDialog& d = app.files;
+void act(const Parts& parts) {
+    FileDialog& d = parts.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status =
-        d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")} : perform(app, target);
+    const Status status = d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")}
+                                         : perform(d.task, parts.doc, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);
         return;
     }
-    say(app, std::string(d.task == FileTask::Open     ? "opened "
-                         : d.task == FileTask::SaveAs ? "saved "
-                                                      : "created ") +
-                 target.string());
-    if (d.task != FileTask::SaveAs) adoptProject(app);
-    app.notice.clear();
+    say(parts.messages, std::string(d.task == FileTask::Open     ? "opened "
+                                    : d.task == FileTask::SaveAs ? "saved "
+                                                                 : "created ") +
+                            target.string());
+    if (d.task != FileTask::SaveAs) parts.adopt();
+    parts.messages.notice.clear();
     d.task = FileTask::None;
 }
 
-void folders(EditorApp& app) {
-    FileDialog& d = app.files;
+void folders(const Parts& parts) {
+    FileDialog& d = parts.files;
     const float footer = ImGui::GetFrameHeightWithSpacing() * 2 + ImGui::GetTextLineHeightWithSpacing() * 2 + 8;
     ImGui::BeginChild("folders", {0, -footer}, true);
     for (const auto& [name, project] : d.entries) {
@@ -97,22 +113,22 @@ void folders(EditorApp& app) {
         if (!twice) continue;
         const fs::path folder = d.folder / name;
         if (project && d.task == FileTask::Open)
-            app.deferred.push_back([&app] { act(app); });
+            parts.edits.deferred.push_back([parts] { act(parts); });
         else
-            app.deferred.push_back([&d, folder] { enter(d, folder); });
+            parts.edits.deferred.push_back([&d, folder] { enter(d, folder); });
     }
     if (d.entries.empty()) ImGui::TextDisabled("No folders here.");
     ImGui::EndChild();
 }
 
-void body(EditorApp& app) {
-    FileDialog& d = app.files;
-    if (ui::button("Up")) app.deferred.push_back([&d] { enter(d, d.folder.parent_path()); });
+void body(const Parts& parts) {
+    FileDialog& d = parts.files;
+    if (ui::button("Up")) parts.edits.deferred.push_back([&d] { enter(d, d.folder.parent_path()); });
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(d.folder.c_str());
     ui::record("Folder", ui::Kind::Label, d.folder.string());
-    folders(app);
+    folders(parts);
     ImGui::SetNextItemWidth(-1);
     bool entered = false;
     ui::input("Path", d.path, "folder of the project", &entered);
@@ -126,14 +142,14 @@ void body(EditorApp& app) {
     const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive());
     ImGui::SameLine(0, 8);
     const bool pressed = ui::button(actionOf(d.task), width, true);
-    if (pressed || entered) app.deferred.push_back([&app] { act(app); });
+    if (pressed || entered) parts.edits.deferred.push_back([parts] { act(parts); });
     if (cancelled) d.task = FileTask::None;
 }
 
 }  // namespace
 
-void drawFileDialog(EditorApp& app) {
-    FileDialog& d = app.files;
+void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messages,
+                    const std::function<void()>& adopt) {
     if (d.task == FileTask::None) return;
     if (d.opening) {
         d.opening = false;
@@ -150,7 +166,7 @@ void drawFileDialog(EditorApp& app) {
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
         return;
-    body(app);
+    body({d, doc, edits, messages, adopt});
     if (d.task == FileTask::None) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

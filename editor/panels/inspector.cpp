@@ -2,6 +2,8 @@
 #include <imgui.h>
 
 #include "panels/inspector_camera.h"
+
+#include <functional>
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
@@ -9,10 +11,11 @@
 namespace sward {
 namespace {
 
-void removeButton(EditorApp& app, const std::string& path, const char* what, const std::function<Status()>& remove) {
+void removeButton(const FieldParts& parts, const std::string& path, const char* what,
+                  const std::function<Status()>& remove) {
     const float width = ImGui::GetFontSize() * 1.6f;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    if (ImGui::SmallButton(("x##" + path).c_str())) app.deferred.push_back([&app, remove] { accept(app, remove()); });
+    if (ImGui::SmallButton(("x##" + path).c_str())) deferEdit(parts, remove);
     ui::record(path + "/Remove", ui::Kind::Button);
     ui::tooltip(what);
 }
@@ -28,52 +31,59 @@ bool header(const std::string& path, const std::string& title, bool openAtFirst)
     return open;
 }
 
-void listField(EditorApp& app, const std::string& owner, const ComponentRow& component, const FieldRow& row,
-               const void* list) {
+// Whose component is drawn; the entity's name stays where the person chose it.
+struct Owner {
+    const std::string& entity;
+    const ComponentRow& component;
+    std::string path() const { return entity + "." + component.name; }
+};
+
+void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const void* list) {
     const ListRow& l = *row.list;
-    const std::string path = owner + "." + row.name;
+    const std::string path = owner.path() + "." + row.name;
     for (size_t i = 0; i < l.size(list); ++i) {
         const void* element = l.at(list, i);
         const std::string name = *static_cast<const std::string*>(
             static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
         const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
         const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
-        removeButton(app, at, "Remove this one", [&app, at] { return app.doc.removeListElement(at); });
+        removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
         for (const FieldRow& f : l.fields) {
             const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
-            drawField(app, {value, &f, &component, app.selected, at + "." + f.name}, fallback);
+            drawField(parts, {value, &f, &owner.component, owner.entity, at + "." + f.name}, fallback);
         }
         ImGui::Unindent(8);
     }
     if (ui::button(path + "/Add " + row.name))
-        app.deferred.push_back([&app, path] { accept(app, app.doc.addListElement(path)); });
+        deferEdit(parts, [&doc = parts.doc, path] { return doc.addListElement(path); });
 }
 
-void component(EditorApp& app, const ComponentRow& row, const void* value) {
-    const std::string path = app.selected + "." + row.name;
+void component(const FieldParts& parts, ViewState& view, const Owner& owner, const void* value) {
+    const ComponentRow& row = owner.component;
+    const std::string path = owner.path();
     const bool open = header(path, row.name, true);
-    removeButton(app, path, "Remove this component",
-                 [&app, &row] { return app.doc.removeComponent(app.selected, row.name); });
+    removeButton(parts, path, "Remove this component",
+                 [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
         const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
-            listField(app, path, row, f, field);
+            listField(parts, owner, f, field);
         else
-            drawField(app, {field, &f, &row, app.selected, path + "." + f.name},
+            drawField(parts, {field, &f, &row, owner.entity, path + "." + f.name},
                       static_cast<const char*>(row.defaults()) + f.offset);
     }
-    drawCameraTools(app, row, value);
+    drawCameraTools(parts, view, owner.entity, row, value);
     ImGui::Spacing();
 }
 
-void addComponent(EditorApp& app, Entity e) {
+void addComponent(const FieldParts& parts, const std::string& entity, Entity e) {
     std::vector<std::string> names;
-    for (const ComponentRow& row : app.doc.tables().components)
-        if (!row.get(app.doc.project().registry, e)) names.push_back(row.name);
+    for (const ComponentRow& row : parts.doc.tables().components)
+        if (!row.get(parts.doc.project().registry, e)) names.push_back(row.name);
     int chosen = -1;
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "Add component");
@@ -81,23 +91,24 @@ void addComponent(EditorApp& app, Entity e) {
     ImGui::SetNextItemWidth(-1);
     if (ui::combo("Add component", names, chosen)) {
         const std::string name = names[static_cast<size_t>(chosen)];
-        app.deferred.push_back([&app, name] { accept(app, app.doc.addComponent(app.selected, name)); });
+        deferEdit(parts, [&doc = parts.doc, &entity, name] { return doc.addComponent(entity, name); });
     }
 }
 
 }  // namespace
 
-void drawInspector(EditorApp& app) {
-    const Entity e = app.doc.isOpen() ? findEntity(app.doc.project(), app.selected) : kNoEntity;
-    ui::coloredText(ui::kDimText, e == kNoEntity ? "INSPECTOR" : ("INSPECTOR: " + app.selected).c_str());
+void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view) {
+    Document& doc = parts.doc;
+    const Entity e = doc.isOpen() ? findEntity(doc.project(), selected) : kNoEntity;
+    ui::coloredText(ui::kDimText, e == kNoEntity ? "INSPECTOR" : ("INSPECTOR: " + selected).c_str());
     if (e == kNoEntity) {
         ImGui::TextDisabled("Choose an entity above to see its fields.");
         return;
     }
     ImGui::BeginChild("fields");
-    for (const ComponentRow& row : app.doc.tables().components)
-        if (const void* value = row.get(app.doc.project().registry, e)) component(app, row, value);
-    addComponent(app, e);
+    for (const ComponentRow& row : doc.tables().components)
+        if (const void* value = row.get(doc.project().registry, e)) component(parts, view, {selected, row}, value);
+    addComponent(parts, selected, e);
     ImGui::EndChild();
 }
 

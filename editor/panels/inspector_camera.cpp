@@ -1,5 +1,9 @@
 #include "panels/inspector_camera.h"
 
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "app/play_control.h"
@@ -13,46 +17,47 @@ namespace {
 std::string vectorText(const glm::dvec3& v) { return fmt::format("[{:.4f}, {:.4f}, {:.4f}]", v.x, v.y, v.z); }
 
 // Sets eye, target and view angle of what stands at `path` to the view's.
-Status takeView(EditorApp& app, const std::string& path) {
-    const ViewCamera view = viewOf(app.viewport.camera);
-    if (Status s = app.doc.setField(path + ".eye", vectorText(view.eye)); !s) return s;
-    if (Status s = app.doc.setField(path + ".target", vectorText(view.target)); !s) return s;
-    return app.doc.setField(path + ".fovDeg", fmt::format("{}", view.fovDeg));
+Status takeView(Document& doc, const FlyCamera& from, const std::string& path) {
+    const ViewCamera view = viewOf(from);
+    if (Status s = doc.setField(path + ".eye", vectorText(view.eye)); !s) return s;
+    if (Status s = doc.setField(path + ".target", vectorText(view.target)); !s) return s;
+    return doc.setField(path + ".fovDeg", fmt::format("{}", view.fovDeg));
 }
 
-Status inOneStep(EditorApp& app, const std::string& label, const std::function<Status()>& edit) {
-    app.doc.beginGroup(label);
+Status inOneStep(Document& doc, const std::string& label, const std::function<Status()>& edit) {
+    doc.beginGroup(label);
     Status done = edit();
-    app.doc.endGroup();
+    doc.endGroup();
     return done;
 }
 
-void cameraTools(EditorApp& app, const std::string& path, const Camera& camera) {
-    if (ui::button(path + "/Look through it")) app.viewport.camera = flyFrom(viewOf(camera));
+void cameraTools(const FieldParts& parts, ViewState& view, const std::string& path, const Camera& camera) {
+    if (ui::button(path + "/Look through it")) view.camera = flyFrom(viewOf(camera));
     ui::tooltip("Moves the view to this camera.");
     ImGui::SameLine();
     if (ui::button(path + "/Take the view"))
-        app.deferred.push_back(
-            [&app, path] { accept(app, inOneStep(app, "camera from view", [&] { return takeView(app, path); })); });
+        deferEdit(parts, [&doc = parts.doc, &from = view.camera, path] {
+            return inOneStep(doc, "camera from view", [&] { return takeView(doc, from, path); });
+        });
     ui::tooltip("Puts this camera where the view is.");
 }
 
-Status addKey(EditorApp& app, const std::string& path, double seconds) {
-    if (Status s = app.doc.addListElement(path + ".keys"); !s) return s;
-    auto keys = findField(app.doc.project(), app.doc.tables().components, path + ".keys");
+Status addKey(Document& doc, const FlyCamera& from, const std::string& path, double seconds) {
+    if (Status s = doc.addListElement(path + ".keys"); !s) return s;
+    auto keys = findField(doc.project(), doc.tables().components, path + ".keys");
     if (!keys) return keys.error();
     const std::string key = path + ".keys[" + elementSelectors(*keys->row->list, keys->value).back() + "]";
-    if (Status s = app.doc.setField(key + ".seconds", fmt::format("{}", seconds)); !s) return s;
-    return takeView(app, key);
+    if (Status s = doc.setField(key + ".seconds", fmt::format("{}", seconds)); !s) return s;
+    return takeView(doc, from, key);
 }
 
 constexpr double kSecondsBetweenKeys = 2;
 
-void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
+void pathTools(const FieldParts& parts, ViewState& view, const std::string& path, const CameraPath& p) {
     if (ui::button(path + "/Key from view")) {
         const double seconds = p.keys.empty() ? 0 : secondsOf(p) + kSecondsBetweenKeys;
-        app.deferred.push_back([&app, path, seconds] {
-            accept(app, inOneStep(app, "add a key", [&] { return addKey(app, path, seconds); }));
+        deferEdit(parts, [&doc = parts.doc, &from = view.camera, path, seconds] {
+            return inOneStep(doc, "add a key", [&] { return addKey(doc, from, path, seconds); });
         });
     }
     ui::tooltip("Adds a key where the view is, two seconds after the last.");
@@ -62,21 +67,23 @@ void pathTools(EditorApp& app, const std::string& path, const CameraPath& p) {
     ui::coloredText(ui::kDimText, "look from");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    float at = app.viewport.pathSecond;
+    float at = view.pathSecond;
     const double end = std::max(1.0, secondsOf(p));
     const ui::NumberSpec spec{.softMax = end, .hardMin = 0, .hardMax = end, .unit = "s"};
     if (ui::slider(path + "/Second", at, spec))
-        app.viewport.pathSecond = at, app.viewport.camera = flyFrom(viewOf(cameraOn(p, static_cast<double>(at))));
+        view.pathSecond = at, view.camera = flyFrom(viewOf(cameraOn(p, static_cast<double>(at))));
     ui::tooltip("Moves the view along the path.");
 }
 
 }  // namespace
 
-void drawCameraTools(EditorApp& app, const ComponentRow& row, const void* component) {
-    const std::string path = app.selected + "." + row.name;
-    const ui::Disabled walks(playing(app));
-    if (isRowOf<Camera>(row)) cameraTools(app, path, *static_cast<const Camera*>(component));
-    if (isRowOf<CameraPath>(row)) pathTools(app, path, *static_cast<const CameraPath*>(component));
+void drawCameraTools(const FieldParts& parts, ViewState& view, const std::string& entity, const ComponentRow& row,
+                     const void* component) {
+    const std::string path = entity + "." + row.name;
+    const ui::Disabled walks(playing(parts.doc));
+    if (isRowOf<Camera>(row)) cameraTools(parts, view, path, *static_cast<const Camera*>(component));
+    if (isRowOf<CameraPath>(row))
+        pathTools(parts, view, path, *static_cast<const CameraPath*>(component));
 }
 
 }  // namespace sward

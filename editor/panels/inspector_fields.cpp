@@ -3,23 +3,23 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cctype>
 
-#include "panels/field_edit.h"
 #include "ui/theme.h"
 
 namespace sward {
 namespace {
 
-void set(EditorApp& app, const std::string& path, const std::string& text) {
-    setField(app, path, text, "Inspector/" + path);
+void set(const FieldParts& parts, const std::string& path, const std::string& text) {
+    setField(parts, path, text, "Inspector/" + path);
 }
 
-void numberField(EditorApp& app, const ConstFieldRef& f) {
+void numberField(const FieldParts& parts, const ConstFieldRef& f) {
     double value = f.row->type == FieldType::Int ? static_cast<double>(*static_cast<const int*>(f.value))
                                                  : static_cast<double>(*static_cast<const float*>(f.value));
     const ui::NumberEdit edit = ui::number(f.path, value, numberSpec(*f.row));
-    takeEdit(app, f, edit, value, "Inspector/" + f.path);
+    takeEdit(parts, f, edit, value, "Inspector/" + f.path);
 }
 
 std::string vectorText(const double* v, int n) {
@@ -28,7 +28,7 @@ std::string vectorText(const double* v, int n) {
     return text + "]";
 }
 
-void vectorField(EditorApp& app, const ConstFieldRef& f) {
+void vectorField(const FieldParts& parts, const ConstFieldRef& f) {
     const int n = f.row->type == FieldType::Vec2 ? 2 : 3;
     double v[3] = {};
     for (int i = 0; i < n; ++i) v[i] = static_cast<const double*>(f.value)[i];
@@ -43,43 +43,43 @@ void vectorField(EditorApp& app, const ConstFieldRef& f) {
         ImGui::SetNextItemWidth(width);
         const std::string label = f.path + "." + (n == 2 ? "xz" : "xyz")[i];
         const ui::NumberEdit edit = ui::number(label, v[i], spec);
-        if (edit.changed) holdEdit(app, f.path), set(app, f.path, vectorText(v, n));
+        if (edit.changed) holdEdit(parts, f.path), set(parts, f.path, vectorText(v, n));
         if (!edit.typed) continue;
         std::string error;
         if (const auto typed = ui::parseNumber(*edit.typed, spec, error))
-            v[i] = *typed, set(app, f.path, vectorText(v, n));
+            v[i] = *typed, set(parts, f.path, vectorText(v, n));
         ui::setError(f.path, error);
     }
     ImGui::EndGroup();
     ui::record(f.path, ui::Kind::Vector, vectorText(v, n));
 }
 
-void textLine(EditorApp& app, const ConstFieldRef& f, const std::string& shown) {
-    if (const auto typed = ui::textField(f.path, shown)) set(app, f.path, *typed);
+void textLine(const FieldParts& parts, const ConstFieldRef& f, const std::string& shown) {
+    if (const auto typed = ui::textField(f.path, shown)) set(parts, f.path, *typed);
 }
 
-void colorField(EditorApp& app, const ConstFieldRef& f) {
+void colorField(const FieldParts& parts, const ConstFieldRef& f) {
     const glm::vec3 color = *static_cast<const glm::vec3*>(f.value);
     float v[3] = {color.x, color.y, color.z};
     if (ui::colorEdit(f.path + "/Swatch", v)) {
-        holdEdit(app, f.path);
-        set(app, f.path, fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
+        holdEdit(parts, f.path);
+        set(parts, f.path, fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
     }
     ui::tooltip("Click to choose. The numbers are reflectances in linear light.");
     ImGui::SameLine(0, 4);
     ImGui::SetNextItemWidth(-1);
-    textLine(app, f, fieldText(f));
+    textLine(parts, f, fieldText(f));
 }
 
-void boolField(EditorApp& app, const ConstFieldRef& f) {
+void boolField(const FieldParts& parts, const ConstFieldRef& f) {
     bool value = *static_cast<const bool*>(f.value);
-    if (ui::checkbox(f.path, value)) set(app, f.path, value ? "true" : "false");
+    if (ui::checkbox(f.path, value)) set(parts, f.path, value ? "true" : "false");
 }
 
-void enumField(EditorApp& app, const ConstFieldRef& f) {
+void choiceField(const FieldParts& parts, const ConstFieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
-    int chosen = enumIndex(f.value);
-    if (ui::combo(f.path, items, chosen)) set(app, f.path, items[static_cast<size_t>(chosen)]);
+    int chosen = static_cast<int>(std::find(items.begin(), items.end(), fieldText(f)) - items.begin());
+    if (ui::combo(f.path, items, chosen)) set(parts, f.path, items[static_cast<size_t>(chosen)]);
 }
 
 void mapField(const ConstFieldRef& f) {
@@ -96,7 +96,7 @@ void mapField(const ConstFieldRef& f) {
     if (m.present()) ui::tooltip(m.file);
 }
 
-void label(EditorApp& app, const ConstFieldRef& f, const void* fallback, float width) {
+void label(const FieldParts& parts, const ConstFieldRef& f, const void* fallback, float width) {
     const ConstFieldRef usual{fallback, f.row, f.component, f.entity, f.path};
     const bool map = f.row->type == FieldType::Map;
     const std::string usualText = map ? "" : fieldText(usual);
@@ -117,25 +117,26 @@ void label(EditorApp& app, const ConstFieldRef& f, const void* fallback, float w
     ImGui::PushClipRect(at, {at.x + width, at.y + ImGui::GetFrameHeight()}, true);
     ImGui::GetWindowDrawList()->AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y}, color, title.c_str());
     ImGui::PopClipRect();
-    if (clicked && changed) set(app, f.path, usualText);
+    if (clicked && changed) set(parts, f.path, usualText);
 }
 
-void value(EditorApp& app, const ConstFieldRef& f) {
+void value(const FieldParts& parts, const ConstFieldRef& f) {
     switch (f.row->type) {
         case FieldType::Bool:
-            return boolField(app, f);
+            return boolField(parts, f);
         case FieldType::Int:
         case FieldType::Float:
-            return numberField(app, f);
+            return numberField(parts, f);
         case FieldType::Vec2:
         case FieldType::Vec3:
-            return vectorField(app, f);
+            return vectorField(parts, f);
         case FieldType::Color:
-            return colorField(app, f);
+            return colorField(parts, f);
         case FieldType::String:
-            return textLine(app, f, *static_cast<const std::string*>(f.value));
+            return textLine(parts, f, *static_cast<const std::string*>(f.value));
         case FieldType::Enum:
-            return enumField(app, f);
+        case FieldType::Name:
+            return choiceField(parts, f);
         case FieldType::Map:
             return mapField(f);
         case FieldType::List:
@@ -157,13 +158,13 @@ std::string fieldTitle(const std::string& name) {
     return title;
 }
 
-void drawField(EditorApp& app, const ConstFieldRef& field, const void* fallback) {
+void drawField(const FieldParts& parts, const ConstFieldRef& field, const void* fallback) {
     const float width = std::max(ImGui::GetContentRegionAvail().x * 0.42f, 60.f);
     const float x = ImGui::GetCursorPosX();
-    label(app, field, fallback, width - 6);
+    label(parts, field, fallback, width - 6);
     ImGui::SameLine(x + width);
     ImGui::SetNextItemWidth(-1);
-    value(app, field);
+    value(parts, field);
     const std::string* error = ui::errorAt(field.path);
     if (!error) return;
     ImGui::PushTextWrapPos(0);

@@ -1,9 +1,15 @@
 // The menu bar: commands by menu, then what the View menu lists from tables.
 #include <imgui.h>
 
+#include <cctype>
+
 #include "app/commands.h"
+#include "app/layout.h"
+#include "app/viewport.h"
+#include "model/document.h"
 #include "panels/panels.h"
 #include "ui/keys.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -13,50 +19,53 @@ std::string capitalized(std::string text) {
     return text;
 }
 
-void viewItems(EditorApp& app) {
+void viewItems(ViewMode& mode, Layout& layout) {
     ImGui::Separator();
     for (int i = 0; i < static_cast<int>(std::size(kViewModes)); ++i)
-        if (ui::menuItem(capitalized(kViewModes[i]), "", static_cast<int>(app.viewport.mode) == i))
-            app.viewport.mode = static_cast<ViewMode>(i);
+        if (ui::menuItem(capitalized(kViewModes[i]), "", static_cast<int>(mode) == i)) mode = static_cast<ViewMode>(i);
     ImGui::Separator();
     for (const PanelRow& row : panelRows()) {
         if (!row.hideable) continue;
-        const bool shown = !app.layout.hidden.count(row.name);
+        const bool shown = !layout.hidden.count(row.name);
         if (!ui::menuItem(row.menu ? row.menu : row.name, "", shown)) continue;
         if (shown)
-            app.layout.hidden.insert(row.name);
+            layout.hidden.insert(row.name);
         else
-            app.layout.hidden.erase(row.name);
-        if (!shown && row.dock == Dock::Bottom) app.layout.tab = row.name;
+            layout.hidden.erase(row.name);
+        if (!shown && row.dock == Dock::Bottom) layout.tab = row.name;
     }
 }
 
-void drawMenu(EditorApp& app, const std::string& menu) {
-    if (!ui::beginMenu(menu)) return;
-    for (const Command& c : commands()) {
+// The command whose item was chosen, or null.
+const Command* commandItems(const std::string& menu, const Document& doc, std::span<const CommandState> states) {
+    const Command* chosen = nullptr;
+    for (const CommandState& state : states) {
+        const Command& c = *state.command;
         if (menu != c.menu) continue;
         const std::string label = c.label;
-        if (ui::menuItem(label, chordText(c.chord), c.checked && c.checked(app),
-                         c.enabled(app) && (c.inPlay || !playing(app))))
-            app.deferred.push_back([&app, &c] { c.run(app); });
-        if (label == "Undo" && app.doc.canUndo()) ui::tooltip("takes back: " + app.doc.undoLabel());
-        if (label == "Redo" && app.doc.canRedo()) ui::tooltip("does again: " + app.doc.redoLabel());
+        if (ui::menuItem(label, chordText(c.chord), state.checked, state.enabled)) chosen = &c;
+        if (label == "Undo" && doc.canUndo()) ui::tooltip("takes back: " + doc.undoLabel());
+        if (label == "Redo" && doc.canRedo()) ui::tooltip("does again: " + doc.redoLabel());
     }
-    if (menu == "View") viewItems(app);
-    ui::endMenu();
+    return chosen;
 }
 
 }  // namespace
 
-void drawMenuBar(EditorApp& app) {
-    if (!ImGui::BeginMainMenuBar()) return;
-    const char* last = "";
-    for (const Command& c : commands()) {
-        if (std::string(last) == c.menu) continue;
-        last = c.menu;
-        drawMenu(app, c.menu);
+const Command* drawMenuBar(const Document& doc, std::span<const CommandState> states, ViewMode& mode, Layout& layout) {
+    if (!ImGui::BeginMainMenuBar()) return nullptr;
+    const Command* chosen = nullptr;
+    std::string last;
+    for (const CommandState& state : states) {
+        if (last == state.command->menu) continue;
+        last = state.command->menu;
+        if (!ui::beginMenu(last)) continue;
+        if (const Command* c = commandItems(last, doc, states)) chosen = c;
+        if (last == "View") viewItems(mode, layout);
+        ui::endMenu();
     }
     ImGui::EndMainMenuBar();
+    return chosen;
 }
 
 }  // namespace sward

@@ -1,5 +1,8 @@
 #include "panels/overlay_legend.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <imgui.h>
 
 #include "tools/brush_target.h"
@@ -106,15 +109,15 @@ void colours(const Rect& r, const std::string& title, const MapRow& row, const g
 
 }  // namespace
 
-void drawOverlayLegend(EditorApp& app) {
-    const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (overlayOf(app).map.empty() || !map) return;
+void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw, const Rect& view) {
+    const std::optional<ConstFieldRef> map = chosenMap(document, brushes);
+    if (overlayOf(document, brushes).map.empty() || !map) return;
     const std::string title = map->path;
     const MapKind kind = map->row->map->kind;
-    if (kind == MapKind::Amounts) amounts(app.viewport.rect, title, *map->row->map);
-    if (kind == MapKind::Forces) forces(app.viewport.rect, title, app.viewport.camera.yaw);
-    if (kind == MapKind::Colours) colours(app.viewport.rect, title, *map->row->map, currentColor(app.brushes));
-    if (kind == MapKind::Directions) directions(app.viewport.rect, title, app.viewport.camera.yaw);
+    if (kind == MapKind::Amounts) amounts(view, title, *map->row->map);
+    if (kind == MapKind::Forces) forces(view, title, yaw);
+    if (kind == MapKind::Colours) colours(view, title, *map->row->map, currentColor(brushes));
+    if (kind == MapKind::Directions) directions(view, title, yaw);
 }
 
 }  // namespace sward

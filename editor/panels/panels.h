@@ -1,48 +1,98 @@
 // The panels, one row each; a panel is a file of its own beside this one.
-// Does not: keep state; that is in EditorApp.
+// A panel gets the parts of the editor that it reads or changes and no more; its row hands them out (panel_rows.cpp).
+// Does not: keep state; that is in those parts.
 #pragma once
+#include <functional>
 #include <span>
+#include <string>
 
-#include "app/app.h"
+#include "app/layout.h"
+#include "frame/renderer.h"
 
 namespace sward {
+
+class Document;
+struct Accuracy;
+struct Autosave;
+struct BackgroundWork;
+struct BrushBook;
+struct BrushCost;
+struct Command;
+struct CommandState;
+struct Console;
+struct EditorApp;
+struct Edits;
+struct FieldParts;
+struct FileDialog;
+struct MeasureParts;
+struct Messages;
+struct Selection;
+struct TierView;
+struct UnsavedDialog;
+struct ViewCounts;
+struct ViewState;
 
 enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, StatusBar, Dialog };
 
 struct PanelRow {
     const char* name;  // the first part of its widgets' paths
     Dock dock;
-    void (*draw)(EditorApp&);
+    void (*draw)(EditorApp&);    // hands the panel its parts
     bool hideable;               // listed in the View menu
     const char* menu = nullptr;  // what it is called there, if not by its name
     bool edits = false;          // greyed while the project is played
 };
+// All rows; panels of the menu bar in the order from left to right, tabs of the bottom likewise.
 std::span<const PanelRow> panelRows();
-// All of them, each in its area, with the splitters between.
-void drawPanels(EditorApp& app);
+// All of them, each in its area, with the splitters between, in a window of this size; what they take of it is written
+// to `areas`. `playing`: panels that edit are greyed. The editor is handed on to the rows.
+void drawPanels(EditorApp& app, Layout& layout, Areas& areas, const glm::vec2& size, int brushBarRows, bool playing);
 
-void drawMenuBar(EditorApp& app);
-void drawPlayBar(EditorApp& app);
-void drawBrushBar(EditorApp& app);
-void drawToolStrip(EditorApp& app);
-void drawViewport(EditorApp& app);
-void drawOutliner(EditorApp& app);
-void drawInspector(EditorApp& app);
-void drawConsole(EditorApp& app);
-void drawProfiler(EditorApp& app);
-void drawTiers(EditorApp& app);
-void drawAccuracy(EditorApp& app);
-void drawStatusBar(EditorApp& app);
-void drawFileDialog(EditorApp& app);
-void drawUnsavedDialog(EditorApp& app);
-void drawRecoveryDialog(EditorApp& app);
+// --- the panels; between ImGui's Begin and End of their areas, but for menus and dialogs, which open their own
+
+// The menus' commands and, in View, view modes and panels. The command that was chosen in this frame, or null.
+const Command* drawMenuBar(const Document& document, std::span<const CommandState> states, ViewMode& mode,
+                           Layout& layout);
+enum class PlayAction { None, Toggle, Pause, Step };
+// Start, pause and step, in the middle of the menu bar. What was pressed.
+PlayAction drawPlayBar(const Document& document);
+// What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
+int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, Edits& edits,
+                 Messages& messages);
+// A button for looking and one a brush; choosing one may choose another map.
+void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messages);
+// The entities: chosen, added by a typed name, removed.
+void drawOutliner(const FieldParts& parts, Selection& selection);
+// The components of the entity that is `selected`; its camera tools move the view.
+void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
+// `inputWaits`: something came in that the next frame takes, so the keyboard's focus stays free.
+void drawConsole(Console& console, bool inputWaits);
+// `measured`: the counts are of a measured drawing.
+void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
+// The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
+void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
+               ViewCounts& counts, bool measured);
+// `lastMs`: what the last drawing of the viewport took.
+void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, double lastMs);
+// `drawnScale`: of the viewport's image, as Resolution has it.
+void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
+                   BackgroundWork& work, const std::string& message);
+// `adopt` runs after the document holds another project.
+void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages,
+                    const std::function<void()>& adopt);
+// Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
+void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
+// True while it waits for the editor's first frames, which must then come.
+bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
 
 // 627 M, 12.3 k
 std::string counted(uint64_t n);
 
 // Heights and widths of what does not follow from the layout, at the present font.
 float brushBarHeight(int rows);
+// One line of text and a margin.
 float statusBarHeight();
+// One button and a margin.
 float toolStripWidth();
 
 }  // namespace sward

@@ -1,11 +1,16 @@
 // Start, pause and step, in the middle of the menu bar; and the viewport's frame while it is played.
 #include "panels/play_bar.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include "model/document.h"
 #include "panels/panels.h"
 #include "playtest/playtest.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -56,37 +61,39 @@ void outlined(ImVec2 at, ImU32 color, const std::string& text) {
 
 }  // namespace
 
-void drawPlayBar(EditorApp& app) {
-    if (!ImGui::Begin("##MainMenuBar") || !ImGui::BeginMenuBar()) return ImGui::End();  // goes on in the menus' row
-    const Playtest* play = app.doc.play();
+PlayAction drawPlayBar(const Document& doc) {
+    if (!ImGui::Begin("##MainMenuBar") || !ImGui::BeginMenuBar()) {  // goes on in the menus' row
+        ImGui::End();
+        return PlayAction::None;
+    }
+    PlayAction action = PlayAction::None;
+    const Playtest* play = doc.play();
     const float width = (ImGui::GetFrameHeight() - 4) * 1.7f * 3 + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX() + 12, (ImGui::GetWindowWidth() - width) / 2));
     const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
     if (iconButton("Start", play ? Icon::Stop : Icon::Play, play ? ui::kErrorText : IM_COL32(120, 200, 90, 255),
                    play ? "Stops: everything is as it was before (F5)." : "Walks through the project from here (F5).",
-                   app.doc.isOpen()))
-        app.deferred.push_back([&app] { togglePlay(app); });
+                   doc.isOpen()))
+        action = PlayAction::Toggle;
     if (iconButton("Pause", play && play->paused() ? Icon::Play : Icon::Pause, play && play->paused() ? kPaused : plain,
                    play && play->paused() ? "Goes on (F6)." : "Pauses (F6).", play))
-        app.deferred.push_back([&app] { togglePause(app); });
-    if (iconButton("Step", Icon::Step, plain, "One step of 1/60 s (F11).", play))
-        app.deferred.push_back([&app] { stepOnce(app); });
+        action = PlayAction::Pause;
+    if (iconButton("Step", Icon::Step, plain, "One step of 1/60 s (F11).", play)) action = PlayAction::Step;
     ui::record("State", ui::Kind::Label, !play ? "stopped" : play->paused() ? "paused" : "playing");
     ImGui::EndMenuBar();
     ImGui::End();
+    return action;
 }
 
-void drawPlayFrame(EditorApp& app) {
-    const Playtest* play = app.doc.play();
+void drawPlayFrame(const Document& doc, bool captured, const Rect& r) {
+    const Playtest* play = doc.play();
     if (!play) return;
-    const Rect& r = app.viewport.rect;
     const ImU32 color = play->paused() ? kPaused : kPlaying;
     ImGui::GetWindowDrawList()->AddRect({r.x + 1.5f, r.y + 1.5f}, {r.x + r.w - 1.5f, r.y + r.h - 1.5f}, color, 0, 0, 3);
     outlined({r.x + 18, r.y + 14}, color,
              fmt::format("{}   {:.2f} s", play->paused() ? "PAUSED" : "PLAYING", play->time()));
     const std::string keys =
-        app.play.captured
-            ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
+        captured ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
         : play->paused() ? "F6 goes on    F11 one step    F5 stop"
         : !play->runs()  ? "A script takes the steps    F11 one step    F5 stop"
                          : "Click to walk and look    F6 pause    F11 step    F5 stop";

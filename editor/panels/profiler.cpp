@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/viewport.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -28,15 +30,14 @@ void row(const PassStats& p, bool measured) {
 
 }  // namespace
 
-void drawProfiler(EditorApp& app) {
-    const FrameStats& s = app.viewport.stats;
-    ui::checkbox("Measure", app.measure);
+void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName) {
+    const FrameStats& s = counts.stats;
+    ui::checkbox("Measure", counts.measure);
     ui::tooltip("Times each pass and counts its work. Waits for the GPU after each, so that a frame takes longer.");
     ImGui::SameLine(0, 18);
-    ui::coloredText(ui::kDimText,
-                    fmt::format("{}  |  culling {:.2f} ms  |  {} cells  |  {:.1f} MB on the GPU", app.gpu.renderer,
-                                s.cpuCullMs, s.cells, static_cast<double>(s.gpuBytes) / 1e6)
-                        .c_str());
+    ui::coloredText(ui::kDimText, fmt::format("{}  |  culling {:.2f} ms  |  {} cells  |  {:.1f} MB on the GPU", gpuName,
+                                              s.cpuCullMs, s.cells, static_cast<double>(s.gpuBytes) / 1e6)
+                                      .c_str());
     const int flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_ScrollY |
                       ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("passes", 6, flags)) return;
@@ -45,7 +46,6 @@ void drawProfiler(EditorApp& app) {
     for (const char* name : {"ms", "Draws", "Instances", "Vertices", "Fragments"})
         ImGui::TableSetupColumn(name, 0, 1.2f);
     ImGui::TableHeadersRow();
-    const bool measured = app.viewport.drawnSettings.measure;
     for (const PassStats& p : s.passes) row(p, measured);
     ImGui::EndTable();
 }

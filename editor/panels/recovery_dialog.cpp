@@ -3,9 +3,14 @@
 #include <imgui.h>
 #include <sys/stat.h>
 
+#include "app/edits.h"
+#include "app/messages.h"
+#include "model/autosave.h"
+#include "model/document.h"
 #include "panels/panels.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -19,37 +24,33 @@ std::string timeOf(const std::filesystem::path& file) {
     return fmt::format("{:%d %B, %H:%M}", fmt::localtime(about.st_mtime));
 }
 
-void close(EditorApp& app) {
-    app.autosave.found.clear();
+void close(Autosave& autosave) {
+    autosave.found.clear();
     ImGui::CloseCurrentPopup();
 }
 
-void recover(EditorApp& app, const std::filesystem::path& copy) {
-    app.deferred.push_back([&app, copy] {
-        if (!accept(app, app.doc.takeOver(copy, "recover unsaved work"))) return;
-        app.autosave.mine = true;  // they go once this is saved or given up
-        say(app, "unsaved work is back; undo shows what was saved");
+void recover(Autosave& autosave, Document& doc, Edits& edits, Messages& messages) {
+    edits.deferred.push_back([&, copy = autosave.found.front()] {
+        if (!accept(messages, doc.takeOver(copy, "recover unsaved work"))) return;
+        autosave.mine = true;  // they go once this is saved or given up
+        say(messages, "unsaved work is back; undo shows what was saved");
     });
-    close(app);
+    close(autosave);
 }
 
 }  // namespace
 
-void drawRecoveryDialog(EditorApp& app) {
-    Autosave& a = app.autosave;
-    if (a.found.empty() || !app.doc.isOpen()) return;
-    if (a.opening && ImGui::GetFrameCount() < kFirstFrame) {
-        app.framesWanted = 4;
-        return;
-    }
+bool drawRecoveryDialog(Autosave& a, Document& doc, Edits& edits, Messages& messages) {
+    if (a.found.empty() || !doc.isOpen()) return false;
+    if (a.opening && ImGui::GetFrameCount() < kFirstFrame) return true;
     if (std::exchange(a.opening, false)) ImGui::OpenPopup("Recovery");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     const int flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-    if (!ImGui::BeginPopupModal("Recovery", nullptr, flags)) return;
+    if (!ImGui::BeginPopupModal("Recovery", nullptr, flags)) return false;
     const float width = ImGui::GetFontSize() * 8;
     ImGui::Spacing();
-    ImGui::Text("%s was left without being saved.", app.doc.project().name.c_str());
+    ImGui::Text("%s was left without being saved.", doc.project().name.c_str());
     ImGui::Text("A copy of the work from %s is there.", timeOf(a.found.front()).c_str());
     ImGui::Dummy({3 * width + 16, 4});
     const bool taken = ui::button("Recover", width, true);
@@ -59,12 +60,13 @@ void drawRecoveryDialog(EditorApp& app) {
     ImGui::SameLine(0, 8);
     const bool later = ui::button("Ask again later", width) || ui::escapePressed();
     if (taken) {
-        recover(app, a.found.front());
+        recover(a, doc, edits, messages);
     } else if (thrown || later) {
         if (thrown) forgetAutosaves(a.of);
-        close(app);
+        close(a);
     }
     ImGui::EndPopup();
+    return false;
 }
 
 }  // namespace sward

@@ -2,8 +2,15 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "app/background_work.h"
+#include "app/viewport.h"
 #include "panels/panels.h"
+#include "tools/brush_cost.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -17,33 +24,33 @@ void item(const char* label, const std::string& text, const char* help) {
     ImGui::SameLine(0, 18);
 }
 
-void savedDot(EditorApp& app) {
-    const bool dirty = app.doc.isOpen() && app.doc.dirty();
+void savedDot(const Document& doc) {
+    const bool dirty = doc.isOpen() && doc.dirty();
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (dirty)
         ImGui::GetWindowDrawList()->AddCircleFilled({at.x + size / 2, at.y + size / 2}, size * 0.25f, ui::kWarningText);
     ImGui::Dummy({dirty ? size : 0, size});
     ImGui::SameLine(0, 4);
-    ImGui::TextUnformatted(!app.doc.isOpen() ? "no project" : dirty ? "unsaved" : "saved");
+    ImGui::TextUnformatted(!doc.isOpen() ? "no project" : dirty ? "unsaved" : "saved");
     ui::record("Saved", ui::Kind::Label, dirty ? "false" : "true");
     ImGui::SameLine(0, 18);
 }
 
-void bakeProgress(EditorApp& app) {
-    if (!app.occlusion) return;
-    const float share = static_cast<float>(app.occlusion->job.progress());
+void bakeProgress(std::optional<OcclusionBake>& bake) {
+    if (!bake) return;
+    const float share = static_cast<float>(bake->job.progress());
     item("Baking", fmt::format("{:.0f} %", 100 * share),
          "Rays are cast from the ground to see how much of the sky is open; the map comes as one undo step.");
     ImGui::ProgressBar(share, {120, ImGui::GetTextLineHeight()}, "");
     ImGui::SameLine(0, 5);
-    if (ui::button("Cancel")) app.occlusion->job.cancel();
+    if (ui::button("Cancel")) bake->job.cancel();
     ImGui::SameLine(0, 18);
 }
 
 // Slices of changed blades: drafts are on the screen until they are there.
-void making(EditorApp& app) {
-    for (const JobNews& j : app.making)
+void making(const std::vector<JobNews>& jobs) {
+    for (const JobNews& j : jobs)
         item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
 }
 
@@ -53,13 +60,12 @@ std::string signedCount(double n) {
 }
 
 // What painting adds, while it is done.
-void painting(EditorApp& app) {
-    const BrushCost& c = app.brushCost;
+void painting(const BrushCost& c, uint64_t bladesInView) {
     if (c.under)
         item("Under brush", counted(static_cast<uint64_t>(std::llround(*c.under))) + " blades",
              "Blades of this species that grow within the brush's ring.");
     if (!c.stroke) return;
-    const std::optional<double> ms = strokeMs(app);
+    const std::optional<double> ms = strokeMs(c, bladesInView);
     item("Stroke", signedCount(*c.stroke) + " blades" + (ms ? fmt::format(", about {:+.2g} ms", *ms) : ""),
          ms ? "What the stroke added or took, and about what that costs a frame: the measured grass, times the share "
               "by which its blades grow."
@@ -76,27 +82,26 @@ std::string counted(uint64_t n) {
     return fmt::format("{}", n);
 }
 
-void drawStatusBar(EditorApp& app) {
-    const FrameStats& s = app.viewport.stats;
+void drawStatusBar(const Document& doc, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
+                   BackgroundWork& work, const std::string& message) {
+    const FrameStats& s = counts.stats;
     ImGui::SetCursorPosY(5);
-    item("Blades", counted(static_cast<uint64_t>(app.viewport.bladesVirtual)),
+    item("Blades", counted(static_cast<uint64_t>(counts.bladesVirtual)),
          "All blades of the fields: density summed over the terrain.");
     item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
-    if (app.viewport.bladesVisible > 0)
-        item("Visible", counted(app.viewport.bladesVisible), "Blades of those that can be seen.");
+    if (counts.bladesVisible > 0) item("Visible", counted(counts.bladesVisible), "Blades of those that can be seen.");
     item("Frame",
-         app.viewport.lastMs < 1000 ? fmt::format("{:.3g} ms", app.viewport.lastMs)
-                                    : fmt::format("{:.1f} s", app.viewport.lastMs / 1000),
+         counts.lastMs < 1000 ? fmt::format("{:.3g} ms", counts.lastMs) : fmt::format("{:.1f} s", counts.lastMs / 1000),
          "What the last drawing of the viewport took.");
-    item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, app.viewport.resolution.drawnScale + 0.001)),
+    item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, drawnScale + 0.001)),
          "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
-    painting(app);
-    savedDot(app);
-    bakeProgress(app);
-    making(app);
-    ui::coloredText(ui::kDimText, app.status.c_str());
-    ui::record("Message", ui::Kind::Label, app.status);
-    ui::tooltip(app.status);
+    painting(cost, s.bladesGeometry);
+    savedDot(doc);
+    bakeProgress(work.occlusion);
+    making(work.making);
+    ui::coloredText(ui::kDimText, message.c_str());
+    ui::record("Message", ui::Kind::Label, message);
+    ui::tooltip(message);
 }
 
 }  // namespace sward

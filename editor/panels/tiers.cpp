@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <functional>
+
+#include "app/viewport.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "panels/viewport_rings.h"
@@ -11,9 +15,10 @@
 namespace sward {
 namespace {
 
-ConstFieldRef fieldNamed(EditorApp& app, const char* name) {
+// A field of a component on an entity.
+ConstFieldRef fieldNamed(const Document& doc, const std::string& entity, const char* component, const char* name) {
     const Result<ConstFieldRef> f =
-        findField(app.doc.project(), app.doc.tables().components, tierEntity(app) + ".GrassField." + name);
+        findField(doc.project(), doc.tables().components, fmt::format("{}.{}.{}", entity, component, name));
     CHECK(bool(f));
     return *f;
 }
@@ -27,26 +32,35 @@ void showRefusal(const char* label, const char* help) {
     ImGui::GetWindowDrawList()->AddRect(low, high, ui::kErrorText, 3);
 }
 
-void setAll(EditorApp& app, const TierDistances& wanted) {
-    const TierDistances now = tiersOf(*tierField(app));
-    app.doc.beginGroup("set tiers of " + tierEntity(app));
+void setAll(const FieldParts& parts, const std::string& entity, const TierDistances& wanted) {
+    const TierDistances now = tiersOf(*tierField(parts.doc, entity));
+    parts.doc.beginGroup("set tiers of " + entity);
     for (size_t i = 0; i < kTierCount; ++i)
         if (static_cast<float>(wanted[i]) != static_cast<float>(now[i]))
-            accept(app, app.doc.setField(tierPath(app, i), ui::numberText(wanted[i])));
-    app.doc.endGroup();
+            accept(parts.messages, parts.doc.setField(tierPath(entity, i), ui::numberText(wanted[i])));
+    parts.doc.endGroup();
 }
 
-void typeDistance(EditorApp& app, size_t i, const std::string& text, const ui::NumberSpec& spec) {
+// Once this frame's widgets are built, unless the field is gone by then.
+void deferAll(const FieldParts& parts, const std::string& entity,
+              std::function<TierDistances(const TierDistances&)> change) {
+    parts.edits.deferred.push_back([parts, entity, change = std::move(change)] {
+        if (const GrassField* field = tierField(parts.doc, entity)) setAll(parts, entity, change(tiersOf(*field)));
+    });
+}
+
+void typeDistance(const FieldParts& parts, const std::string& entity, size_t i, const std::string& text,
+                  const ui::NumberSpec& spec) {
     std::string error;
     const std::optional<double> value = ui::parseNumber(text, spec, error);
     ui::setError(kTierFields[i], error);
     if (!value) return;
-    app.deferred.push_back([&app, i, v = *value] { setAll(app, pushedTiers(tiersOf(*tierField(app)), i, v)); });
+    deferAll(parts, entity, [i, v = *value](const TierDistances& now) { return pushedTiers(now, i, v); });
 }
 
-void distance(EditorApp& app, size_t i, const TierDistances& now) {
+void distance(const FieldParts& parts, const std::string& entity, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
-    const ConstFieldRef field = fieldNamed(app, name);
+    const ConstFieldRef field = fieldNamed(parts.doc, entity, "HybridTiers", name);
     const std::string help =
         fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
@@ -63,8 +77,8 @@ void distance(EditorApp& app, size_t i, const TierDistances& now) {
     double value = now[i];
     ui::NumberEdit edit = ui::number(name, value, spec);
     showRefusal(name, help.c_str());
-    if (edit.typed) return typeDistance(app, i, *edit.typed, spec);
-    if (edit.changed) takeEdit(app, field, edit, stoppedTier(now, i, value), std::string("Tiers/") + name);
+    if (edit.typed) return typeDistance(parts, entity, i, *edit.typed, spec);
+    if (edit.changed) takeEdit(parts, field, edit, stoppedTier(now, i, value), std::string("Tiers/") + name);
 }
 
 bool beginForm(const char* id, float left) {
@@ -74,58 +88,58 @@ bool beginForm(const char* id, float left) {
     return true;
 }
 
-void distances(EditorApp& app, const TierDistances& now) {
+void distances(const FieldParts& parts, const std::string& entity, const TierDistances& now) {
     if (!beginForm("distances", 8.6f)) return;
-    for (size_t i = 0; i < kTierCount; ++i) distance(app, i, now);
+    for (size_t i = 0; i < kTierCount; ++i) distance(parts, entity, i, now);
     ImGui::EndTable();
 }
 
-void chooseField(EditorApp& app) {
+void chooseField(const Document& doc, std::string& chosenField, std::string& entity) {
     std::vector<std::string> names;
-    for (const auto& [name, entity] : app.doc.project().entities)
-        if (app.doc.project().registry.get<GrassField>(entity)) names.push_back(name);
+    for (const auto& [name, e] : doc.project().entities)
+        if (doc.project().registry.get<GrassField>(e)) names.push_back(name);
     if (names.size() < 2) return;
-    int chosen = static_cast<int>(std::find(names.begin(), names.end(), tierEntity(app)) - names.begin());
+    int chosen = static_cast<int>(std::find(names.begin(), names.end(), entity) - names.begin());
     caption("Field", "Whose tiers these are.");
-    if (ui::combo("Field", names, chosen)) app.tierView.field = names[static_cast<size_t>(chosen)];
+    if (ui::combo("Field", names, chosen)) chosenField = entity = names[static_cast<size_t>(chosen)];
 }
 
-void numberOf(EditorApp& app, const char* name, const char* title) {
-    const ConstFieldRef field = fieldNamed(app, name);
+void numberOf(const FieldParts& parts, const std::string& entity, const char* component, const char* name, const char* title) {
+    const ConstFieldRef field = fieldNamed(parts.doc, entity, component, name);
     double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
                                                      : static_cast<double>(*static_cast<const float*>(field.value));
     caption(title, field.row->help);
     const ui::NumberEdit edit = ui::number(name, value, numberSpec(*field.row));
     showRefusal(name, field.row->help);
-    takeEdit(app, field, edit, value, std::string("Tiers/") + name);
+    takeEdit(parts, field, edit, value, std::string("Tiers/") + name);
 }
 
-void looks(EditorApp& app) {
+void looks(const FieldParts& parts, std::string& chosenField, std::string& entity) {
     if (!beginForm("looks", 5)) return;
-    chooseField(app);
-    const ConstFieldRef technique = fieldNamed(app, "technique");
+    chooseField(parts.doc, chosenField, entity);
+    const ConstFieldRef technique = fieldNamed(parts.doc, entity, "GrassField", "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
-    int chosen = enumIndex(technique.value);
+    const auto now = std::find(items.begin(), items.end(), *static_cast<const std::string*>(technique.value));
+    int chosen = static_cast<int>(now - items.begin());
     caption("Technique", technique.row->help);
     if (ui::combo("technique", items, chosen))
-        setField(app, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");
-    numberOf(app, "fade", "Fade");
-    numberOf(app, "slices", "Slices");
+        setField(parts, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");
+    numberOf(parts, entity, "GrassDrawing", "fade", "Fade");
+    numberOf(parts, entity, "GrassSlices", "slices", "Slices");
     ImGui::EndTable();
 }
 
-void toggles(EditorApp& app) {
-    bool colours = app.viewport.mode == ViewMode::Tiers;
-    if (ui::checkbox("False colours", colours)) app.viewport.mode = colours ? ViewMode::Tiers : ViewMode::Final;
+void toggles(TierView& tiers, ViewState& view) {
+    bool colours = view.mode == ViewMode::Tiers;
+    if (ui::checkbox("False colours", colours)) view.mode = colours ? ViewMode::Tiers : ViewMode::Final;
     ui::tooltip(
         "Red: blades by themselves. Blue: vertical slices. Green: the horizontal slice and the ground's colour.");
     ImGui::SameLine(0, 14);
-    ui::checkbox("Rings", app.tierView.rings);
+    ui::checkbox("Rings", tiers.rings);
     ui::tooltip("The distances as rings on the ground. Drag them with the mouse; Escape lets go.");
     ImGui::SameLine(0, 14);
-    bool pinned = app.tierView.pin.has_value();
-    if (ui::checkbox("Pin rings", pinned))
-        app.tierView.pin = pinned ? std::optional(app.viewport.camera.eye) : std::nullopt;
+    bool pinned = tiers.pin.has_value();
+    if (ui::checkbox("Pin rings", pinned)) tiers.pin = pinned ? std::optional(view.camera.eye) : std::nullopt;
     ui::tooltip(
         "Leaves the rings around where the eye is now, so that you can fly off and look at them.\n"
         "The picture's own tiers stay around the eye.");
@@ -153,34 +167,34 @@ void counts(const FrameStats& s) {
 }
 
 // "geometry 3.10 ms   slices 1.20 ms", of the passes that draw grass.
-void costs(EditorApp& app) {
-    const bool measured = app.viewport.drawnSettings.measure;
+void costs(ViewCounts& view, bool measured) {
     std::string line;
-    for (const PassStats& p : app.viewport.stats.passes)
+    for (const PassStats& p : view.stats.passes)
         if (measured && p.name.starts_with("grass/"))
             line +=
                 fmt::format("{}{} {:.2f} ms", line.empty() ? "" : "   ", p.name.substr(p.name.rfind('/') + 1), p.ms);
-    ui::checkbox("Measure", app.measure);
+    ui::checkbox("Measure", view.measure);
     ui::tooltip("Times each pass, as in the profiler. A frame takes longer then.");
     ImGui::SameLine(0, 10);
-    ui::coloredText(ui::kDimText, !app.measure   ? "ms of the grass passes"
+    ui::coloredText(ui::kDimText, !view.measure  ? "ms of the grass passes"
                                   : line.empty() ? "no grass pass ran"
                                                  : line.c_str());
     ui::record("Passes", ui::Kind::Label, line);
 }
 
-void orderHint(EditorApp& app, const TierDistances& now) {
+void orderHint(const FieldParts& parts, const std::string& entity, const TierDistances& now) {
     if (tiersInOrder(now)) return;
-    if (ui::button("Put in order", 0, true))
-        app.deferred.push_back([&app] { setAll(app, orderedTiers(tiersOf(*tierField(app)))); });
+    if (ui::button("Put in order", 0, true)) deferAll(parts, entity, orderedTiers);
     ImGui::SameLine(0, 8);
     ui::coloredText(ui::kWarningText, "near and far are swapped");
 }
 
 }  // namespace
 
-void drawTiers(EditorApp& app) {
-    const GrassField* field = tierField(app);
+void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
+               ViewCounts& viewCounts, bool measured) {
+    std::string entity = tierEntity(parts.doc, tiers.field, selected);
+    const HybridTiers* field = tierField(parts.doc, entity);
     if (!field) {
         ImGui::TextDisabled("No entity has a GrassField.");
         return;
@@ -193,14 +207,14 @@ void drawTiers(EditorApp& app) {
         for (const float share : {1.15f, 0.8f, 1.35f})
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
-        distances(app, now);
+        distances(parts, entity, now);
         ImGui::TableNextColumn();
-        looks(app);
+        looks(parts, tiers.field, entity);
         ImGui::TableNextColumn();
-        toggles(app);
-        counts(app.viewport.stats);
-        costs(app);
-        orderHint(app, now);
+        toggles(tiers, view);
+        counts(viewCounts.stats);
+        costs(viewCounts, measured);
+        orderHint(parts, entity, now);
         ImGui::EndTable();
     }
     ImGui::EndChild();

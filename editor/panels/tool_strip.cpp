@@ -4,6 +4,7 @@
 #include "panels/panels.h"
 #include "tools/brush_target.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
@@ -75,25 +76,29 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);
 }
 
-void toolButton(EditorApp& app, const std::string& tool, const char* label, const std::string& help) {
-    const bool chosen = app.brushes.tool == tool;
+// True if it was pressed.
+bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help) {
     const float side = ImGui::GetContentRegionAvail().x;
     if (chosen) ui::pushAccent();
-    if (ImGui::Button(("##" + tool).c_str(), {side, side})) selectTool(app, tool);
+    const bool pressed = ImGui::Button(("##" + tool).c_str(), {side, side});
     if (chosen) ui::popAccent();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::record(label, ui::Kind::Button, chosen ? "true" : "false");
     ui::tooltip(std::string(label) + "\n" + help);
     icon(tool, label, low, high, chosen ? IM_COL32_WHITE : ImGui::GetColorU32(ImGuiCol_Text));
+    return pressed;
 }
 
 }  // namespace
 
-void drawToolStrip(EditorApp& app) {
-    toolButton(app, kLookTool, "Look",
-               "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
+void drawToolStrip(const Document& doc, BrushBook& brushes, Messages& messages) {
+    const auto tool = [&](const std::string& name, const char* label, const std::string& help) {
+        if (toolButton(brushes.tool == name, name, label, help)) selectTool(doc, brushes, messages, name);
+    };
+    tool(kLookTool, "Look",
+         "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
     ImGui::Spacing();
-    for (const BrushRow& row : brushRows()) toolButton(app, row.name, row.label, row.help);
+    for (const BrushRow& row : brushRows()) tool(row.name, row.label, row.help);
 }
 
 }  // namespace sward

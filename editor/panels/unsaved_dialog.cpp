@@ -1,31 +1,36 @@
 // Asks what to do with unsaved work before it would be lost.
 #include <imgui.h>
 
+#include <functional>
+
+#include "app/edits.h"
+#include "app/file_tasks.h"
+#include "core/log.h"
 #include "panels/panels.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 
 namespace sward {
 namespace {
 
 // The answer is given: the question closes, and what waited for it runs after this frame's widgets.
-void answer(EditorApp& app, bool goOn) {
-    const std::function<void()> then = std::exchange(app.unsaved.then, nullptr);
-    if (goOn && then) app.deferred.push_back(then);
+void answer(UnsavedDialog& d, Edits& edits, bool goOn) {
+    const std::function<void()> then = std::exchange(d.then, nullptr);
+    if (goOn && then) edits.deferred.push_back(then);
     ImGui::CloseCurrentPopup();
 }
 
-void save(EditorApp& app) {
-    const auto written = app.doc.save();
-    if (written) return answer(app, true);
-    app.unsaved.error = written.error().text();
-    logWarning(app.unsaved.error);
+void save(UnsavedDialog& d, Document& doc, Edits& edits) {
+    const auto written = doc.save();
+    if (written) return answer(d, edits, true);
+    d.error = written.error().text();
+    logWarning(d.error);
 }
 
 }  // namespace
 
-void drawUnsavedDialog(EditorApp& app) {
-    UnsavedDialog& d = app.unsaved;
+void drawUnsavedDialog(UnsavedDialog& d, Document& doc, Edits& edits) {
     if (!d.then) return;
     if (std::exchange(d.opening, false)) {
         d.error.clear();
@@ -37,7 +42,7 @@ void drawUnsavedDialog(EditorApp& app) {
     if (!ImGui::BeginPopupModal("Unsaved work", nullptr, flags)) return;
     const float width = ImGui::GetFontSize() * 7;
     ImGui::Spacing();
-    ImGui::Text("%s has changes that are not saved.", app.doc.project().name.c_str());
+    ImGui::Text("%s has changes that are not saved.", doc.project().name.c_str());
     ImGui::Dummy({3 * width + 16, 4});
     if (!d.error.empty()) {
         ImGui::PushTextWrapPos(3 * width + 16);
@@ -51,9 +56,9 @@ void drawUnsavedDialog(EditorApp& app) {
     ImGui::SameLine(0, 8);
     const bool cancelled = ui::button("Cancel", width) || ui::escapePressed();
     if (saved)
-        save(app);
+        save(d, doc, edits);
     else if (discarded || cancelled)
-        answer(app, discarded);
+        answer(d, edits, discarded);
     ImGui::EndPopup();
 }
 

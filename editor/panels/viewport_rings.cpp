@@ -1,9 +1,14 @@
 #include "panels/viewport_rings.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "panels/viewport_input.h"
 #include "ui/theme.h"
+#include "ui/widgets.h"
 #include "world/ground.h"
 
 namespace sward {
@@ -14,11 +19,7 @@ constexpr double kTolerance = 8;      // pixels from a ring at which the pointer
 constexpr double kFirstMotion = 2;    // pixels until a click is a drag
 constexpr double kFarthest = 100000;  // metres that a hand can drag to over a plain
 
-bool ringsShown(EditorApp& app) {
-    return app.doc.isOpen() && app.tierView.rings && openTab(app.layout) == "Tiers" && tierField(app);
-}
-
-glm::dvec3 centreOf(const EditorApp& app) { return app.tierView.pin.value_or(app.viewport.camera.eye); }
+glm::dvec3 centreOf(const RingParts& p) { return p.tiers.pin.value_or(p.camera.eye); }
 
 HeightAt heightsOf(const Ground& ground) {
     return [ground](double x, double z) {
@@ -32,20 +33,19 @@ bool onTerrain(const Ground& ground, const glm::dvec3& p) {
 }
 
 // Where ring i is on the screen now, and where on it nothing is in the way.
-void layRing(EditorApp& app, const Ground& ground, size_t i, double distance) {
+void layRing(const RingParts& p, const Ground& ground, size_t i, double distance) {
     constexpr double kSlack = 0.15;  // metres: the ground's own bumps at a grazing angle
     const HeightAt heightAt = heightsOf(ground);
-    const std::vector<std::optional<glm::dvec3>> points = ringPoints(heightAt, centreOf(app), distance, kPoints);
-    ScreenRing& screen = app.tierView.screen[i];
-    std::vector<bool>& clear = app.tierView.clear[i];
+    const std::vector<std::optional<glm::dvec3>> points = ringPoints(heightAt, centreOf(p), distance, kPoints);
+    ScreenRing& screen = p.tiers.screen[i];
+    std::vector<bool>& clear = p.tiers.clear[i];
     screen.assign(points.size(), std::nullopt);
     clear.assign(points.size(), false);
     for (size_t k = 0; k < points.size(); ++k) {
         if (!points[k]) continue;
-        screen[k] = projectPoint(app.viewport, *points[k] + glm::dvec3(0, 0.02, 0));
+        screen[k] = projectPoint(p.camera, p.view, *points[k] + glm::dvec3(0, 0.02, 0));
         clear[k] = screen[k] && onTerrain(ground, *points[k]) &&
-                   !(ground.terrain->height.present() &&
-                     hiddenByGround(heightAt, app.viewport.camera.eye, *points[k], kSlack));
+                   !(ground.terrain->height.present() && hiddenByGround(heightAt, p.camera.eye, *points[k], kSlack));
     }
 }
 
@@ -92,9 +92,7 @@ Rect roomFor(const Rect& view, ImVec2 grip, ImVec2 size, const std::vector<Rect>
 }
 
 // A grip on the ring and its name beside it; scripts find the grip as "Viewport/Ring maxGeom".
-void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) {
-    const Rect& r = app.viewport.rect;
-    const TierView& t = app.tierView;
+void label(const TierView& t, const Rect& r, size_t i, double distance, std::vector<Rect>& taken) {
     ScreenRing seen = t.screen[i];
     for (size_t k = 0; k < seen.size(); ++k)
         if (!t.clear[i][k]) seen[k].reset();
@@ -104,8 +102,8 @@ void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) 
                               {static_cast<double>(r.x + r.w) - margin, static_cast<double>(r.y + r.h) - margin}, x);
     if (!at) return;
     const ImVec2 grip = vec(*at);
-    app.book.next[fmt::format("Viewport/Ring {}", kTierFields[i])] = {ui::Kind::Area, grip.x - 6, grip.y - 6,
-                                                                      grip.x + 6,     grip.y + 6, metres(distance)};
+    ui::recordAt(fmt::format("Viewport/Ring {}", kTierFields[i]),
+                 {ui::Kind::Area, grip.x - 6, grip.y - 6, grip.x + 6, grip.y + 6, metres(distance)});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = highlighted(t, i) ? 7.5f : 5.5f;
     list.AddCircleFilled(grip, radius + 1.5f, IM_COL32(0, 0, 0, 170));
@@ -118,11 +116,11 @@ void label(EditorApp& app, size_t i, double distance, std::vector<Rect>& taken) 
     list.AddText({room.x + 5, room.y + 2}, kTierColors[i], text.c_str());
 }
 
-void drawPin(const EditorApp& app, const Ground& ground) {
-    if (!app.tierView.pin) return;
-    const glm::dvec3 pin = *app.tierView.pin;
-    const auto top = projectPoint(app.viewport, pin);
-    const auto foot = projectPoint(app.viewport, {pin.x, heightsOf(ground)(pin.x, pin.z), pin.z});
+void drawPin(const RingParts& p, const Ground& ground) {
+    if (!p.tiers.pin) return;
+    const glm::dvec3 pin = *p.tiers.pin;
+    const auto top = projectPoint(p.camera, p.view, pin);
+    const auto foot = projectPoint(p.camera, p.view, {pin.x, heightsOf(ground)(pin.x, pin.z), pin.z});
     if (!top || !foot) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(vec(*foot), vec(*top), IM_COL32(0, 0, 0, 160), 4);
@@ -132,9 +130,9 @@ void drawPin(const EditorApp& app, const Ground& ground) {
 }
 
 // Under the pointer; beyond the terrain on the level where the ring was taken.
-std::optional<glm::dvec3> groundTowards(const EditorApp& app, double x, double y, double level) {
-    if (const auto ground = groundAt(app, x, y)) return ground;
-    const glm::dvec3 ray = rayThrough(app.viewport, x, y), eye = app.viewport.camera.eye;
+std::optional<glm::dvec3> groundTowards(const RingParts& p, double x, double y, double level) {
+    if (const auto ground = groundAt(p.doc, p.camera, p.view, x, y)) return ground;
+    const glm::dvec3 ray = rayThrough(p.camera, p.view, x, y), eye = p.camera.eye;
     const double far = (level - eye.y) / ray.y;
     if (!(far > 0) || !(far < kFarthest)) return std::nullopt;
     return eye + ray * far;
@@ -142,97 +140,97 @@ std::optional<glm::dvec3> groundTowards(const EditorApp& app, double x, double y
 
 }  // namespace
 
-std::string tierEntity(EditorApp& app) {
-    if (!app.doc.isOpen()) return "";
-    const Project& p = app.doc.project();
+std::string tierEntity(const Document& document, const std::string& chosen, const std::string& selected) {
+    if (!document.isOpen()) return "";
+    const Project& p = document.project();
     const auto grows = [&](const std::string& name) {
         return p.registry.get<GrassField>(findEntity(p, name)) != nullptr;
     };
-    for (const std::string& name : {app.tierView.field, app.selected})
+    for (const std::string& name : {chosen, selected})
         if (!name.empty() && p.entities.contains(name) && grows(name)) return name;
     for (const auto& [name, entity] : p.entities)
         if (p.registry.get<GrassField>(entity)) return name;
     return "";
 }
 
-const GrassField* tierField(EditorApp& app) {
-    const std::string entity = tierEntity(app);
+const HybridTiers* tierField(const Document& document, const std::string& entity) {
     if (entity.empty()) return nullptr;
-    return app.doc.project().registry.get<GrassField>(findEntity(app.doc.project(), entity));
+    const Project& p = document.project();
+    const Entity e = findEntity(p, entity);
+    return &FieldEntity{p.registry, e, *p.registry.get<GrassField>(e)}.settings<HybridTiers>();
 }
 
-std::string tierPath(EditorApp& app, size_t i) { return tierEntity(app) + ".GrassField." + kTierFields[i]; }
+std::string tierPath(const std::string& entity, size_t i) { return entity + ".HybridTiers." + kTierFields[i]; }
 
-void hoverRing(EditorApp& app, bool over) {
-    TierView& t = app.tierView;
+void hoverRing(const RingParts& p, const FrameInput& in, bool free) {
+    TierView& t = p.tiers;
     t.hover.reset();
-    const bool free = app.viewport.gesture == Gesture::None && !app.in.ctrl() && !app.in.shift() && !app.in.alt();
-    if (!over || !free || !ringsShown(app)) return;
+    if (!free || !p.shown) return;
     std::array<ScreenRing, kTierCount> seen = t.screen;
     for (size_t i = 0; i < kTierCount; ++i)
         for (size_t k = 0; k < seen[i].size(); ++k)
             if (!t.clear[i][k]) seen[i][k].reset();
-    t.hover = pickRing(seen, {app.in.x, app.in.y}, kTolerance);
+    t.hover = pickRing(seen, {in.x, in.y}, kTolerance);
 }
 
-void drawRings(EditorApp& app) {
-    TierView& t = app.tierView;
+void drawRings(const RingParts& p) {
+    TierView& t = p.tiers;
     for (ScreenRing& ring : t.screen) ring.clear();
-    const Ground ground = app.doc.isOpen() ? findGround(app.doc.project()) : Ground{};
-    if (!ground.terrain || !ringsShown(app)) return;
-    const TierDistances distances = tiersOf(*tierField(app));
-    for (size_t i = 0; i < kTierCount; ++i) layRing(app, ground, i, distances[i]);
+    const Ground ground = p.doc.isOpen() ? findGround(p.doc.project()) : Ground{};
+    if (!ground.terrain || !p.shown) return;
+    const TierDistances distances = tiersOf(*tierField(p.doc, p.entity));
+    for (size_t i = 0; i < kTierCount; ++i) layRing(p, ground, i, distances[i]);
     for (const bool shadow : {true, false})
         for (size_t i = 0; i < kTierCount; ++i)
             strokeRing(t.screen[i], t.clear[i], kTierColors[i], highlighted(t, i) ? 4.5f : 2.2f, shadow);
-    drawPin(app, ground);
+    drawPin(p, ground);
     std::vector<Rect> taken;
-    for (size_t i = 0; i < kTierCount; ++i) label(app, i, distances[i], taken);
+    for (size_t i = 0; i < kTierCount; ++i) label(t, p.view, i, distances[i], taken);
     if (t.hover || t.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
 }
 
-bool grabRing(EditorApp& app) {
-    TierView& t = app.tierView;
+bool grabRing(const RingParts& p, const FrameInput& in, Edits& edits) {
+    TierView& t = p.tiers;
     if (!t.hover) return false;
     RingDrag drag;
     drag.hit = *t.hover;
-    drag.offset = drag.hit.at - glm::dvec2(app.in.x, app.in.y);
-    const auto taken = groundAt(app, drag.hit.at.x, drag.hit.at.y);
+    drag.offset = drag.hit.at - glm::dvec2(in.x, in.y);
+    const auto taken = groundAt(p.doc, p.camera, p.view, drag.hit.at.x, drag.hit.at.y);
     drag.level = taken ? taken->y : 0;
     if (drag.hit.rings.size() == 1) drag.tier = drag.hit.rings.front();
     t.drag = drag;
-    const std::string path = tierPath(app, drag.hit.rings.front());
-    app.holding = path;
-    app.doc.beginGroup("drag ring of " + path);
+    const std::string path = tierPath(p.entity, drag.hit.rings.front());
+    edits.holding = path;
+    p.doc.beginGroup("drag ring of " + path);
     return true;
 }
 
-void dragRing(EditorApp& app, double x, double y) {
-    TierView& t = app.tierView;
-    const GrassField* field = tierField(app);
+void dragRing(const RingParts& p, Messages& messages, double x, double y) {
+    TierView& t = p.tiers;
+    const HybridTiers* field = tierField(p.doc, p.entity);
     if (!t.drag || !field) return;
     RingDrag& d = *t.drag;
     const glm::dvec2 at = glm::dvec2(x, y) + d.offset;
     if (!d.moved && glm::length(at - d.hit.at) < kFirstMotion) return;
     d.moved = true;
-    const auto ground = groundTowards(app, at.x, at.y, d.level);
+    const auto ground = groundTowards(p, at.x, at.y, d.level);
     if (!ground) return;
-    const double wanted = roundedTier(glm::length(*ground - centreOf(app)));
+    const double wanted = roundedTier(glm::length(*ground - centreOf(p)));
     const TierDistances now = tiersOf(*field);
     if (!d.tier) d.tier = ringMeant(d.hit, now[d.hit.rings.front()], wanted);
     const double value = stoppedTier(now, *d.tier, wanted);
     if (static_cast<float>(value) == static_cast<float>(now[*d.tier])) return;
-    accept(app, app.doc.setField(tierPath(app, *d.tier), ui::numberText(value)));
+    accept(messages, p.doc.setField(tierPath(p.entity, *d.tier), ui::numberText(value)));
 }
 
-void releaseRing(EditorApp& app) { app.tierView.drag.reset(); }
+void releaseRing(TierView& tiers) { tiers.drag.reset(); }
 
-void cancelRing(EditorApp& app) {
-    app.tierView.drag.reset();
-    if (app.holding.empty()) return;
-    app.holding.clear();
-    app.doc.cancelGroup();
-    say(app, "the ring is back where it was");
+void cancelRing(TierView& tiers, Document& document, Edits& edits, Messages& messages) {
+    tiers.drag.reset();
+    if (edits.holding.empty()) return;
+    edits.holding.clear();
+    document.cancelGroup();
+    say(messages, "the ring is back where it was");
 }
 
 }  // namespace sward

@@ -3,7 +3,15 @@
 #pragma once
 #include <imgui.h>
 
-#include "app/app.h"
+#include <string>
+
+#include "app/edits.h"
+#include "app/layout.h"
+#include "app/messages.h"
+#include "model/document.h"
+#include "tools/camera_control.h"
+#include "tools/tier_view.h"
+#include "ui/input_queue.h"
 
 namespace sward {
 
@@ -14,18 +22,37 @@ inline constexpr const char* kTierTitles[kTierCount] = {"All blades up to", "Bla
 
 // The entity whose distances panel and rings show: the one chosen in the panel, the selected, or the first; "" if none
 // has a GrassField.
-std::string tierEntity(EditorApp& app);
-const GrassField* tierField(EditorApp& app);
-std::string tierPath(EditorApp& app, size_t i);  // "lawn.GrassField.maxGeom"
+std::string tierEntity(const Document& document, const std::string& chosen, const std::string& selected);
+// Its distances; null for "".
+const HybridTiers* tierField(const Document& document, const std::string& entity);
+// "lawn.HybridTiers.maxGeom"; `i` below kTierCount.
+std::string tierPath(const std::string& entity, size_t i);
+
+// What the rings lie on and are seen through; all must outlive the call.
+struct RingParts {
+    Document& doc;
+    TierView& tiers;
+    const FlyCamera& camera;
+    const Rect& view;    // of the image, window coordinates
+    std::string entity;  // by tierEntity
+    bool shown;          // there is a field, its panel is in sight, and the person wants them
+};
 
 // --- once a frame, around the drawing of the image
-void hoverRing(EditorApp& app, bool over);  // what the pointer is on, of the rings as last drawn
-void drawRings(EditorApp& app);             // lays them anew, and draws them while the panel is in sight
+// What the pointer is on, of the rings as last drawn; nothing unless `free`: over the image, with no gesture and no
+// modifier.
+void hoverRing(const RingParts& parts, const FrameInput& in, bool free);
+// Lays them anew, and draws them while the panel is in sight.
+void drawRings(const RingParts& parts);
 
 // --- in the hand: one undo step from grab to release
-bool grabRing(EditorApp& app);  // true if the pointer is on one and no modifier says otherwise
-void dragRing(EditorApp& app, double x, double y);
-void releaseRing(EditorApp& app);
-void cancelRing(EditorApp& app);  // the distance is what it was
+// True if the pointer is on one and no modifier says otherwise.
+bool grabRing(const RingParts& parts, const FrameInput& in, Edits& edits);
+// To a place in the window; nothing while none is in the hand. The first two pixels change nothing.
+void dragRing(const RingParts& parts, Messages& messages, double x, double y);
+// Lets go; the undo step ends with the frame.
+void releaseRing(TierView& tiers);
+// The distance is what it was.
+void cancelRing(TierView& tiers, Document& document, Edits& edits, Messages& messages);
 
 }  // namespace sward

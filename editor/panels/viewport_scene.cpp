@@ -2,10 +2,12 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
+#include "app/play_control.h"
 #include "cost/frame_stats.h"
-#include "tools/brush_target.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 
@@ -24,87 +26,76 @@ bool sameSettings(const ViewSettings& a, const ViewSettings& b) {
            a.decal.radius == b.decal.radius && a.decal.falloff == b.decal.falloff && a.overlay == b.overlay;
 }
 
-BrushDecal decalOf(EditorApp& app) {
-    Viewport& v = app.viewport;
-    const bool painting = v.gesture == Gesture::Paint || v.gesture == Gesture::None;
-    if (!v.ground || app.brushes.tool == kLookTool || !painting || !drawsDecal(app) || app.tierView.hover) return {};
-    const glm::dvec3 origin = findGround(app.doc.project()).origin;
-    const BrushSettings& b = currentBrush(app.brushes);
-    return {v.ground->x - origin.x, v.ground->z - origin.z, b.radius, b.falloff};
-}
-
 // Headless frames draw coarsely, and in full for a screenshot: the same on every machine.
-ResolutionPlan nextPlan(EditorApp& app, bool changed) {
-    Resolution& r = app.viewport.resolution;
+ResolutionPlan nextPlan(Resolution& r, const FrameClock& clock, bool measure, bool changed) {
     ResolutionPlan plan;
-    if (app.surface->fixedStep() == 0 && !app.refineNow) {
-        plan = planDrawing(r, app.now, changed);
-        if (app.measure && plan.scale >= 1 && plan.detail >= 1)
+    if (!clock.fixed && !clock.refineNow) {
+        plan = planDrawing(r, clock.now, changed);
+        if (measure && plan.scale >= 1 && plan.detail >= 1)
             plan.from = 0, plan.to = 1;  // numbers are of whole pictures
         return plan;
     }
-    plan.draw = changed || r.stale || (app.refineNow && r.drawnScale < 1);
-    if (app.refineNow) return plan;
+    plan.draw = changed || r.stale || (clock.refineNow && r.drawnScale < 1);
+    if (clock.refineNow) return plan;
     plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25;
     return plan;
 }
 
 // The texture on the screen, of the viewport's full size, whatever size is drawn.
-void ensurePicture(Viewport& v, int width, int height) {
-    if (v.picture != 0 && v.pictureWidth == width && v.pictureHeight == height) return;
+void ensurePicture(ViewportPicture& v, int width, int height) {
+    if (v.texture != 0 && v.width == width && v.height == height) return;
     freePicture(v);
-    glCreateTextures(GL_TEXTURE_2D, 1, &v.picture);
-    glTextureStorage2D(v.picture, 1, GL_RGBA8, width, height);
-    glTextureParameteri(v.picture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(v.picture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glObjectLabel(GL_TEXTURE, v.picture, -1, "editor/viewport");
-    glCreateFramebuffers(1, &v.pictureTarget);
-    glCreateFramebuffers(1, &v.pictureSource);
-    glNamedFramebufferTexture(v.pictureTarget, GL_COLOR_ATTACHMENT0, v.picture, 0);
-    v.pictureWidth = width, v.pictureHeight = height;
+    glCreateTextures(GL_TEXTURE_2D, 1, &v.texture);
+    glTextureStorage2D(v.texture, 1, GL_RGBA8, width, height);
+    glTextureParameteri(v.texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(v.texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glObjectLabel(GL_TEXTURE, v.texture, -1, "editor/viewport");
+    glCreateFramebuffers(1, &v.target);
+    glCreateFramebuffers(1, &v.source);
+    glNamedFramebufferTexture(v.target, GL_COLOR_ATTACHMENT0, v.texture, 0);
+    v.width = width, v.height = height;
     v.hasImage = false;
 }
 
 // Puts the renderer's image into its rows of the picture, stretched if it is coarser.
-void place(EditorApp& app, const ViewSettings& drawn, int y, int height) {
-    Viewport& v = app.viewport;
-    glNamedFramebufferTexture(v.pictureSource, GL_COLOR_ATTACHMENT0, app.renderer->image(), 0);
+void place(ViewportPicture& v, unsigned image, const ViewSettings& drawn, int y, int height) {
+    glNamedFramebufferTexture(v.source, GL_COLOR_ATTACHMENT0, image, 0);
     glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(v.pictureSource, v.pictureTarget, 0, 0, drawn.width, drawn.height, 0, y, v.pictureWidth,
-                           y + height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(v.source, v.target, 0, 0, drawn.width, drawn.height, 0, y, v.width, y + height,
+                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
     v.hasImage = true;
 }
 
 // The bar stands while drawing fails, unless the person or another error took it; it goes with its cause.
-void tellOfDrawing(EditorApp& app, const Status& status) {
-    const bool stands = !app.drawNotice.empty() && app.notice == app.drawNotice;
+void tellOfDrawing(Messages& m, const Status& status) {
+    const bool stands = !m.drawNotice.empty() && m.notice == m.drawNotice;
     if (status) {
-        if (stands) app.notice.clear();
-        app.drawNotice.clear();
-    } else if (app.notice.empty() || (stands && status.error().text() != app.notice)) {
-        showError(app, status.error());
-        app.drawNotice = app.notice;
+        if (stands) m.notice.clear();
+        m.drawNotice.clear();
+    } else if (m.notice.empty() || (stands && status.error().text() != m.notice)) {
+        showError(m, status.error());
+        m.drawNotice = m.notice;
     }
 }
 
-double drawTimed(EditorApp& app, const ViewCamera& camera, const ViewSettings& settings) {
+double drawTimed(const SceneParts& p, const ViewCamera& camera, const ViewSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
-    const Status status = app.renderer->draw(projectShown(app), camera, settings);
-    app.renderer->finish();
-    tellOfDrawing(app, status);
+    const Status status = p.renderer.draw(projectShown(p.doc), camera, settings);
+    p.renderer.finish();
+    tellOfDrawing(p.messages, status);
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 // Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave
 // these.
-void keepStats(Viewport& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
+void keepStats(ViewCounts& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
     v.lastMs = plan.from <= 0 ? ms : v.lastMs + ms;
     if (!plan.whole()) return;
     v.stats = stats;
     v.stats.bladesGeometry = static_cast<uint64_t>(static_cast<double>(stats.bladesGeometry) / plan.detail);
 }
 
-void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
+void drawStrip(const SceneParts& p, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
     ViewSettings s = whole;
     s.msaa = plan.msaa;
     s.detail = static_cast<float>(plan.detail);
@@ -121,75 +112,72 @@ void drawStrip(EditorApp& app, const ViewCamera& camera, const ViewSettings& who
     }
     double ms = 0;
     if (height > 0) {
-        ms = drawTimed(app, camera, s);
-        place(app, s, y, height);
-        keepStats(app.viewport, app.renderer->stats(), plan, ms);
+        ms = drawTimed(p, camera, s);
+        place(p.picture, p.renderer.image(), s, y, height);
+        keepStats(p.counts, p.renderer.stats(), plan, ms);
     }
-    learnDrawing(app.viewport.resolution, plan, ms);
-    if (app.measure) app.viewport.countedRevision = ~uint64_t(0);
+    learnDrawing(p.picture.resolution, plan, ms);
+    if (p.counts.measure) p.counts.countedRevision = kNeverDrawn;
 }
 
 // What only counting over maps and cells tells: once at rest. A playtest changes no population: that is counted once
 // for all of it.
-void countAtRest(EditorApp& app, const ViewCamera& camera) {
-    Viewport& v = app.viewport;
-    const bool coarse = v.resolution.drawnScale < 1 && app.surface->fixedStep() == 0;
-    if (coarse && !playing(app)) return;
-    if (std::exchange(v.populationRevision, app.doc.revision()) != app.doc.revision())
-        v.bladesVirtual = virtualBlades(app.doc.project());
-    if (playing(app) || v.countedRevision == app.doc.revision()) return;
-    v.countedRevision = app.doc.revision();
-    v.bladesVisible =
-        app.measure ? visibleBlades(app.doc.project(), tables(), camera, v.drawnSettings.width, v.drawnSettings.height) : 0;
+void countAtRest(const SceneParts& p, const ViewCamera& camera) {
+    ViewCounts& v = p.counts;
+    const ViewSettings& drawn = p.picture.drawnSettings;
+    const bool coarse = p.picture.resolution.drawnScale < 1 && !p.clock.fixed;
+    if (coarse && !playing(p.doc)) return;
+    if (std::exchange(v.populationRevision, p.doc.revision()) != p.doc.revision())
+        v.bladesVirtual = virtualBlades(p.doc.project());
+    if (playing(p.doc) || v.countedRevision == p.doc.revision()) return;
+    v.countedRevision = p.doc.revision();
+    v.bladesVisible = v.measure ? visibleBlades(p.doc.project(), p.doc.tables(), camera, drawn.width, drawn.height) : 0;
 }
 
 }  // namespace
 
-bool drawsDecal(const EditorApp& app) {
-    return app.viewport.resolution.movingScale >= 1 && app.surface->fixedStep() == 0;
+BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes) {
+    const bool painting = hand.gesture == Gesture::Paint || hand.gesture == Gesture::None;
+    if (!hand.ground || brushes.tool == kLookTool || !painting) return {};
+    const glm::dvec3 origin = findGround(document.project()).origin;
+    const BrushSettings& b = currentBrush(brushes);
+    return {hand.ground->x - origin.x, hand.ground->z - origin.z, b.radius, b.falloff};
 }
 
-void freePicture(Viewport& v) {
-    glDeleteFramebuffers(1, &v.pictureTarget);
-    glDeleteFramebuffers(1, &v.pictureSource);
-    glDeleteTextures(1, &v.picture);
-    v.picture = v.pictureTarget = v.pictureSource = 0;
+bool drawsDecal(const ViewportPicture& picture, const FrameClock& clock) {
+    return picture.resolution.movingScale >= 1 && !clock.fixed;
 }
 
-void drawScene(EditorApp& app) {
-    Viewport& v = app.viewport;
-    ViewSettings settings;
-    const float dense =
-        static_cast<float>(app.surface->pixelWidth()) / static_cast<float>(std::max(1, app.surface->width()));
-    settings.width = static_cast<int>(v.rect.w * dense), settings.height = static_cast<int>(v.rect.h * dense);
-    settings.mode = v.mode;
-    settings.time = timeShown(app);
-    settings.measure = app.measure;
-    settings.background =
-        app.surface->fixedStep() == 0 && !app.refineNow;  // scripts and screenshots wait: the same picture each time
-    settings.decal = decalOf(app);
-    settings.overlay = overlayOf(app);
-    if (settings.width < 1 || settings.height < 1) return;
-    const ViewCamera camera = viewShown(app);
-    const uint64_t revision = app.doc.revision();
+void freePicture(ViewportPicture& v) {
+    glDeleteFramebuffers(1, &v.target);
+    glDeleteFramebuffers(1, &v.source);
+    glDeleteTextures(1, &v.texture);
+    v.texture = v.target = v.source = 0;
+}
+
+void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSettings& wanted, bool inputWaits) {
+    if (wanted.width < 1 || wanted.height < 1) return;
+    ViewportPicture& v = parts.picture;
+    const FrameClock& clock = parts.clock;
+    const uint64_t revision = parts.doc.revision();
     const bool changed =
-        revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(settings, v.drawnSettings);
-    ResolutionPlan plan = nextPlan(app, changed);
+        revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(wanted, v.drawnSettings);
+    ResolutionPlan plan = nextPlan(v.resolution, clock, wanted.measure, changed);
     // Input first: strips wait for it, and what moves is drawn now and then, so that it is seen to move.
     const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.whole();
-    if (plan.draw && app.queue.pending() && v.hasImage && !app.refineNow && (refining || ++v.skipped < 6)) return;
+    if (plan.draw && inputWaits && v.hasImage && !clock.refineNow && (refining || ++v.skipped < 6)) return;
     v.skipped = 0;
-    ensurePicture(v, settings.width, settings.height);
-    v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = settings;
-    double spent = 0;
-    while (plan.draw) {
-        const double before = v.lastMs;
-        drawStrip(app, camera, settings, plan);
-        spent += plan.from <= 0 ? v.lastMs : v.lastMs - before;
+    ensurePicture(v, wanted.width, wanted.height);
+    v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = wanted;
+    const double& last = parts.counts.lastMs;
+    for (double spent = 0; plan.draw;) {
+        const double before = last;
+        drawStrip(parts, camera, wanted, plan);
+        spent += plan.from <= 0 ? last : last - before;
         if (plan.whole() || spent > kStripsMs) break;
-        plan = nextPlan(app, false);
+        plan = nextPlan(v.resolution, clock, wanted.measure, false);
     }
-    countAtRest(app, camera);
+    countAtRest(parts, camera);
 }
 
 }  // namespace sward

@@ -95,9 +95,11 @@ glm::dvec2 insideEdges(const PlayWorld& world, glm::dvec2 at, double margin);
 
 // --- the parts of a step (walker.cpp, rollers.cpp)
 void stepWalker(Walker& w, const PlayWorld& world, const PlayInput& in);
+// Where the walker's feet are down; none in the air.
 void addFeet(std::vector<Contact>& contacts, const Walker& w, const PlayWorld& world);
 // Moves what rolls, lets the walker push it, and parts what meets. The walker may be set back.
 void stepRollers(PlayState& s, const PlayWorld& world);
+// Where what rolls lies on the ground.
 void addRollers(std::vector<Contact>& contacts, const std::vector<Roller>& rollers);
 // Within the edges, and straight up out of the ground.
 void settleRoller(Roller& r, const PlayWorld& world);

@@ -13,6 +13,8 @@ struct NamedMap {
     double width = 0, depth = 0;             // metres that it covers once
     bool repeats = false, mirrored = false;  // MapScale
 };
+// The map that argument `arg` names, as a copy that shares its tiles. Raises if there is none, or nothing lies on a
+// terrain.
 NamedMap mapArg(lua_State* L, int arg);
 // The same, only to be read, until the next call: as long as nothing was edited the same name costs no search.
 const NamedMap& readMapArg(lua_State* L, int arg);

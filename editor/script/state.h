@@ -21,19 +21,25 @@ struct State {
     std::optional<Error> lastError;               // the last error a call raised, with its exit code
     std::shared_ptr<void> lastMap;                // the map last read (map_args.cpp), for calls texel by texel
 
+    // Nothing is used yet; the host must outlive it.
     explicit State(ScriptHost& h) : host(h) {}
     ~State();
+    // The host's document.
     Document& document() { return host.document; }
     std::span<const ComponentRow> rows() { return host.document.tables().components; }
 };
+// That a Lua state was opened with.
 State& stateOf(lua_State* L);
 
 // --- sandbox.cpp -------------------------------------------------------------------------------------------------
 // A Lua state with the allowed libraries and all calls, bound to state. Null if there is no memory.
 struct CloseLua {
+    // Closes it; finalizers of Lua values run.
     void operator()(lua_State* L) const { lua_close(L); }
 };
 using LuaPtr = std::unique_ptr<lua_State, CloseLua>;
+// A Lua state with the allowed libraries and all calls, bound to `state`, which must outlive it. Null if there is no
+// memory.
 LuaPtr openLua(State& state);
 // Counts work against the bound of instructions; raises when it is exceeded.
 void charge(lua_State* L, uint64_t instructions);
@@ -44,9 +50,11 @@ Status runChunk(lua_State* L, int nargs, const std::string& token, const std::fi
 // --- raising and answering ---------------------------------------------------------------------------------------
 [[noreturn]] void raise(lua_State* L, const Error& error);
 [[noreturn]] void raise(lua_State* L, const std::string& message);
+// Goes on, or raises the error with its exit code.
 inline void orRaise(lua_State* L, const Status& status) {
     if (!status) raise(L, status.error());
 }
+// The value, or raises.
 template <class T>
 T orRaise(lua_State* L, Result<T> result) {
     if (!result) raise(L, result.error());
@@ -77,17 +85,22 @@ void registerCalls(lua_State* L, const char* name, std::span<const NamedCall> ca
 // --- arguments ---------------------------------------------------------------------------------------------------
 std::string textArg(lua_State* L, int arg);
 double numberArg(lua_State* L, int arg);  // finite
+// Nothing if the argument is nil or absent; raises if it is no finite number.
 std::optional<double> optionalNumber(lua_State* L, int arg);
 // Named options in a table argument. Each take marks its name as known; finish raises for names that nobody took.
 class Options {
   public:
     Options(lua_State* L, int arg);
     double number(const char* name);  // required and finite
+    // `otherwise` if it is absent; raises if it is not finite.
     double number(const char* name, double otherwise);
     std::string text(const char* name);  // required
+    // `otherwise` if it is absent.
     std::string text(const char* name, const char* otherwise);
+    // `otherwise` if it is absent; raises if it is no boolean.
     bool flag(const char* name, bool otherwise);
     bool push(const char* name);  // the raw value on the stack; false, and nothing pushed, if absent
+    // Raises if an option is left that nobody took, naming those there are.
     void finish();
 
   private:
@@ -101,6 +114,7 @@ glm::vec3 vectorOption(lua_State* L, Options& options, const char* name, const g
 std::vector<std::pair<double, double>> pointsArg(lua_State* L, int index, const char* what);
 
 // --- families ----------------------------------------------------------------------------------------------------
+// Each makes the global table of its family: project, entity, camera, map, mesh, bake, brush, edit, play, ui, expect.
 void openProjectCalls(lua_State* L);
 void openEntityCalls(lua_State* L);
 void openCameraCalls(lua_State* L);

@@ -9,6 +9,7 @@ namespace sward {
 // Texels [x0, x1[ by [y0, y1[.
 struct TexelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    // No texel lies in it.
     bool empty() const { return x0 >= x1 || y0 >= y1; }
     size_t count() const { return empty() ? 0 : size_t(x1 - x0) * size_t(y1 - y0); }
 };
@@ -26,6 +27,7 @@ T storedTexel(float v) {
         return static_cast<T>((v > 0 ? std::min(v, 1.0f) : 0.0f) * kFullScale<T> + 0.5f);
 }
 
+// f(x, y, texel) over [x0, x1[ of a row that begins at column `left`; what it leaves in `texel` is stored.
 template <class T, class F>
 void editTileRow(T* row, int x0, int x1, int left, int y, int channels, const F& f) {
     float texel[4] = {};
@@ -37,6 +39,7 @@ void editTileRow(T* row, int x0, int x1, int left, int y, int channels, const F&
     }
 }
 
+// The same over pieces that lie in a tile each, on all cores: f(piece, x, y, texel).
 template <class T, class F>
 void editPiecesAs(Map& map, const std::vector<TexelRect>& pieces, const F& f) {
     const int channels = map.info().channels;

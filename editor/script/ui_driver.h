@@ -20,6 +20,7 @@ class UiDriver {
     virtual Status set(const std::string& label, const std::string& text) = 0;
     // What the widget shows: a number without unit, "true", the chosen item.
     virtual Result<std::string> get(const std::string& label) = 0;
+    // Whether there is such a widget; what hides it is opened to look, of which menus are closed again.
     virtual bool exists(const std::string& label) = 0;
     // "ctrl+z", "f5", "[".
     virtual Status key(const std::string& chord) = 0;
@@ -27,6 +28,7 @@ class UiDriver {
     virtual Result<std::array<double, 4>> rect(const std::string& label) = 0;
     // The left button, in window pixels; `held`: modifiers that are down meanwhile, as in "ctrl+shift", or "".
     virtual Status drag(double x1, double y1, double x2, double y2, const std::string& held = "") = 0;
+    // Builds that many frames; none below 1.
     virtual Status wait(int frames) = 0;
     // PNG of the whole window, the viewport refined.
     virtual Status screenshot(const std::filesystem::path& file) = 0;

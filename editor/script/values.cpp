@@ -114,6 +114,7 @@ void pushField(lua_State* L, const FieldRow& field, const void* value) {
         case FieldType::Color:
             return pushColor(L, as<glm::vec3>(value));
         case FieldType::String:
+        case FieldType::Name:
             return static_cast<void>(lua_pushstring(L, as<std::string>(value).c_str()));
         case FieldType::List:
             return pushList(L, *field.list, value);
@@ -156,8 +157,10 @@ void setFieldsFromLua(lua_State* L, const std::string& path, std::span<const Fie
     for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
         const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "a number";
         const bool known = std::any_of(fields.begin(), fields.end(), [&](const FieldRow& f) { return name == f.name; });
-        if (!known) orRaise(L, findField(openProject(L), stateOf(L).rows(), path + "." + name));  // says what there is
-        if (!known) raise(L, fmt::format("{}: no field is called {}", path, name));
+        if (known) continue;
+        // One that has moved to another component; else this says what there is.
+        const auto moved = orRaise(L, findField(openProject(L), stateOf(L).rows(), path + "." + name));
+        setFromLua(L, moved.path, *moved.row, -1);
     }
 }
 

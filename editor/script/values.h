@@ -21,6 +21,7 @@ class GroupOrNothing {
     ~GroupOrNothing() {
         if (!kept_) document_.cancelGroup();
     }
+    // The edits stay, as one undo step.
     void keep() {
         kept_ = true;
         document_.endGroup();

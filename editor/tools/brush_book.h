@@ -33,6 +33,7 @@ glm::vec3& currentColor(BrushBook& book);
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
 // "#e5c81a", and back; nothing of what is no such text.
 std::string colorText(const glm::vec3& color);
+// With or without "#", in any case; six digits.
 std::optional<glm::vec3> parseColor(const std::string& text);
 // One press of a size or strength key.
 void growBrush(BrushSettings& brush, int steps);        // a fifth each, within 0.05 to 500 m

@@ -1,8 +1,10 @@
 #include "tools/brush_cost.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "app/app.h"
+#include "frame/renderer.h"
+#include "model/document.h"
 #include "scene/map_fields.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
@@ -20,50 +22,48 @@ std::optional<double> bladesPerM2Of(const ConstFieldRef& map) {
     return static_cast<double>(*static_cast<const float*>(fieldBeside(map, *row).value));
 }
 
-std::optional<double> underBrush(EditorApp& app) {
-    const Viewport& v = app.viewport;
-    const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (!v.ground || app.brushes.tool == kLookTool || !map) return {};
+std::optional<double> underBrush(const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
+    if (!ground || brushes.tool == kLookTool || !map) return {};
     const std::optional<double> perM2 = bladesPerM2Of(*map);
-    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
+    const Result<MapScale> scale = mapScale(doc.project(), *map);
     if (!perM2 || !scale) return {};
-    const glm::dvec3 at = *v.ground - findGround(app.doc.project()).origin;
+    const glm::dvec3 at = *ground - findGround(doc.project()).origin;
     return bladesInDisc(static_cast<const MapField*>(map->value)->map, *perM2, *scale, at.x, at.z,
-                        static_cast<double>(currentBrush(app.brushes).radius));
+                        static_cast<double>(currentBrush(brushes).radius));
 }
 
 // Densities of all species: erasing may paint each.
-std::vector<ConstFieldRef> densities(EditorApp& app) {
-    std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+std::vector<ConstFieldRef> densities(const Document& doc) {
+    std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
     std::erase_if(maps, [](const ConstFieldRef& m) { return !m.row->map->bladesPerM2; });
     return maps;
 }
 
-void beginCount(EditorApp& app, BrushCost& c) {
+void beginCount(const Document& doc, BrushCost& c) {
     c.before.clear();
-    for (const ConstFieldRef& m : densities(app)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
+    for (const ConstFieldRef& m : densities(doc)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
     c.stroke.reset();
 }
 
-void countStroke(EditorApp& app, BrushCost& c) {
-    if (c.revision == app.doc.revision()) return;
-    c.revision = app.doc.revision();
+void countStroke(const Document& doc, BrushCost& c) {
+    if (c.revision == doc.revision()) return;
+    c.revision = doc.revision();
     double added = 0;
-    for (const ConstFieldRef& m : densities(app)) {
+    for (const ConstFieldRef& m : densities(doc)) {
         const Map& now = static_cast<const MapField*>(m.value)->map;
         const auto before = c.before.find(m.path);
         const auto perM2 = bladesPerM2Of(m);
-        const auto scale = mapScale(app.doc.project(), m);
+        const auto scale = mapScale(doc.project(), m);
         if (before == c.before.end() || !perM2 || !scale || now.empty()) continue;
         added += bladesAdded(before->second, now, *perM2, *scale);
     }
     c.stroke = added;
 }
 
-void keepGrassMs(EditorApp& app, BrushCost& c) {
-    if (!app.viewport.drawnSettings.measure) return;
+void keepGrassMs(const FrameStats& measured, BrushCost& c) {
     double ms = 0;
-    for (const PassStats& p : app.viewport.stats.passes)
+    for (const PassStats& p : measured.passes)
         if (p.name.starts_with("grass/")) ms += p.ms;
     if (ms > 0) c.grassMs = ms;
 }
@@ -106,29 +106,28 @@ double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const 
     return sum * perTexel;
 }
 
-void followBrushCost(EditorApp& app) {
-    BrushCost& c = app.brushCost;
-    if (!app.doc.isOpen()) {
+void followBrushCost(BrushCost& c, const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground,
+                     const FrameStats* measured) {
+    if (!doc.isOpen()) {
         c = {};
         return;
     }
-    keepGrassMs(app, c);
-    c.under = underBrush(app);
-    if (app.doc.stroking()) {
-        if (!c.stroking) beginCount(app, c);
-        countStroke(app, c);
+    if (measured) keepGrassMs(*measured, c);
+    c.under = underBrush(doc, brushes, ground);
+    if (doc.stroking()) {
+        if (!c.stroking) beginCount(doc, c);
+        countStroke(doc, c);
     } else if (c.stroking) {
-        countStroke(app, c);
+        countStroke(doc, c);
         c.before.clear();  // tiles that only it held are given back
-    } else if (c.stroke && c.revision != app.doc.revision()) {
+    } else if (c.stroke && c.revision != doc.revision()) {
         c.stroke.reset();  // undone, or something else was edited
     }
-    c.stroking = app.doc.stroking();
+    c.stroking = doc.stroking();
 }
 
-std::optional<double> strokeMs(const EditorApp& app) {
-    const BrushCost& c = app.brushCost;
-    const double inView = static_cast<double>(app.viewport.stats.bladesGeometry);
+std::optional<double> strokeMs(const BrushCost& c, uint64_t bladesInView) {
+    const double inView = static_cast<double>(bladesInView);
     if (!c.stroke || c.grassMs <= 0 || inView <= 0) return {};
     return c.grassMs * std::max(*c.stroke / inView, -1.0);
 }

@@ -11,7 +11,9 @@
 
 namespace sward {
 
-struct EditorApp;
+class Document;
+struct BrushBook;
+struct FrameStats;
 
 struct BrushCost {
     std::optional<double> under;   // blades; nothing: no density is painted, or the pointer is elsewhere
@@ -21,10 +23,13 @@ struct BrushCost {
     std::map<std::string, Map> before;  // density maps by PATH, as they were when the stroke began
     uint64_t revision = ~uint64_t(0);   // that the stroke was counted for
 };
-void followBrushCost(EditorApp& app);  // once a frame
+// Once a frame. `ground`: the world point under the pointer, if there is one; `measured`: the last drawing if its
+// passes were timed, else null.
+void followBrushCost(BrushCost& cost, const Document& document, BrushBook& brushes,
+                     const std::optional<glm::dvec3>& ground, const FrameStats* measured);
 // "+0.4 ms": the measured grass's time times the share by which the blades in view grow. Nothing without a measured
-// frame.
-std::optional<double> strokeMs(const EditorApp& app);
+// frame or a stroke, or with no blades in view.
+std::optional<double> strokeMs(const BrushCost& cost, uint64_t bladesInView);
 
 // Blades that grow within a disc on the terrain, in metres: density x bladesPerM2 over the texels whose centres lie in
 // it. An empty map is density 1. Large discs are sampled at every second, third ... texel.

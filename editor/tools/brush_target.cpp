@@ -1,5 +1,9 @@
 #include "tools/brush_target.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "tools/stroke.h"
 #include "world/ground.h"
 
@@ -9,10 +13,10 @@ namespace {
 bool present(const ConstFieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
 
 // The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
-std::string mapFor(EditorApp& app, const BrushRow& row) {
-    std::vector<ConstFieldRef> fitting = paintableMaps(app);
+std::string mapFor(const Document& doc, const BrushBook& book, const BrushRow& row) {
+    std::vector<ConstFieldRef> fitting = paintableMaps(doc);
     std::erase_if(fitting, [&](const ConstFieldRef& map) { return !paints(row, map.row->map->kind); });
-    for (const std::string& recent : app.brushes.recentMaps)
+    for (const std::string& recent : book.recentMaps)
         for (const ConstFieldRef& map : fitting)
             if (map.path == recent) return recent;
     for (const ConstFieldRef& map : fitting)
@@ -44,103 +48,102 @@ void remember(BrushBook& book, MapKind kind) {
 
 }  // namespace
 
-std::vector<ConstFieldRef> paintableMaps(EditorApp& app) {
-    if (!app.doc.isOpen()) return {};
-    std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
+    if (!doc.isOpen()) return {};
+    std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
     std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights; });
     return maps;
 }
 
-std::optional<ConstFieldRef> chosenMap(EditorApp& app) {
-    if (!app.doc.isOpen() || app.brushes.map.empty()) return std::nullopt;
-    const Result<ConstFieldRef> map = findField(app.doc.project(), app.doc.tables().components, app.brushes.map);
+std::optional<ConstFieldRef> chosenMap(const Document& doc, const BrushBook& book) {
+    if (!doc.isOpen() || book.map.empty()) return std::nullopt;
+    const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, book.map);
     return map && map->row->type == FieldType::Map ? std::optional(*map) : std::nullopt;
 }
 
-void selectMap(EditorApp& app, const std::string& path) {
-    app.brushes.map = path;
-    keepTargetValid(app);
+void selectMap(const Document& doc, BrushBook& book, const std::string& path) {
+    book.map = path;
+    keepTargetValid(doc, book);
 }
 
-void selectTool(EditorApp& app, const std::string& tool) {
+void selectTool(const Document& doc, BrushBook& book, Messages& messages, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
-    const std::optional<ConstFieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (row && (!map || !paints(*row, map->row->map->kind))) {
-        const std::string other = mapFor(app, *row);
-        if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
-        app.brushes.map = other;
+        const std::string other = mapFor(doc, book, *row);
+        if (other.empty()) return say(messages, fmt::format("{}: the project has no map that it paints", row->label));
+        book.map = other;
     }
-    app.brushes.tool = tool;
-    keepTargetValid(app);
+    book.tool = tool;
+    keepTargetValid(doc, book);
 }
 
-void toggleLook(EditorApp& app) {
-    const std::optional<ConstFieldRef> map = chosenMap(app);
-    selectTool(app, app.brushes.tool != kLookTool ? kLookTool
-                                                  : toolFor(app.brushes, map ? map->row->map->kind : MapKind::Amounts));
+void toggleLook(const Document& doc, BrushBook& book, Messages& messages) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    selectTool(doc, book, messages,
+               book.tool != kLookTool ? kLookTool : toolFor(book, map ? map->row->map->kind : MapKind::Amounts));
 }
 
-void pickColor(EditorApp& app) {
-    const std::optional<ConstFieldRef> map = chosenMap(app);
+void pickColor(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map || map->row->map->kind != MapKind::Colours)
-        return say(app, "Pick Colour: the brush is on no map of colours");
+        return say(messages, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
-    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    if (!app.viewport.ground || texels.empty() || !scale)
-        return say(app, "Pick Colour: there is nothing under the pointer");
-    const glm::dvec3 at = *app.viewport.ground - findGround(app.doc.project()).origin;
+    const Result<MapScale> scale = mapScale(doc.project(), *map);
+    if (!ground || texels.empty() || !scale) return say(messages, "Pick Colour: there is nothing under the pointer");
+    const glm::dvec3 at = *ground - findGround(doc.project()).origin;
     const glm::dvec2 place(at.x / scale->width, at.z / scale->depth),
         inside = scale->repeats ? place - glm::floor(place) : place;
-    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255)) return say(app, "Pick Colour: nothing is painted there");
-    for (int c = 0; c < 3; ++c)
-        currentColor(app.brushes)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
-    say(app, "the brush's colour is " + colorText(currentColor(app.brushes)));
+    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255))
+        return say(messages, "Pick Colour: nothing is painted there");
+    for (int c = 0; c < 3; ++c) currentColor(book)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
+    say(messages, "the brush's colour is " + colorText(currentColor(book)));
 }
 
-void keepTargetValid(EditorApp& app) {
-    const std::vector<ConstFieldRef> maps = paintableMaps(app);
-    const auto named = [&](const ConstFieldRef& f) { return f.path == app.brushes.map; };
+void keepTargetValid(const Document& doc, BrushBook& book) {
+    const std::vector<ConstFieldRef> maps = paintableMaps(doc);
+    const auto named = [&](const ConstFieldRef& f) { return f.path == book.map; };
     if (std::none_of(maps.begin(), maps.end(), named)) {
         const BrushRow* row = findBrush("add");
-        app.brushes.map = mapFor(app, *row);
+        book.map = mapFor(doc, book, *row);
     }
-    const std::optional<ConstFieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return;
     const MapKind kind = map->row->map->kind;
-    const BrushRow* row = findBrush(app.brushes.tool);
-    if (row && !paints(*row, kind)) app.brushes.tool = toolFor(app.brushes, kind);
-    remember(app.brushes, kind);
+    const BrushRow* row = findBrush(book.tool);
+    if (row && !paints(*row, kind)) book.tool = toolFor(book, kind);
+    remember(book, kind);
 }
 
-std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) {
-    const BrushSettings brush = strokeBrush(app.brushes, ctrl, shift);
+std::vector<BrushSettings> strokeBrushes(const Document& doc, BrushBook& book, bool ctrl, bool shift) {
+    const BrushSettings brush = strokeBrush(book, ctrl, shift);
     if (!(ctrl && shift)) return {brush};
-    return speciesBrushes(app.doc.project(), app.doc.tables().components, brush);
+    return speciesBrushes(doc.project(), doc.tables().components, brush);
 }
 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
-bool showsSources(EditorApp& app, const ConstFieldRef& map) {
+bool showsSources(const Document& doc, const ConstFieldRef& map) {
     return map.row->map->kind == MapKind::Forces &&
-           has(sceneFeatures(app.doc.project().registry, app.doc.tables()), Feature::Forces);
+           has(sceneFeatures(doc.project().registry, doc.tables()), Feature::Forces);
 }
 }  // namespace
 
-bool overlayShown(EditorApp& app) {
-    const std::optional<ConstFieldRef> map = chosenMap(app);
+bool overlayShown(const Document& doc, const BrushBook& book) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return false;
-    const auto chosen = app.brushes.overlays.find(map->path);
-    return chosen != app.brushes.overlays.end() ? chosen->second : map->row->map->role != MapRole::Density;
+    const auto chosen = book.overlays.find(map->path);
+    return chosen != book.overlays.end() ? chosen->second : map->row->map->role != MapRole::Density;
 }
 
-void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !overlayShown(app); }
+void toggleOverlay(const Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }
 
-MapOverlay overlayOf(EditorApp& app) {
-    const std::optional<ConstFieldRef> map = chosenMap(app);
-    if (!map || !overlayShown(app) || !(present(*map) || showsSources(app, *map))) return {};
-    const Result<MapScale> scale = mapScale(app.doc.project(), *map);
-    if (!scale || !findGround(app.doc.project()).terrain) return {};
+MapOverlay overlayOf(const Document& doc, const BrushBook& book) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    if (!map || !overlayShown(doc, book) || !(present(*map) || showsSources(doc, *map))) return {};
+    const Result<MapScale> scale = mapScale(doc.project(), *map);
+    if (!scale || !findGround(doc.project()).terrain) return {};
     return {map->path, scale->tiling};
 }
 

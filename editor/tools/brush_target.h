@@ -2,29 +2,44 @@
 // A tool and a map always fit: choosing a map takes the tool last used on its kind, choosing a tool the map.
 // Does not: paint; Document does.
 #pragma once
-#include "app/app.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/messages.h"
+#include "frame/renderer.h"
+#include "model/document.h"
+#include "tools/brush_book.h"
 
 namespace sward {
 
-// Maps that brushes paint on, absent ones included; no heights.
-std::vector<ConstFieldRef> paintableMaps(EditorApp& app);
+// Maps that brushes paint on, absent ones included; no heights. None without an open project.
+std::vector<ConstFieldRef> paintableMaps(const Document& document);
 // The chosen map, or nothing if the project has none.
-std::optional<ConstFieldRef> chosenMap(EditorApp& app);
-void selectMap(EditorApp& app, const std::string& path);
-void selectTool(EditorApp& app, const std::string& tool);
-void toggleLook(EditorApp& app);  // from looking back to the tool that painted last
-// The brush takes the colour that the chosen map has under the pointer; where there is none, it says so.
-void pickColor(EditorApp& app);
+std::optional<ConstFieldRef> chosenMap(const Document& document, const BrushBook& book);
+// Chooses a map by its PATH, and the tool last used on its kind if the present one does not paint it. A path that is no
+// map of the project chooses the one that keepTargetValid would.
+void selectMap(const Document& document, BrushBook& book, const std::string& path);
+// Chooses a tool by name or kLookTool, and a map that it paints if the present one is none; without any it says so and
+// stays. Unknown names change nothing.
+void selectTool(const Document& document, BrushBook& book, Messages& messages, const std::string& tool);
+// From painting to looking, and back to the tool that painted last.
+void toggleLook(const Document& document, BrushBook& book, Messages& messages);
+// The brush takes the colour that the chosen map has at `ground`, the world point under the pointer; where there is
+// none, it says so.
+void pickColor(const Document& document, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground);
 // After the project changed: the chosen map must be one that it has, the tool one that paints it.
-void keepTargetValid(EditorApp& app);
+void keepTargetValid(const Document& document, BrushBook& book);
 
 // What a stroke begun with these modifiers paints, a brush for each map (tools/brush_book.h).
-std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift);
+std::vector<BrushSettings> strokeBrushes(const Document& document, BrushBook& book, bool ctrl, bool shift);
 
 // --- the overlay: on at first for what cannot be seen otherwise (directions, forces, openness), remembered for each
 // map
-bool overlayShown(EditorApp& app);
-void toggleOverlay(EditorApp& app);
-MapOverlay overlayOf(EditorApp& app);
+bool overlayShown(const Document& document, const BrushBook& book);
+// For the chosen map; remembered.
+void toggleOverlay(const Document& document, BrushBook& book);
+// What the renderer lays over the scene; nothing if it is off, or the map is absent and nothing presses.
+MapOverlay overlayOf(const Document& document, const BrushBook& book);
 
 }  // namespace sward

@@ -18,9 +18,13 @@ struct FlyCamera {
     float exposure = 0;
 };
 
+// Stands and looks as the view does; the pivot is the view's target.
 FlyCamera flyFrom(const ViewCamera& view);
+// Its target is the pivot.
 ViewCamera viewOf(const FlyCamera& c);
+// Where it looks; a unit vector.
 glm::dvec3 forwardOf(const FlyCamera& c);
+// What orbits turn about: `distance` ahead of the eye.
 glm::dvec3 pivotOf(const FlyCamera& c);
 
 // Turns by a motion of the pointer in pixels: right is right, down is down.

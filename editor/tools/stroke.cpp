@@ -14,8 +14,6 @@ constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change not
 constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
 
-}
-
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
     if (const auto* own = p.registry.get<Terrain>(findEntity(p, entity))) return own;
     for (const auto& [name, e] : p.entities)

@@ -33,6 +33,7 @@ class Stroke {
 
     void moveTo(double x, double z);  // metres; queues stamps
     void end();                       // a stroke that went nowhere paints what it has without a heading
+    // All stamps so far are painted.
     bool idle() const { return queue_.empty() && tiles_.count() == 0; }
     // Paints queued stamps into the map for at most budgetMs, at least one batch of tiles; 0: all of them.
     void pump(Map& map, double budgetMs);

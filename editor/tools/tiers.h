@@ -15,7 +15,9 @@ inline constexpr double kTierGap = 0.1;  // metres over which a tier fades at le
 
 using TierDistances = std::array<double, kTierCount>;  // metres; infinity: never
 
+// As the field has them, in order or not.
 TierDistances tiersOf(const HybridTiers& field);
+// Near to far, with room for each tier to fade.
 bool tiersInOrder(const TierDistances& t);
 // What a drag of tier i towards `wanted` gives: as near to it as its neighbours allow; nothing new where they leave no
 // room. Where these are out of order themselves they do not count.

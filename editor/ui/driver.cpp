@@ -69,7 +69,7 @@ class Driver : public UiDriver {
     // Until input, strokes and edits are worked off.
     void settle() {
         frames(2);
-        for (int i = 0; i < 10000 && (app_.queue.pending() || app_.doc.stroking() || !app_.deferred.empty()); ++i)
+        for (int i = 0; i < 10000 && (app_.queue.pending() || app_.doc.stroking() || !app_.edits.deferred.empty()); ++i)
             runFrame(app_);
     }
     void clickAt(const Widget& w);
@@ -103,7 +103,7 @@ bool Driver::openWayTo(const std::string& label) {
     const std::string panel = label.substr(0, slash), rest = slash == std::string::npos ? "" : label.substr(slash + 1);
     if (panel == "Inspector" && !rest.empty()) {
         const std::string entity = rest.substr(0, rest.find('.'));
-        if (app_.selected != entity && find("Outliner/" + entity))
+        if (app_.selection.entity != entity && find("Outliner/" + entity))
             return static_cast<bool>(click("Outliner/" + entity));
     }
     if (const Widget* tab = find("Tabs/" + panel); tab && app_.layout.tab != panel)
@@ -296,7 +296,7 @@ Status Driver::drag(double x1, double y1, double x2, double y2, const std::strin
 
 Status Driver::screenshot(const std::filesystem::path& file) {
     Status status;
-    app_.refineNow = true;
+    app_.clock.refineNow = true;
     frames(2);
     app_.beforePresent = [&](ui::Surface& s) {
         std::vector<uint8_t> pixels = readSurface(s);
@@ -304,7 +304,7 @@ Status Driver::screenshot(const std::filesystem::path& file) {
         status = writeImagePng(file, s.pixelWidth(), s.pixelHeight(), 4, pixels);
     };
     frames(1);
-    app_.refineNow = false;
+    app_.clock.refineNow = false;
     return status;
 }
 

@@ -13,14 +13,17 @@ namespace sward::ui {
 void setUpContext();
 // Gives ImGui what this frame holds. Sizes in window coordinates and in pixels. Before ImGui::NewFrame.
 void feedInput(const FrameInput& in, float deltaSeconds, int width, int height, int pixelWidth, int pixelHeight);
+// A GL texture as ImGui takes it.
 ImTextureID textureId(unsigned glTexture);
 // An input line on a std::string; true when Enter was pressed. Fills the item width set before.
 bool inputText(const char* id, const char* hint, std::string& text);
 // The key is pressed in this frame (not repeated).
 bool enterPressed();
+// Likewise for Escape.
 bool escapePressed();
 // The next press of a button is the first of a click, whenever it comes. After the context's last frame.
 void forgetClicks();
+// What copy and paste of the current context call, with `user`.
 void setClipboardFunctions(const char* (*get)(void*), void (*set)(void*, const char*), void* user);
 
 }  // namespace sward::ui

@@ -34,8 +34,11 @@ struct FrameInput {
     std::vector<uint32_t> chars;
     std::vector<std::pair<double, double>> path;  // every place the pointer passed in this frame, in order
 
+    // Either of the two keys is held at the end of the frame.
     bool ctrl() const;
+    // Likewise.
     bool shift() const;
+    // Likewise.
     bool alt() const;
 };
 
@@ -43,6 +46,7 @@ class InputQueue {
   public:
     // Codes out of range are dropped, and so are repeats (a press of what is already down).
     void push(const InputEvent& event);
+    // Events wait that no frame has taken.
     bool pending() const { return !events_.empty(); }
     // Takes as many events as one frame may hold.
     const FrameInput& next();

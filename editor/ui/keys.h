@@ -19,6 +19,7 @@ std::string chordText(const std::string& chord);
 // The character a key types without modifiers (US layout), or 0.
 char keyChar(int key);
 
+// Ctrl, Shift, Alt or Super, left or right.
 bool isModifierKey(int key);
 // Keys that edit or move instead of typing: Enter, Backspace, arrows, function keys ...
 bool isControlKey(int key);

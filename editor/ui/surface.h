@@ -17,7 +17,9 @@ class Surface {
     virtual ~Surface() = default;
     // Size in window coordinates (of the pointer) and in pixels (of images); equal unless the screen is dense.
     virtual int width() const = 0;
+    // Of the same.
     virtual int height() const = 0;
+    // In pixels.
     virtual int pixelWidth() const { return width(); }
     virtual int pixelHeight() const { return height(); }
     virtual float contentScale() const { return 1; }
@@ -29,7 +31,9 @@ class Surface {
     virtual bool takeCloseRequest() { return false; }
     // Binds the framebuffer to draw into.
     virtual void bind() = 0;
+    // Shows what was drawn since bind.
     virtual void present() = 0;
+    // Of the window, UTF-8; nothing without one.
     virtual void setTitle(const std::string&) {}
     virtual void setCursor(Cursor) {}
     // Hides the pointer and lets it move without end, for turning one's head; or shows it again where it was.

@@ -15,6 +15,7 @@ inline constexpr ImU32 kDimText = IM_COL32(150, 152, 150, 255);
 void applyTheme(float scale);
 // Buttons between these two are shown as chosen.
 void pushAccent();
+// Ends the last pushAccent.
 void popAccent();
 // Text in a colour, on the current line.
 void coloredText(ImU32 color, const char* text);

@@ -78,6 +78,16 @@ Widget& record(const std::string& label, Kind kind, const std::string& value) {
     return w;
 }
 
+void recordAt(const std::string& path, const Widget& widget) { book().next[path] = widget; }
+
+bool takeReveal(const std::string& path) {
+    const bool wanted = book().reveal == path;
+    if (wanted) book().reveal.clear();
+    return wanted;
+}
+
+bool typing(const WidgetBook& b) { return !b.editing.empty() || !b.typing.empty(); }
+
 const std::string* errorAt(const std::string& label) {
     const auto it = book().errors.find(pathOf(label));
     return it == book().errors.end() ? nullptr : &it->second;

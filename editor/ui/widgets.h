@@ -22,14 +22,16 @@ struct Widget {
     bool open = false;    // Menu, Combo, Section: what it holds is on the screen
 };
 
+using Errors = std::map<std::string, std::string>;  // by path: what was wrong with the last value typed there
+
 struct WidgetBook {
-    std::map<std::string, Widget> widgets;      // of the last whole frame
-    std::map<std::string, Widget> next;         // of the frame being built
-    std::map<std::string, std::string> errors;  // path -> what was wrong with the last value typed there
-    std::string scope;                          // "Brush/"
-    std::vector<bool> disabled;                 // of the Disabled blocks around, outermost first
-    std::string reveal;                         // path to scroll to when it is next met
-    std::string editing;                        // path of the number being typed
+    std::map<std::string, Widget> widgets;  // of the last whole frame
+    std::map<std::string, Widget> next;     // of the frame being built
+    Errors errors;
+    std::string scope;           // "Brush/"
+    std::vector<bool> disabled;  // of the Disabled blocks around, outermost first
+    std::string reveal;          // path to scroll to when it is next met
+    std::string editing;         // path of the number being typed
     std::string editText;
     int editAge = 0;  // frames since typing was asked for
     bool editActive = false;
@@ -42,11 +44,13 @@ struct WidgetBook {
 
 // After NewFrame and after Render.
 void beginBook(WidgetBook& book);
+// What was recorded since beginBook is what scripts and tests find from now on.
 void endBook(WidgetBook& book);
 
 // Widgets inside are recorded as "Name/..." (nested scopes join).
 class Scope {
   public:
+    // Until the end of its life.
     explicit Scope(const std::string& name);
     ~Scope();
     Scope(const Scope&) = delete;
@@ -59,6 +63,7 @@ class Scope {
 // What is inside is greyed and takes no input, and is recorded so.
 class Disabled {
   public:
+    // Until the end of its life; false changes nothing.
     explicit Disabled(bool disabled);
     ~Disabled();
     Disabled(const Disabled&) = delete;
@@ -67,6 +72,12 @@ class Disabled {
 
 // Writes down ImGui's last item under the current scope.
 Widget& record(const std::string& label, Kind kind, const std::string& value = {});
+// Writes down what is no ImGui item, such as a grip drawn over a picture, at a whole path.
+void recordAt(const std::string& path, const Widget& widget);
+// True once if someone waits for the widget at a whole path to be scrolled into sight; the caller scrolls.
+bool takeReveal(const std::string& path);
+// A number or a text is being typed, and not yet entered.
+bool typing(const WidgetBook& book);
 // What was wrong with the value last typed at label; null if nothing.
 const std::string* errorAt(const std::string& label);
 void setError(const std::string& label, const std::string& message);  // empty: none
@@ -74,8 +85,11 @@ void setError(const std::string& label, const std::string& message);  // empty: 
 // Shown when the pointer has rested on the last item for a moment; empty text shows nothing.
 void tooltip(const std::string& text);
 
+// True if it was pressed. Width 0: as the label needs; `accent`: it is the usual choice, or is switched on.
 bool button(const std::string& label, float width = 0, bool accent = false);
+// True if the value was changed.
 bool checkbox(const std::string& label, bool& value);
+// A line of a list; true if it was pressed.
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
 // A section that opens and closes; true while open. `title` is what is shown of it.
 bool section(const std::string& label, const std::string& title, bool openAtFirst = true);
@@ -86,8 +100,11 @@ bool input(const std::string& label, std::string& text, const char* hint = "", b
 std::optional<std::string> textField(const std::string& label, const std::string& value);
 // True if another choice was made. Items are recorded as label/item while open.
 bool combo(const std::string& label, std::span<const std::string> items, int& chosen);
+// True while it is open; endMenu then.
 bool beginMenu(const std::string& label);
+// After the items of an open menu.
 void endMenu();
+// True if it was chosen. `chord` is shown beside it.
 bool menuItem(const std::string& label, const std::string& chord = {}, bool checked = false, bool enabled = true);
 // A colour in linear light, edited in a picker behind a swatch; also while the person drags in the picker.
 bool colorEdit(const std::string& label, float linear[3]);

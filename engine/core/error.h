@@ -41,11 +41,14 @@ class [[nodiscard]] Result {
   public:
     Result(T value) : data_(std::in_place_index<0>, std::move(value)) {}
     Result(Error error) : data_(std::in_place_index<1>, std::move(error)) {}
+    // True if it holds the value; *, -> and error() may then be asked only of what is there (else
+    // std::bad_variant_access).
     explicit operator bool() const { return data_.index() == 0; }
     T& operator*() { return std::get<0>(data_); }
     const T& operator*() const { return std::get<0>(data_); }
     T* operator->() { return &std::get<0>(data_); }
     const T* operator->() const { return &std::get<0>(data_); }
+    // The error; only of a result that is false.
     const Error& error() const { return std::get<1>(data_); }
 
   private:
@@ -57,7 +60,9 @@ class [[nodiscard]] Result<void> {
   public:
     Result() = default;
     Result(Error error) : error_(std::move(error)), ok_(false) {}
+    // True if nothing went wrong; error() is empty then.
     explicit operator bool() const { return ok_; }
+    // The error; an empty one if nothing went wrong.
     const Error& error() const { return error_; }
 
   private:

@@ -29,10 +29,13 @@ void parallelFor(size_t count, const std::function<void(size_t)>& body);
 class JobControl {
   public:
     void setProgress(double share) { progress_.store(share > 1 ? 1 : share >= 0 ? share : 0); }  // clamped to [0,1]
+    // Share of the work done, in [0,1], as the work last told.
     double progress() const { return progress_.load(); }
+    // Asks the work to end early; it may go on for a while. Never undone.
     void cancel() { cancelled_.store(true); }
     // The work asks this often and returns early (with any error) once it is true.
     bool cancelled() const { return cancelled_.load(); }
+    // True once the work has returned, or was dropped because it was cancelled before its turn.
     bool finished() const { return finished_.load(); }
 
   private:
@@ -76,11 +79,16 @@ class Job {
     }
     ~Job() { cancel(); }
 
+    // What a person reads while it runs; empty before a job was started.
     const std::string& label() const { return label_; }
     bool active() const { return slot_ != nullptr; }  // started, and its result not taken
+    // Share of the work done, in [0,1]; 0 if none is under way.
     double progress() const { return slot_ ? slot_->progress() : 0; }
+    // True when a result waits to be taken.
     bool finished() const { return slot_ && slot_->finished(); }
+    // Label, progress and finished together, for lists of what runs beside.
     JobNews news() const { return {label_, progress(), finished()}; }
+    // Ends the work early and drops its result; does nothing if none is under way.
     void cancel() {
         if (slot_) slot_->cancel();
     }

@@ -45,13 +45,16 @@ struct Json {
     Json(std::string_view value) : type(Type::String), text(value) {}
     Json(const char* value) : type(Type::String), text(value) {}
     Json(Array values) : type(Type::Array), array(std::move(values)) {}
+    // Array without elements: Json(Array{}) by name.
     static Json makeArray() { return Json(Array{}); }
+    // Object without members.
     static Json makeObject() {
         Json j;
         j.type = Type::Object;
         return j;
     }
 
+    // What kind of value it is; exactly one of these is true.
     bool isNull() const { return type == Type::Null; }
     bool isBool() const { return type == Type::Bool; }
     bool isNumber() const { return type == Type::Number; }

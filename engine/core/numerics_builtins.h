@@ -11,6 +11,8 @@ using ivec2 = glm::ivec2;
 using mat2 = glm::mat<2, 2, real>;
 using mat3 = glm::mat<3, 3, real>;
 
+// Functions of one or two numbers, as GLSL 4.50 section 8 has them; the C library's rounding and domain (log of a
+// negative number is not-a-number). round: halves away from zero, where GLSL leaves it open.
 inline real abs(real x) { return std::fabs(x); }
 inline real sign(real x) { return real(int(x > 0) - int(x < 0)); }
 inline real floor(real x) { return std::floor(x); }
@@ -31,6 +33,7 @@ inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
 inline real clamp(real x, real a, real b) { return min(max(x, a), b); }
 inline real mix(real a, real b, real t) { return a * (1 - t) + b * t; }
+// The same names for whole numbers. abs of the least int is undefined.
 inline int abs(int x) { return x < 0 ? -x : x; }
 inline int min(int a, int b) { return b < a ? b : a; }
 inline int max(int a, int b) { return a < b ? b : a; }

@@ -40,6 +40,9 @@ struct FitRequest {
 // The technique whose knobs a fit turns (TechniqueRow::knobs): that of the project's first field, or, where it has none,
 // the first of the table that has some. Unsound: the project has no grass.
 Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables);
+// Measures at most `request.candidates` settings of the project's fields and returns the best. Truths are traced first
+// and kept in cost.folder. Failed: the folder cannot be made. Unsound: the project has no grass. Interrupted:
+// `progress` said so.
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress);
 

@@ -37,6 +37,7 @@ struct Plot {
     std::vector<PlotDot> dots;
     std::vector<PlotText> texts;
 };
+// The plot as an SVG file that refers to nothing else.
 std::string plotSvg(const Plot& plot);
 // RGB8, first row on top. Text needs a font of the system (DejaVu Sans); without it there are no labels.
 std::vector<uint8_t> plotPixels(const Plot& plot);

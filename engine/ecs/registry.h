@@ -33,8 +33,11 @@ struct PoolBase {
     size_t holes = 0;              // how many of dense are kNone
     int iterating = 0;             // how many iterations are under way
     virtual ~PoolBase() = default;
+    // Removes the entity's component; nothing if it has none.
     virtual void remove(uint32_t index) = 0;
+    // Ends one iteration; the outermost closes the gaps that removals left.
     virtual void endIteration() = 0;
+    // Slot of the entity's component in the dense arrays, or kNone.
     uint32_t slot(uint32_t index) const { return index < sparse.size() ? sparse[index] : kNone; }
     // Sets filled in equal order keep an entity in the same slot: a right guess saves the look-up in `sparse`.
     uint32_t slot(uint32_t index, size_t guess) const {
@@ -61,6 +64,7 @@ struct Pool final : PoolBase {
     static_assert(!std::is_same_v<C, bool>, "a vector of bool hands out no references: wrap it in a struct");
     std::vector<C> items;
 
+    // Adds the component, or replaces the one that is there. The reference holds until the set next changes.
     C& add(uint32_t index, C value) {
         if (index >= sparse.size()) sparse.resize(index + 1, kNone);
         if (const uint32_t s = sparse[index]; s != kNone) return items[s] = std::move(value);
@@ -103,10 +107,12 @@ struct Pool final : PoolBase {
     }
 };
 
+// A number that no component type has yet, from 0.
 inline uint32_t nextTypeId() {
     static std::atomic<uint32_t> next = 0;
     return next++;
 }
+// Number of a component type: the same for the whole run of the process, by the order of first use.
 template <class C>
 uint32_t typeId() {
     static const uint32_t id = nextTypeId();
@@ -140,9 +146,11 @@ class Registry {
         --alive_;
         return true;
     }
+    // True if the handle names an entity that is alive.
     bool valid(Entity e) const {
         return e.generation != 0 && e.index < generations_.size() && generations_[e.index] == e.generation;
     }
+    // Entities that are alive.
     size_t size() const { return alive_; }
 
     // Adds or replaces. Null if the handle is stale. The pointer holds until C is next added to or removed from.
@@ -165,6 +173,7 @@ class Registry {
         const uint32_t s = p->slot(e.index);
         return s == detail::kNone ? nullptr : &p->items[s];
     }
+    // As above, to write to.
     template <class C>
     C* get(Entity e) {
         if (!find<C>() || !valid(e)) return nullptr;
@@ -172,6 +181,7 @@ class Registry {
         const uint32_t s = p.slot(e.index);
         return s == detail::kNone ? nullptr : &p.items[s];
     }
+    // Entities that have a C.
     template <class C>
     size_t count() const {
         const detail::Pool<C>* p = find<C>();

@@ -15,7 +15,8 @@ namespace sward {
 struct FormulaBody {
     void (*single)(const float* x, float* y) = nullptr;
     void (*twice)(const double* x, double* y) = nullptr;
-    const char* text = "";  // the same lines, for a compute shader
+    const char* text = "";  // the body's lines, for a compute shader
+    // False where a row has no such body.
     explicit operator bool() const { return single != nullptr; }
 };
 
@@ -61,7 +62,9 @@ double largestError(const FormulaRow& row, const FormulaSamples& samples, const 
 // How many outputs are not finite or outside [low, high].
 int outOfRange(const FormulaRow& row, const std::vector<double>& outputs);
 
+// Outputs of a body for all samples, `outputs` numbers a sample one after the other: in float, widened to double.
 std::vector<double> runSingle(const FormulaRow& row, const FormulaBody& body, const FormulaSamples& samples);
+// The outputs computed in double.
 std::vector<double> runDouble(const FormulaRow& row, const FormulaBody& body, const FormulaSamples& samples);
 
 }  // namespace sward

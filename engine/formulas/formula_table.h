@@ -35,11 +35,15 @@ namespace sward {
 class Sweep {
   public:
     explicit Sweep(uint32_t seed) : state_(seed) {}
+    // 32 random bits; each call gives the next.
     uint32_t bits() { return state_ = f64::hash2(state_, 1u); }
+    // Uniform in [0,1), exactly a float.
     double unit() { return double(f32::hashUnit(bits())); }
+    // Uniform in [a, b), rounded to float.
     double in(double a, double b) { return double(float(a + (b - a) * unit())); }
     // Log-uniform in [a, b], a > 0.
     double size(double a, double b) { return double(float(std::exp(in(std::log(a), std::log(b))))); }
+    // Uniform whole number in [a, b].
     int whole(int a, int b) { return a + int(bits() % uint32_t(b - a + 1)); }
     // A direction, uniform over the sphere.
     std::vector<double> direction();
@@ -61,6 +65,7 @@ std::function<FormulaSamples(const ExpectedValues&)> sweep(int count,
 std::function<FormulaSamples(const ExpectedValues&)> listed(std::vector<std::vector<double>> inputs,
                                                             std::vector<std::vector<double>> want = {});
 
+// FormulaUnit of relative errors: |want|, or 1 where want is 0.
 double relativeUnit(const ExpectedRecord& record, size_t output, double want);
 // |got - want| / max(|want|, scale): relative, absolute below scale.
 double relativeError(double got, double want, double scale);
@@ -71,6 +76,7 @@ double excessError(double got, double want, double scale);
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Each appends the rows of one formulas_*.cpp to `rows`; formulaRows calls all of them.
 void addHybridRows(std::vector<FormulaRow>& rows);
 void addHybridShapeRows(std::vector<FormulaRow>& rows);
 void addForestRows(std::vector<FormulaRow>& rows);

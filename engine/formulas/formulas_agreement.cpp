@@ -65,6 +65,9 @@ void addPlacementRows(std::vector<FormulaRow>& rows) {
             },
         .gpuTolerance = 2e-7, .low = 0, .high = 2e-7
     });  // GPUs may divide x by x and miss 1
+}
+
+void addBladePlaceRows(std::vector<FormulaRow>& rows) {
     rows.push_back({
         .name = "clump values, the same whatever the cell id", .inputs = 6, .outputs = 3,
         .ours = BODY(vec3 c = clumpValues(int(x[0]), int(x[1]), vec2(x[2], x[3]), x[4], x[5], 7u); y[0] = c.x;
@@ -217,6 +220,7 @@ void addLeafRows(std::vector<FormulaRow>& rows) {
 
 void addAgreementRows(std::vector<FormulaRow>& rows) {
     addPlacementRows(rows);
+    addBladePlaceRows(rows);
     addLightRows(rows);
     addDisplayRows(rows);
     addLeafRows(rows);

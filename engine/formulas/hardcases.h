@@ -16,7 +16,7 @@ struct HardCaseRow {
     double published = 0;       // largest error of the printed form, float on this CPU; NaN or infinity where it breaks
     double oursCpu = 0;         // largest error of ours in float; NaN where it is not finite
     bool hasGpu = false;
-    double oursGpu = 0;    // the same on the GPU
+    double oursGpu = 0;    // error of ours on the GPU
     double tolerance = 0;  // of the CPU
     double gpuTolerance = 0;
     bool pass = false;  // errors within their tolerances, every output finite and in range

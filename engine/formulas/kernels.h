@@ -43,6 +43,7 @@ struct KernelError {
     std::vector<double> at;     // the input of the largest error; empty: no error
     std::vector<double> fails;  // the first input that is not finite; empty: none
 };
+// Errors of one form against the kernel's samples. outputs: of runSingle, or of KernelBench::outputs.
 KernelError kernelError(const Kernel& kernel, const std::vector<double>& outputs);
 
 // Not-a-number: not taken.

@@ -10,6 +10,7 @@ namespace sward {
 inline constexpr int kKernelGroup = 32, kMaxKernelGroups = 2048;
 struct KernelGrid {
     int groups = 1, steps = 1;
+    // Evaluations of the formula in one dispatch.
     double evaluations() const { return double(groups) * kKernelGroup * steps; }
 };
 
@@ -17,10 +18,11 @@ class KernelBench {
   public:
     // Needs a current context. Failed with the compiler's log.
     static Result<KernelBench> make(Gpu& gpu, const Kernel& kernel);
-    // As runSingle gives them.
+    // Outputs of form number `form` for the kernel's samples, in the order of runSingle (formulas/formula_rows.h).
     std::vector<double> outputs(size_t form);
     // Seconds of one dispatch, from an idle GPU to an idle GPU.
     double seconds(size_t form, KernelGrid grid) { return dispatch(forms_[form], grid); }
+    // Seconds of a dispatch that loads the inputs and computes nothing.
     double emptySeconds(KernelGrid grid) { return dispatch(empty_, grid); }
 
   private:

@@ -8,6 +8,7 @@
 #include "frame/soil.h"
 #include "gpu/program.h"
 #include "gpu/resources.h"
+#include "shared/bindings.h"
 #include "shared/frame.h"
 #include "shared/grass.h"
 #include "shared/light.h"
@@ -20,6 +21,8 @@ namespace sward {
 // The frustum's six planes over eye-relative positions, normals inward: dot(n, p) + d >= 0 inside.
 struct Frustum {
     std::array<glm::vec4, 6> planes;
+    // Whether any of the box between `low` and `high` (metres, relative to the eye) may be in view; sometimes true for
+    // a box just outside a corner, never false for one that is seen.
     bool touches(const glm::vec3& low, const glm::vec3& high) const;
     bool holds(const glm::vec3& low, const glm::vec3& high) const;  // all of the box
 };
@@ -55,16 +58,19 @@ struct ForceTarget {
     std::span<const Force> forces;  // those that reach into it
 };
 
-// What effects hand to effects that run later. Domains never include each other: what is of a domain's own is opaque
-// here.
-struct SharedResources {
+// What effects hand to effects that run later (scene/slots.h). Domains never include each other: what is of a domain's
+// own is opaque here. First what is the same for all views of a frame; it is kept from frame to frame.
+struct SharedByViews {
+    Ground ground;  // the terrain; null without one
+    HeightBounds bounds;
+    GLuint heights = 0;  // the height map's texture; 0: flat
+};
+// And what each view has of its own; a frame begins with none of it.
+struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
     MaskState* masks = nullptr;
     SoilCover soil;
-    Ground ground;  // the terrain; null without one
-    HeightBounds bounds;
-    GLuint heights = 0;                 // the height map's texture; 0: flat
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     ForceTarget forceTarget;
@@ -73,14 +79,13 @@ struct SharedResources {
     LightsGlobals lights{};        // beside the sun, as bound to UBO_LIGHTS
 };
 
-// A view within a view, such as what water mirrors: drawn from stage Reflect, before anything of the view that shows
-// it.
+// What to draw of a view within the view (ViewRow).
 struct ViewTargets;
 struct ViewRequest {
-    unsigned view = 0;  // ViewBits
     ViewCamera camera;
     glm::mat4 viewProj{1};  // from positions relative to the camera's eye to clip
-    float cutAt = 0;        // height relative to that eye, below which nothing is drawn
+    bool mirrored = false;  // left and right are exchanged
+    float cutAt = 0;        // mirrored: height relative to that eye, below which nothing is drawn
     ViewSettings settings;
     ViewTargets* targets = nullptr;  // drawn into, and resolved
 };
@@ -95,12 +100,20 @@ struct ViewTargets {
     int width = 0, height = 0, samples = 0;
     bool stencil = false;  // whether depth has one: D32F_S8
 };
-// `owner`: who is charged. levels: of what is resolved; 0: all. image: with what is shown on a screen.
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
-                        int levels, bool image);
+// What targets are to be made.
+struct TargetsWanted {
+    int width = 0, height = 0, samples = 1;  // pixels, at least 1; samples a pixel, at most Gpu::maxSamples
+    bool stencil = false;                    // beside the depth
+    int levels = 1;                          // of what is resolved; 0: all
+    bool image = false;                      // whether there is one to show on a screen
+};
+// Empty targets; `owner` ("domain/stem") is charged for their bytes.
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted);
 // The line that says to lib/scene_depth.glsl which of the two forms depth has; both, for ProgramRow.
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
+
+ProgramSources sourcesOf(const ProgramRow& row);
 
 struct DrawContext {
     Gpu& gpu;
@@ -116,21 +129,26 @@ struct DrawContext {
     FrameGlobals& globals;  // systems may write; uploaded before the first pass
     FrameStats& stats;
     Frustum frustum;
-    glm::dvec3 around{0};  // in the world: what is made around the eye once for all views is made around this
-    std::function<void(const ViewRequest&)> view = {};  // draws one; in stage Reflect only
+    glm::dvec3 around{0};          // in the world: what is made around the eye once for all views is made around this
     glm::dvec3 eye{0};             // relative to the terrain's corner, or to the world without a terrain
-    EffectState* state = nullptr;  // of the effect whose pass or system runs
+    EffectState* state = nullptr;  // of the effect whose pass or system runs,
+    EffectState* seen = nullptr;   // and what it keeps for this view
     PassStats* pass = nullptr;     // of the pass that runs
     const Pass* row = nullptr;
 
+    // The state that the running effect's makeState made; S must be its type.
     template <class S>
     S& own() {
         return *static_cast<S*>(state);
     }
+    template <class S>
+    S& ofView() {
+        return *static_cast<S*>(seen);
+    }
     // The pass's program number i for this scene's features, made current. False (and reported) if it does not compile.
-    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `of`: the features that it is
-    // compiled for, where those are not the whole scene's.
-    bool use(size_t program = 0, const std::string& constants = {}, const FeatureSet* of = nullptr);
+    // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `features`: those
+    // that it is compiled for, as featureConstants has them, where they are not the whole scene's.
+    bool use(size_t program = 0, const std::string& constants = {}, const std::string* features = nullptr);
     std::string error = {};  // the first program that failed
 };
 

@@ -3,99 +3,12 @@
 #include <set>
 
 #include "core/json.h"
+#include "frame/draw_context.h"
 
 namespace sward {
 namespace {
 
-// What would bring a feature that the scene lacks.
-const char* whyAbsent(Feature f) {
-    switch (f) {
-        case Feature::Terrain:
-            return "no entity has a Terrain";
-        case Feature::TerrainHeights:
-            return "no Terrain has a height map: the ground is flat";
-        case Feature::TerrainMap:
-            return "no Terrain has a terrainMap";
-        case Feature::Grass:
-            return "no GrassField has a species with blades";
-        case Feature::GrassGeometry:
-            return "no grass is drawn blade by blade (technique, or maxGeom 0)";
-        case Feature::GrassSlices:
-            return "no grass is drawn as vertical slices (technique, or maxBTF not beyond minGeom)";
-        case Feature::GrassFar:
-            return "no grass is drawn as a horizontal slice (technique, or minGeom infinite)";
-        case Feature::GrassTessellated:
-            return "no grass is drawn by the technique \"tessellated\"";
-        case Feature::GrassDensity:
-            return "no species has a density map: density is 1 everywhere";
-        case Feature::GrassHeights:
-            return "no GrassField has a bladeHeight map: blades have all of their height";
-        case Feature::GrassUnique:
-            return "no grass of blades has the population \"unique\": cells repeat one patch";
-        case Feature::GrassOrientation:
-            return "no GrassField has an orientation map";
-        case Feature::GrassVegetation:
-            return "no GrassField has a vegetation map";
-        case Feature::GrassOcclusion:
-            return "no GrassField has an ambientOcclusion map";
-        case Feature::GrassBlended:
-            return "all grass covers samples (transparency \"coverage\"), so that it is drawn before the ground and "
-                   "the sky that it hides";
-        case Feature::GrassClumps:
-            return "no species has both clumpSize and clumpStrength above 0";
-        case Feature::Objects:
-            return "no StaticMesh has a file";
-        case Feature::ObjectShadows:
-            return "no StaticMesh casts shadows, or no Light shines";
-        case Feature::TerrainShadows:
-            return "no Terrain with a height map has castShadows, or no Light shines";
-        case Feature::Translucency:
-            return "no species has a translucency above 0";
-        case Feature::Gloss:
-            return "no species has a gloss above 0";
-        case Feature::BladeShadows:
-            return "no grass of blades or slices has a shadowMask above 0";
-        case Feature::GroundShadows:
-            return "no grass of blades or slices has groundShadows on";
-        case Feature::Sun:
-            return "no directional Light shines";
-        case Feature::Lamps:
-            return "no Light shines beside the first directional one";
-        case Feature::CastingLights:
-            return "no Light that shines casts shadows";
-        case Feature::Sky:
-            return "no Sky has an intensity above 0";
-        case Feature::Fog:
-            return "no Fog has a finite visibility";
-        case Feature::Wind:
-            return "no Wind has a strength above 0";
-        case Feature::Gusts:
-            return "no Wind of the model \"noise\" blows";
-        case Feature::Forces:
-            return "no ForceSource with a Transform has a strength and a radius above 0, and none left tracks";
-        case Feature::ForceOutlines:
-            return "no ForceSource of the shape \"outline\" with a Transform has a strength and a radius above 0";
-        case Feature::ForceMap:
-            return "no GrassField has a forces map";
-        case Feature::FarDarkening:
-            return "no GrassField has a farDarkening above 0";
-        case Feature::FarBlur:
-            return "no GrassField has a farBlur";
-        case Feature::Water:
-            return "no entity has Water";
-        case Feature::WaterReflection:
-            return "no Water has a reflection above 0";
-        case Feature::Flowers:
-            return "no entity has Flowers of any number and size";
-        case Feature::FlowerDensity:
-            return "no Flowers have a density map";
-        case Feature::Count:
-            break;
-    }
-    return "";
-}
-
-// What one feature makes run: effects that need it, and programs that compile its branch in.
+// What one feature makes run, in running order: effects that need it, and programs that compile its branch in.
 struct Made {
     std::vector<std::string> because, systems, passes, programs;
     int64_t bytes = 0;
@@ -113,25 +26,24 @@ std::string ownerOf(Feature f) {
     return name;
 }
 
-Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu) {
+Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu,
+            Programs& sources) {
     Made m;
     m.because = entitiesWith(project.registry, tables, f);
     m.bytes = bytesOf(gpu, ownerOf(f));
+    for (const EffectRow* e : plan.effects)
+        if (has(e->needs, f)) m.bytes += bytesOf(gpu, e->name);
     std::set<std::string> programs;
-    for (const EffectRow* e : plan.effects) {
-        if (has(e->needs, f)) {
-            m.bytes += bytesOf(gpu, e->name);
-            for (const System& s : e->systems) m.systems.push_back(s.name);
-        }
-        for (const Pass& p : e->passes) {
-            bool touched = has(e->needs, f);
-            for (const ProgramRow& program : p.programs)
-                if (touched || has(program.features, f)) {
-                    programs.insert(program.name);
-                    touched = true;
-                }
-            if (touched) m.passes.push_back(p.name);
-        }
+    for (const Step& s : plan.steps) {
+        bool touched = has(s.effect->needs, f);
+        if (s.system && touched) m.systems.push_back(s.name());
+        if (s.system) continue;
+        for (const ProgramRow& program : s.pass ? s.pass->programs : std::span<const ProgramRow>{})
+            if (touched || sources.named(sourcesOf(program), featureConstant(f))) {
+                programs.insert(program.name);
+                touched = true;
+            }
+        if (touched) m.passes.push_back(s.name());
     }
     m.programs.assign(programs.begin(), programs.end());
     return m;
@@ -194,7 +106,7 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
             if (const std::string note = noteOn(f, plan); !note.empty()) j["note"] = note;
             all["features"].push(std::move(j));
         } else {
-            j["because"] = whyAbsent(f);
+            j["because"] = featureRow(f).absent;
             all["absent"].push(std::move(j));
         }
     }
@@ -213,20 +125,19 @@ std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
     for (const EffectRow* e : plan.effects)
         out += fmt::format("{}{}: {}\n", e == plan.effects.front() ? "\nEffects\n  " : "  ", e->name, e->help);
     out += "\nWhat it lacks: not run, not compiled, not in memory\n";
-    for (size_t i = 0; i < plan.features.size(); ++i)
-        if (!plan.features.test(i))
-            out += fmt::format("  {}: {}\n", featureName(static_cast<Feature>(i)), whyAbsent(static_cast<Feature>(i)));
+    for (const FeatureRow& row : featureRows())
+        if (!has(plan.features, row.feature)) out += fmt::format("  {}: {}\n", row.name, row.absent);
     return out;
 }
 
 }  // namespace
 
 std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu,
-                        bool json) {
+                        Programs& programs, bool json) {
     std::map<Feature, Made> made;
     for (size_t i = 0; i < plan.features.size(); ++i)
         if (plan.features.test(i))
-            made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu);
+            made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu, programs);
     return json ? asJson(made, plan) : asText(made, plan);
 }
 

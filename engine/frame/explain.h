@@ -4,8 +4,11 @@
 
 #include "frame/plan.h"
 #include "gpu/gpu.h"
+#include "gpu/program.h"
 #include "scene/project.h"
 
 namespace sward {
-std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu, bool json);
+// A program runs because of a feature if its effect needs it, or if its sources name it: `programs` reads them.
+std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu,
+                        Programs& programs, bool json);
 }  // namespace sward

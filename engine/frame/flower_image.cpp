@@ -73,7 +73,7 @@ Rgba8 makeFlowerImage(int width, int height) {
 
 FlowerImage flowerImage(const Project& p, const Flowers& f) {
     FlowerImage image;
-    if (!f.texture.empty()) image.pixels = loadTile(p.dir / f.texture);
+    if (!f.texture.empty()) image.pixels = loadColorImage(p.dir / f.texture);
     image.made = image.pixels.pixels.empty();
     if (image.made) image.pixels = makeFlowerImage(64, 160);
     image.headShare = std::min(static_cast<float>(image.pixels.width) / static_cast<float>(image.pixels.height), 1.0f);

@@ -1,7 +1,7 @@
 // What a kind of flowers looks like: its image, and how many stand in a cell. Read by grass/flowers and by the
 // reference.
 #pragma once
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -24,6 +24,7 @@ struct FlowerGrid {
     float expected;  // flowers in a cell at density 1
     uint32_t most;   // numbers that may exist
 };
+// The grid of flowers of this density: the same for all who draw or trace them.
 FlowerGrid flowerGrid(const Flowers& f);
 
 // Every entity's that has any, in the order of their names.

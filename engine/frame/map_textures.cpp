@@ -47,27 +47,35 @@ std::vector<T> halve(const T* in, int width, int height, int stride, int channel
     return out;
 }
 
-// Uploads level 0 of a region from `pixels` and the levels filtered from it, as far as `levels` and the region go.
-// Returns the last level's texel (1 x 1) or nothing if the region is smaller than a tile.
+// Texels on their way to a part of a texture's level.
 template <class T>
-std::vector<T> uploadChain(const Texture& t, const Format& f, const T* pixels, int x, int y, int width, int height,
-                           int stride, int channels, int lastLevel, uint64_t& bytes) {
+struct Region {
+    const T* pixels = nullptr;
+    int stride = 0;                           // texels from one row of pixels to the next
+    int x = 0, y = 0, width = 0, height = 0;  // of the level, in texels
+    int channels = 1;
+};
+
+// Uploads the region to level 0, and what is filtered from it to the levels up to `lastLevel` that the texture has.
+// Adds what was filtered and sent to `bytes`. Returns the last level's first texel.
+template <class T>
+std::vector<T> uploadChain(const Texture& t, const Format& f, Region<T> r, int lastLevel, uint64_t& bytes) {
     std::vector<T> held;
-    const T* level = pixels;
     for (int l = 0;; ++l) {
-        const bool inside = x + width <= std::max(t.width >> l, 1) && y + height <= std::max(t.height >> l, 1);
-        glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
-        if (inside && l < t.levels) glTextureSubImage2D(t.id(), l, x, y, width, height, f.layout, f.type, level);
-        bytes += static_cast<uint64_t>(width) * height * channels * sizeof(T);
+        const bool inside = r.x + r.width <= std::max(t.width >> l, 1) && r.y + r.height <= std::max(t.height >> l, 1);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, r.stride);
+        if (inside && l < t.levels)
+            glTextureSubImage2D(t.id(), l, r.x, r.y, r.width, r.height, f.layout, f.type, r.pixels);
+        bytes += static_cast<uint64_t>(r.width) * r.height * r.channels * sizeof(T);
         if (l == lastLevel) break;
-        held = halve(level, width, height, stride, channels);
-        level = held.data();
-        x /= 2, y /= 2;
-        width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-        stride = width;
+        held = halve(r.pixels, r.width, r.height, r.stride, r.channels);
+        r.pixels = held.data();
+        r.x /= 2, r.y /= 2;
+        r.width = std::max(r.width / 2, 1), r.height = std::max(r.height / 2, 1);
+        r.stride = r.width;
     }
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    return {level, level + channels};
+    return {r.pixels, r.pixels + r.channels};
 }
 
 uint16_t decoded(uint16_t v) {
@@ -144,8 +152,8 @@ void MapTextures::uploadTile(Entry& e, bool srgb, const Map& map, int tx, int ty
         std::vector<T> linear;
         if constexpr (!std::is_same_v<T, uint8_t>)
             if (srgb && info.channels == 4) linear = decodedTile(pixels), pixels = linear.data();
-        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb), pixels, x, y, w, h, kTileSize, info.channels,
-                                         kTileLevels, uploaded_);
+        const auto last = uploadChain<T>(e.texture, formatOf(info, srgb),
+                                         {pixels, kTileSize, x, y, w, h, info.channels}, kTileLevels, uploaded_);
         std::memcpy(&e.coarse[(static_cast<size_t>(ty) * map.tilesX() + tx) * map.texelBytes()], last.data(),
                     map.texelBytes());
     });

@@ -2,76 +2,128 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace sward {
 namespace {
 
-// True if a must run before b: b reads what a writes, and not the other way round.
-bool before(const Pass& a, const Pass& b) { return (a.writes & b.reads) && !(b.writes & a.reads); }
-
-// Repeatedly takes the first pass that nothing left must precede; a cycle falls back to the table's order.
-std::vector<PlannedPass> sortByUse(std::vector<PlannedPass> left) {
-    std::vector<PlannedPass> out;
-    while (!left.empty()) {
-        auto free = std::find_if(left.begin(), left.end(), [&](const PlannedPass& p) {
-            return std::none_of(left.begin(), left.end(),
-                                [&](const PlannedPass& q) { return q.pass != p.pass && before(*q.pass, *p.pass); });
-        });
-        if (free == left.end()) free = left.begin();
-        out.push_back(*free);
-        left.erase(free);
-    }
-    return out;
+// Three groups of stages: the scene, what is blended with it, and what is made of the picture.
+int groupOf(const Step& s, const FeatureSet& scene) {
+    if (!s.pass) return 0;
+    return s.pass->stage >= Stage::Water ? 2 : (scene & s.pass->blendedWith).any() ? 1 : 0;
+}
+Stage stageOf(const Step& s) {
+    return s.pass ? s.pass->stage : s.within ? Stage::Within : s.system->once ? Stage::Once : Stage::View;
 }
 
-constexpr Stage kSolid[] = {Stage::Simulate,     Stage::Bake,   Stage::Shadow, Stage::Reflect, Stage::Depth,
-                            Stage::Opaque,       Stage::Blades, Stage::Slices, Stage::Rays,    Stage::Ground,
-                            Stage::GroundShadow, Stage::Sky,    Stage::Water,  Stage::Post,    Stage::Overlay};
-constexpr Stage kBlended[] = {Stage::Simulate, Stage::Bake,         Stage::Shadow, Stage::Reflect, Stage::Depth,
-                              Stage::Ground,   Stage::GroundShadow, Stage::Opaque, Stage::Sky,     Stage::Blades,
-                              Stage::Slices,   Stage::Rays,         Stage::Water,  Stage::Post,    Stage::Overlay};
-static_assert(std::size(kSolid) == static_cast<size_t>(Stage::Count) && std::size(kBlended) == std::size(kSolid));
+// A step on its way into the plan.
+struct Waiting {
+    Step step;
+    int group;
+    Stage stage;
+    std::string_view name;
+    auto key() const { return std::tie(group, stage, name); }
+};
+
+[[noreturn]] void stopAtCircle(const std::vector<Waiting>& left) {
+    std::string names;
+    for (const Waiting& a : left)
+        for (const Waiting& b : left)
+            if (const SlotSet s = handedOver(a.step.uses(), b.step.uses()); s.any() && a.name != b.name)
+                names += fmt::format("\n  {} before {} ({})", a.name, b.name, slotNames(s));
+    checkFailed(__FILE__, __LINE__, "steps that wait for each other:" + names);
+}
+
+// What comes first by its key must not wait for what comes later.
+void checkStages(const std::vector<Waiting>& sorted) {
+    for (size_t i = 1; i < sorted.size(); ++i) {
+        const Waiting &a = sorted[i - 1], &b = sorted[i];
+        if (std::tie(b.group, b.stage) < std::tie(a.group, a.stage))
+            checkFailed(__FILE__, __LINE__,
+                        fmt::format("{} waits for a slot that a later stage makes; {} runs before it", b.name, a.name));
+    }
+}
+
+// Takes, again and again, of those that wait for nothing left the first by its key.
+std::vector<Step> inOrder(std::vector<Waiting> left) {
+    std::sort(left.begin(), left.end(), [](const Waiting& a, const Waiting& b) { return a.key() < b.key(); });
+    std::vector<Waiting> sorted;
+    while (!left.empty()) {
+        const auto next = std::find_if(left.begin(), left.end(), [&](const Waiting& w) {
+            return std::none_of(left.begin(), left.end(), [&](const Waiting& other) {
+                return &other != &w && handedOver(other.step.uses(), w.step.uses()).any();
+            });
+        });
+        if (next == left.end()) stopAtCircle(left);
+        sorted.push_back(*next);
+        left.erase(next);
+    }
+    checkStages(sorted);
+    std::vector<Step> steps;
+    for (const Waiting& w : sorted) steps.push_back(w.step);
+    return steps;
+}
+
+// What an effect runs for the views.
+std::vector<Step> stepsOf(const EffectRow& effect, unsigned views) {
+    std::vector<Step> steps;
+    for (const Pass& pass : effect.passes)
+        if (pass.views & views) steps.push_back({.effect = &effect, .pass = &pass});
+    const bool served = effect.passes.empty() || !steps.empty(), main = views & kViewMain;
+    for (const System& system : effect.systems)
+        if (served && (main || !system.once)) steps.push_back({.effect = &effect, .system = &system});
+    if (effect.within && main) steps.push_back({.effect = &effect, .within = effect.within});
+    return steps;
+}
 
 }  // namespace
+
+const char* Step::name() const { return pass ? pass->name : system ? system->name : effect->name; }
+const SlotUse& Step::uses() const { return pass ? pass->uses : system ? system->uses : within->uses; }
 
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects) {
     FramePlan plan;
     plan.features = features;
+    plan.constants = featureConstants(features);
     plan.views = views;
-    std::map<Stage, std::vector<PlannedPass>> stages;
+    std::vector<Waiting> steps;
     for (const EffectRow& effect : effects) {
         if ((features & effect.needs) != effect.needs) continue;
         plan.effects.push_back(&effect);
-        const bool served = effect.passes.empty() || std::any_of(effect.passes.begin(), effect.passes.end(),
-                                                                 [&](const Pass& p) { return p.views & views; });
-        if (served)
-            for (const System& system : effect.systems) plan.systems.emplace_back(&effect, &system);
-        for (const Pass& pass : effect.passes)
-            if (pass.views & views) stages[pass.stage].push_back({&effect, &pass});
+        for (const Step& s : stepsOf(effect, views)) steps.push_back({s, groupOf(s, features), stageOf(s), s.name()});
     }
-    for (const Stage stage : has(features, Feature::GrassBlended) ? kBlended : kSolid)
-        for (const PlannedPass& p : sortByUse(std::move(stages[stage]))) plan.passes.push_back(p);
+    std::sort(plan.effects.begin(), plan.effects.end(),
+              [](const EffectRow* a, const EffectRow* b) { return std::string_view(a->name) < b->name; });
+    plan.steps = inOrder(std::move(steps));
+    for (const Pass* p : plan.passes()) plan.stencil |= p->stencil;
     return plan;
+}
+
+std::vector<const Pass*> FramePlan::passes() const {
+    std::vector<const Pass*> out;
+    for (const Step& s : steps)
+        if (s.pass) out.push_back(s.pass);
+    return out;
 }
 
 std::vector<std::string> FramePlan::programs() const {
     std::set<std::string> names;
-    for (const PlannedPass& p : passes)
-        for (const ProgramRow& program : p.pass->programs) names.insert(program.name);
+    for (const Pass* p : passes())
+        for (const ProgramRow& program : p->programs) names.insert(program.name);
     return {names.begin(), names.end()};
 }
 
 std::vector<std::string> FramePlan::systemNames() const {
     std::vector<std::string> names;
-    for (const auto& [effect, system] : systems) names.push_back(system->name);
+    for (const Step& s : steps)
+        if (s.system) names.push_back(s.system->name);
     return names;
 }
 
-std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene) {
+std::string featureConstants(const FeatureSet& scene) {
     std::string out;
-    for (size_t f = 0; f < declared.size(); ++f)
-        if (declared.test(f))
-            out += fmt::format("const bool {} = {};\n", featureConstant(static_cast<Feature>(f)), scene.test(f));
+    for (const FeatureRow& row : featureRows())
+        out += fmt::format("const bool {} = {};\n", featureConstant(row.feature), has(scene, row.feature));
     return out;
 }
 

@@ -8,29 +8,36 @@
 
 namespace sward {
 
-struct PlannedPass {
-    const EffectRow* effect;
-    const Pass* pass;
+// One thing that runs in a frame: of its system, its view and its pass, one is there.
+struct Step {
+    const EffectRow* effect = nullptr;
+    const System* system = nullptr;
+    const ViewRow* within = nullptr;
+    const Pass* pass = nullptr;
+    const char* name() const;
+    const SlotUse& uses() const;
 };
 struct FramePlan {
     FeatureSet features;
+    std::string constants;  // featureConstants(features)
     unsigned views = 0;
-    std::vector<const EffectRow*> effects;  // in table order
-    std::vector<PlannedPass> passes;        // in drawing order
-    std::vector<std::pair<const EffectRow*, const System*>> systems;
+    bool stencil = false;                   // a pass needs one
+    std::vector<const EffectRow*> effects;  // by name
+    std::vector<Step> steps;                // in the order in which they run
+    std::vector<const Pass*> passes() const;
     std::vector<std::string> programs() const;     // names, sorted, once each
     std::vector<std::string> systemNames() const;  // in running order
     bool operator==(const FramePlan& o) const { return features == o.features && views == o.views; }
 };
 
-// Effects whose needs the features meet; their passes that serve one of the views, sorted by stage and, within a
-// stage, writers of a resource before its readers; ties keep the table's order.
-// Nothing is lit that is not seen: the ground's depth comes first, then grass from near to far, and last the ground and
-// the sky, lit where they show. Grass that is blended needs what it is blended with: it comes after both. Systems of an
-// effect whose passes all serve other views do not tick.
+// Effects whose needs the features meet, and what they run for one of the views. Systems of an effect whose passes all
+// serve other views do not tick; those that tick once, and views within the view, are the main view's.
+// The order follows from what steps do to slots, then from their stages, then from their names: never from the order of
+// `effects`. Stops the program, with the names of those at fault, where slots ask for a circle or for a step before
+// one of an earlier stage.
 FramePlan planFrame(const FeatureSet& features, unsigned views, std::span<const EffectRow> effects);
 
-// "const bool NAME = true;" for each declared feature, by what the scene has.
-std::string featureConstants(const FeatureSet& declared, const FeatureSet& scene);
+// "const bool NAME = true;" or false for every feature, by what the scene has (Programs::get takes those it names).
+std::string featureConstants(const FeatureSet& scene);
 
 }  // namespace sward

@@ -6,8 +6,6 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
-#include "scene/field_limits.h"
-#include "scene/unique.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -58,13 +56,13 @@ glm::mat4 jitterProjection(const ViewSettings& s) {
     return m;
 }
 
-// With a stencil only where a pass asks for it: ground shadows do. One sample is no multisample texture: drivers may
+// With a stencil only where a pass asks for it. One sample is no multisample texture: drivers may
 // give that four.
 void ensureTargets(Gpu& gpu, ViewTargets& t, int width, int height, int msaa, bool stencil) {
     const int samples = std::clamp(msaa, 1, std::max(gpu.maxSamples, 1));
     if (t.width == width && t.height == height && t.samples == samples && t.stencil == stencil) return;
     t = {};
-    t = makeTargets(gpu, "frame/targets", width, height, samples, stencil, 1, true);
+    t = makeTargets(gpu, "frame/targets", {width, height, samples, stencil, 1, true});
 }
 
 // The fixed state that every pass may rely on; a pass that changes more restores it. The rest is as a context begins,
@@ -73,6 +71,8 @@ void fixState() {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GEQUAL);  // the ground is lit where its own depth was drawn, the sky at depth 0, where nothing was
 }
+// What the scene is drawn into: ready before the first pass that has to do with it.
+constexpr SlotSet kScene{Slot::SceneColor, Slot::SceneDepth};
 void beginScene(const ViewTargets& t) {
     glBindFramebuffer(GL_FRAMEBUFFER, t.scene.id());
     glViewport(0, 0, t.width, t.height);
@@ -105,9 +105,9 @@ Frustum frustumOf(const glm::mat4& m) {
     return {{row(3) + row(0), row(3) - row(0), row(3) + row(1), row(3) - row(1), row(3) - row(2), row(3) - row(2)}};
 }
 
-ViewTargets makeTargets(Gpu& gpu, const std::string& owner, int width, int height, int samples, bool stencil,
-                        int levels, bool image) {
+ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted& wanted) {
     ViewTargets t;
+    const auto [width, height, samples, stencil, levels, image] = wanted;
     const GLenum depth = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
     t.resolved = makeTexture2D(gpu, owner, GL_RGBA16F, width, height, levels);
     if (samples > 1) t.color = makeTexture2DMultisample(gpu, owner, GL_RGBA16F, width, height, samples);
@@ -141,10 +141,12 @@ size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, con
     return calls;
 }
 
-bool DrawContext::use(size_t index, const std::string& constants, const FeatureSet* of) {
-    const ProgramRow& p = row->programs[index];
-    auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                featureConstants(p.features, of ? *of : plan.features) + constants);
+ProgramSources sourcesOf(const ProgramRow& p) {
+    return {p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation};
+}
+
+bool DrawContext::use(size_t index, const std::string& constants, const std::string* features) {
+    auto program = programs.get(sourcesOf(row->programs[index]), (features ? *features : plan.constants) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
         return false;
@@ -163,144 +165,189 @@ float pixelsPerMetre(const ViewCamera& camera, int height) {
     return static_cast<float>(height) / (2 * std::tan(glm::radians(camera.fovDeg) / 2));
 }
 
+namespace {
+
+using States = std::map<const EffectRow*, std::unique_ptr<EffectState>>;
+
+// What the renderer keeps of a view: the one that is asked for, or one within it.
+struct RenderedView {
+    FramePlan plan;
+    SharedResources shared;
+    Buffer globals;
+    States states;
+};
+
+// What the picture's place and size say of it.
+void fillView(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, const glm::mat4& viewProj,
+              int samples) {
+    const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
+    g.viewProj = viewProj;
+    g.invViewProj = glm::inverse(g.viewProj);
+    g.pixels = {w, h};
+    g.pixelShare = {1 / w, 1 / h};
+    g.mode = static_cast<int>(s.mode);
+    g.exposure = std::exp2(camera.exposure);
+    g.samples = samples;
+    g.widening = std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f);
+}
+
+// Starts a view's frame with what all views share.
+void beginShared(SharedResources& shared, SharedByViews once) {
+    shared = {};
+    static_cast<SharedByViews&>(shared) = std::move(once);
+}
+
+void keepOnly(States& states, const FramePlan& plan) {
+    std::erase_if(states, [&](const auto& s) {
+        return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end();
+    });
+}
+
+// Made where it is absent; null for an effect that keeps nothing.
+EffectState* stateIn(States& states, const EffectRow* effect, std::unique_ptr<EffectState> (*make)(DrawContext&),
+                     DrawContext& ctx) {
+    std::unique_ptr<EffectState>& state = states[effect];
+    if (!state && make) state = make(ctx);
+    return state.get();
+}
+
+}  // namespace
+
 struct Renderer::Impl {
     Gpu& gpu;
     const Tables& tables;
     Programs programs;
     MapTextures maps{gpu};
     ViewTargets targets;
-    Buffer globalsBuffer;
     VertexArray empty;
-    FramePlan plan;
-    FramePlan within;  // of the views within a view
+    RenderedView main;
+    std::map<const EffectRow*, RenderedView> within;  // by who shows them
     bool planned = false;
-    std::map<const EffectRow*, std::unique_ptr<EffectState>> states;
-    SharedResources shared;
+    FeatureSet coarsePlanned;  // of the views within
+    States states;
     FrameStats stats;
     GpuTimer timer{gpu};
     std::vector<Map> counted;  // the density maps of virtualCount
     std::vector<double> countedFactors;
     double virtualCount = 0;
 
-    Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) {
-        globalsBuffer = makeBuffer(gpu, "frame/globals", sizeof(FrameGlobals), nullptr);
-        empty = makeVertexArray("frame/empty");
-    }
+    Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
     void replan(const Project& project) {
-        FramePlan next = planFrame(sceneFeatures(project.registry, tables), kViewMain, tables.effects);
-        if (planned && next == plan) return;
-        plan = std::move(next);
+        const FeatureSet features = sceneFeatures(project.registry, tables),
+                         coarse = sceneFeatures(project.registry, tables, true);
+        if (planned && features == main.plan.features && coarse == coarsePlanned) return;
         planned = true;
-        within = {};
-        if (has(plan.features, Feature::WaterReflection))
-            within = planFrame(sceneFeatures(project.registry, tables, true), kViewReflection, tables.effects);
-        std::erase_if(states, [&](const auto& s) {
-            return std::find(plan.effects.begin(), plan.effects.end(), s.first) == plan.effects.end();
-        });
-        std::vector<std::string> kept = plan.programs(), others = within.programs();
-        kept.insert(kept.end(), others.begin(), others.end());
-        programs.keepOnly(kept);
-        shared = {};
+        coarsePlanned = coarse;
+        main.plan = planFrame(features, kViewMain, tables.effects);
+        std::vector<std::string> programsKept = main.plan.programs();
+        std::map<const EffectRow*, RenderedView> kept;
+        for (const Step& s : main.plan.steps)
+            if (s.within) {
+                RenderedView& view = kept[s.effect] = std::move(within[s.effect]);
+                view.plan = planFrame(coarse, s.within->view, tables.effects);
+                keepOnly(view.states, view.plan);
+                const std::vector<std::string> more = view.plan.programs();
+                programsKept.insert(programsKept.end(), more.begin(), more.end());
+            }
+        within = std::move(kept);
+        keepOnly(main.states, main.plan);
+        keepOnly(states, main.plan);
+        programs.keepOnly(programsKept);
+        main.shared = {};
     }
 
-    DrawContext context(const Project& project, const FramePlan& of, const ViewCamera& camera,
+    DrawContext context(const Project& project, RenderedView& view, const ViewCamera& camera,
                         const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
         DrawContext ctx{gpu,
                         project,
                         tables,
-                        of,
+                        view.plan,
                         camera,
                         settings,
                         programs,
                         maps,
-                        shared,
+                        view.shared,
                         into,
                         globals,
                         counts,
                         frustumOf(globals.viewProj)};
-        shared.ground = findGround(project);
-        ctx.eye = camera.eye - shared.ground.origin;
+        view.shared.ground = findGround(project);
+        ctx.eye = camera.eye - view.shared.ground.origin;
         ctx.around = camera.eye;
         globals.eye = ctx.eye;
+        const BrushDecal& d = settings.decal;
+        globals.decalAt = {d.x - ctx.eye.x, d.z - ctx.eye.z};
+        globals.decalRadius = d.radius;
+        globals.decalFalloff = d.falloff;
         return ctx;
     }
 
-    static void fillGlobals(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, const glm::mat4& viewProj,
-                            int samples) {
-        g = {};
-        const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
-        g.viewProj = viewProj;
-        g.invViewProj = glm::inverse(g.viewProj);
-        g.pixels = {w, h};
-        g.pixelShare = {1 / w, 1 / h};
-        g.mode = static_cast<int>(s.mode);
-        g.exposure = std::exp2(camera.exposure);
-        g.samples = samples;
-        g.widening = std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f);
+    void enter(DrawContext& ctx, RenderedView& view, const EffectRow* effect) {
+        ctx.state = stateIn(states, effect, effect->makeState, ctx);
+        ctx.seen = stateIn(view.states, effect, effect->makeView, ctx);
     }
 
-    EffectState* stateOf(DrawContext& ctx, const EffectRow* effect) {
-        std::unique_ptr<EffectState>& state = states[effect];
-        ctx.state = state.get();
-        if (!state && effect->makeState) state = effect->makeState(ctx);
-        return ctx.state = state.get();
-    }
-
-    void runSystems(DrawContext& ctx) {
-        for (const EffectRow* effect : ctx.plan.effects) stateOf(ctx, effect);
-        for (const auto& [effect, system] : ctx.plan.systems) {
-            stateOf(ctx, effect);
-            system->run(ctx);
+    void run(DrawContext& ctx, RenderedView& view, const char* prefix = "") {
+        for (const EffectRow* effect : ctx.plan.effects) enter(ctx, view, effect);
+        bool passes = false, scene = false;
+        for (const Step& step : ctx.plan.steps) {
+            enter(ctx, view, step.effect);
+            if (step.system) step.system->run(ctx);
+            if (step.within) drawWithin(ctx, step);
+            if (!step.pass) continue;
+            const SlotUse& u = step.pass->uses;
+            if (!std::exchange(passes, true)) beginPasses(ctx, view);
+            if (((u.reads | u.writes | u.appends) & kScene).any() && !std::exchange(scene, true))
+                beginScene(ctx.targets);
+            runPass(ctx, *step.pass, prefix);
         }
+        glUseProgram(0);  // so that none is current that is deleted: what restores it would fail
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
-    // Passes of stage Reflect draw views of their own, whose effects leave what they know of those in their states; the
-    // systems then tick for this view.
-    void drawReflections(DrawContext& ctx) {
-        ctx.view = [&](const ViewRequest& request) { drawWithin(ctx, request); };
-        PassStats none;
-        for (const PlannedPass& p : ctx.plan.passes)
-            if (p.pass->stage == Stage::Reflect) {
-                ctx.pass = &none;
-                ctx.row = p.pass;
-                stateOf(ctx, p.effect);
-                p.pass->draw(ctx);
-            }
-        ctx.view = {};
+    // Every system ticks before the first pass.
+    void beginPasses(DrawContext& ctx, RenderedView& view) {
+        fixState();
+        glBindVertexArray(empty.id());
+        writeBuffer(gpu, view.globals, "frame/globals", sizeof(FrameGlobals), &ctx.globals);
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, view.globals.id());
     }
 
-    void drawWithin(DrawContext& outer, const ViewRequest& request) {
+    void drawWithin(DrawContext& outer, const Step& step) {
+        ViewRequest request;
+        if (!step.within->request(outer, request)) return;
+        RenderedView& view = within[step.effect];
+        beginShared(view.shared, outer.shared);
         FrameStats counts;
-        FrameGlobals globals;
-        fillGlobals(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
-        globals.mirrored = 1;
+        FrameGlobals globals = outer.globals;
+        fillView(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
+        globals.mirrored = request.mirrored ? 1 : 0;
         globals.mirrorHeight = request.cutAt;
         DrawContext ctx =
-            context(outer.project, within, request.camera, request.settings, *request.targets, globals, counts);
+            context(outer.project, view, request.camera, request.settings, *request.targets, globals, counts);
         ctx.around = outer.around;
-        runSystems(ctx);
-        glFrontFace(GL_CW);
-        glEnable(GL_CLIP_DISTANCE0);
-        draw(ctx, "mirrored ");
+        glFrontFace(request.mirrored ? GL_CW : GL_CCW);
+        if (request.mirrored) glEnable(GL_CLIP_DISTANCE0);
+        run(ctx, view, step.within->prefix);
         glDisable(GL_CLIP_DISTANCE0);
         glFrontFace(GL_CCW);
         outer.stats.passes.insert(outer.stats.passes.end(), counts.passes.begin(), counts.passes.end());
         outer.stats.cpuCullMs += counts.cpuCullMs;
         if (outer.error.empty()) outer.error = ctx.error;
+        step.within->drawn(outer);
     }
 
-    void runPass(DrawContext& ctx, const PlannedPass& p, const char* prefix) {
+    void runPass(DrawContext& ctx, const Pass& row, const char* prefix) {
         ctx.stats.passes.push_back({});
         PassStats& pass = ctx.stats.passes.back();
-        pass.name = std::string(prefix) + p.pass->name;
+        pass.name = std::string(prefix) + row.name;
         ctx.pass = &pass;
-        ctx.row = p.pass;
-        ctx.state = states[p.effect].get();
+        ctx.row = &row;
         const bool labelled = gpu.watched || ctx.settings.measure;
         if (labelled) glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, pass.name.c_str());
         if (ctx.settings.measure) timer.begin();
-        p.pass->draw(ctx);
+        row.draw(ctx);
         if (ctx.settings.measure) {
             const GpuCost cost = timer.end();
             pass.ms = cost.ms;
@@ -333,26 +380,18 @@ struct Renderer::Impl {
 
     void describe(const Project& project) {
         stats.bladesVirtual = population(project);
-        for (size_t f = 0; f < plan.features.size(); ++f)
-            if (plan.features.test(f)) stats.features.push_back(featureName(static_cast<Feature>(f)));
+        for (size_t f = 0; f < main.plan.features.size(); ++f)
+            if (main.plan.features.test(f)) stats.features.push_back(featureName(static_cast<Feature>(f)));
         stats.programs = programs.names();
-        stats.systems = plan.systemNames();
+        stats.systems = main.plan.systemNames();
     }
 
-    void draw(DrawContext& ctx, const char* prefix = "") {
-        ctx.stats.passes.reserve(ctx.stats.passes.size() + ctx.plan.passes.size());
-        fixState();
-        glBindVertexArray(empty.id());
-        glNamedBufferSubData(globalsBuffer.id(), 0, sizeof(FrameGlobals), &ctx.globals);
-        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FRAME, globalsBuffer.id());
-        bool begun = false;
-        for (const PlannedPass& p : ctx.plan.passes) {
-            if (p.pass->stage == Stage::Reflect) continue;
-            if (p.pass->stage > Stage::Reflect && !std::exchange(begun, true)) beginScene(ctx.targets);
-            runPass(ctx, p, prefix);
-        }
-        glUseProgram(0);  // so that none is current that is deleted: what restores it would fail
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    // Whether what the project has can be drawn at all.
+    Status check(const Project& project) {
+        for (const EffectRow* effect : main.plan.effects)
+            if (effect->check)
+                if (Status s = effect->check(project, population(project)); !s) return s;
+        return {};
     }
 };
 
@@ -364,25 +403,17 @@ Status Renderer::draw(const Project& project, const ViewCamera& camera, const Vi
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
     r.replan(project);
-    if (Status s = checkFields(project); !s) return s;
-    if (has(r.plan.features, Feature::GrassUnique))
-        if (Status s = checkUnique(project, r.population(project)); !s) return s;
-    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa,
-                  has(r.plan.features, Feature::GroundShadows));
-    FrameGlobals globals;
-    Impl::fillGlobals(globals, camera, settings,
-                      jitterProjection(settings) * partProjection(settings) *
-                          viewProjection(camera, wholeWidth(settings), wholeHeight(settings)),
-                      r.targets.samples);
-    DrawContext ctx = r.context(project, r.plan, camera, settings, r.targets, globals, r.stats);
-    const BrushDecal& d = settings.decal;
-    globals.decalAt = {d.x - ctx.eye.x, d.z - ctx.eye.z};
-    globals.decalRadius = d.radius;
-    globals.decalFalloff = d.falloff;
+    if (Status s = r.check(project); !s) return s;
+    ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, r.main.plan.stencil);
+    FrameGlobals globals{};
+    fillView(globals, camera, settings,
+             jitterProjection(settings) * partProjection(settings) *
+                 viewProjection(camera, wholeWidth(settings), wholeHeight(settings)),
+             r.targets.samples);
+    beginShared(r.main.shared, std::move(r.main.shared));
+    DrawContext ctx = r.context(project, r.main, camera, settings, r.targets, globals, r.stats);
     r.maps.beginFrame();
-    r.drawReflections(ctx);
-    r.runSystems(ctx);
-    r.draw(ctx);
+    r.run(ctx, r.main);
     r.maps.endFrame();
     if (settings.measure) glFinish();
     if (settings.measure) r.describe(project);
@@ -396,8 +427,13 @@ unsigned Renderer::image() const { return impl_->targets.image.id(); }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
 std::vector<JobNews> Renderer::jobs() const {
     std::vector<JobNews> out;
-    for (const auto& [row, state] : impl_->states)
-        if (state) state->jobs(out);
+    const auto add = [&](const States& states) {
+        for (const auto& [row, state] : states)
+            if (state) state->jobs(out);
+    };
+    add(impl_->states);
+    add(impl_->main.states);
+    for (const auto& [row, view] : impl_->within) add(view.states);
     return out;
 }
 void Renderer::finish() { glFinish(); }
@@ -411,7 +447,7 @@ Reload Renderer::reloadPrograms() {
 
 std::string Renderer::explain(const Project& project, bool json) {
     impl_->replan(project);
-    return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
+    return explainPlan(impl_->main.plan, project, impl_->tables, impl_->gpu, impl_->programs, json);
 }
 
 namespace {

@@ -1,28 +1,22 @@
 #include "frame/soil.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace sward {
-namespace {
-// GLSL has no empty arrays.
-std::string listed(const char* name, std::vector<int> numbers) {
-    if (numbers.empty()) numbers.push_back(-1);
-    return fmt::format("const int {}[{}] = int[{}]({});\n", name, numbers.size(), numbers.size(),
-                       fmt::join(numbers, ", "));
-}
-}  // namespace
 
-std::string soilConstants(const SoilNumbers& n) {
-    return fmt::format("const int SOIL_FIELDS = {};\nconst int SOIL_SPECIES = {};\n", n.height.size(),
-                       n.density.size()) +
-           listed("SOIL_FIELD_OF", n.fieldOf) + listed("SOIL_DENSITY", n.density) + listed("SOIL_HEIGHT", n.height) +
-           listed("SOIL_OCCLUSION", n.occlusion);
+std::string soilConstants(const std::vector<SoilNumbers>& fields) {
+    std::string out = "#define SOIL_EACH";
+    size_t species = 0;
+    for (size_t i = 0; i < fields.size(); ++i) {
+        out += fmt::format(" SOIL_FIELD({}, {}, {})", i, fields[i].height, fields[i].occlusion);
+        for (const int map : fields[i].density) out += fmt::format(" SOIL_SPECIES({}, {})", species++, map);
+        out += fmt::format(" SOIL_SHARE({})", i);
+    }
+    return out + "\n";
 }
 
 std::vector<std::string> soilVariants() {
-    return {soilConstants({}), soilConstants({{0}, {-1}, {-1}, {-1}}),
-            soilConstants({{0, 0, 1}, {0, -1, 3}, {1, -1}, {-1, 2}})};
+    return {soilConstants({}), soilConstants({{-1, -1, {-1}}}), soilConstants({{0, 1, {2, -1}}, {-1, 3, {4}}})};
 }
 
 }  // namespace sward

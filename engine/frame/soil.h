@@ -8,20 +8,21 @@
 
 namespace sward {
 
-// Which of the maps each species and field reads; -1: none, and then the density, or the share of height or sky, is 1.
+// Which of the maps a field and its species read, by their numbers in SoilCover::maps; -1: none, and then the density, or
+// the share of height or sky, is 1.
 struct SoilNumbers {
-    std::vector<int> fieldOf, density;   // by species
-    std::vector<int> height, occlusion;  // by field
+    int height = -1, occlusion = -1;
+    std::vector<int> density;  // by species
 };
-// The numbers as constants for shaders.
-std::string soilConstants(const SoilNumbers& numbers);
-// Ways in which they differ, for tests that compile every program (ProgramRow::variants).
+// The same as text for shaders: the macro SOIL_EACH.
+std::string soilConstants(const std::vector<SoilNumbers>& fields);
+// Ways in which it differs, for tests that compile every program (ProgramRow::variants).
 std::vector<std::string> soilVariants();
 
 struct SoilCover {
-    GLuint globals = 0;                               // SoilGlobals
-    std::string constants = soilConstants({});        // nothing grows
-    std::vector<GLuint> maps;                         // textures, bound from TEX_SOIL on
+    GLuint globals = 0;         // SoilGlobals
+    std::string constants;      // of soilConstants; empty: nothing grows
+    std::vector<GLuint> maps;   // textures, bound from TEX_SOIL on
 };
 
 }  // namespace sward

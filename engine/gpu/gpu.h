@@ -22,6 +22,7 @@ struct Gpu {
     std::string lastError;
     std::shared_ptr<void> context;  // keeps a headless context alive
 
+    // Sum over the ledger: bytes that buffers and textures hold now.
     int64_t totalBytes() const;
 };
 

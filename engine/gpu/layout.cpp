@@ -1,6 +1,8 @@
 #include "gpu/layout.h"
 
 #include <algorithm>
+#include <array>
+#include <glm/glm.hpp>
 #include <type_traits>
 
 #include "shared/cells.h"

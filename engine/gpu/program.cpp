@@ -1,5 +1,6 @@
 #include "gpu/program.h"
 
+#include <cctype>
 #include <fstream>
 #include <mutex>
 #include <optional>
@@ -174,6 +175,42 @@ fs::file_time_type newestOf(const fs::path& folder, const std::vector<std::strin
     return newest;
 }
 
+bool inWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// Where what begins at `at` ends, if that is a comment; else `at`.
+size_t afterComment(const std::string& text, size_t at) {
+    const bool line = text.compare(at, 2, "//") == 0;
+    if (!line && text.compare(at, 2, "/*") != 0) return at;
+    const size_t end = text.find(line ? "\n" : "*/", at + 2);
+    return end == std::string::npos ? text.size() : end + (line ? 1 : 2);
+}
+
+// All words of a text that stand outside of its comments.
+std::set<std::string, std::less<>> wordsIn(const std::string& text) {
+    std::set<std::string, std::less<>> words;
+    for (size_t at = 0; at < text.size();) {
+        if (const size_t after = afterComment(text, at); after != at) {
+            at = after;
+            continue;
+        }
+        size_t end = at;
+        while (end < text.size() && inWord(text[end])) ++end;
+        const std::string_view word(text.data() + at, end - at);
+        if (!word.empty() && !words.contains(word)) words.emplace(word);
+        at = std::max(end, at + 1);
+    }
+    return words;
+}
+
+// The name in "const TYPE NAME = ..."; empty: the line is no constant's.
+std::string_view nameOf(std::string_view line) {
+    if (!line.starts_with("const ")) return {};
+    const size_t type = line.find(' ', 6), from = type == std::string_view::npos ? line.size() : type + 1;
+    size_t end = from;
+    while (end < line.size() && inWord(line[end])) ++end;
+    return line.substr(from, end - from);
+}
+
 }  // namespace
 
 Result<GLuint> Programs::build(Entry& entry) {
@@ -187,7 +224,7 @@ Result<GLuint> Programs::build(Entry& entry) {
     std::optional<Error> error;
     for (const auto& [stage, path] : stages) {
         if (!path || error) continue;
-        auto shader = compileStage(folder_, stage, path, entry.constants, files);
+        auto shader = compileStage(folder_, stage, path, entry.declared, files);
         if (shader)
             shaders.push_back(*shader);
         else
@@ -200,41 +237,102 @@ Result<GLuint> Programs::build(Entry& entry) {
     return program;
 }
 
-Result<GLuint> Programs::get(const ProgramSources& sources, const std::string& constants) {
-    const auto place = std::make_pair(std::string(sources.name), constants);
-    if (auto it = programs_.find(place); it != programs_.end()) return it->second.program.id();
-    Entry entry{sources, constants, {}, {}, {}};
-    auto program = build(entry);
-    if (!program) return program;
-    entry.program = GlName<ProgramKind>(*program);
-    return programs_.emplace(place, std::move(entry)).first->second.program.id();
+std::string Programs::declaredOf(const ProgramSources& sources, const std::string& constants) {
+    std::string declared;
+    for (size_t at = 0; at < constants.size();) {
+        const size_t end = std::min(constants.find('\n', at), constants.size() - 1) + 1;
+        const std::string_view line(constants.data() + at, end - at);
+        if (const std::string_view name = nameOf(line); name.empty() || named(sources, name)) declared += line;
+        at = end;
+    }
+    return declared;
 }
 
+const Programs::Words* Programs::wordsOf(const char* path) {
+    if (const auto it = words_.find(std::string_view(path)); it != words_.end()) return &it->second;
+    auto text = loadShaderText(folder_, path, "");
+    if (!text) return nullptr;
+    Words w{wordsIn(text->text), newestOf(folder_, text->files), text->files};
+    return &words_.emplace(path, std::move(w)).first->second;
+}
+
+bool Programs::named(const ProgramSources& s, std::string_view word) {
+    for (const char* path : {s.vertex, s.fragment, s.compute, s.control, s.evaluation}) {
+        const Words* words = path ? wordsOf(path) : nullptr;
+        if (words && words->words.contains(word)) return true;
+    }
+    return false;
+}
+
+std::shared_ptr<Programs::Entry> Programs::find(const std::string& name, const std::string& declared) const {
+    for (auto it = asked_.lower_bound({name, ""}); it != asked_.end() && it->first.first == name; ++it)
+        if (it->second->declared == declared) return it->second;
+    return nullptr;
+}
+
+Result<GLuint> Programs::get(const ProgramSources& sources, const std::string& constants) {
+    Key asked(sources.name, constants);
+    if (auto it = asked_.find(asked); it != asked_.end()) return it->second->program.id();
+    const std::string declared = declaredOf(sources, constants);
+    std::shared_ptr<Entry> entry = find(asked.first, declared);
+    if (!entry) {
+        entry = std::make_shared<Entry>(Entry{sources, declared, {}, {}, {}});
+        auto program = build(*entry);
+        if (!program) return program;
+        entry->program = GlName<ProgramKind>(*program);
+    }
+    return asked_.emplace(std::move(asked), std::move(entry)).first->second->program.id();
+}
+
+// Compiled from the sources as they are now; no program where they do not compile.
+Programs::Entry Programs::rebuilt(const Key& asked, const Entry& stale, Reload& done) {
+    Entry entry{stale.sources, declaredOf(stale.sources, asked.second), {}, {}, stale.files};
+    auto program = build(entry);
+    if (program) {
+        entry.program = GlName<ProgramKind>(*program);
+        ++done.renewed;
+    } else {
+        done.failed.push_back(program.error().text());
+    }
+    return entry;
+}
+
+// A source that changed may name other constants: what declared the same before may part, and the other way round.
 Reload Programs::reload() {
+    std::erase_if(words_, [&](const auto& w) { return newestOf(folder_, w.second.files) > w.second.newest; });
+    std::set<const Entry*> stale;
+    for (const auto& [asked, entry] : asked_)
+        if (newestOf(folder_, entry->files) > entry->newest) stale.insert(entry.get());
     Reload done;
-    for (auto& [key, entry] : programs_) {
-        if (newestOf(folder_, entry.files) <= entry.newest) continue;
-        auto program = build(entry);
-        if (program) {
-            entry.program = GlName<ProgramKind>(*program);
-            ++done.renewed;
-        } else {
-            done.failed.push_back(program.error().text());
-        }
+    std::map<Key, std::shared_ptr<Entry>> made;
+    for (auto& [asked, entry] : asked_) {
+        if (!stale.contains(entry.get())) continue;
+        std::shared_ptr<Entry>& anew = made[{asked.first, declaredOf(entry->sources, asked.second)}];
+        if (!anew) anew = std::make_shared<Entry>(rebuilt(asked, *entry, done));
+        if (anew->program.id())
+            entry = anew;
+        else
+            entry->newest = anew->newest, entry->files = anew->files;  // told once
     }
     return done;
 }
 
 void Programs::keepOnly(const std::vector<std::string>& names) {
-    std::erase_if(programs_,
+    std::erase_if(asked_,
                   [&](const auto& p) { return std::find(names.begin(), names.end(), p.first.first) == names.end(); });
 }
 
 std::vector<std::string> Programs::names() const {
     std::vector<std::string> out;
-    for (const auto& [key, entry] : programs_)
+    for (const auto& [key, entry] : asked_)
         if (out.empty() || out.back() != key.first) out.push_back(key.first);
     return out;
+}
+
+size_t Programs::size() const {
+    std::set<const Entry*> entries;
+    for (const auto& [key, entry] : asked_) entries.insert(entry.get());
+    return entries.size();
 }
 
 }  // namespace sward

@@ -4,7 +4,10 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
@@ -44,6 +47,7 @@ struct ProgramSources {
 struct Reload {
     int renewed = 0;
     std::vector<std::string> failed;
+    // True if no shader changed since the last reload.
     bool nothing() const { return renewed == 0 && failed.empty(); }
 };
 
@@ -51,26 +55,43 @@ class Programs {
   public:
     // Warns, once a folder, if its shaders are of another version than this program.
     explicit Programs(std::filesystem::path folder = shaderFolder());
-    // The program with these constants, compiled at first use. Failed with the compiler's log.
+    // The program with those of these constants ("const bool WIND = true;\n" each) that its sources name, compiled at
+    // first use. What they do not name makes no other program of it; so no constant may be made of another. Failed with
+    // the compiler's log.
     Result<GLuint> get(const ProgramSources& sources, const std::string& constants);
-    // Recompiles what changed on disk since it was last compiled.
+    // Whether one of the sources, or what it includes, has this word outside of comments. No if one cannot be read.
+    bool named(const ProgramSources& sources, std::string_view word);
+    // Recompiles what changed on disk since it was last compiled, with what it names now.
     Reload reload();
     // Forgets every program whose name is not listed.
     void keepOnly(const std::vector<std::string>& names);
     std::vector<std::string> names() const;  // sorted
-    size_t size() const { return programs_.size(); }
+    size_t size() const;                     // programs that differ in their name or in what they declare
 
   private:
     struct Entry {
         ProgramSources sources;
-        std::string constants;
+        std::string declared;  // those of the constants that the sources name
         GlName<ProgramKind> program;
         std::filesystem::file_time_type newest;
         std::vector<std::string> files;
     };
+    // What a source and its includes name.
+    struct Words {
+        std::set<std::string, std::less<>> words;
+        std::filesystem::file_time_type newest;
+        std::vector<std::string> files;
+    };
+    using Key = std::pair<std::string, std::string>;  // name and constants
     Result<GLuint> build(Entry& entry);
+    const Words* wordsOf(const char* path);
+    std::string declaredOf(const ProgramSources& sources, const std::string& constants);
+    std::shared_ptr<Entry> find(const std::string& name, const std::string& declared) const;
+    Entry rebuilt(const Key& asked, const Entry& stale, Reload& done);
+
     std::filesystem::path folder_;
-    std::map<std::pair<std::string, std::string>, Entry> programs_;  // by name and constants
+    std::map<std::string, Words, std::less<>> words_;  // by path
+    std::map<Key, std::shared_ptr<Entry>> asked_;  // by all constants that were offered; what declares the same is one
 };
 
 }  // namespace sward

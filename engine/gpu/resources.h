@@ -25,6 +25,7 @@ class Tally {
         return *this;
     }
     ~Tally() { release(); }
+    // Bytes counted; 0 after it was moved from.
     size_t bytes() const { return gpu_ ? bytes_ : 0; }
 
   private:
@@ -53,24 +54,31 @@ class GlName {
     ~GlName() {
         if (id_) Kind::destroy(id_);
     }
+    // The name; 0 if it holds none.
     GLuint id() const { return id_; }
 
   private:
     GLuint id_ = 0;
 };
+// Kinds of names, and how each is deleted.
 struct BufferKind {
+    // Deletes the buffer.
     static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
 };
 struct TextureKind {
+    // Deletes the texture.
     static void destroy(GLuint id) { glDeleteTextures(1, &id); }
 };
 struct FramebufferKind {
+    // Deletes the framebuffer.
     static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
 };
 struct VertexArrayKind {
+    // Deletes the vertex array.
     static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 };
 struct ProgramKind {
+    // Deletes the program.
     static void destroy(GLuint id) { glDeleteProgram(id); }
 };
 using VertexArray = GlName<VertexArrayKind>;
@@ -79,7 +87,9 @@ using Framebuffer = GlName<FramebufferKind>;
 struct Buffer {
     GlName<BufferKind> name;
     Tally tally;
+    // The buffer's name; 0 before it was made.
     GLuint id() const { return name.id(); }
+    // Size as it was made, in bytes.
     size_t bytes() const { return tally.bytes(); }
 };
 // owner: "domain/stem"; its domain/stem is what `explain` charges. data may be null. Sizes of 0 become 16.
@@ -94,6 +104,7 @@ struct Texture {
     Tally tally;
     int width = 0, height = 0, levels = 1;
     GLenum format = 0;
+    // The texture's name; 0 before it was made.
     GLuint id() const { return name.id(); }
 };
 // levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
@@ -101,9 +112,11 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
                       bool repeat = false);
 // Layers of one size, with their full chain of levels; trilinear, clamped.
 Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int layers);
+// `samples` a texel, 1 to Gpu::maxSamples; no levels.
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int samples);
 // depth may be of a format with a stencil; 0: none.
 Framebuffer makeFramebuffer(GLuint color, GLuint depth, const char* label);
+// Vertex array without attributes, labelled for debuggers.
 VertexArray makeVertexArray(const char* label);
 
 // Bytes of one texel of a sized format; CHECK fails for one that Sward does not use, or that is compressed.

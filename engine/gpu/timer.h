@@ -21,9 +21,12 @@ class GpuTimer {
     ~GpuTimer();
     GpuTimer(const GpuTimer&) = delete;
     GpuTimer& operator=(const GpuTimer&) = delete;
+    // Begins to measure; one measurement at a time, ended by end().
     void begin();
-    GpuCost end();  // waits for the result
+    // What was drawn since begin() cost. Waits for the GPU.
+    GpuCost end();
 
+    // How times are taken on this GPU, as statistics name it: "wall-finish" or "gpu-timer".
     static const char* kind(const Gpu& gpu) { return gpu.software ? "wall-finish" : "gpu-timer"; }
 
   private:

@@ -14,7 +14,7 @@ constexpr int kBlades = 64, kPoints = 4;
 constexpr float kLeast = 0.03f;  // sine of the flattest view: flatter ones look like it
 
 // Share of a strip's width that the blade's texture covers at v.
-float coverAt(const Rgba8& image, float v) {
+float opaqueShareAt(const Rgba8& image, float v) {
     const int y = std::clamp(static_cast<int>(v * image.height), 0, image.height - 1);
     int sum = 0;
     for (int x = 0; x < image.width; ++x) sum += image.pixels[(static_cast<size_t>(y) * image.width + x) * 4 + 3];
@@ -225,7 +225,7 @@ void updateLook(Look& look, uint64_t& madeFrom, const Species& s, const Patch& p
                 f32::bladeTint(f32::bladeGradient(s.rootColor, s.midColor, s.tipColor, v), b.hue, b.lightness);
             look.points.push_back(
                 {color, b.control, b.tip, b.facing, v,
-                 b.width * coverAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
+                 b.width * opaqueShareAt(blade, v) * length / kPoints * s.bladesPerM2 / static_cast<float>(n), open});
         }
     }
     // Values of clumps are noise in [-1, 1] of deviation 0.4.

@@ -11,8 +11,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "grass/slice_settings.h"
 #include "scene/population.h"
 #include "shared/slices.h"
@@ -65,11 +65,13 @@ struct FieldLight {
 struct Gains {
     std::array<glm::vec4, LOOK_VIEWS>
         slices;  // rgb: factor of vertical slices; w: share by which a lean (m per m) towards +x brightens
-    std::array<glm::vec4, LOOK_VIEWS> far;  // rgb: factor of the horizontal slice; w: the same for +z
+    std::array<glm::vec4, LOOK_VIEWS>
+        far;  // rgb: factor of the horizontal slice; w: share by which a lean towards +z brightens
     std::array<glm::vec4, LOOK_VIEWS>
         laid;  // rgb: how many times as bright blades are that are pressed down; 1 where none may be
     glm::vec3 sliceAmbient, farAmbient;  // ambient light that their texels are taken to receive
 };
+// Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
 Gains gainsOf(const Look& look, const FieldLight& light);
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
 // so is the published one where it has no value (B-1, B-4).

@@ -7,6 +7,7 @@
 #include "grass/grass_fields.h"
 #include "grass/mask.h"
 #include "grass/slice_settings.h"
+#include "scene/field_limits.h"
 #include "scene/tiling.h"
 #include "shared/soil.h"
 #include "world/wind.h"
@@ -42,7 +43,7 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
     s.textureOf = species.texture;
     s.bladeImage = bladeImage(ctx.project, species);
     s.bladeHash = hashBytes(s.bladeImage.pixels.data(), s.bladeImage.pixels.size());
-    s.bladeTexture = makeTileTexture(ctx.gpu, kOwner, s.bladeImage, false);
+    s.bladeTexture = makeColorTexture(ctx.gpu, kOwner, s.bladeImage, false);
 }
 
 void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Field& field, size_t index) {
@@ -141,7 +142,8 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
     SoilCover& soil = ctx.shared.soil;
     soil.maps.clear();
     SoilGlobals g{};
-    SoilNumbers numbers;
+    std::vector<SoilNumbers> numbers;
+    size_t species = 0;
     for (size_t i = 0; i < std::min<size_t>(grass.all.size(), MAX_FIELDS); ++i) {
         const Field& field = *grass.all[i];
         const GrassField& f = field.grows();
@@ -149,14 +151,12 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         const bool drawn = has(field.view->own, Feature::GroundShadows);
         const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
         g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
-        numbers.height.push_back(soilMap(soil, field.bladeHeights));
-        numbers.occlusion.push_back(soilMap(soil, field.occlusion));
-        for (size_t k = 0; k < field.species.size() && numbers.density.size() < MAX_SOIL_SPECIES; ++k) {
+        numbers.push_back({soilMap(soil, field.bladeHeights), soilMap(soil, field.occlusion), {}});
+        for (size_t k = 0; k < field.species.size() && species < MAX_SOIL_SPECIES; ++k, ++species) {
             const FieldSpecies& s = *field.species[k];
-            g.species[numbers.density.size()] = {lightLeft(s.look, ctx.globals.sunDirection.y),
-                                                       shaderTiling(t, f.species[k].densityTiling), 0, 0};
-            numbers.fieldOf.push_back(static_cast<int>(i));
-            numbers.density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
+            g.species[species] = {lightLeft(s.look, ctx.globals.sunDirection.y),
+                                  shaderTiling(t, f.species[k].densityTiling), 0, 0};
+            numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
     }
     soil.constants = soilConstants(numbers);
@@ -168,7 +168,7 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
 // The
 // scene's features, but of fields only this one's.
 FeatureSet featuresFor(const DrawContext& ctx, const FeatureSet& own) {
-    return (ctx.plan.features & ~featuresOfFields()) | own;
+    return (ctx.plan.features & ~fieldFeatures()) | own;
 }
 
 void updateSpecies(DrawContext& ctx, Field& field, size_t i) {
@@ -204,8 +204,9 @@ void findFields(DrawContext& ctx, GrassFields& grass) {
             std::find_if(grass.all.begin(), grass.all.end(), [&](const auto& f) { return f && f->name == name; });
         now.push_back(old != grass.all.end() ? std::move(*old) : std::make_unique<Field>());
         now.back()->name = name;
-        now.back()->view.emplace(
-            GrassView{entity, own, featuresFor(ctx, own), tiersOf(ctx.tables.techniques, entity, ctx.settings.coarse)});
+        const FeatureSet features = featuresFor(ctx, own);
+        now.back()->view.emplace(GrassView{entity, own, features, featureConstants(features),
+                                           tiersOf(ctx.tables.techniques, entity, ctx.settings.coarse)});
     }
     grass.all = std::move(now);
 }
@@ -219,7 +220,7 @@ void update(DrawContext& ctx) {
     ctx.shared.grass = &grass;
 }
 
-const System kSystems[] = {{"grass/field", update}};
+const System kSystems[] = {{"grass/field", {.reads = {Slot::Sun, Slot::Masks}, .writes = {Slot::Grass}}, update}};
 
 }  // namespace
 
@@ -279,7 +280,7 @@ void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
 
 bool beginField(DrawContext& ctx, const Field& field, size_t program, const std::string& constants) {
     endTransparency();
-    if (!ctx.use(program, constants, &field.view->features)) return false;
+    if (!ctx.use(program, constants, &field.view->constants)) return false;
     bindField(field);
     beginTransparency(ctx, field);
     return true;
@@ -300,7 +301,7 @@ void beginTransparency(const DrawContext& ctx, const Field& field) {
 void endTransparency() { glDisable(GL_BLEND); }
 
 Rgba8 bladeImage(const Project& project, const Species& species) {
-    Rgba8 image = species.texture.empty() ? Rgba8{} : loadTile(project.dir / species.texture);
+    Rgba8 image = species.texture.empty() ? Rgba8{} : loadColorImage(project.dir / species.texture);
     return image.pixels.empty() ? makeBladeImage(32, 128) : image;
 }
 
@@ -345,12 +346,12 @@ void GrassFields::jobs(std::vector<JobNews>& out) const {
 
 const EffectRow& fieldEffect() {
     static const EffectRow row{
-        "grass/field",
-        featureSet(Feature::Grass, Feature::Terrain),
-        kSystems,
-        {},
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GrassFields>(); },
-        "there is grass: its patches, maps and textures"};
+        .name = "grass/field",
+        .needs = featureSet(Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GrassFields>(); },
+        .help = "there is grass: its patches, maps and textures",
+        .check = [](const Project& project, double) { return checkFields(project); }};
     return row;
 }
 const EffectRow& farDarkeningEffect() {
@@ -360,6 +361,14 @@ const EffectRow& farDarkeningEffect() {
                                {},
                                nullptr,
                                "far grass is darker, which shows depth"};
+    return row;
+}
+
+const EffectRow& uniqueEffect() {
+    static const EffectRow row{.name = "grass/unique",
+                               .needs = featureSet(Feature::GrassUnique),
+                               .help = "each cell has blades of its own",
+                               .check = checkUnique};
     return row;
 }
 

@@ -1,8 +1,8 @@
 // What all of a field's tiers share, field by field: patches, blade textures, maps, and how much light grass leaves to
 // the soil. Does not: draw.
 #pragma once
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "grass/appearance.h"
 #include "grass/cells.h"
 #include "grass/drawing.h"
@@ -64,6 +64,7 @@ struct GrassView {
     FieldEntity of;
     FeatureSet own;       // what this field asks for in this view
     FeatureSet features;  // the scene's without other fields': what this field's programs are compiled for
+    std::string constants;  // featureConstants(features)
     FieldTiers tiers;
     template <class C>
     const C& settings() const {
@@ -118,9 +119,12 @@ void eachSpecies(const DrawContext& ctx, PerSpecies<S>& states, Feature f, F&& v
     }
 }
 
+// Row of the effect "grass/field" (techniques.cpp): runs in scenes with Grass and Terrain.
 const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();
+// Refuses a population of blades of their own that is too large to be made.
+const EffectRow& uniqueEffect();
 
 // Its maps and globals for what is drawn next.
 void bindField(const Field& field);

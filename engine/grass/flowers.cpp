@@ -32,7 +32,7 @@ void updateTexture(DrawContext& ctx, Kind& k, const Flowers& f) {
     if (k.textureOf == f.texture) return;
     k.textureOf = f.texture;
     k.image = flowerImage(ctx.project, f);
-    k.texture = makeTileTexture(ctx.gpu, kOwner, k.image.pixels, false);
+    k.texture = makeColorTexture(ctx.gpu, kOwner, k.image.pixels, false);
 }
 
 // Corners 0 to 3 are the stem's, from the root up; 4 to 7 the head's.
@@ -152,7 +152,7 @@ void draw(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     // They stand among the first field's grass: its maps lower, shade and press them.
     const Field* among = ctx.shared.grass && !ctx.shared.grass->all.empty() ? ctx.shared.grass->all.front().get() : nullptr;
-    if (!ctx.use(0, {}, among ? &among->view->features : nullptr)) return;
+    if (!ctx.use(0, {}, among ? &among->view->constants : nullptr)) return;
     if (among) bindField(*among);
     for (const auto& [entity, k] : s.kinds) {
         if (k.drawn == 0) continue;
@@ -167,15 +167,16 @@ void draw(DrawContext& ctx) {
     }
 }
 
-const System kSystems[] = {{"grass/flowers/cells", update}};
-const ProgramRow kPrograms[] = {
-    {"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::Grass, Feature::GrassHeights, Feature::GrassOcclusion,
-                Feature::FlowerDensity, Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                Feature::Fog)}};
+const System kSystems[] = {{"grass/flowers/cells", {.reads = {Slot::Ground}}, update}};
+const ProgramRow kPrograms[] = {{"grass/flowers", "grass/flowers.vert.glsl", "grass/flowers.frag.glsl", nullptr}};
 const Pass kPasses[] = {
-    {"grass/flowers", Stage::Blades, kViewMain | kViewCompare, 0, kSceneColor | kSceneDepth, kPrograms, draw}};
+    {"grass/flowers",
+     Stage::Flowers,
+     kViewMain,
+     {.reads = {Slot::Grass, Slot::Forces, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kPrograms,
+     draw,
+     featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

@@ -9,5 +9,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "grass/flowers" (techniques.cpp): runs in scenes with Flowers and Terrain.
 const EffectRow& flowersEffect();
 }  // namespace sward

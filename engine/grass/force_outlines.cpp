@@ -45,10 +45,16 @@ void update(DrawContext& ctx) {
 void drawOne(DrawContext& ctx, const Force& f) {
     const Footprint& o = *f.outline;
     const glm::vec2 at(f.from - glm::dvec2(ctx.eye.x, ctx.eye.z)), size = o.high() - o.low;
-    glUniform4f(0, at.x, at.y, farOf(f), f.share);
-    glUniform4f(1, f.radius, f.reach, f.heading.x, f.heading.y);
-    glUniform4f(2, o.low.x, o.low.y, size.x, size.y);
-    glUniform2f(3, f.scale, o.texel);
+    glUniform2f(0, at.x, at.y);
+    glUniform1f(1, farOf(f));
+    glUniform1f(2, f.share);
+    glUniform1f(3, f.radius);
+    glUniform1f(4, f.reach);
+    glUniform2f(5, f.heading.x, f.heading.y);
+    glUniform2f(6, o.low.x, o.low.y);
+    glUniform2f(7, size.x, size.y);
+    glUniform1f(8, f.scale);
+    glUniform1f(9, o.texel);
     glBindTextureUnit(TEX_OBJECT, ctx.own<OutlinesState>().outlines.at(&o).distances.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     ctx.pass->draws += 1;
@@ -70,11 +76,15 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/force-outlines/upload", update}};
+const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, update}};
 const ProgramRow kPrograms[] = {
-    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {
-    {"grass/force-outlines", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, kForces, 0, kPrograms, draw}};
+    {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"grass/force-outlines",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::ForceList}, .appends = {Slot::Forces}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

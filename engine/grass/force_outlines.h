@@ -6,5 +6,7 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "grass/force-outlines" (techniques.cpp): runs in scenes with ForceOutlines, Forces, Grass and
+// Terrain.
 const EffectRow& forceOutlinesEffect();
 }  // namespace sward

@@ -99,10 +99,14 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/forces/list", update}};
-const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {
-    {"grass/forces", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, kForces, kPrograms, draw}};
+const System kSystems[] = {{"grass/forces/list", {.writes = {Slot::ForceList}}, update}};
+const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"grass/forces",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::ForceList}, .writes = {Slot::Forces}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

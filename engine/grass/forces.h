@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "grass/forces" (techniques.cpp): runs in scenes with Forces, Grass and Terrain.
 const EffectRow& forcesEffect();
 }  // namespace sward

@@ -176,8 +176,9 @@ void commandCells(const DrawContext& ctx, const SpeciesState& s) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
     glUniform1ui(0, s.chosen.count);
     glUniform1ui(1, s.chosen.patchBlades);
-    glUniform2f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f), std::clamp(s.shadowShare, 0.01f, 1.0f));
-    glUniform1ui(3, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.segments, kShadowQuads)) : 0u);
+    glUniform1f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f));
+    glUniform1f(3, std::clamp(s.shadowShare, 0.01f, 1.0f));
+    glUniform1ui(4, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.segments, kShadowQuads)) : 0u);
     glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
 }
 
@@ -185,7 +186,7 @@ void commandCells(const DrawContext& ctx, const SpeciesState& s) {
 void chooseThere(DrawContext& ctx) {
     GeometryState& state = ctx.own<GeometryState>();
     eachSpecies(ctx, state.species, Feature::GrassGeometry, [&](const Field& field, size_t i, SpeciesState& s) {
-        const FeatureSet* features = &field.view->features;
+        const std::string* features = &field.view->constants;
         if (!s.chosen.byGpu || s.chosen.count == 0 || !ctx.use(kChoose, {}, features)) return;
         bindField(field);
         runChoice(s.chosen, field.species[i]->density);
@@ -221,22 +222,26 @@ void draw(DrawContext& ctx) {
     endTransparency();
 }
 
-const System kSystems[] = {{"grass/cull", cull}};
+const System kSystems[] = {
+    {"grass/cull", {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Lamps}, .writes = {Slot::Blades}}, cull}};
 const ProgramRow kPrograms[] = {
-    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
-                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::Translucency, Feature::Gloss,
-                Feature::BladeShadows, Feature::CastingLights, Feature::ObjectShadows, Feature::TerrainShadows,
-                Feature::Sun, Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection),
-     fieldVariants}};
-const ProgramRow kCellPrograms[] = {
-    {"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/geometry/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
-                         kCellPrograms, chooseThere},
-                        {"grass/geometry", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+    {"grass/geometry", "grass/geometry.vert.glsl", "grass/geometry.frag.glsl", nullptr, fieldVariants}};
+const ProgramRow kCellPrograms[] = {{"grass/geometry/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                    {"grass/geometry/commands", nullptr, nullptr, "grass/cell_commands.comp.glsl"}};
+const Pass kPasses[] = {{"grass/geometry/cells",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
+                         kCellPrograms,
+                         chooseThere},
+                        {"grass/geometry",
+                         Stage::Blades,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::BladeCells, Slot::Forces, Slot::Shadows},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

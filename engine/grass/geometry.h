@@ -7,5 +7,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "grass/geometry" (techniques.cpp): runs in scenes with GrassGeometry, Grass and Terrain.
 const EffectRow& geometryEffect();
 }  // namespace sward

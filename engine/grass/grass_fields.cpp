@@ -169,16 +169,6 @@ FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEn
 
 const ListRow& speciesList() { return kSpeciesList; }
 
-const FeatureSet& featuresOfFields() {
-    static const FeatureSet all =
-        featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar,
-                   Feature::GrassTessellated, Feature::GrassDensity, Feature::GrassHeights, Feature::GrassUnique,
-                   Feature::GrassOrientation, Feature::GrassVegetation, Feature::GrassOcclusion, Feature::GrassBlended,
-                   Feature::GrassClumps, Feature::Translucency, Feature::Gloss, Feature::BladeShadows,
-                   Feature::GroundShadows, Feature::ForceMap, Feature::FarDarkening, Feature::FarBlur);
-    return all;
-}
-
 ComponentRow grassFieldRow(std::span<const char* const> techniques, std::vector<FieldRow>& fields) {
     fields.assign(std::begin(kFields), std::end(kFields));
     fields[0].options = techniques;

@@ -13,8 +13,6 @@ ComponentRow grassFieldRow(std::span<const char* const> techniques, std::vector<
 // Features of one field, without those of the rest of the scene. coarse: in a view that needs no more, such as a
 // mirror's (TechniqueRow::coarse), where blades shade no ground either. A field without blades asks for nothing.
 FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEntity& field, bool coarse = false);
-// All features that a field may ask for.
-const FeatureSet& featuresOfFields();
 // The table of a species.
 const ListRow& speciesList();
 // The field table of FarLook.

@@ -95,7 +95,7 @@ void drawLight(DrawContext& ctx, ShadowState& state, int light) {
     const Field* begun = nullptr;
     eachSpecies(ctx, state.species, Feature::GroundShadows, [&](const Field& field, size_t i, const One& one) {
         if (begun != &field) {
-            if (!ctx.use(0, {}, &field.view->features)) return;
+            if (!ctx.use(0, {}, &field.view->constants)) return;
             bindField(field);
             glUniform1i(0, light);
         }
@@ -121,16 +121,20 @@ void draw(DrawContext& ctx) {
     glDisable(GL_STENCIL_TEST);
 }
 
-const System kSystems[] = {{"grass/ground-shadow/cells", prepare}};
+const System kSystems[] = {{"grass/ground-shadow/cells",
+                            {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Lamps, Slot::Blades}},
+                            prepare}};
 const ProgramRow kPrograms[] = {
-    {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation, Feature::GrassVegetation,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps, Feature::Wind, Feature::Gusts,
-                Feature::Forces, Feature::ForceMap, Feature::FarDarkening, Feature::GroundShadows,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::CastingLights, Feature::Sun, Feature::Lamps,
-                Feature::Sky, Feature::Fog)}};
+    {"grass/ground-shadow", "grass/ground_shadow.vert.glsl", "grass/ground_shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {
-    {"grass/ground-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+    {.name = "grass/ground-shadow",
+     .stage = Stage::GroundShadow,
+     .views = kViewMain,
+     .uses = {.reads = {Slot::Grass, Slot::Blades, Slot::BladeCells, Slot::Forces, Slot::Shadows, Slot::Lamps},
+              .appends = {Slot::SceneColor}},
+     .programs = kPrograms,
+     .draw = draw,
+     .stencil = true}};
 
 }  // namespace
 

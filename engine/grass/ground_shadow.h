@@ -17,6 +17,8 @@ namespace sward {
 // stands.
 float groundShadowReach(float meanHeight, float sinElevation);
 
+// Row of the effect "grass/ground-shadow" (techniques.cpp): runs in scenes with GroundShadows, CastingLights,
+// GrassGeometry, Grass and Terrain.
 const EffectRow& groundShadowEffect();
 
 }  // namespace sward

@@ -30,6 +30,7 @@ BladeMask makeBladeMask(const Species& species, const Patch& patch, float cellSi
 // What shades a species of a field, by the entity's name; nothing where blades do not shade each other.
 BladeShade shadeOf(const DrawContext& ctx, const std::string& field, size_t species);
 
+// Row of the effect "grass/mask" (techniques.cpp): runs in scenes with BladeShadows, CastingLights, Grass and Terrain.
 const EffectRow& maskEffect();
 
 }  // namespace sward

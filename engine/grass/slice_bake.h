@@ -17,7 +17,7 @@
 
 #include "core/error.h"
 #include "core/jobs.h"
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "scene/population.h"
 
 namespace sward {
@@ -44,7 +44,7 @@ struct SliceLevel {
                                      // light from above on the front and on the back
     std::vector<uint8_t>
         front;  // RGBA: vertical: light that faces it, 0, from the side's + and -; horizontal: x+, x-, z+, z-
-    std::vector<uint8_t> back;  // the same for the other view
+    std::vector<uint8_t> back;  // light for the view from the other side, as front
     // Light's numbers hold what is left of it: by the blades' shadow mask if there is one, else by the depth below the
     // tips.
 };
@@ -54,6 +54,7 @@ struct SliceImages {
     float reflectScale = 1;
     std::vector<SliceLevel> vertical;  // layers 0..slices-1 cut x, the others z; level 0 first
     std::vector<SliceLevel> far;       // one layer
+    // Bytes of all images, levels included.
     size_t bytes() const {
         size_t n = 0;
         for (const auto* levels : {&vertical, &far})

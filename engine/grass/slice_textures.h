@@ -15,6 +15,7 @@ struct SliceTextures {
     int slices = 0;
     float top = 0, reflectScale = 1;
     float farDepth = 0;  // optical depth of the horizontal slice: what its mean opacity is 1 - exp of
+    // Bytes of the textures, levels included, as the GPU's ledger counts them.
     size_t bytes() const;
 };
 // An empty owner: those textures are not wanted.

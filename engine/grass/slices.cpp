@@ -382,7 +382,7 @@ void drawFar(DrawContext& ctx) {
     for (const FarSpecies& far : lowestFirst(state)) {
         if (far.nodes.empty()) continue;
         if (begun != far.field) {
-            if (!ctx.use(0, fieldConstants(far.field->view->of), &far.field->view->features)) return;
+            if (!ctx.use(0, fieldConstants(far.field->view->of), &far.field->view->constants)) return;
             bindField(*far.field);
             beginFar(ctx, *far.field);
         }
@@ -398,7 +398,7 @@ void drawFar(DrawContext& ctx) {
 
 void drawFieldShadow(DrawContext& ctx, const Field& field, const Buffer& room) {
     const std::vector<TerrainNode> shaded = farNodes(ctx, field, field.view->tiers.shadowsTo);
-    if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->features)) return;
+    if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->constants)) return;
     bindField(field);
     const bool sun =
         has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
@@ -426,34 +426,42 @@ void drawFarShadow(DrawContext& ctx) {
 }
 
 // --- rows --------------------------------------------------------------------------------------------------
-constexpr auto kLook = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
-};
-constexpr auto kShadow = [] {
-    return featureSet(Feature::TerrainHeights, Feature::GrassSlices, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::Forces,
-                      Feature::ForceMap, Feature::GroundShadows, Feature::FarDarkening, Feature::CastingLights,
-                      Feature::Translucency, Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun,
-                      Feature::Lamps, Feature::Sky, Feature::Fog, Feature::WaterReflection);
-};
-const System kFarSystems[] = {{"grass/far/bake", updateFar}};
-const System kSliceSystems[] = {{"grass/slices/select", selectSlices}};
-const ProgramRow kFarPrograms[] = {
-    {"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, kLook(), fieldVariants}};
+const System kFarSystems[] = {
+    {"grass/far/bake",
+     {.reads = {Slot::Grass, Slot::Masks, Slot::Ground, Slot::GroundNodes, Slot::Sun, Slot::SkyLight},
+      .writes = {Slot::Slices}},
+     updateFar}};
+const System kSliceSystems[] = {
+    {"grass/slices/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Slices}}, selectSlices}};
+const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, fieldVariants}};
 const ProgramRow kSlicePrograms[] = {
-    {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, kLook(), fieldVariants}};
-const Pass kFarPasses[] = {{"grass/far", Stage::Slices, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
-                            kSceneColor | kSceneDepth, kFarPrograms, drawFar}};
+    {"grass/slices", "grass/slices.vert.glsl", "grass/slices.frag.glsl", nullptr, fieldVariants}};
+const Pass kFarPasses[] = {{"grass/far",
+                            Stage::Far,
+                            kViewMain | kViewReflection,
+                            {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows},
+                             .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                            kFarPrograms,
+                            drawFar,
+                            featureSet(Feature::GrassBlended)}};
 const ProgramRow kFarShadowPrograms[] = {
-    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, kShadow(), fieldVariants}};
-const Pass kFarShadowPasses[] = {{"grass/far-shadow", Stage::GroundShadow, kViewMain | kViewCompare, kSceneDepth,
-                                  kSceneColor, kFarShadowPrograms, drawFarShadow}};
-const Pass kSlicePasses[] = {{"grass/slices", Stage::Slices, kViewMain | kViewReflection | kViewCompare, 0,
-                              kSceneColor | kSceneDepth, kSlicePrograms, drawSlices}};
+    {"grass/far-shadow", "terrain/ground.vert.glsl", "grass/far_shadow.frag.glsl", nullptr, fieldVariants}};
+const Pass kFarShadowPasses[] = {
+    {"grass/far-shadow",
+     Stage::FarShadow,
+     kViewMain,
+     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows, Slot::Lamps},
+      .appends = {Slot::SceneColor}},
+     kFarShadowPrograms,
+     drawFarShadow}};
+const Pass kSlicePasses[] = {{"grass/slices",
+                              Stage::Slices,
+                              kViewMain | kViewReflection,
+                              {.reads = {Slot::Grass, Slot::Slices, Slot::Forces, Slot::Shadows},
+                               .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                              kSlicePrograms,
+                              drawSlices,
+                              featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

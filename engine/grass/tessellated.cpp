@@ -154,14 +154,17 @@ void select(DrawContext& ctx) {
 enum CellProgram { kChoose, kList };
 
 void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
-    if (!ctx.use(kChoose, {}, &field.view->features)) return;
+    if (!ctx.use(kChoose, {}, &field.view->constants)) return;
     bindField(field);
     runChoice(s.chosen, field.species[i]->density);
-    if (!ctx.use(kList, {}, &field.view->features)) return;
+    if (!ctx.use(kList, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-    glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
-    glUniform1ui(1, s.pointDraws);
+    glUniform1ui(0, s.chosen.count);
+    glUniform1ui(1, s.batchVertices);
+    glUniform1ui(2, s.batches);
+    glUniform1ui(3, s.drawPoints);
+    glUniform1ui(4, s.pointDraws);
     glDispatchCompute(1, 1, 1);
     if (ctx.settings.measure) recount(ctx, s.chosen);
 }
@@ -264,12 +267,15 @@ void prepareStrips(DrawContext& ctx, SpeciesState& s, const FeatureSet& features
 // What strips are compiled with and for.
 struct StripPrograms {
     std::string constants;
-    const FeatureSet* features;
+    const std::string* features;
 };
 
 bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
-    glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
+    glUniform1ui(0, batch);
+    glUniform1ui(1, batch * s.batchVertices);
+    glUniform1ui(2, s.batchPieces);
+    glUniform1ui(3, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
@@ -290,7 +296,7 @@ void drawStrips(DrawContext& ctx, const SpeciesState& s, const StripPrograms& p)
 
 void drawBatches(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s, const StripPrograms& p) {
     if (s.chosen.pieces == 0) return;
-    prepareStrips(ctx, s, *p.features, field.grows().species[i].smoothness);
+    prepareStrips(ctx, s, field.view->features, field.grows().species[i].smoothness);
     bindSpecies(*field.species[i], s);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
@@ -319,7 +325,7 @@ StripPrograms beginStrips(const DrawContext& ctx, const Field& field) {
     beginTransparency(ctx, field);
     return {fieldConstants(field.view->of) +
                 allOrNothing(field.view->settings<GrassDrawing>().transparency, ctx.targets.samples),
-            &field.view->features};
+            &field.view->constants};
 }
 
 void draw(DrawContext& ctx) {
@@ -351,32 +357,32 @@ std::vector<std::string> stripVariants() {
     return out;
 }
 
-const System kSystems[] = {{"grass/tessellated/select", select}};
-// What posing and lighting a blade asks for.
-FeatureSet bladeFeatures() {
-    return featureSet(Feature::TerrainHeights, Feature::GrassDensity, Feature::GrassOrientation,
-                      Feature::GrassVegetation, Feature::GrassHeights, Feature::GrassOcclusion, Feature::GrassClumps,
-                      Feature::Wind, Feature::Gusts, Feature::Forces, Feature::ForceMap, Feature::FarDarkening,
-                      Feature::Translucency, Feature::Gloss, Feature::BladeShadows, Feature::CastingLights,
-                      Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                      Feature::Fog, Feature::WaterReflection);
-}
+const System kSystems[] = {{"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Ground}}, select}};
 const ProgramRow kPrograms[] = {
-    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, bladeFeatures(),
-     fieldVariants, "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
-    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", bladeFeatures(), stripVariants},
+    {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, fieldVariants,
+     "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
+    {"grass/tessellated/writer", nullptr, nullptr, "grass/tessellated.comp.glsl", stripVariants},
     {"grass/tessellated/strips", "grass/tessellated_strip.vert.glsl", "grass/tessellated.frag.glsl", nullptr,
-     bladeFeatures(), stripVariants},
+     stripVariants},
     {"grass/tessellated/plain", "grass/tessellated_strip.vert.glsl", "grass/tessellated_plain.frag.glsl", nullptr,
-     bladeFeatures(), stripVariants},
+     stripVariants},
 };
-const ProgramRow kCellPrograms[] = {
-    {"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl", featureSet(Feature::GrassDensity)},
-    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl", {}}};
-const Pass kPasses[] = {{"grass/tessellated/cells", Stage::Simulate, kViewMain | kViewReflection | kViewCompare, 0, 0,
-                         kCellPrograms, listCells},
-                        {"grass/tessellated", Stage::Blades, kViewMain | kViewReflection | kViewCompare, 0,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+const ProgramRow kCellPrograms[] = {{"grass/tessellated/choice", nullptr, nullptr, "grass/cells.comp.glsl"},
+                                    {"grass/tessellated/list", nullptr, nullptr, "grass/cell_list.comp.glsl"}};
+const Pass kPasses[] = {{"grass/tessellated/cells",
+                         Stage::Simulate,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass}, .appends = {Slot::BladeCells}},
+                         kCellPrograms,
+                         listCells},
+                        {"grass/tessellated",
+                         Stage::Blades,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::BladeCells, Slot::Forces, Slot::Shadows},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)}};
 
 }  // namespace
 

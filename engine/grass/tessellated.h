@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "grass/tessellated" (techniques.cpp): runs in scenes with GrassTessellated, Grass and Terrain.
 const EffectRow& tessellatedEffect();
 }  // namespace sward

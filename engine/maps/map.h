@@ -17,6 +17,7 @@ inline constexpr int kMaxMapSide = 16384;                // larger maps are refu
 inline constexpr size_t kMaxMapBytes = size_t(1) << 30;  // and heavier ones
 
 enum class PixelType : uint8_t { U8, U16, F32 };
+// Bytes of one channel of a texel.
 constexpr size_t pixelBytes(PixelType t) { return t == PixelType::U8 ? 1 : t == PixelType::U16 ? 2 : 4; }
 
 struct MapInfo {
@@ -37,16 +38,21 @@ class Map {
     // Every texel zero. Sizes from 1 to kMaxMapSide.
     explicit Map(const MapInfo& info);
 
+    // Size, channels and type; width and height 0 for a map that was never made.
     const MapInfo& info() const { return info_; }
+    // True for a map that was never made: it has no texel.
     bool empty() const { return info_.width == 0; }
+    // Tiles along x and along z; those at the far edges may be filled in part.
     int tilesX() const { return (info_.width + kTileSize - 1) / kTileSize; }
     int tilesY() const { return (info_.height + kTileSize - 1) / kTileSize; }
 
     // Identity of a tile: equal pointers mean equal texels. Zero tiles share one.
     const std::shared_ptr<const Tile>& tile(int tx, int ty) const { return tiles_[index(tx, ty)]; }
+    // Puts a tile of tileBytes() in place; tx in [0, tilesX()), ty in [0, tilesY()).
     void setTile(int tx, int ty, std::shared_ptr<const Tile> t) { tiles_[index(tx, ty)] = std::move(t); }
     // The tile's bytes to write to; copies the tile first if anyone else holds it.
     std::byte* writeTile(int tx, int ty);
+    // Bytes of a whole tile, and of one texel.
     size_t tileBytes() const { return size_t(kTileSize) * kTileSize * texelBytes(); }
     size_t texelBytes() const { return size_t(info_.channels) * pixelBytes(info_.type); }
 
@@ -56,12 +62,15 @@ class Map {
     void set(int x, int y, int c, float value);
     // Bilinear at (u, v) in [0,1] of the map, clamped at the edges; the same rule as the shaders (numerics/bilinear.h).
     float sample(double u, double v, int c = 0) const;
-    // Whole rows, tightly packed, in the map's own pixel type: for reading and writing files.
+    // Whole rows, tightly packed, in the map's own pixel type: for reading and writing files. `out` has room for rows *
+    // width * texelBytes() bytes.
     void readRows(int y0, int rows, void* out) const;
+    // The other way: from `in`, laid out as readRows lays it out. y0 and y0 + rows must be inside.
     void writeRows(int y0, int rows, const void* in);
 
     // Hash over width, height, channels and pixels as saved (not over the pixel padding of edge tiles).
     uint64_t hash() const;
+    // Mean of a channel over all texels, as at() gives them; 0 for an empty map.
     double mean(int c = 0) const;
     // True if both have the same info and every tile pointer agrees (no texel is read).
     bool sameTiles(const Map& other) const { return info_ == other.info_ && tiles_ == other.tiles_; }
@@ -76,6 +85,7 @@ class Map {
 struct MapField {
     std::string file;  // empty: not set; the consumer takes its stated constant
     Map map;           // empty exactly when file is
+    // True if the field has a map.
     bool present() const { return !map.empty(); }
 };
 

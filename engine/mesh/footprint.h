@@ -17,10 +17,12 @@ inline constexpr int kFootprintSide = 256;  // texels along the longer side, of 
 struct Footprint {
     glm::vec2 low{0};              // of the raster: x, z in the turned mesh's units
     float texel = 0;               // its units a texel
-    float farthest = 0;            // of what is covered, from the mesh's origin
+    float farthest = 0;            // distance of the farthest place inside the outline from the mesh's origin
     int width = 0, height = 0;     // texels; none: the mesh has nothing so low
     std::vector<float> distances;  // at texels' centres, in its units, rows along x; below 0 inside
+    // True if the mesh has nothing so low: nothing presses.
     bool empty() const { return distances.empty(); }
+    // The raster's far corner: x, z in the turned mesh's units.
     glm::vec2 high() const { return low + texel * glm::vec2(width, height); }
 };
 // Of the mesh turned by `turn`: what of it lies at y <= top (infinity: all of it). What is not finite is left out.

@@ -13,7 +13,8 @@ struct BlockError {
     double weight = 0, distance = 0, bias = 0, contrast = 0;
 };
 BlockError blockError(const PicturePair& p, int x0, int y0, int side) {
-    const BlockLook a = blockLook(p.image, p.weight, x0, y0, side), b = blockLook(p.truth, p.weight, x0, y0, side);
+    const BlockMoments a = blockMoments(p.image, p.weight, x0, y0, side),
+                       b = blockMoments(p.truth, p.weight, x0, y0, side);
     const glm::dvec3 mean = glm::abs(a.mean - b.mean), deviation = glm::abs(a.deviation - b.deviation);
     return {b.weight, mean3(glm::sqrt(mean * mean + deviation * deviation)), mean3(mean), mean3(deviation)};
 }
@@ -55,8 +56,8 @@ double jackknife(const std::vector<BlockError>& blocks, const BlockError& all) {
 
 }  // namespace
 
-BlockLook blockLook(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side) {
-    BlockLook b;
+BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side) {
+    BlockMoments b;
     const int x1 = std::min(x0 + side, picture.width), y1 = std::min(y0 + side, picture.height);
     const auto each = [&](auto&& body) {
         for (int y = y0; y < y1; ++y)

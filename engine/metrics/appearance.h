@@ -24,15 +24,17 @@ struct Appearance {
     // move if the picture held other ground of the same kind. Not-a-number with fewer than two blocks.
     double sigma = 0;
 };
+// Over all pixels that count; distance 0 for equal pictures.
 Appearance appearance(const PicturePair& pair);
 // The distance at each pixel: of the blocks of the three sizes that it lies in.
 ErrorMap appearanceMap(const PicturePair& pair);
 
 // Mean and deviation by channel of the pixels of one block, by their weight. Channels in [0,1].
-struct BlockLook {
+struct BlockMoments {
     double weight = 0;
     glm::dvec3 mean{0}, deviation{0};
 };
-BlockLook blockLook(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side);
+// Of the square with its first pixel at (x0, y0), cut at the picture's edges. Weight 0: no pixel of it counts.
+BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side);
 
 }  // namespace sward

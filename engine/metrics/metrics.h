@@ -20,6 +20,7 @@ struct Metrics {
     double rmse = 0;  // over all channels
     double psnr = 0;  // dB of a peak of 1; infinite for equal pictures
 };
+// All metrics of a pair; pixelsPerDegree, above 0, is FLIP's.
 Metrics metricsOf(const PicturePair& pair, double pixelsPerDegree = kPixelsPerDegree);
 
 enum class ErrorMetric { Appearance, Flip, Rmse, Ssim };

@@ -17,6 +17,8 @@ struct Picture {
     bool linear = false;            // values are as they are in a linear file, neither tone-mapped nor encoded
     std::vector<glm::vec3> pixels;  // first row on top
 };
+// Picture of an image file: one to four channels become three. `linear`: values are taken as they are; else those of a
+// linear file (EXR) are tone-mapped and encoded.
 Picture pictureOf(const Image& image, bool linear);
 // RGB floats before tone mapping, as Renderer::readLinear and the reference give them.
 Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb);

@@ -13,11 +13,11 @@ struct Sum {
 // The distance of one block's changes times its weight.
 Sum blockChange(const PicturePair& before, const PicturePair& after, const std::vector<float>& weight, int x, int y,
                 int side) {
-    const BlockLook truth = blockLook(after.truth, weight, x, y, side);
+    const BlockMoments truth = blockMoments(after.truth, weight, x, y, side);
     if (truth.weight <= 0) return {};
-    const BlockLook image = blockLook(after.image, weight, x, y, side);
-    const BlockLook imageBefore = blockLook(before.image, weight, x, y, side),
-                    truthBefore = blockLook(before.truth, weight, x, y, side);
+    const BlockMoments image = blockMoments(after.image, weight, x, y, side);
+    const BlockMoments imageBefore = blockMoments(before.image, weight, x, y, side),
+                       truthBefore = blockMoments(before.truth, weight, x, y, side);
     const glm::dvec3 mean = (image.mean - imageBefore.mean) - (truth.mean - truthBefore.mean);
     const glm::dvec3 deviation = (image.deviation - imageBefore.deviation) - (truth.deviation - truthBefore.deviation);
     const glm::dvec3 distance = glm::sqrt(mean * mean + deviation * deviation);

@@ -2,8 +2,8 @@
 
 #include "core/hash.h"
 #include "core/log.h"
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "mesh/mesh_io.h"
 #include "shared/objects.h"
 #include "world/placement.h"
@@ -29,15 +29,17 @@ struct Group {
 };
 struct MeshState : EffectState {
     std::map<std::string, GpuMesh> meshes;  // by file
-    Buffer instances;
     Texture white;
+};
+struct MeshView : EffectState {
+    Buffer instances;
     std::vector<ObjectInstance> rows;
     std::vector<Group> groups;
 };
 
 std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     auto s = std::make_unique<MeshState>();
-    s->white = makeTileTexture(ctx.gpu, kOwner, {1, 1, {255, 255, 255, 255}});
+    s->white = makeColorTexture(ctx.gpu, kOwner, {1, 1, {255, 255, 255, 255}});
     return s;
 }
 
@@ -63,7 +65,7 @@ GpuMesh uploadMesh(Gpu& gpu, const Mesh& mesh) {
     out.indices = makeBuffer(gpu, kOwner, mesh.indices.size() * 4, mesh.indices.data());
     out.mesh = makeVertexArray(kOwner);
     for (const MeshImage& image : mesh.images)
-        out.images.push_back(makeTileTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
+        out.images.push_back(makeColorTexture(gpu, kOwner, {image.width, image.height, image.rgba}));
     out.parts = mesh.parts;
     out.centre = (mesh.low + mesh.high) * 0.5f;
     out.radius = glm::length(mesh.high - mesh.low) * 0.5f;
@@ -111,7 +113,7 @@ void cast(DrawContext& ctx, const GpuMesh& m, const Ball& ball, size_t instance)
 }
 
 // Adds those of one file.
-void addGroup(DrawContext& ctx, MeshState& s, const GpuMesh& m, const std::vector<const PlacedMesh*>& placed) {
+void addGroup(DrawContext& ctx, MeshView& s, const GpuMesh& m, const std::vector<const PlacedMesh*>& placed) {
     if (m.parts.empty()) return;
     Group group{&m, s.rows.size(), 0};
     std::vector<std::pair<ObjectInstance, Ball>> unseen;
@@ -146,18 +148,18 @@ uint64_t hashOf(const DrawContext& ctx, const MeshState& s, const std::vector<Pl
 
 void place(DrawContext& ctx) {
     MeshState& s = ctx.own<MeshState>();
+    MeshView& view = ctx.ofView<MeshView>();
     const std::vector<PlacedMesh> placed = placedMeshes(ctx.project);
     std::map<std::string, std::vector<const PlacedMesh*>> byFile;
     for (const PlacedMesh& p : placed) byFile[p.mesh->file].push_back(&p);
     std::erase_if(s.meshes, [&](const auto& m) { return !byFile.contains(m.first); });
-    s.rows.clear();
-    s.groups.clear();
-    ctx.shared.casters.clear();
-    for (const auto& [file, those] : byFile) addGroup(ctx, s, meshOf(ctx, s, file), those);
+    view.rows.clear();
+    view.groups.clear();
+    for (const auto& [file, those] : byFile) addGroup(ctx, view, meshOf(ctx, s, file), those);
     ctx.shared.castersHash = hashOf(ctx, s, placed);
-    writeBuffer(ctx.gpu, s.instances, kOwner, s.rows.size() * sizeof(ObjectInstance), s.rows.data());
-    for (const Group& g : s.groups)
-        glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, s.instances.id(), 0, sizeof(ObjectInstance));
+    writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
+    for (const Group& g : view.groups)
+        glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
 }
 
 void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
@@ -165,7 +167,8 @@ void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
     for (const MeshPart& part : g.mesh->parts) {
         glBindTextureUnit(TEX_OBJECT,
                           part.image >= 0 ? g.mesh->images[static_cast<size_t>(part.image)].id() : s.white.id());
-        glUniform4f(0, part.color.x, part.color.y, part.color.z, part.cutoff);
+        glUniform3f(0, part.color.x, part.color.y, part.color.z);
+        glUniform1f(1, part.cutoff);
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,
                                             reinterpret_cast<const void*>(size_t(part.first) * 4),
                                             static_cast<GLsizei>(g.seen), static_cast<GLuint>(g.first));
@@ -177,22 +180,30 @@ void drawGroup(DrawContext& ctx, const MeshState& s, const Group& g) {
 void draw(DrawContext& ctx) {
     const MeshState& s = ctx.own<MeshState>();
     if (!ctx.use()) return;  // also while none is seen: no halt when the first comes into view
-    for (const Group& g : s.groups)
+    for (const Group& g : ctx.ofView<MeshView>().groups)
         if (g.seen > 0) drawGroup(ctx, s, g);
 }
 
-const System kSystems[] = {{"objects/place", place}};
-const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr,
-                                 featureSet(Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Sky,
-                                            Feature::Fog, Feature::WaterReflection)}};
-const Pass kPasses[] = {{"objects/mesh", Stage::Opaque, kViewMain | kViewReflection | kViewCompare, 0,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+const System kSystems[] = {{"objects/place", {.appends = {Slot::Casters}}, place}};
+const ProgramRow kPrograms[] = {{"objects/mesh", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"objects/mesh",
+                         Stage::Opaque,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 
 const EffectRow& meshEffect() {
-    static const EffectRow row{"objects/mesh", featureSet(Feature::Objects), kSystems, kPasses,
-                               makeState,      "objects stand in the scene"};
+    static const EffectRow row{
+        "objects/mesh",
+        featureSet(Feature::Objects),
+        kSystems,
+        kPasses,
+        makeState,
+        "objects stand in the scene",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<MeshView>(); }};
     return row;
 }
 

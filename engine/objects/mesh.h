@@ -6,5 +6,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "objects/mesh" (techniques.cpp): runs in scenes with Objects.
 const EffectRow& meshEffect();
 }  // namespace sward

@@ -21,9 +21,12 @@ struct ShadowState : EffectState {
     GlName<TextureKind> maps;  // an array of SHADOW_CASCADES
     Tally tally;
     ShadowMap map[SHADOW_CASCADES];
+    glm::vec3 right{0}, up{0}, sun{0};  // the sun's axes
+};
+// From a view's eye to the maps, which all views share.
+struct ShadowView : EffectState {
     Buffer globals;
     ShadowGlobals values;
-    glm::vec3 right{0}, up{0}, sun{0};  // the sun's axes
 };
 
 void makeMaps(Gpu& gpu, ShadowState& s) {
@@ -52,6 +55,10 @@ std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
         glObjectLabel(GL_FRAMEBUFFER, id, -1, kOwner);
         s->map[i].target = Framebuffer(id);
     }
+    return s;
+}
+std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
+    auto s = std::make_unique<ShadowView>();
     s->globals = makeBuffer(ctx.gpu, kOwner, sizeof(ShadowGlobals), nullptr);
     return s;
 }
@@ -78,31 +85,32 @@ glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3
 }
 
 // around: what is shaded; both in the world.
-void aimMap(ShadowState& s, int i, const glm::dvec3& around, const glm::dvec3& eye) {
+void aimMap(ShadowState& s, ShadowGlobals& values, int i, const glm::dvec3& around, const glm::dvec3& eye) {
     ShadowMap& map = s.map[i];
     if (map.drawn == 0 || glm::distance(map.centre, around) > kSlack * kReach[i]) {
         map.centre = around;
         map.drawn = 0;
     }
     const double half = kReach[i] * kHalf;
-    s.values.cascades[i].toMap = toMap(s, map.centre, eye, half);
-    s.values.cascades[i].reach = static_cast<float>(kReach[i]);
-    s.values.cascades[i].texel = static_cast<float>(2 * half / kSide);
+    values.cascades[i].toMap = toMap(s, map.centre, eye, half);
+    values.cascades[i].reach = static_cast<float>(kReach[i]);
+    values.cascades[i].texel = static_cast<float>(2 * half / kSide);
 }
 
 void aim(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
+    ShadowView& view = ctx.ofView<ShadowView>();
     const glm::vec3 sun = ctx.globals.sunDirection;
     if (ctx.globals.sunIsUp > 0) {
         if (s.sun != sun) {
             setAxes(s, sun);
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
-        for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, i, ctx.around, ctx.camera.eye);
-        s.values.texelShare = 1.0f / kSide;
-        glNamedBufferSubData(s.globals.id(), 0, sizeof(ShadowGlobals), &s.values);
+        for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, view.values, i, ctx.around, ctx.camera.eye);
+        view.values.texelShare = 1.0f / kSide;
+        glNamedBufferSubData(view.globals.id(), 0, sizeof(ShadowGlobals), &view.values);
     }
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SHADOW, s.globals.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SHADOW, view.globals.id());
     glBindTextureUnit(TEX_SHADOW, s.maps.id());
 }
 
@@ -145,17 +153,20 @@ void draw(DrawContext& ctx) {
     glDisable(GL_DEPTH_CLAMP);
 }
 
-const System kSystems[] = {{"objects/aim", aim}};
-const ProgramRow kPrograms[] = {
-    {"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr, {}}};
-const Pass kPasses[] = {
-    {"objects/shadow", Stage::Shadow, kViewMain | kViewReflection | kViewCompare, 0, 0, kPrograms, draw}};
+const System kSystems[] = {{"objects/aim", {.reads = {Slot::Sun}}, aim}};
+const ProgramRow kPrograms[] = {{"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"objects/shadow",
+                         Stage::Shadow,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Casters}, .appends = {Slot::Shadows}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 
 const EffectRow& shadowEffect() {
-    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows),   kSystems, kPasses,
-                               makeState,        "objects shade what lies behind them"};
+    static const EffectRow row{"objects/shadow", featureSet(Feature::ObjectShadows),    kSystems, kPasses,
+                               makeState,        "objects shade what lies behind them", makeView};
     return row;
 }
 

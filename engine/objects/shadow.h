@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "objects/shadow" (techniques.cpp): runs in scenes with ObjectShadows.
 const EffectRow& shadowEffect();
 }  // namespace sward

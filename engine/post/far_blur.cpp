@@ -7,12 +7,12 @@ namespace {
 
 constexpr const char* kOwner = "post/far-blur";
 
-struct BlurState : EffectState {
+struct BlurView : EffectState {
     Texture across;  // blurred across only
     Framebuffer target;
 };
 
-void ensureTarget(DrawContext& ctx, BlurState& s) {
+void ensureTarget(DrawContext& ctx, BlurView& s) {
     const ViewTargets& t = ctx.targets;
     if (s.across.width == t.width && s.across.height == t.height) return;
     s.across = makeTexture2D(ctx.gpu, kOwner, GL_RGBA16F, t.width, t.height);
@@ -49,7 +49,7 @@ const FarLook& lookOf(const Project& project) {
 
 void draw(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;  // false colours are no picture
-    BlurState& s = ctx.own<BlurState>();
+    BlurView& s = ctx.ofView<BlurView>();
     const ViewTargets& t = ctx.targets;
     const FarLook& look = lookOf(ctx.project);
     if (!ctx.use(0, constants(t, look.farBlur))) return;
@@ -61,9 +61,13 @@ void draw(DrawContext& ctx) {
 }
 
 const ProgramRow kPrograms[] = {
-    {"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, {}, variants}};
-const Pass kPasses[] = {
-    {"post/far-blur", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kResolved, kPrograms, draw}};
+    {"post/far-blur", "post/fullscreen.vert.glsl", "post/far_blur.frag.glsl", nullptr, variants}};
+const Pass kPasses[] = {{"post/far-blur",
+                         Stage::Post,
+                         kViewMain,
+                         {.reads = {Slot::Resolved, Slot::SceneDepth}, .writes = {Slot::Resolved}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 
@@ -73,8 +77,9 @@ const EffectRow& farBlurEffect() {
         featureSet(Feature::FarBlur),
         {},
         kPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<BlurState>(); },
-        "what is far is blurred, against sparkling"};
+        nullptr,
+        "what is far is blurred, against sparkling",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<BlurView>(); }};
     return row;
 }
 

@@ -6,5 +6,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "post/far-blur" (techniques.cpp): runs in scenes with FarBlur.
 const EffectRow& farBlurEffect();
 }  // namespace sward

@@ -16,7 +16,7 @@ GLuint textureOf(DrawContext& ctx, const ConstFieldRef& field) {
 }
 
 // How the shader shows it.
-float kindNumber(MapKind kind) {
+int kindNumber(MapKind kind) {
     switch (kind) {
         case MapKind::Amounts:
             return 1;
@@ -53,10 +53,12 @@ void draw(DrawContext& ctx) {
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
         static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.mapShare.x;
-    glUniform4f(0, kindNumber(field->row->map->kind), static_cast<float>(overlay.tiling), metresPerPixel,
-                texelsPerMetre);
+    glUniform1i(0, kindNumber(field->row->map->kind));
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());
+    glUniform1f(3, static_cast<float>(overlay.tiling));
+    glUniform1f(4, metresPerPixel);
+    glUniform1f(5, texelsPerMetre);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -65,9 +67,14 @@ void draw(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-const ProgramRow kPrograms[] = {{"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr,
-                                 featureSet(Feature::TerrainHeights, Feature::Forces, Feature::Grass), depthVariants}};
-const Pass kPasses[] = {{"post/map-overlay", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kPrograms, draw}};
+const ProgramRow kPrograms[] = {
+    {"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, depthVariants}};
+const Pass kPasses[] = {{"post/map-overlay",
+                         Stage::Overlay,
+                         kViewMain,
+                         {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces}, .writes = {Slot::Image}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 

@@ -7,5 +7,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "post/map-overlay" (techniques.cpp): runs in scenes with Terrain.
 const EffectRow& mapOverlayEffect();
 }  // namespace sward

@@ -41,15 +41,27 @@ void drawDecal(DrawContext& ctx) {
 }
 
 const ProgramRow kTonemapPrograms[] = {
-    {"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, {}, depthVariants}};
+    {"post/tonemap", "post/fullscreen.vert.glsl", "post/tonemap.frag.glsl", nullptr, depthVariants}};
 const ProgramRow kDecalPrograms[] = {
-    {"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, {}, depthVariants}};
-const Pass kTonemapPasses[] = {
-    {"post/resolve", Stage::Post, kViewMain | kViewReflection | kViewCompare, kSceneColor, kResolved, {}, resolve},
-    {"post/tonemap", Stage::Post, kViewMain | kViewCompare, kResolved | kSceneDepth, kImage, kTonemapPrograms,
-     drawTonemap}};
-const Pass kDecalPasses[] = {
-    {"post/decal", Stage::Overlay, kViewMain, kSceneDepth | kImage, kImage, kDecalPrograms, drawDecal}};
+    {"post/decal", "post/fullscreen.vert.glsl", "post/decal.frag.glsl", nullptr, depthVariants}};
+const Pass kTonemapPasses[] = {{"post/resolve",
+                                Stage::Post,
+                                kViewMain | kViewReflection,
+                                {.reads = {Slot::SceneColor}, .writes = {Slot::Resolved}},
+                                {},
+                                resolve},
+                               {"post/tonemap",
+                                Stage::Post,
+                                kViewMain,
+                                {.reads = {Slot::Resolved, Slot::SceneDepth}, .writes = {Slot::Image}},
+                                kTonemapPrograms,
+                                drawTonemap}};
+const Pass kDecalPasses[] = {{"post/decal",
+                              Stage::Decal,
+                              kViewMain,
+                              {.reads = {Slot::SceneDepth, Slot::Image}, .writes = {Slot::Image}},
+                              kDecalPrograms,
+                              drawDecal}};
 
 }  // namespace
 

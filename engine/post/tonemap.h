@@ -4,6 +4,7 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "post/tonemap" (techniques.cpp): runs in every scene.
 const EffectRow& tonemapEffect();
 // The brush's ring and disc, drawn over whatever the depth buffer shows; nothing without a brush.
 const EffectRow& decalEffect();

@@ -9,7 +9,6 @@ namespace {
 
 constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a share of red
 
-
 // One of several channels, as a map of its own.
 Map channelOf(const Map& floats, int channel, PixelType type) {
     const MapInfo& info = floats.info();

@@ -29,6 +29,7 @@ struct CheckReport {
     std::vector<Fault> repaired;
     std::vector<Fault> noticed;  // allowed, but surely not meant
 };
+// Reads as loadProject does; changes no file.
 CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
 // Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved`
 // (or, without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files

@@ -31,6 +31,7 @@ struct ProjectReader {
     std::vector<Error> refused;  // in the file's order of keys
     std::vector<Fault> repaired;
 
+    // Fills project, refused and repaired from the file's tree; to be called once.
     void read(const Json& root);
 };
 

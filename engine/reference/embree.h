@@ -18,6 +18,7 @@ using RayContext = RTCRayQueryContext;
 using RayContext = RTCIntersectContext;
 #endif
 
+// A ray that every mask lets through. `way` need not be of unit length: near and far are in its lengths.
 inline RTCRay embreeRay(const glm::vec3& origin, const glm::vec3& way, float near, float far) {
     RTCRay ray{};
     ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
@@ -57,10 +58,13 @@ inline bool anyHit(RTCScene scene, RayContext& context, RTCRay ray) {
     return ray.tfar < 0;
 }
 
+// Gives back what Embree made, for the pointers below.
 struct DropDevice {
+    // Releases the device.
     void operator()(RTCDevice d) const { rtcReleaseDevice(d); }
 };
 struct DropScene {
+    // Releases the scene.
     void operator()(RTCScene s) const { rtcReleaseScene(s); }
 };
 using DevicePtr = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DropDevice>;

@@ -65,15 +65,17 @@ struct Weather {
 };
 
 glm::vec2 leanOf(const Weather& w, const f32::Flower& f, const glm::dvec2& ground, const Terrain& t) {
-    glm::vec2 lean = w.wind ? windLeanAt(w.globals, *w.gusts, glm::vec2(ground), f.grain) : glm::vec2(0);
+    f32::BladeStand stand = f32::emptyStand();
+    if (w.wind) stand.wind = windLeanAt(w.globals, *w.gusts, glm::vec2(ground), f.grain);
     const bool painted = w.grass && w.grass->forces.present();
-    if (!painted && (w.forces.empty() || !w.grass)) return lean;
+    if (!painted && (w.forces.empty() || !w.grass)) return f32::leanOf(stand, f.facing).lean;
     glm::vec3 sum = w.grass ? forceAt(w.forces, ground) : glm::vec3(0);
     if (painted)
         sum += f32::paintedForce(
             paintedAt(w.grass->forces.map, ground / mapExtent(t), static_cast<double>(w.grass->forcesTiling), false));
     const glm::vec3 force = f32::forceOf(sum);
-    return f32::forcedLean(lean, {force.x, force.y}, force.z, f.facing);
+    stand.push = {force.x, force.y}, stand.press = force.z;
+    return f32::leanOf(stand, f.facing).lean;
 }
 
 float densityAt(const Terrain& t, const Flowers& f, const glm::dvec2& ground) {

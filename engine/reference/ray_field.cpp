@@ -97,6 +97,27 @@ float bladeShareAt(const RayField& f, const glm::dvec2& ground) {
                : 1.0f;
 }
 
+namespace {
+// What the place has for a blade that stands there (numerics/stand.h). ground, place: of its root, in metres from the
+// terrain's corner and on maps.
+f32::BladeStand standAt(const RayField& f, const Kind& kind, const Cell& cell, const glm::ivec2& at, const Blade& b,
+                        const glm::vec2& inCell, const glm::dvec2& ground, const glm::dvec2& place) {
+    f32::BladeStand s = f32::emptyStand();
+    s.paint = paintAt(*f.grass, place), s.leanAtFull = kind.leanAtFull;
+    if (kind.clumps != glm::vec3(0))
+        s.clump = f32::clumpValues(at.x, at.y, inCell, f.grass->cellSize, kind.species->clumpSize,
+                                   static_cast<uint32_t>(f.grass->seed));
+    s.clumpLean = kind.clumps.x, s.clumpHeight = kind.clumps.y, s.clumpLightness = kind.clumps.z;
+    s.wind = windLeanIn(f, cell, inCell, b.dither);
+    if (pressed(f)) {
+        const glm::vec3 force = forceOn(f, place, ground);
+        s.push = {force.x, force.y}, s.press = force.z;
+    }
+    s.tall = bladeShareAt(f, ground);
+    return s;
+}
+}  // namespace
+
 Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index,
                   glm::dvec2* rootPlace) {
     const Blade& b = kind.blades()[cell.first + index];
@@ -108,18 +129,9 @@ Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, 
     if (ground.x > f.terrain->size.x || ground.y > f.terrain->size.y ||
         densityAt(f, *kind.species, ground) < b.threshold)
         return {};
-    const bool clumped = kind.clumps != glm::vec3(0);
-    const glm::vec3 clump =
-        clumped ? f32::clumpValues(x, z, inCell, size, kind.species->clumpSize, static_cast<uint32_t>(f.grass->seed))
-                : glm::vec3(0);
-    const f32::BladePlace at = f32::bladePlace(paintAt(*f.grass, place), kind.leanAtFull, clump, kind.clumps);
-    glm::vec2 lean = at.lean + windLeanIn(f, cell, inCell, b.dither);
-    if (pressed(f)) {
-        const glm::vec3 force = forceOn(f, place, ground);
-        lean = f32::forcedLean(lean, {force.x, force.y}, force.z, b.facing * cell.version.mirror);
-    }
-    const f32::BladePose pose =
-        f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, lean, at.scale * bladeShareAt(f, ground));
+    const f32::BladeStand stand = standAt(f, kind, cell, {x, z}, b, inCell, ground, place);
+    const f32::BladeLean at = f32::leanOf(stand, b.facing * cell.version.mirror);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, cell.version.mirror, at.lean, at.scale);
     const float up = static_cast<float>(terrainHeight(*f.terrain, ground.x, ground.y) - cell.base);
     return {{inCell.x, up, inCell.y}, pose.control, pose.tip, pose.facing, b.width, at.lighter};
 }

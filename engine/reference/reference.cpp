@@ -16,7 +16,7 @@
 namespace sward {
 namespace {
 
-constexpr int kTileWidth = 32;  // pixels; as high as a shard's band
+constexpr int kBlockWidth = 32;  // pixels; as high as a shard's band
 constexpr int kMostBounces = 32;
 constexpr double kOffBlade =
     2e-5;  // metres by which a new ray starts off the surface it leaves, so as not to meet it again
@@ -163,11 +163,19 @@ float untracedShare(const View& v, const Surface& s, bool casts) {
     return 1;
 }
 
-glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const glm::vec3& towards, double far,
-                    const glm::vec3& light, bool casts, Dice& dice, GrassMemory& memory) {
-    const glm::vec3 sent = sends(s, toEye, towards) * light;
-    if (sent == glm::vec3(0) || (casts && !lit(v, s, towards, far, dice, memory))) return glm::vec3(0);
-    return sent * untracedShare(v, s, casts);
+// A light as a surface meets it.
+struct Arriving {
+    glm::vec3 towards;  // unit
+    double far;         // metres to the light
+    glm::vec3 color;    // irradiance on what faces it, divided by pi
+    bool casts;         // whether things in between shade the surface
+};
+glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, const Arriving& light, Dice& dice,
+                    GrassMemory& memory) {
+    const glm::vec3 sent = sends(s, toEye, light.towards) * light.color;
+    if (sent == glm::vec3(0)) return glm::vec3(0);
+    if (light.casts && !lit(v, s, light.towards, light.far, dice, memory)) return glm::vec3(0);
+    return sent * untracedShare(v, s, light.casts);
 }
 
 glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {
@@ -175,13 +183,13 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
     const FrameGlobals& g = v.globals;
     glm::vec3 sum(0);
     if (v.hasSun && g.sunIsUp > 0)
-        sum += lightFrom(v, s, toEye, g.sunDirection, kFar, g.sunLight, g.sunCasts > 0, dice, memory);
+        sum += lightFrom(v, s, toEye, {g.sunDirection, kFar, g.sunLight, g.sunCasts > 0}, dice, memory);
     for (int i = 0; i < v.lamps.count; ++i) {
         const LightGlobals& l = v.lamps.lights[i];
         const glm::vec3 way = l.place - glm::vec3(s.at - v.eye) * l.isPoint;
         const f32::PointLight p = f32::pointLight(way, l.beta);
-        sum += lightFrom(v, s, toEye, p.direction, l.isPoint > 0 ? static_cast<double>(glm::length(way)) : kFar,
-                         l.color * p.attenuation, i < v.lamps.casting, dice, memory);
+        const double far = l.isPoint > 0 ? static_cast<double>(glm::length(way)) : kFar;
+        sum += lightFrom(v, s, toEye, {p.direction, far, l.color * p.attenuation, i < v.lamps.casting}, dice, memory);
     }
     return sum;
 }
@@ -419,16 +427,17 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
     const size_t pixels = static_cast<size_t>(settings.width) * static_cast<size_t>(settings.height);
     Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
                 std::vector<float>(pixels)};
-    const int across = (settings.width + kTileWidth - 1) / kTileWidth,
+    const int across = (settings.width + kBlockWidth - 1) / kBlockWidth,
               down = (settings.height + kShardRows - 1) / kShardRows;
     MemoryPool memories;
     std::atomic<int> done{0};
-    parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t tile) {
-        const int x0 = static_cast<int>(tile) % across * kTileWidth, y0 = static_cast<int>(tile) / across * kShardRows;
+    parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t block) {
+        const int x0 = static_cast<int>(block) % across * kBlockWidth,
+                  y0 = static_cast<int>(block) / across * kShardRows;
         if (control.cancelled() || !isOfShard(y0, settings)) return;
         auto memory = memories.take();
         for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
-            for (int x = x0; x < std::min(x0 + kTileWidth, settings.width); ++x)
+            for (int x = x0; x < std::min(x0 + kBlockWidth, settings.width); ++x)
                 writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x),
                            samplePixel(view, x, y, *memory), settings.samples);
         memories.give(std::move(memory));

@@ -33,6 +33,7 @@ struct ReferenceSettings {
 inline constexpr int kMaxReferenceSamples = 1 << 20;
 inline constexpr int64_t kMaxReferencePixels = int64_t(1) << 26;
 inline constexpr int kShardRows = 8;
+// Whether this machine traces a row of pixels (0 on top): bands of kShardRows go round among the shards.
 inline bool isOfShard(int row, const ReferenceSettings& s) { return row / kShardRows % s.shards == s.shard; }
 
 struct Truth {

@@ -16,6 +16,7 @@ struct ReferencePart {
     ReferenceSettings settings;
     Truth truth;  // other shards' rows are 0
 };
+// The bytes of the part's file.
 std::string encodePart(const ReferencePart& part);
 // Unsound error naming the file: unreadable, no part, truncated.
 Result<ReferencePart> readPart(const std::filesystem::path& file);

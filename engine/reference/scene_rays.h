@@ -19,6 +19,7 @@ struct TerrainSurface {
     glm::vec3 normalAt(double x, double z) const;  // by central differences over a square; upward
     Triangles triangles() const;
 };
+// Heights at the corners of the squares; level ground is one square.
 TerrainSurface terrainSurface(const Terrain& t);
 
 // The terrain (if it is not level) and every object. An object's file is read from the project's folder.

@@ -41,8 +41,8 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
     std::vector<Triangles> triangles(1);
     if (const Terrain* t = s.ground_.terrain) {
         s.level_ = !t->height.present();
-        const Rgba8 tile = t->groundTexture.empty() ? Rgba8{} : loadTile(p.dir / t->groundTexture);
-        s.tile_ = texelGridOf(tile.pixels.empty() ? makeSoil(256) : tile);
+        const Rgba8 soil = t->groundTexture.empty() ? Rgba8{} : loadColorImage(p.dir / t->groundTexture);
+        s.soil_ = texelGridOf(soil.pixels.empty() ? makeSoil(256) : soil);
         if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
     }
     for (const PlacedMesh& placedMesh : placedMeshes(p)) {
@@ -136,13 +136,13 @@ glm::vec3 Solids::groundNormal(double x, double z) const {
 
 glm::vec3 Solids::soilAt(double x, double z) const {
     const Terrain& t = *ground_.terrain;
-    const glm::vec3 tile = glm::vec3(tile_.at(x / t.tileSize, z / t.tileSize, true)) * 2.0f * t.groundColor;
-    if (!t.terrainMap.present()) return tile;
+    const glm::vec3 soil = glm::vec3(soil_.at(x / t.tileSize, z / t.tileSize, true)) * 2.0f * t.groundColor;
+    if (!t.terrainMap.present()) return soil;
     const Tiling tiling = tilingOf(t, t.terrainMapTiling);
     const glm::dvec2 place = glm::dvec2(x, z) / tiling.metres;
     const glm::vec4 paint = paintedAt(
         t.terrainMap.map, tiling.repeats ? place : glm::clamp(place, glm::dvec2(1e-9), glm::dvec2(1 - 1e-9)), 1, true);
-    return f32::soilColor(tile, t.groundColor, glm::vec3(paint), paint.w);
+    return f32::soilColor(soil, t.groundColor, glm::vec3(paint), paint.w);
 }
 
 Surface Solids::groundAt(const Ray& ray, double t) const {

@@ -42,7 +42,7 @@ class Solids {
 
     Ground ground_;
     bool level_ = true;
-    TexelGrid tile_;
+    TexelGrid soil_;
     std::map<std::string, Mesh> meshes_;
     std::map<std::string, std::vector<TexelGrid>> images_;
     std::vector<Object> objects_;  // mesh i + 1 of the scene; mesh 0 is the ground

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "maps/map.h"
 
 namespace sward {
@@ -24,7 +24,7 @@ struct Surface {
     double t = 0;
     glm::dvec3 at{0};
     glm::vec3 normal{0, 1, 0};  // unit, on the side that the ray came from
-    glm::vec3 face{0, 1, 0};    // the same of the surface as it is, which a smooth normal may differ from
+    glm::vec3 face{0, 1, 0};    // normal of the surface as it is, which a smooth normal may differ from
     glm::vec3 color{0};         // reflectance
     glm::vec3 looks{0};         // of a leaf: translucency, gloss, roughness
     glm::vec3 tint{1};          // of all that it sends: a blade's image
@@ -40,6 +40,7 @@ struct TexelGrid {
     // Bilinear, texel centres at (i + 0.5) / n; beyond the edges it repeats, or the edge holds.
     glm::vec4 at(double u, double v, bool repeat) const;
 };
+// The image's sRGB colours, linear; alpha as it is.
 TexelGrid texelGridOf(const Rgba8& image);
 // A painted map read as shaders read it: it repeats `tiling` times over what a map of tiling 1 covers; colours, of sRGB
 // maps, linear.

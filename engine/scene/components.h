@@ -31,12 +31,12 @@ struct Terrain {
     glm::dvec2 heightRange{0, 10};  // metres at 0 and at full scale of an integer height map
     float gridSpacing = 0.25f;      // metres between vertices of the finest level
     float lodDistance = 30;         // metres to which the finest level reaches; each next level doubles it
-    MapField terrainMap;            // RGBA, colour (sRGB) and opacity over the tile texture
+    MapField terrainMap;            // RGBA, colour (sRGB) and opacity over the ground texture
     float heightTiling = 1,
           terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
     float mapSize = 0;           // metres over which all maps' tilings count, both ways; 0: the whole terrain
     std::string groundTexture;   // PNG tiled over the ground; empty: soil made by the program
-    float tileSize = 2;          // metres a tile of it covers
+    float tileSize = 2;          // metres after which it repeats
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
     bool castShadows = false;                    // hills shade what lies behind them
 };

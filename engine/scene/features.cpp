@@ -1,64 +1,51 @@
 #include "scene/features.h"
 
+#include <array>
+#include <cctype>
+#include <string>
+
 #include "core/error.h"
 
 namespace sward {
 namespace {
-struct FeatureNames {
-    const char* name;
-    const char* constant;
-};
-// In the order of Feature.
-constexpr FeatureNames kNames[] = {
-    {"terrain", "TERRAIN"},
-    {"terrain-heights", "TERRAIN_HEIGHTS"},
-    {"terrain-map", "TERRAIN_MAP"},
-    {"grass", "GRASS"},
-    {"grass-geometry", "GRASS_GEOMETRY"},
-    {"grass-slices", "GRASS_SLICES"},
-    {"grass-far", "GRASS_FAR"},
-    {"grass-tessellated", "GRASS_TESSELLATED"},
-    {"grass-density", "GRASS_DENSITY"},
-    {"grass-heights", "GRASS_HEIGHTS"},
-    {"grass-unique", "GRASS_UNIQUE"},
-    {"grass-orientation", "GRASS_ORIENTATION"},
-    {"grass-vegetation", "GRASS_VEGETATION"},
-    {"grass-occlusion", "GRASS_OCCLUSION"},
-    {"grass-blended", "GRASS_BLENDED"},
-    {"grass-clumps", "GRASS_CLUMPS"},
-    {"translucency", "TRANSLUCENCY"},
-    {"gloss", "GLOSS"},
-    {"blade-shadows", "BLADE_SHADOWS"},
-    {"ground-shadows", "GROUND_SHADOWS"},
-    {"objects", "OBJECTS"},
-    {"object-shadows", "OBJECT_SHADOWS"},
-    {"terrain-shadows", "TERRAIN_SHADOWS"},
-    {"sun", "SUN"},
-    {"lamps", "LAMPS"},
-    {"casting-lights", "CASTING_LIGHTS"},
-    {"wind", "WIND"},
-    {"gusts", "GUSTS"},
-    {"forces", "FORCES"},
-    {"force-outlines", "FORCE_OUTLINES"},
-    {"force-map", "FORCE_MAP"},
-    {"far-darkening", "FAR_DARKENING"},
-    {"far-blur", "FAR_BLUR"},
-    {"sky", "SKY"},
-    {"fog", "FOG"},
-    {"water", "WATER"},
-    {"water-reflection", "WATER_REFLECTION"},
-    {"flowers", "FLOWERS"},
-    {"flower-density", "FLOWER_DENSITY"},
-};
-static_assert(std::size(kNames) == static_cast<size_t>(Feature::Count));
 
-const FeatureNames& namesOf(Feature f) {
-    CHECK(f < Feature::Count);
-    return kNames[static_cast<size_t>(f)];
+constexpr auto OfScene = FeatureScope::OfScene, OfField = FeatureScope::OfField;
+constexpr FeatureRow kRows[] = {
+#define FEATURE(bit, name, scope, help, absent) {Feature::bit, name, scope, help, absent},
+#include "scene/features.inc"
+#undef FEATURE
+};
+constexpr size_t kCount = static_cast<size_t>(Feature::Count);
+static_assert(std::size(kRows) == kCount);
+
+std::array<std::string, kCount> makeConstants() {
+    std::array<std::string, kCount> out;
+    for (size_t i = 0; i < kCount; ++i)
+        for (const char* c = kRows[i].name; *c; ++c)
+            out[i] += *c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
+    return out;
 }
+
 }  // namespace
 
-const char* featureName(Feature f) { return namesOf(f).name; }
-const char* featureConstant(Feature f) { return namesOf(f).constant; }
+std::span<const FeatureRow> featureRows() { return kRows; }
+
+const FeatureRow& featureRow(Feature f) {
+    CHECK(f < Feature::Count);
+    return kRows[static_cast<size_t>(f)];
+}
+
+const char* featureConstant(Feature f) {
+    static const std::array<std::string, kCount> constants = makeConstants();
+    CHECK(f < Feature::Count);
+    return constants[static_cast<size_t>(f)].c_str();
+}
+
+FeatureSet fieldFeatures() {
+    FeatureSet all;
+    for (const FeatureRow& row : kRows)
+        if (row.scope == FeatureScope::OfField) all.set(static_cast<size_t>(row.feature));
+    return all;
+}
 
 }  // namespace sward

@@ -18,9 +18,9 @@ struct Patch {
     std::array<uint32_t, 256> upTo{};  // upTo[k]: blades with threshold <= k/255; upTo[0] = 0
 };
 
-// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). The same for the
-// same species, cellSize and seed. At most kMaxPatchBlades.
-inline constexpr int kMaxPatchBlades = 4'000'000;
+inline constexpr int kMaxPatchBlades = 4'000'000;  // a patch has no more
+// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). Equal arguments
+// give equal patches. cellSize: metres, above 0.
 Patch makePatch(const Species& species, float cellSize, uint32_t seed);
 // `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also
 // where they are few.
@@ -29,7 +29,7 @@ std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t s
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 
 // Lean (m per m of blade) that paint of full strength gives, and what full clump values give: lean (m per m), share of
-// height, share of lightness; as numerics/population.h bladePlace takes them.
+// height, share of lightness; as numerics/stand.h takes them.
 float leanAtFull(const Species& species);
 glm::vec3 clumpStrengths(const Species& species);
 

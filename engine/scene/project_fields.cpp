@@ -203,6 +203,9 @@ Result<size_t> findElement(const ConstFieldRef& list, const std::string& selecto
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
     return fieldIn(p, rows, path);
 }
+Result<ConstFieldRef> findField(const Project& p, std::span<const ComponentRow> rows, const std::string& path) {
+    return fieldIn(p, rows, path);
+}
 
 std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bool absentToo) {
     return mapsIn(p, rows, absentToo);

@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/jobs.h"
 #include "ecs/registry.h"
 #include "scene/features.h"
 #include "scene/map_row.h"
+#include "scene/slots.h"
 
 namespace sward {
 
@@ -155,54 +157,51 @@ constexpr ListRow listRow(std::span<const FieldRow> fields) {
 
 // --- effects -------------------------------------------------------------------------------------------------
 
-// In drawing order, where no grass is blended (frame/plan.h).
+// When something runs where slots leave it open: earlier stages first, and within a stage in the order of names.
+// The order in which the scene is drawn is chosen, as layers are: nothing is lit that is not seen, so the ground's
+// depth comes first, then grass from near to far, and last the ground and the sky, lit where they show. What is blended
+// with what lies behind it comes after all of these (Pass::blendedWith).
 enum class Stage {
+    Once,    // systems that are the same for all views
+    Within,  // views within the view
+    View,    // systems of the view
     Simulate,
-    Bake,
     Shadow,
-    Reflect,
     Depth,
     Opaque,
     Blades,
+    Flowers,
     Slices,
-    Rays,
+    Far,
     Ground,
     GroundShadow,
+    FarShadow,
     Sky,
     Water,
     Post,
     Overlay,
-    Count
+    Decal
 };
 // Which views a pass takes part in: a set of bits.
-enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2, kViewShadow = 4, kViewCapture = 8, kViewCompare = 16 };
-// What a pass reads and writes; within a stage the planner runs writers before readers.
-enum ResourceBits : unsigned {
-    kSceneColor = 1,
-    kSceneDepth = 2,
-    kHeights = 4,
-    kGroundCover = 8,
-    kSkyLight = 16,
-    kImage = 32,
-    kResolved = 64,
-    kForces = 128
-};
+enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2 };
 
+struct Project;
 struct DrawContext;  // frame/draw_context.h
-// What an effect keeps while its features are there. One per project; freed when they go.
+struct ViewRequest;  // frame/draw_context.h
+// What an effect keeps while its features are there: for the project (EffectRow::makeState), or for one of its views
+// (makeView). Freed when they go.
 struct EffectState {
     virtual ~EffectState() = default;
     // Adds what the effect is making beside the pictures (ViewSettings.background).
     virtual void jobs(std::vector<JobNews>&) const {}
 };
 
-// A program that a pass draws with. `features`: those that its sources declare, and so its key.
+// A program that a pass draws with. It is compiled for those of the scene's features that its sources name.
 struct ProgramRow {
     const char* name;    // "domain/stem[/part]", as in statistics
     const char* vertex;  // path under shaders/, or null
     const char* fragment;
     const char* compute;
-    FeatureSet features;
     // Sources' other constants (DrawContext::use): one text for each way to compile them that differs; null: there are
     // none.
     std::vector<std::string> (*variants)() = nullptr;
@@ -214,24 +213,42 @@ struct Pass {
     const char* name;  // "domain/stem[/part]": also its KHR_debug group and its line in the profiler
     Stage stage;
     unsigned views;
-    unsigned reads, writes;
+    SlotUse uses;
     std::span<const ProgramRow> programs;
     void (*draw)(DrawContext&);
+    FeatureSet blendedWith = {};  // in a scene with one of these it needs what lies behind it
+    bool stencil = false;         // the view's depth has one
 };
 
 // CPU work once a frame, before drawing.
 struct System {
     const char* name;
+    SlotUse uses;
     void (*run)(DrawContext&);
+    bool once = false;  // what it does is the same for every view of a frame
+};
+
+// A view within the main one, such as what water mirrors: it is drawn, in its coarse version, before anything of the
+// view that shows it.
+struct ViewRow {
+    ViewBits view;       // the passes that take part
+    const char* prefix;  // of their names in statistics
+    SlotUse uses;
+    bool (*request)(DrawContext&, ViewRequest&);  // says what to draw; false: nothing in this frame
+    void (*drawn)(DrawContext&);                  // after that, in the view that shows it
 };
 
 struct EffectRow {
-    const char* name;  // "domain/stem"
-    FeatureSet needs;  // runs if the scene has all of these
-    std::span<const System> systems;
-    std::span<const Pass> passes;
-    std::unique_ptr<EffectState> (*makeState)(DrawContext&);
-    const char* help;  // why it runs, in the user's words
+    const char* name;       // "domain/stem"
+    FeatureSet needs = {};  // runs if the scene has all of these
+    std::span<const System> systems = {};
+    std::span<const Pass> passes = {};
+    std::unique_ptr<EffectState> (*makeState)(DrawContext&) = nullptr;
+    const char* help = "";  // why it runs, in the user's words
+    std::unique_ptr<EffectState> (*makeView)(DrawContext&) = nullptr;
+    const ViewRow* within = nullptr;
+    // Before anything is drawn: whether it can be. `blades`: of the whole population (virtualBlades).
+    Status (*check)(const Project&, double blades) = nullptr;
 };
 
 // The tables, as low layers see them; defined in techniques.cpp.

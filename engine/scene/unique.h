@@ -19,10 +19,12 @@ struct UniqueBlades {
     std::vector<uint32_t> first;  // by cell, rows along z; one more than there are cells
     int cellsX = 0;
     uint32_t mostInCell = 0;
+    // True where the species has no blades of its own.
     bool empty() const { return first.empty(); }
     // Blades of a cell with thresholds in [low, high]: from, and to beyond the last.
     std::pair<uint32_t, uint32_t> range(int x, int z, float low, float high) const;
 };
+// Whether the field's population is "unique".
 bool isUnique(const GrassField& f);
 // The same for equal species, cell size, seed, density and extent.
 UniqueBlades makeUnique(const Species& species, const GrassField& field, const Terrain& terrain);

@@ -6,7 +6,7 @@
 namespace sward {
 namespace {
 
-struct LampsState : EffectState {
+struct LampsView : EffectState {
     Buffer block;
 };
 
@@ -14,12 +14,12 @@ struct LampsState : EffectState {
 void runLamps(DrawContext& ctx) {
     LightsGlobals& all = ctx.shared.lights;
     all = lampsAround(ctx.project, ctx.camera.eye, ctx.settings.time, ctx.globals.exposure);
-    Buffer& block = ctx.own<LampsState>().block;
+    Buffer& block = ctx.ofView<LampsView>().block;
     writeBuffer(ctx.gpu, block, "sky/lamps", sizeof(all), &all);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_LIGHTS, block.id());
 }
 
-const System kSystems[] = {{"sky/lamps", runLamps}};
+const System kSystems[] = {{"sky/lamps", {.writes = {Slot::Lamps}}, runLamps}};
 
 }  // namespace
 
@@ -29,8 +29,9 @@ const EffectRow& lampsEffect() {
         featureSet(Feature::Lamps),
         kSystems,
         {},
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<LampsState>(); },
-        "lights shine beside the sun"};
+        nullptr,
+        "lights shine beside the sun",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<LampsView>(); }};
     return row;
 }
 

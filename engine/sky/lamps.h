@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "sky/lamps" (techniques.cpp): runs in scenes with Lamps.
 const EffectRow& lampsEffect();
 }  // namespace sward

@@ -21,13 +21,13 @@ void drawDome(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-const System kSunSystems[] = {{"sky/sun", runSun}};
-const System kSkySystems[] = {{"sky/ambient", runSky}};
-const System kHazeSystems[] = {{"sky/haze", runHaze}};
-const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr,
-                                     featureSet(Feature::Sun, Feature::Fog, Feature::WaterReflection)}};
-const Pass kDomePasses[] = {{"sky/dome", Stage::Sky, kViewMain | kViewReflection | kViewCompare, kSceneDepth,
-                             kSceneColor, kDomePrograms, drawDome}};
+const System kSunSystems[] = {{"sky/sun", {.writes = {Slot::Sun}}, runSun, true}};
+const System kSkySystems[] = {
+    {"sky/ambient", {.reads = {Slot::Sun}, .writes = {Slot::Sun, Slot::SkyLight}}, runSky, true}};
+const System kHazeSystems[] = {{"sky/haze", {.writes = {Slot::Haze}}, runHaze, true}};
+const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr}};
+const Pass kDomePasses[] = {
+    {"sky/dome", Stage::Sky, kViewMain | kViewReflection, {.appends = {Slot::SceneColor}}, kDomePrograms, drawDome}};
 
 }  // namespace
 

@@ -6,7 +6,10 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "sky/sun" (techniques.cpp): runs in scenes with Sun.
 const EffectRow& sunEffect();
+// Row of the effect "sky/dome" (techniques.cpp): runs in scenes with Sky.
 const EffectRow& skyEffect();
+// Row of the effect "sky/haze" (techniques.cpp): runs in scenes with Fog.
 const EffectRow& hazeEffect();
 }  // namespace sward

@@ -6,7 +6,7 @@
 namespace sward {
 namespace {
 
-struct WindState : EffectState {
+struct WindView : EffectState {
     Buffer block;
 };
 struct GustsState : EffectState {
@@ -16,7 +16,7 @@ struct GustsState : EffectState {
 // Both are bound for the whole frame: nothing else uses the bindings.
 void runWind(DrawContext& ctx) {
     const WindGlobals g = windGlobals(*windOf(ctx.project), {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
-    Buffer& block = ctx.own<WindState>().block;
+    Buffer& block = ctx.ofView<WindView>().block;
     writeBuffer(ctx.gpu, block, "sky/wind", sizeof(g), &g);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, block.id());
 }
@@ -27,8 +27,8 @@ void runGusts(DrawContext& ctx) {
     glBindTextureUnit(TEX_WIND, ctx.maps.get("sky/gusts", path, gusts, false, true));
 }
 
-const System kWindSystems[] = {{"sky/wind", runWind}};
-const System kGustSystems[] = {{"sky/gusts", runGusts}};
+const System kWindSystems[] = {{"sky/wind", {}, runWind}};
+const System kGustSystems[] = {{"sky/gusts", {}, runGusts, true}};
 
 }  // namespace
 
@@ -38,8 +38,9 @@ const EffectRow& windEffect() {
         featureSet(Feature::Wind),
         kWindSystems,
         {},
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindState>(); },
-        "wind blows, and what grows follows it"};
+        nullptr,
+        "wind blows, and what grows follows it",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<WindView>(); }};
     return row;
 }
 const EffectRow& gustsEffect() {

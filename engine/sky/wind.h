@@ -5,6 +5,8 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "sky/wind" (techniques.cpp): runs in scenes with Wind.
 const EffectRow& windEffect();
+// Row of the effect "sky/gusts" (techniques.cpp): runs in scenes with Gusts and Wind.
 const EffectRow& gustsEffect();
 }  // namespace sward

@@ -4,8 +4,8 @@
 
 #include "core/log.h"
 #include "core/numerics.h"
+#include "frame/color_image.h"
 #include "frame/draw_context.h"
-#include "frame/tiles.h"
 #include "scene/tiling.h"
 #include "terrain/lod.h"
 
@@ -15,17 +15,22 @@ namespace {
 constexpr const char* kOwner = "terrain/ground";
 
 struct GroundState : EffectState {
-    Buffer nodes, vertices, indices;
+    Buffer vertices, indices;
     VertexArray mesh;
-    Texture tile;
-    std::string tileOf = "?";  // file of the tile texture; "" is the made one
-    std::vector<TerrainNode> selected;
-    int failed = 0;
+    Texture soil;
+    std::string soilOf = "?";  // file of the ground's texture; "" is the made one
 };
-
-struct DepthState : EffectState {
+struct GroundView : EffectState {
+    Buffer nodes;
+    std::vector<TerrainNode> selected;
+};
+struct DepthView : EffectState {
     Buffer nodes;
 };
+
+Buffer makeRoom(Gpu& gpu, const char* owner) {
+    return makeBuffer(gpu, owner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+}
 
 constexpr int kNodeIndices = 6 * kNodeQuads * kNodeQuads;
 
@@ -56,15 +61,19 @@ void makeMesh(Gpu& gpu, GroundState& s) {
 std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     auto s = std::make_unique<GroundState>();
     makeMesh(ctx.gpu, *s);
-    s->nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    return s;
+}
+std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
+    auto s = std::make_unique<GroundView>();
+    s->nodes = makeRoom(ctx.gpu, kOwner);
     return s;
 }
 
 void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
-    if (s.tileOf == t.groundTexture) return;
-    s.tileOf = t.groundTexture;
-    const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadTile(ctx.project.dir / t.groundTexture);
-    s.tile = makeTileTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
+    if (s.soilOf == t.groundTexture) return;
+    s.soilOf = t.groundTexture;
+    const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadColorImage(ctx.project.dir / t.groundTexture);
+    s.soil = makeColorTexture(ctx.gpu, kOwner, pixels.pixels.empty() ? makeSoil(256) : pixels);
 }
 
 // For the whole frame: nothing else uses the bindings.
@@ -75,25 +84,19 @@ void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
     };
     const GLuint map = t.terrainMap.present() ? texture(t.terrainMap) : 0;
     static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
-    const GLuint textures[] = {ctx.shared.heights, map, s.tile.id()};
+    const GLuint textures[] = {ctx.shared.heights, map, s.soil.id()};
     glBindTextures(TEX_HEIGHT, 3, textures);
 }
 
-void select(DrawContext& ctx) {
+// What is the same for every eye.
+void prepare(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     const Terrain& t = *ctx.shared.ground.terrain;
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
-    TerrainLod lod = terrainLod(t);
-    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
-                    static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
-    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
-        lod.hidden = f32::hazeReach(ctx.globals.haze);
-    s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
-    ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
+    ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
     FrameGlobals& g = ctx.globals;
-    g.eyeAbove = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.terrainSize = t.size;
     g.terrainShare = 1.0 / t.size;
     g.mapShare = 1.0 / mapExtent(t);
@@ -101,6 +104,23 @@ void select(DrawContext& ctx) {
     g.terrainTiling = shaderTiling(t, t.terrainMapTiling);
     g.soilColor = t.groundColor;
     g.soilTiles = 1 / t.tileSize;
+    bindMaps(ctx, s, t);
+}
+
+void select(DrawContext& ctx) {
+    const GroundState& s = ctx.own<GroundState>();
+    GroundView& view = ctx.ofView<GroundView>();
+    const Terrain& t = *ctx.shared.ground.terrain;
+    TerrainLod lod = terrainLod(t);
+    lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
+                    static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
+        lod.hidden = f32::hazeReach(ctx.globals.haze);
+    view.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
+    const bool level = !t.height.present();
+    ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, view.selected};
+    FrameGlobals& g = ctx.globals;
+    g.eyeAbove = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.groundScale = g.groundTexel = 0;
     if (t.height.present()) {
         const auto [offset, scale] = heightScale(t);
@@ -109,12 +129,9 @@ void select(DrawContext& ctx) {
         g.groundBase = static_cast<float>(offset + scale * base - ctx.eye.y);
         g.groundScale = static_cast<float>(scale);
         g.groundTexel = base;
-        ctx.shared.heights =
-            ctx.maps.get("terrain/heights", entityOf(ctx.project, t) + ".Terrain.height", t.height.map);
     } else {
         g.groundBase = static_cast<float>(-ctx.eye.y);
     }
-    bindMaps(ctx, s, t);
 }
 
 void drawMesh(DrawContext& ctx, const Buffer& room) {
@@ -125,14 +142,13 @@ void drawMesh(DrawContext& ctx, const Buffer& room) {
 void drawDepth(DrawContext& ctx) {
     if (ctx.shared.groundMesh.nodes.empty() || !ctx.use()) return;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawMesh(ctx, ctx.own<DepthState>().nodes);
+    drawMesh(ctx, ctx.ofView<DepthView>().nodes);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 // Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
 void draw(DrawContext& ctx) {
-    GroundState& s = ctx.own<GroundState>();
-    if (s.selected.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
+    if (ctx.shared.groundMesh.nodes.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SOIL, ctx.shared.soil.globals);
     glBindTextures(TEX_SOIL, static_cast<GLsizei>(ctx.shared.soil.maps.size()), ctx.shared.soil.maps.data());
     if (ctx.targets.stencil) {
@@ -140,30 +156,34 @@ void draw(DrawContext& ctx) {
         glStencilFunc(GL_ALWAYS, kStencilGround, kStencilGround);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     }
-    drawMesh(ctx, s.nodes);
+    drawMesh(ctx, ctx.ofView<GroundView>().nodes);
     if (ctx.targets.stencil) glDisable(GL_STENCIL_TEST);
 }
 
-const System kSystems[] = {{"terrain/select", select}};
-const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr,
-                                      featureSet(Feature::TerrainHeights, Feature::WaterReflection)}};
-const ProgramRow kPrograms[] = {
-    {"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr,
-     featureSet(Feature::TerrainHeights, Feature::TerrainMap, Feature::Grass, Feature::GrassDensity,
-                Feature::GrassHeights, Feature::GrassOcclusion, Feature::GroundShadows, Feature::CastingLights,
-                Feature::ObjectShadows, Feature::TerrainShadows, Feature::Sun, Feature::Lamps, Feature::Sky,
-                Feature::Fog, Feature::WaterReflection),
-     soilVariants}};
-const Pass kDepthPasses[] = {{"terrain/depth", Stage::Depth, kViewMain | kViewReflection | kViewCompare, 0, kSceneDepth,
-                              kDepthPrograms, drawDepth}};
-const Pass kPasses[] = {{"terrain/ground", Stage::Ground, kViewMain | kViewReflection | kViewCompare, kGroundCover,
-                         kSceneColor | kSceneDepth, kPrograms, draw}};
+const System kSystems[] = {
+    {"terrain/maps", {.writes = {Slot::Ground}}, prepare, true},
+    {"terrain/select", {.reads = {Slot::Ground, Slot::Haze}, .writes = {Slot::GroundNodes}}, select}};
+const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr}};
+const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr, soilVariants}};
+const Pass kDepthPasses[] = {{"terrain/depth",
+                              Stage::Depth,
+                              kViewMain | kViewReflection,
+                              {.reads = {Slot::GroundNodes}, .appends = {Slot::SceneDepth}},
+                              kDepthPrograms,
+                              drawDepth}};
+const Pass kPasses[] = {
+    {"terrain/ground",
+     Stage::Ground,
+     kViewMain | kViewReflection,
+     {.reads = {Slot::GroundNodes, Slot::Grass, Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
+     kPrograms,
+     draw}};
 
 }  // namespace
 
 const EffectRow& groundEffect() {
-    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain), kSystems, kPasses,
-                               makeState,        "there is ground to stand on"};
+    static const EffectRow row{"terrain/ground", featureSet(Feature::Terrain),  kSystems, kPasses,
+                               makeState,        "there is ground to stand on", makeView};
     return row;
 }
 const EffectRow& groundDepthEffect() {
@@ -171,13 +191,13 @@ const EffectRow& groundDepthEffect() {
                                featureSet(Feature::Terrain, Feature::TerrainHeights),
                                {},
                                kDepthPasses,
+                               nullptr,
+                               "hills hide what stands behind them, so that it is not lit",
                                [](DrawContext& ctx) -> std::unique_ptr<EffectState> {
-                                   auto s = std::make_unique<DepthState>();
-                                   s->nodes = makeBuffer(ctx.gpu, "terrain/depth", NODES_PER_DRAW * sizeof(TerrainNode),
-                                                         nullptr);
+                                   auto s = std::make_unique<DepthView>();
+                                   s->nodes = makeRoom(ctx.gpu, "terrain/depth");
                                    return s;
-                               },
-                               "hills hide what stands behind them, so that it is not lit"};
+                               }};
     return row;
 }
 

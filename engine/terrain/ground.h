@@ -11,6 +11,7 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "terrain/ground" (techniques.cpp): runs in scenes with Terrain.
 const EffectRow& groundEffect();
 // The depth of land that is not level, before all else: hills hide grass. Reads the nodes that the ground has chosen.
 const EffectRow& groundDepthEffect();

@@ -127,7 +127,7 @@ void shade(DrawContext& ctx) {
     glBindTextureUnit(TEX_SHADE, s.texture.id());
 }
 
-const System kSystems[] = {{"terrain/shade", shade}};
+const System kSystems[] = {{"terrain/shade", {.reads = {Slot::Sun}, .appends = {Slot::Shadows}}, shade, true}};
 
 }  // namespace
 

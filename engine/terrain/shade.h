@@ -13,6 +13,7 @@
 
 namespace sward {
 
+// Row of the effect "terrain/shade" (techniques.cpp): runs in scenes with TerrainShadows and Terrain.
 const EffectRow& shadeEffect();
 
 // Rows of metres, z rows; texel centres lie at (i + 0.5) / width of the terrain.

@@ -24,16 +24,15 @@ void ensureTargets(DrawContext& ctx, ReflectionState& s, float share) {
     const int width = pixels(ctx.targets.width), height = pixels(ctx.targets.height);
     if (s.targets.width == width && s.targets.height == height && s.targets.samples == ctx.targets.samples) return;
     s.targets = {};
-    s.targets = makeTargets(ctx.gpu, kOwner, width, height, ctx.targets.samples, false, 0, false);
+    s.targets = makeTargets(ctx.gpu, kOwner, {width, height, ctx.targets.samples, false, 0, false});
     glTextureParameterf(s.targets.resolved.id(), GL_TEXTURE_MAX_ANISOTROPY, kAnisotropy);
 }
 
 glm::dvec3 mirroredAt(const glm::dvec3& p, double height) { return {p.x, 2 * height - p.y, p.z}; }
 
-ViewRequest requestFor(const DrawContext& ctx, ReflectionState& s, const Water& water) {
+void fill(ViewRequest& r, const DrawContext& ctx, ReflectionState& s, const Water& water) {
     const double height = ctx.shared.ground.origin.y + static_cast<double>(water.level);
-    ViewRequest r;
-    r.view = kViewReflection;
+    r.mirrored = true;
     r.camera = ctx.camera;
     r.camera.eye = mirroredAt(ctx.camera.eye, height);
     r.camera.target = mirroredAt(ctx.camera.target, height);
@@ -50,22 +49,26 @@ ViewRequest requestFor(const DrawContext& ctx, ReflectionState& s, const Water& 
     r.settings.detail = ctx.settings.detail * kBlades;
     r.settings.decal = {};
     r.targets = &s.targets;
-    return r;
 }
 
-void draw(DrawContext& ctx) {
+bool request(DrawContext& ctx, ViewRequest& wanted) {
     ReflectionState& s = ctx.own<ReflectionState>();
     const Water& water = *waterOf(ctx.project);
-    ctx.shared.reflection = 0;
-    if (ctx.settings.mode != ViewMode::Final || !(water.reflection > 0) || !waterInView(ctx, water)) return;
+    if (ctx.settings.mode != ViewMode::Final || !(water.reflection > 0) || !waterInView(ctx, water)) return false;
     ensureTargets(ctx, s, std::clamp(water.reflection, 0.05f, 1.0f));
-    ctx.view(requestFor(ctx, s, water));
-    glGenerateTextureMipmap(s.targets.resolved.id());
-    ctx.shared.reflection = s.targets.resolved.id();
+    fill(wanted, ctx, s, water);
+    return true;
+}
+
+void drawn(DrawContext& ctx) {
+    const GLuint mirrored = ctx.own<ReflectionState>().targets.resolved.id();
+    glGenerateTextureMipmap(mirrored);
+    ctx.shared.reflection = mirrored;
     ctx.shared.reflectionScale = glm::vec2(0.5f / (1 + 2 * kMargin));
 }
 
-const Pass kPasses[] = {{"water/reflection", Stage::Reflect, kViewMain | kViewCompare, 0, 0, {}, draw}};
+const ViewRow kView{
+    kViewReflection, "mirrored ", {.reads = {Slot::Ground}, .writes = {Slot::Reflection}}, request, drawn};
 
 }  // namespace
 
@@ -74,9 +77,11 @@ const EffectRow& reflectionEffect() {
         "water/reflection",
         featureSet(Feature::Water, Feature::WaterReflection, Feature::Terrain),
         {},
-        kPasses,
+        {},
         [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ReflectionState>(); },
-        "water mirrors the scene: sky, ground, objects and grass are drawn once more, coarsely"};
+        "water mirrors the scene: sky, ground, objects and grass are drawn once more, coarsely",
+        nullptr,
+        &kView};
     return row;
 }
 

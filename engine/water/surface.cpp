@@ -8,13 +8,13 @@ namespace {
 
 constexpr const char* kOwner = "water/surface";
 
-struct SurfaceState : EffectState {
+struct SurfaceView : EffectState {
     Buffer block;
     bool seen = false;
 };
 
 void update(DrawContext& ctx) {
-    SurfaceState& s = ctx.own<SurfaceState>();
+    SurfaceView& s = ctx.ofView<SurfaceView>();
     const Water& water = *waterOf(ctx.project);
     const auto square = waterInView(ctx, water);
     s.seen = square.has_value();
@@ -38,7 +38,7 @@ void endBlending() {
 }
 
 void draw(DrawContext& ctx) {
-    SurfaceState& s = ctx.own<SurfaceState>();
+    SurfaceView& s = ctx.ofView<SurfaceView>();
     if (ctx.settings.mode != ViewMode::Final || !ctx.use(0, depthConstants(ctx.targets)) || !s.seen) return;
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WATER, s.block.id());
     glBindTextureUnit(ctx.targets.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, ctx.targets.depth.id());
@@ -50,14 +50,15 @@ void draw(DrawContext& ctx) {
     ctx.pass->instances += 1;
 }
 
-const System kSystems[] = {{"water/ripples", update}};
+const System kSystems[] = {{"water/ripples", {.reads = {Slot::Ground, Slot::Reflection}}, update}};
 const ProgramRow kPrograms[] = {
-    {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr,
-     featureSet(Feature::WaterReflection, Feature::Wind, Feature::Gusts, Feature::ObjectShadows,
-                Feature::TerrainShadows, Feature::Sun, Feature::Sky, Feature::Fog),
-     depthVariants}};
-const Pass kPasses[] = {
-    {"water/surface", Stage::Water, kViewMain | kViewCompare, kSceneDepth, kSceneColor, kPrograms, draw}};
+    {"water/surface", "water/surface.vert.glsl", "water/surface.frag.glsl", nullptr, depthVariants}};
+const Pass kPasses[] = {{"water/surface",
+                         Stage::Water,
+                         kViewMain,
+                         {.reads = {Slot::SceneDepth, Slot::Reflection, Slot::Shadows}, .appends = {Slot::SceneColor}},
+                         kPrograms,
+                         draw}};
 
 }  // namespace
 
@@ -67,8 +68,9 @@ const EffectRow& waterEffect() {
         featureSet(Feature::Water, Feature::Terrain),
         kSystems,
         kPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SurfaceState>(); },
-        "water stands where the ground is below its level"};
+        nullptr,
+        "water stands where the ground is below its level",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SurfaceView>(); }};
     return row;
 }
 

@@ -8,5 +8,6 @@
 #include "scene/rows.h"
 
 namespace sward {
+// Row of the effect "water/surface" (techniques.cpp): runs in scenes with Water and Terrain.
 const EffectRow& waterEffect();
 }  // namespace sward

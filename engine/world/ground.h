@@ -15,6 +15,7 @@ struct Ground {
     const Terrain* terrain = nullptr;
     glm::dvec3 origin{0};  // the terrain's corner x = z = 0 in the world
 };
+// The first entity by name that has a Terrain.
 Ground findGround(const Project& p);
 
 // Metres at terrain-relative (x, z); beyond the terrain as at its edge, or as the map repeats (scene/tiling.h). 0
@@ -29,12 +30,13 @@ inline constexpr int kBoundsGrid = 64;
 struct HeightBounds {
     std::vector<std::pair<float, float>> parts;  // row-major, z rows; one part if flat
     float low = 0, high = 0;
-    Map of;                                 // the map they were taken from ...
+    Map of;                                 // map that the bounds were taken from ...
     std::pair<double, double> scale{0, 0};  // ... and its heightScale
     glm::dvec2 repeat{0};                   // metres that the map covers before it is mirrored; 0: it does not repeat
     // Bounds over terrain-relative [x0, x1] x [z0, z1] of a terrain of this size.
     std::pair<float, float> over(const glm::dvec2& size, double x0, double z0, double x1, double z1) const;
 };
+// Brings the bounds up to date with the terrain's height map; cheap while its tiles are the same.
 void updateHeightBounds(HeightBounds& b, const Terrain& t);
 
 }  // namespace sward

@@ -1,7 +1,7 @@
 // Runs one row of the table of formulas on every sample. Defined ahead of this: FORMULA_INPUTS, FORMULA_OUTPUTS and
 // FORMULA_BODY, which reads x[] and writes y[] (engine/formulas/formula_gpu.cpp).
-#include "numerics/glsl.h"
 #include "numerics/all.h"
+#include "numerics/glsl.h"
 
 layout(local_size_x = 32) in;
 layout(std430, binding = 0) readonly buffer Inputs { float allInputs[]; };

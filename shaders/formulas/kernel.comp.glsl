@@ -1,8 +1,8 @@
 // Evaluates a form of a formula many times: each invocation goes through `steps` inputs, from its own on, and keeps the
 // sum of all inputs and outputs. With one step the outputs themselves are kept too. Defined ahead of this:
 // FORMULA_INPUTS, FORMULA_OUTPUTS and FORMULA_BODY, which reads x[] and writes y[] (engine/formulas/kernels_gpu.cpp).
-#include "numerics/glsl.h"
 #include "numerics/all.h"
+#include "numerics/glsl.h"
 
 layout(local_size_x = 32) in;
 layout(std430, binding = 0) readonly buffer Inputs { float allInputs[]; };

@@ -1,16 +1,12 @@
 // Makes a draw command of each chosen cell, in their order: of its blades, and of those that shade the soil. Holes draw
 // nothing.
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/population.h"
-#include "numerics/tess.h"
-#include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "numerics/cells.h"
+#include "numerics/population.h"
+#include "shared/bindings.h"
+#include "shared/cells.h"
 #include "shared/grass.h"
+
 layout(local_size_x = 64) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer CellBlock { CellInstance cells[]; };
@@ -19,8 +15,9 @@ layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
 };  // five words a cell; then those of shadows
 layout(location = 0) uniform uint chosenCount;
 layout(location = 1) uniform uint patchBlades;
-layout(location = 2) uniform vec2 shares;       // of a cell's blades that are drawn, and that shade
-layout(location = 3) uniform uint shadowQuads;  // of a blade; 0: none shades
+layout(location = 2) uniform float drawnShare;  // of a cell's blades
+layout(location = 3) uniform float shadeShare;  // of them, those that shade
+layout(location = 4) uniform uint shadowQuads;  // of a blade; 0: none shades
 
 void command(uint at, uint i, ChosenCell c, uint quads, float share) {
     precise float drawn = float(bladesOf(c)) * share;
@@ -43,12 +40,12 @@ void main() {
     cells[i] = CellInstance(c.cell, cellCorner(cullGrid(), c.cell.x, c.cell.y), v.mirror, v.shift);
     bool any = bladesOf(c) > 0u;
     if (any && isSet(c, CHOSEN_SEEN))
-        command(i, i, c, levelOfCell(c), shares.x);
+        command(i, i, c, levelOfCell(c), drawnShare);
     else
         nothing(i);
     if (shadowQuads == 0u) return;
     if (any)
-        command(chosenCount + i, i, c, shadowQuads, shares.y);
+        command(chosenCount + i, i, c, shadowQuads, shadeShare);
     else
         nothing(chosenCount + i);
 }

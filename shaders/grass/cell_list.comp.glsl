@@ -2,27 +2,23 @@
 // whole, then those that its edge cuts, because a software rasteriser takes a slow way with batches of vertices of
 // which one must be clipped. One group, by exclusive prefix sums: each invocation counts a run of cells, one sums the
 // runs up, each writes its own.
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/population.h"
-#include "numerics/tess.h"
-#include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "numerics/cells.h"
+#include "numerics/population.h"
+#include "shared/bindings.h"
+#include "shared/cells.h"
 #include "shared/tess.h"
+
 const uint kRuns = 256u;
 layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer TessCellBlock { TessCell cells[]; };
 layout(std430, binding = SSBO_LIST) coherent buffer ListBlock { uint list[]; };
-layout(location = 0) uniform uvec4 job;
-layout(location = 1) uniform uint pointDraws;
-uint chosenCount = job.x, batchVertices = job.y,
-     batchCount = job.z;  // vertices: at most, of the pieces that begin in a batch
-uint drawPoints = job.w;  // at most, of a command
+layout(location = 0) uniform uint chosenCount;
+layout(location = 1) uniform uint batchVertices;  // at most, of the pieces that begin in a batch
+layout(location = 2) uniform uint batchCount;
+layout(location = 3) uniform uint drawPoints;  // at most, of a command
+layout(location = 4) uniform uint pointDraws;
 
 // Of all before: pieces, blades, vertices.
 shared uvec3 sums[2u * kRuns];

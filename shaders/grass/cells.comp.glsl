@@ -1,17 +1,12 @@
 // Chooses the cells that draw blades: one invocation a cell of the nodes in view, by the formulas of grass/cells.cpp.
 // Jahrmann and Wimmer 2013, section 6.1; Boulanger, Pattanaik and Bouatouch 2006, section 3.4.
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/population.h"
-#include "numerics/tess.h"
-#include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "numerics/cells.h"
+#include "numerics/tess.h"
+#include "shared/bindings.h"
+#include "shared/cells.h"
 #include "shared/grass.h"
+
 layout(local_size_x = 64) in;  // kNodeSide squared
 layout(std430, binding = SSBO_NODES) readonly buffer NodeListBlock { NodeOfCells nodes[]; };
 layout(std430, binding = SSBO_CHOSEN) writeonly buffer ChosenBlock { ChosenCell chosen[]; };

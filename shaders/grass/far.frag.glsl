@@ -1,26 +1,21 @@
 // A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
 // slices cover (grass/slices.h), and lit as they are.
+#include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/far.glsl"
+#include "lib/force.glsl"
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
+#include "lib/lamps.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "lib/slices.glsl"
+#include "lib/transparency.glsl"
+#include "lib/wind.glsl"
+#include "numerics/clump.h"
 #include "numerics/hash.h"
-#include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
-#include "numerics/correction.h"
-#include "numerics/clump.h"
-#include "numerics/population.h"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/shadow.glsl"
-#include "lib/cover.glsl"
-#include "lib/slices.glsl"
-#include "lib/far.glsl"
-#include "lib/wind.glsl"
-#include "lib/force.glsl"
-#include "lib/transparency.glsl"
+#include "numerics/stand.h"
 
 in vec3 position;
 in vec2 place;
@@ -69,12 +64,22 @@ uint grain(Repeated r) {
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
 }
 
-// What clumps add to the lean (x, y) and to the lightness (z), less where a pixel holds several of them.
+// What clumpValues are here, less where a pixel holds several clumps.
 vec3 clumpsHere(Repeated r, float pixel) {
     float left = 1.0 - pixel / (2.0 * slices.clumpSize);
     if (!GRASS_CLUMPS || slices.clumpSize <= 0.0 || left <= 0.0) return vec3(0.0);
-    vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.cellSize, slices.clumpSize, slices.seed);
-    return left * c * vec3(slices.clumpLean, slices.clumpLean, slices.clumpLightness);
+    return left * clumpValues(r.cell.x, r.cell.y, r.inCell, slices.cellSize, slices.clumpSize, slices.seed);
+}
+
+// What the place has for the blades that the slice stands for; clumps are added where they are seen.
+BladeStand standHere(vec2 uv) {
+    BladeStand s = emptyStand();
+    s.paint = paintedLean(uv);
+    s.leanAtFull = slices.leanAtFull;
+    s.breeze = windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
+    s.clumpLean = slices.clumpLean;
+    s.clumpLightness = slices.clumpLightness;
+    return s;
 }
 
 // The force where this ray is so high over the ground, metres.
@@ -96,8 +101,8 @@ void main() {
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
     float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.minGeom, slices.geomInv));
-    vec2 lean =
-        paintedLean(uv) * slices.leanAtFull + windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
+    BladeStand stand = standHere(uv);
+    vec2 lean = leanOf(stand, vec2(0.0)).lean;
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
     float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
                                         (1.0 - lodRamp(d, slices.minBTF, slices.btfInv))
@@ -108,13 +113,14 @@ void main() {
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
-    if (TRANSPARENCY == 0) alpha = coveredAlpha(alpha, grain(r));
+    if (TRANSPARENCY == COVERAGE) alpha = coveredAlpha(COVERAGE, alpha, grain(r));
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness * slices.cellSize;
-    vec3 clump = clumpsHere(r, pixel);
-    vec3 gain = slices.reflectScale * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, laid.y, true);
+    stand.clump = clumpsHere(r, pixel);
+    BladeLean l = leanOf(stand, vec2(0.0));
+    vec3 gain = slices.reflectScale * darkened(d) * l.lighter * sliceGain(toEye, l.lean, laid.y, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

@@ -1,25 +1,15 @@
 // Shadow of the horizontal slice on the ground, by one light: what is left of its light, multiplied onto the picture.
 // The slice is followed down the light's ray (Boulanger, Pattanaik and Bouatouch 2006, section 3.5). It takes over from
 // the blades' own shadows, and gives way to the mean.
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/correction.h"
-#include "numerics/population.h"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/shadow.glsl"
-#include "lib/cover.glsl"
-#include "lib/ground_light.glsl"
-#include "lib/slices.glsl"
+#include "lib/density.glsl"
 #include "lib/far.glsl"
 #include "lib/force.glsl"
+#include "lib/frame.glsl"
+#include "lib/ground_light.glsl"
+#include "lib/lamps.glsl"
+#include "lib/slices.glsl"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
 
 layout(location = 0) uniform int light;  // 0: the sun; i: lamp i - 1
 

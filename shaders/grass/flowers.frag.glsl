@@ -1,14 +1,11 @@
 // A fragment of a flower: its image, coloured, in the light of its corners; covers its pixel as blades do.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
-#include "numerics/flower.h"
 #include "lib/light.glsl"
-const int TRANSPARENCY = 0;
 #include "lib/transparency.glsl"
+#include "numerics/flower.h"
+#include "shared/bindings.h"
 #include "shared/flowers.h"
+
 layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
 layout(binding = TEX_BLADE) uniform sampler2D image;
 
@@ -21,7 +18,7 @@ out vec4 color;
 
 void main() {
     vec4 t = texture(image, uv);
-    float alpha = coveredAlpha(t.a, grain);
+    float alpha = coveredAlpha(COVERAGE, t.a, grain);
     if (!(alpha > 0.0)) discard;
     vec3 light = flowerColor(t.rgb, petal, flowers.center, flowers.stem, flowers.made != 0) * lit.rgb;
     vec2 way = (gl_FragCoord.xy * frame.pixelShare * 2.0 - 1.0);

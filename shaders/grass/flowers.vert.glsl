@@ -1,22 +1,22 @@
 // A corner of a flower (numerics/flower.h): 0 to 3 its stem's, from the root up; 4 to 7 its head's. Placed, leant and
 // lit here.
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/population.h"
-#include "numerics/weights.h"
-#include "lib/heights.glsl"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/shadow.glsl"
 #include "lib/density.glsl"
-#include "lib/wind.glsl"
 #include "lib/force.glsl"
+#include "lib/frame.glsl"
+#include "lib/heights.glsl"
+#include "lib/lamps.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "lib/wind.glsl"
+#include "numerics/basics.h"
+#include "numerics/bilinear.h"
 #include "numerics/flower.h"
+#include "numerics/hash.h"
+#include "numerics/lod.h"
+#include "numerics/stand.h"
+#include "shared/bindings.h"
 #include "shared/flowers.h"
+
 layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
 layout(binding = TEX_FLOWERS) uniform sampler2D densityHere;
 layout(location = 0) in ivec2 cell;
@@ -43,12 +43,14 @@ float densityAt(vec2 uv) {
 }
 
 vec2 leanAt(Flower f, vec2 at, vec2 place) {
-    vec2 lean = windLeanAt(at, f.grain, wind.strength);
+    BladeStand s = emptyStand();
+    s.wind = windLeanAt(at, f.grain, wind.strength);
     if ((FORCES && GRASS) || FORCE_MAP) {
-        vec3 pressed = forceHere(at, place);
-        lean = forcedLean(lean, pressed.xy, pressed.z, f.facing);
+        vec3 force = forceHere(at, place);
+        s.push = force.xy;
+        s.press = force.z;
     }
-    return lean;
+    return leanOf(s, f.facing).lean;
 }
 
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {

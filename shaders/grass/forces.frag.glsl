@@ -1,10 +1,4 @@
 // A force's push, added to others', and its press, of which the strongest counts (by the blending).
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
-#include "numerics/wind.h"
 #include "numerics/gust.h"
 
 in vec2 place;

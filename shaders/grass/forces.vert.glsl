@@ -1,6 +1,7 @@
 // A corner of the square around one force (world/forces.h) in the map around the eye.
-#include "lib/frame.glsl"
+#include "shared/bindings.h"
 #include "shared/wind.h"
+
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(location = 0) in vec4 line;  // begin and end of its line: x, z relative to the eye
 layout(location = 1) in vec3 size;  // radius, reach in radii, share

@@ -1,20 +1,11 @@
 // A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit:
 // reflectance times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
 #include "lib/shadow.glsl"
-#include "lib/cover.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
+#include "numerics/hash.h"
+#include "numerics/opacity.h"
 
 in vec3 texel;
 in vec3 foot;
@@ -42,7 +33,7 @@ uint grain(float level) {
 vec3 lampsSend(vec3 reflectance, vec4 lit, float above) {
     if (!LAMPS) return vec3(0.0);
     vec4 sum[3] = lamp;
-    if (WEIGHTS_PER_PIXEL) lampsOn(foot + vec3(0.0, texel.y * slices.top, 0.0), axes, sum);
+    if (WEIGHTS_PER_PIXEL) lampsOnImages(foot + vec3(0.0, texel.y * slices.top, 0.0), axes, sum);
     vec4 numbers = vec4(lit.xzw, above);
     return reflectance * brighter * vec3(dot(sum[0], numbers), dot(sum[1], numbers), dot(sum[2], numbers));
 }
@@ -76,7 +67,8 @@ void main() {
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
-    float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.fade, level), grain(level));
+    float alpha =
+        coveredAlpha(TRANSPARENCY, texelOpacity(stored.x, stored.y, density, slices.fade, level), grain(level));
     if (!(alpha > 0.0)) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);

@@ -1,24 +1,19 @@
 // One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that
 // neighbours share them), lean with the paint and with clumps, and are lit per vertex. Boulanger, Pattanaik and
 // Bouatouch 2006, sections 3.1 and 3.3.
-#include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/clump.h"
-#include "lib/heights.glsl"
-#include "numerics/weights.h"
-#include "numerics/leaf.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
 #include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/force.glsl"
+#include "lib/frame.glsl"
+#include "lib/heights.glsl"
+#include "lib/light.glsl"
+#include "lib/mirror.glsl"
 #include "lib/slices.glsl"
 #include "lib/wind.glsl"
-#include "lib/force.glsl"
-#include "lib/mirror.glsl"
+#include "numerics/clump.h"
+#include "numerics/hash.h"
+#include "numerics/lod.h"
+#include "numerics/stand.h"
 
 layout(location = 0) in ivec2 cell;
 layout(location = 1) in vec2 cellCorner;  // relative to the eye
@@ -38,33 +33,25 @@ out vec3 ambient;
 out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
 out vec2 weights;  // by distance, of what slices draw; by distance and view, of that what this family shows
 
-struct Place {
-    vec2 wide;    // lean that is the same over many blades: by paint, wind and clumps
-    vec2 lean;    // all of it, horizontal metres a metre of height
-    float scale;  // of heights
-    float lighter, press;
-};
-Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
-    Place p;
-    p.wide = painted * slices.leanAtFull + windLeanAt(foot.xz, -1.0, cover.species[slices.species].gusts);
-    p.scale = 1.0;
-    p.lighter = 1.0;
-    p.press = 0.0;
-    if (GRASS_CLUMPS && slices.clumpSize > 0.0) {
-        vec3 c = clumpValues(cell.x, cell.y, inCell, slices.cellSize, slices.clumpSize, slices.seed);
-        p.wide += c.xy * slices.clumpLean;
-        p.scale += c.z * slices.clumpHeight;
-        p.lighter += c.z * slices.clumpLightness;
-    }
-    p.lean = p.wide;
-    if (GRASS_HEIGHTS) p.scale *= bladeShare(uv);
+// What the place has for the blades that slices stand for; press: how far a force lays them down.
+BladeStand standHere(vec2 inCell, vec2 uv, out float press) {
+    BladeStand s = emptyStand();
+    s.paint = paintedLean(uv);
+    s.leanAtFull = slices.leanAtFull;
+    s.breeze = windLeanAt(foot.xz, -1.0, cover.species[slices.species].gusts);
+    if (GRASS_CLUMPS && slices.clumpSize > 0.0)
+        s.clump = clumpValues(cell.x, cell.y, inCell, slices.cellSize, slices.clumpSize, slices.seed);
+    s.clumpLean = slices.clumpLean;
+    s.clumpHeight = slices.clumpHeight;
+    s.clumpLightness = slices.clumpLightness;
+    press = 0.0;
     if (FORCES || FORCE_MAP) {  // the horizontal slice covers what it leaves
-        vec3 pressed = forceHere(foot.xz, uv);
-        p.lean += pressed.xy;
-        p.press = pressed.z;
-        p.scale *= sunk(p.press);
+        vec3 force = forceHere(foot.xz, uv);
+        s.push = force.xy;
+        press = force.z;
     }
-    return p;
+    s.tall = bladeShare(uv);
+    return s;
 }
 
 // The sun as a slice sees it, in the patch's own axes.
@@ -90,10 +77,10 @@ void main() {
     vec2 inCell = local * slices.cellSize;
     vec2 ground = vec2(cell) * slices.cellSize + inCell, uv = mapPlace(ground);
     foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
-    vec2 painted = paintedLean(uv);
-    Place p = placeHere(inCell, uv, painted);
+    float press;
+    BladeLean p = leanOf(standHere(inCell, uv, press), vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9);
-    vec3 position = foot + top * slices.top * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
+    vec3 position = foot + top * slices.top * (p.scale * sunk(press)) * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
 
     vec2 signs = axis == 0 ? mirror : mirror.yx,
          begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
@@ -107,7 +94,7 @@ void main() {
     weights =
         vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
-    brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.wide, p.press, false);
+    brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.free, press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
     gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
@@ -115,7 +102,7 @@ void main() {
     float hazed = hazeShare(length(position));
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
-    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOn(position, axes, lamp);
+    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, lamp);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

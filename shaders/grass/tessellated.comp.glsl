@@ -3,20 +3,26 @@
 // them. A piece's blades have as many rows as the greatest level among them; rows beyond a blade's own lie on its tip.
 // Plain triangles, in pieces that have none but those, are three vertices. Light is taken in the middle of a row, for
 // both its ends.
+#include "lib/blade_light.glsl"
+#include "lib/frame.glsl"
 #include "lib/tess.glsl"
+#include "lib/tess_cells.glsl"
+#include "numerics/blade.h"
 #include "numerics/chance.h"
-layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
-layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
+#include "shared/bindings.h"
+#include "shared/tess.h"
+
 const uint kVector = 8u;  // invocations that a software rasteriser runs at once: they take pieces that are neighbours
 const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
 layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
 layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
     uint commands[];
-};  // of strips five words, then of triangles four
-layout(location = 0) uniform uvec4 job;
-uint batch = job.x, batchVertex = job.y, batchPieces = job.z,
-     pieceBlades = job.w;  // its number, its first vertex; at most
+};                                              // of strips five words, then of triangles four
+layout(location = 0) uniform uint batch;        // its number
+layout(location = 1) uniform uint batchVertex;  // its first
+layout(location = 2) uniform uint batchPieces;  // at most
+layout(location = 3) uniform uint pieceBlades;  // at most
 
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
 // turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade

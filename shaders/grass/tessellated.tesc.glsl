@@ -1,5 +1,4 @@
 // A blade's level: equations 4 and 5 of Jahrmann and Wimmer 2013, decided in the vertex stage; 0 draws nothing.
-#include "lib/frame.glsl"
 layout(vertices = 1) out;
 
 in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladeLook[];

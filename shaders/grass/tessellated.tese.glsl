@@ -1,7 +1,12 @@
 // A vertex of a tessellated blade: on two parallel quadratic splines, with their frame (Jahrmann and Wimmer 2013,
 // equations 7 and 8; J-7), lit there.
-#include "lib/tess.glsl"
+#include "lib/blade_light.glsl"
+#include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/tess.glsl"
+#include "numerics/blade.h"
+#include "numerics/spline.h"
+
 layout(quads, equal_spacing, ccw) in;
 
 in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemLook[];

@@ -2,6 +2,7 @@
 // Jahrmann and Wimmer 2013, section 5.1, on the population's own blades (numerics/population.h).
 #include "lib/tess.glsl"
 #include "lib/tess_cells.glsl"
+#include "shared/tess.h"
 
 out vec4 bladeRoot;     // w: level
 out vec4 bladeControl;  // w: width

@@ -1,6 +1,7 @@
 // A vertex that the compute pass has posed and lit: passed on.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+
 layout(location = 0) in vec4 at;  // in clip space
 layout(location = 1) in vec4 light;
 layout(location = 2) in vec2 along;  // along, opacity

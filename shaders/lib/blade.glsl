@@ -1,15 +1,25 @@
 // Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind,
-// forces). No fragment shaders. Needs, of the cell that it stands in: ivec2 cell; vec2 cellCorner (relative to the
-// eye); vec2 mirror, shift (numerics/population.h, CellVersion), as strip.glsl or tess.glsl declare them; const bool
-// TERRAIN_HEIGHTS, GRASS_CLUMPS and those of cover.glsl, wind.glsl, force.glsl; frame.glsl, heights.glsl, cover.glsl;
-// numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
-#include "lib/wind.glsl"
+// forces). No fragment shaders. Needs: const bool GRASS_CLUMPS, GRASS_DENSITY, GRASS_HEIGHTS, WIND, FORCES, FORCE_MAP.
+#include "lib/cover.glsl"
+#include "lib/density.glsl"
 #include "lib/force.glsl"
+#include "lib/frame.glsl"
+#include "lib/heights.glsl"
+#include "lib/wind.glsl"
+#include "numerics/bilinear.h"
+#include "numerics/clump.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/population.h"
+#include "numerics/stand.h"
+#include "shared/bindings.h"
 #include "shared/grass.h"
+
 layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 // Where a vertex's blade stands.
 struct Stand {
+    CellInstance cell;        // in which it stands
     vec2 inCell, ground, uv;  // its root in the cell, relative to the terrain's corner (m), and on maps (mapPlace)
     vec3 root;                // relative to the eye
     float v, across;          // along the blade, 0 to 1; across it, -1/2 or 1/2
@@ -31,14 +41,15 @@ float density(vec2 uv) {
                        texelFetch(densityMap, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
 }
 
-Stand standAt(Blade b, float v, float across) {
+Stand standAt(CellInstance cell, Blade b, float v, float across) {
     Stand s;
+    s.cell = cell;
     s.v = v;
     s.across = across;
-    s.inCell = rootInCell(b.root, mirror, shift, species.cellSize);
-    s.ground = vec2(cell) * species.cellSize + s.inCell;
+    s.inCell = rootInCell(b.root, cell.mirror, cell.shift, species.cellSize);
+    s.ground = vec2(cell.cell) * species.cellSize + s.inCell;
     s.uv = mapPlace(s.ground);
-    s.root = vec3(cellCorner.x + s.inCell.x, groundHeight(s.ground), cellCorner.y + s.inCell.y);
+    s.root = vec3(cell.corner.x + s.inCell.x, groundHeight(s.ground), cell.corner.y + s.inCell.y);
     s.density = density(s.uv);
     float weight = lodRamp(length(s.root), cover.minGeom, cover.geomInv);
     s.opacity = geometryOpacity(s.density, weight, b.threshold, species.fade);
@@ -49,21 +60,33 @@ bool exists(Stand s) {
     return s.opacity > 0.0 && share.x <= 1.0 && share.y <= 1.0;
 }
 
-// Lean and scale that the place adds to the patch's blade. Where blades are pressed down none stands in another's
-// light: the density by which they shade each other falls with the press.
-BladePose poseHere(Blade b, inout Stand s, out float lighter) {
-    vec3 clump = vec3(0.0);
+// What the place has for the blade.
+BladeStand standOf(Blade b, Stand s) {
+    BladeStand p = emptyStand();
+    p.paint = paintedLean(s.uv);
+    p.leanAtFull = species.leanAtFull;
     if (GRASS_CLUMPS && species.clumpSize > 0.0)
-        clump = clumpValues(cell.x, cell.y, s.inCell, species.cellSize, species.clumpSize, species.seed);
-    BladePlace p = bladePlace(paintedLean(s.uv), species.leanAtFull, clump,
-                              vec3(species.clumpLean, species.clumpHeight, species.clumpLightness));
-    if (WIND) p.lean += windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
+        p.clump =
+            clumpValues(s.cell.cell.x, s.cell.cell.y, s.inCell, species.cellSize, species.clumpSize, species.seed);
+    p.clumpLean = species.clumpLean;
+    p.clumpHeight = species.clumpHeight;
+    p.clumpLightness = species.clumpLightness;
+    if (WIND) p.wind = windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
     if (FORCES || FORCE_MAP) {
-        vec3 pressed = forceHere(s.root.xz, s.uv);
-        p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing * mirror);
-        s.density *= 1.0 - pressed.z;
+        vec3 force = forceHere(s.root.xz, s.uv);
+        p.push = force.xy;
+        p.press = force.z;
     }
-    if (GRASS_HEIGHTS) p.scale *= bladeShare(s.uv);
-    lighter = p.lighter;
-    return poseBlade(b.control, b.tip, b.facing, mirror, p.lean, p.scale);
+    p.tall = bladeShare(s.uv);
+    return p;
+}
+
+// The patch's blade as it stands here. Where blades are pressed down none stands in another's light: the density by
+// which they shade each other falls with the press. lighter: factor of its colour.
+BladePose poseHere(Blade b, inout Stand s, out float lighter) {
+    BladeStand p = standOf(b, s);
+    BladeLean l = leanOf(p, b.facing * s.cell.mirror);
+    s.density *= 1.0 - p.press;
+    lighter = l.lighter;
+    return poseBlade(b.control, b.tip, b.facing, s.cell.mirror, l.lean, l.scale);
 }

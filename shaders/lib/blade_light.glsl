@@ -1,7 +1,18 @@
 // How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
-// Needs: const bool GRASS_VEGETATION, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS; blade.glsl, light.glsl, lamps.glsl,
-// leaf.glsl, shadow.glsl, mask.glsl, cover.glsl. hue, lightness: as numerics/population.h bladeTint takes them; uv: of
-// the root (mapPlace).
+// Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS. hue, lightness: as
+// numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
+#include "lib/blade.glsl"
+#include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/frame.glsl"
+#include "lib/lamps.glsl"
+#include "lib/leaf.glsl"
+#include "lib/light.glsl"
+#include "lib/mask.glsl"
+#include "lib/shadow.glsl"
+#include "numerics/basics.h"
+#include "numerics/population.h"
+
 vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
     vec3 c = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
     if (!GRASS_VEGETATION) return c;

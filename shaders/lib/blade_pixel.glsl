@@ -1,12 +1,9 @@
 // A fragment of a blade: what its vertices were lit with, its mask, its texture, and how it covers its pixel. Fragment
-// shaders only.
+// shaders only. Needs: const bool BLADE_SHADOWS, CASTING_LIGHTS; const int TRANSPARENCY.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/hash.h"
-#include "numerics/basics.h"
-#include "numerics/shadow.h"
 #include "lib/mask.glsl"
 #include "lib/transparency.glsl"
+#include "shared/bindings.h"
 
 layout(binding = TEX_BLADE) uniform sampler2D bladeTexture;
 
@@ -30,7 +27,7 @@ vec4 bladePixel(vec4 t, float alpha) {
 }
 // t: the texture's colour and alpha there.
 void drawBlade(vec4 t) {
-    float alpha = coveredAlpha(t.a * strip.z, grain);
+    float alpha = coveredAlpha(TRANSPARENCY, t.a * strip.z, grain);
     if (!(alpha > 0.0)) discard;
     color = bladePixel(t, alpha);
 }

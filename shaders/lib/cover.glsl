@@ -1,15 +1,14 @@
 // Painted maps that say how grass stands and looks.
-// Needs: const bool GRASS_ORIENTATION, GRASS_VEGETATION; frame.glsl.
+// Needs: const bool GRASS_ORIENTATION, FAR_DARKENING.
 #include "lib/density.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
 #include "numerics/blur.h"
+#include "numerics/population.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_ORIENTATION) uniform sampler2D orientationMap;
 layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
 
-// What grass at a distance keeps of its light. Needs: const bool FAR_DARKENING.
+// What grass at a distance keeps of its light.
 float darkened(float distance) {
     return FAR_DARKENING ? farLight(distance, cover.farDarkening, cover.farDarkeningAt) : 1.0;
 }

@@ -1,6 +1,8 @@
-// How cells are chosen, and those that were. Needs: numerics/glsl.h, basics.h, hash.h, lod.h, opacity.h, blade.h,
-// population.h, tess.h, cells.h.
+// How cells are chosen, and those that were.
+#include "numerics/cells.h"
+#include "shared/bindings.h"
 #include "shared/cells.h"
+
 layout(std140, binding = UBO_CULL) uniform CullBlock { CullGlobals cull; };
 
 CellGrid cullGrid() {

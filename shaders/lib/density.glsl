@@ -1,6 +1,9 @@
 // Painted maps that the ground reads too: how much grows, how high, and how much of the sky it sees. Needs: const bool
-// GRASS_OCCLUSION, GRASS_HEIGHTS; frame.glsl. uv: of mapPlace.
+// GRASS_OCCLUSION, GRASS_HEIGHTS. uv: of mapPlace.
+#include "lib/frame.glsl"
+#include "shared/bindings.h"
 #include "shared/grass.h"
+
 layout(std140, binding = UBO_COVER) uniform CoverBlock { CoverGlobals cover; };
 layout(binding = TEX_DENSITY) uniform sampler2D densityMap;
 layout(binding = TEX_BLADE_HEIGHT) uniform sampler2D bladeHeightMap;

@@ -1,6 +1,13 @@
 // The horizontal slice over the ground: the patch repeated by integer cell, each in its version (Boulanger, Pattanaik
-// and Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: slices.glsl; numerics hash,
-// population, correction.
+// and Bouatouch 2006, section 4.1, eq 7; B-16 to B-18). Fragment shaders only. Needs: const bool GRASS_HEIGHTS,
+// CONSERVING.
+#include "lib/density.glsl"
+#include "lib/frame.glsl"
+#include "lib/slices.glsl"
+#include "numerics/correction.h"
+#include "numerics/opacity.h"
+#include "numerics/population.h"
+
 struct Repeated {
     vec3 texel;
     vec2 dx, dy;  // gradients of the coordinate before it was wrapped, as fine as is wanted

@@ -1,8 +1,10 @@
 // What presses on the grass at a place: what stands or went there, and what is painted. Needs: const bool FORCES,
-// FORCE_MAP; frame.glsl, density.glsl (for the tiling); numerics glsl, basics.
-#include "shared/wind.h"
-#include "numerics/wind.h"
+// FORCE_MAP.
+#include "lib/density.glsl"
 #include "numerics/gust.h"
+#include "shared/bindings.h"
+#include "shared/wind.h"
+
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
 layout(binding = TEX_FORCE_MAP) uniform sampler2D forceMap;

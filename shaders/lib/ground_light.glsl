@@ -1,5 +1,10 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
-// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS; light.glsl, lamps.glsl, density.glsl, shadow.glsl.
+// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS.
+#include "lib/density.glsl"
+#include "lib/frame.glsl"
+#include "lib/lamps.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
 
 // Share of light that a species leaves to soil where it has this density and share of its height; shade: at 1 and 1.
 // What takes light is leaves' area, and that is in proportion to the height.

@@ -1,4 +1,8 @@
-// Ground under a point. Needs: const bool TERRAIN_HEIGHTS; frame.glsl; numerics/glsl.h, numerics/bilinear.h.
+// Ground under a point. Needs: const bool TERRAIN_HEIGHTS.
+#include "lib/frame.glsl"
+#include "numerics/bilinear.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_HEIGHT) uniform sampler2D heightMap;
 
 // Height relative to the eye at terrain-relative metres. A height map that repeats is mirrored from repeat to repeat

@@ -1,5 +1,8 @@
-// Lights beside the sun. Needs: const bool LAMPS; frame.glsl; numerics/glsl.h, basics.h, weights.h.
+// Lights beside the sun. Needs: const bool LAMPS.
+#include "numerics/weights.h"
+#include "shared/bindings.h"
 #include "shared/light.h"
+
 layout(std140, binding = UBO_LIGHTS) uniform LightsBlock { LightsGlobals lamps; };
 
 int lampCount() { return LAMPS ? lamps.count : 0; }

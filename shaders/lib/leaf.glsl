@@ -1,5 +1,5 @@
-// How a leaf answers light from one direction. Needs: const bool TRANSLUCENCY, GLOSS; numerics/glsl.h, basics.h,
-// leaf.h.
+// How a leaf answers light from one direction. Needs: const bool TRANSLUCENCY, GLOSS.
+#include "numerics/leaf.h"
 
 // Light sent to the eye by a leaf of reflectance c that faces n (the side towards the eye), lit by `light` (irradiance
 // over pi) from `towards`. looks: translucency, gloss, roughness.

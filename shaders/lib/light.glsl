@@ -1,5 +1,5 @@
-// The frame's light on surfaces, and haze. Needs: const bool SUN, SKY, FOG; frame.glsl.
-#include "numerics/glsl.h"
+// The frame's light on surfaces, and haze. Needs: const bool SUN, FOG.
+#include "lib/frame.glsl"
 #include "numerics/light.h"
 
 // Light from above and below on a surface that faces n, divided by pi.

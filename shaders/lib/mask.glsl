@@ -1,5 +1,8 @@
-// How blades shade blades: the shadow mask of a species (grass/mask.h). Needs: numerics/glsl.h, basics.h, shadow.h; a
-// sampler of the mask bound to TEX_MASK.
+// How blades shade blades: the shadow mask of a species (grass/mask.h). Fragment shaders, and others through
+// maskLightAtVertex.
+#include "numerics/shadow.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_MASK) uniform sampler2D bladeMask;
 
 // Where the ray from a point of a blade (relative to its root) towards a light leaves the blade's cylinder: turns from

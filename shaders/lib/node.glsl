@@ -1,7 +1,11 @@
 // Corners of the terrain's nodes by continuous distance-dependent level of detail (Strugar 2009): a node's odd vertices
-// move onto the next level's grid between two distances, so that levels meet without cracks. Needs: frame.glsl;
-// numerics/glsl.h, numerics/bilinear.h; heights.glsl.
+// move onto the next level's grid between two distances, so that levels meet without cracks. Vertex shaders
+// only. Needs: const bool TERRAIN_HEIGHTS.
+#include "lib/frame.glsl"
+#include "lib/heights.glsl"
+#include "shared/bindings.h"
 #include "shared/terrain.h"
+
 layout(std140, binding = UBO_NODES) uniform NodeBlock { TerrainNode nodes[NODES_PER_DRAW]; };
 layout(location = 0) in vec2 corner;  // 0..16
 

@@ -1,4 +1,6 @@
-// Depth of a pixel of the scene: of its first sample. Needs: const bool MULTISAMPLED; frame.glsl.
+// Depth of a pixel of the scene: of its first sample. Needs: const bool MULTISAMPLED.
+#include "shared/bindings.h"
+
 layout(binding = TEX_DEPTH) uniform sampler2D depthPlain;
 layout(binding = TEX_DEPTH_SAMPLES) uniform sampler2DMS depthSamples;
 

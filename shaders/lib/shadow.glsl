@@ -1,7 +1,10 @@
-// How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS;
-// frame.glsl. Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden
+// How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS.
+// Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden
 // (terrain/shade.h).
+#include "lib/frame.glsl"
+#include "shared/bindings.h"
 #include "shared/objects.h"
+
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(binding = TEX_SHADOW) uniform sampler2DArrayShadow shadowMap;
 layout(binding = TEX_SHADE) uniform sampler2D shadeMap;

@@ -1,7 +1,14 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
-// Needs: frame.glsl; numerics opacity, lod, weights, leaf; cover.glsl, light.glsl, lamps.glsl; const bool TRANSLUCENCY,
-// CONSERVING; const int STORAGE.
+// Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING.
+#include "lib/cover.glsl"
+#include "lib/density.glsl"
+#include "lib/frame.glsl"
+#include "lib/lamps.glsl"
+#include "numerics/leaf.h"
+#include "numerics/weights.h"
+#include "shared/bindings.h"
 #include "shared/slices.h"
+
 layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; };
 layout(binding = TEX_SLICE_REFLECTANCE) uniform sampler2DArray sliceReflectance;
 layout(binding = TEX_SLICE_THRESHOLD) uniform sampler2DArray sliceThreshold;
@@ -110,7 +117,7 @@ vec4 imagesOf(vec4 w, vec4 axes) {
     return vec4(axes.x > 0.0 ? along.x : along.y, across, w.y);
 }
 // Light of all lamps on the images of a vertical slice at a point.
-void lampsOn(vec3 at, vec4 axes, inout vec4 sum[3]) {
+void lampsOnImages(vec3 at, vec4 axes, inout vec4 sum[3]) {
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
         vec4 w = imagesOf(lampWeights(l.direction), axes) * lampFade(l.direction);

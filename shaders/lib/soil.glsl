@@ -1,43 +1,46 @@
 // What grows on the ground under a fragment, over all fields: the share of light that it leaves to the soil. Needs: const
-// bool GRASS, GRASS_DENSITY, GRASS_HEIGHTS, GRASS_OCCLUSION; the numbers that the program is compiled with (grass/field.cpp,
-// soilText): how many fields and species there are, and by each which of soilMap it reads, -1 none; ground_light.glsl.
+// bool GRASS, GRASS_HEIGHTS and those of ground_light.glsl; ground_light.glsl; SOIL_EACH, which the program is compiled
+// with (frame/soil.h): for each field SOIL_FIELD, then SOIL_SPECIES for each of its species, then SOIL_SHARE. Texture
+// arrays take constant numbers alone on some drivers, so that a loop over species would not do.
+#include "lib/frame.glsl"
+#include "lib/ground_light.glsl"
+#include "numerics/lod.h"
+#include "shared/bindings.h"
 #include "shared/soil.h"
 layout(std140, binding = UBO_SOIL) uniform SoilBlock { SoilGlobals soilCover; };
 layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
 
-// The density of a species, filtered for the pixel.
-float soilDensity(int species, vec2 uv) {
-    if (!GRASS_DENSITY || SOIL_DENSITY[species] < 0) return 1.0;
-    return texture(soilMap[SOIL_DENSITY[species]], tiled(uv, soilCover.species[species].tiling)).r;
-}
+#ifndef SOIL_EACH
+#define SOIL_EACH  // nothing grows
+#endif
+// What a map says, filtered for the pixel, or from its finest level; 1 where there is none (-1).
+#define SOIL_TEXEL(map, at) ((map) < 0 ? 1.0 : texture(soilMap[max(map, 0)], at).r)
+#define SOIL_FINEST(map, at) ((map) < 0 ? 1.0 : textureLod(soilMap[max(map, 0)], at, 0.0).r)
 
-// What one field leaves. grown: adds how dense its species are; sky: becomes what its map says, where that is less.
-SoilShares soilUnderField(int field, vec2 uv, float distance, inout float grown, inout float sky) {
-    SoilField f = soilCover.fields[field];
-    float left = 1.0, tall = 1.0;
-    if (GRASS_HEIGHTS && SOIL_HEIGHT[field] >= 0) tall = texture(soilMap[SOIL_HEIGHT[field]], tiled(uv, f.heightTiling)).r;
-    if (GRASS_OCCLUSION && SOIL_OCCLUSION[field] >= 0)
-        sky = min(sky, textureLod(soilMap[SOIL_OCCLUSION[field]], uv * f.occlusionTiling, 0.0).r);
-    for (int i = 0; i < SOIL_SPECIES; ++i) {
-        if (SOIL_FIELD_OF[i] != field) continue;
-        float density = soilDensity(i, uv);
-        left *= soilLeft(soilCover.species[i].shade, density, tall);
-        grown += density;
-    }
+#define SOIL_FIELD(field, heights, occlusion)                                    \
+    left = 1.0;                                                                  \
+    tall = SOIL_TEXEL(heights, tiled(uv, soilCover.fields[field].heightTiling)); \
+    sky = min(sky, SOIL_FINEST(occlusion, uv * soilCover.fields[field].occlusionTiling));
+#define SOIL_SPECIES(number, map)                                           \
+    density = SOIL_TEXEL(map, tiled(uv, soilCover.species[number].tiling)); \
+    left *= soilLeft(soilCover.species[number].shade, density, tall);       \
+    grown += density;
+#define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilCover.fields[field], left, distance));
+
+SoilShares soilOf(SoilField f, float left, float distance) {
     return soilShares(left, 1.0 - lodRamp(distance, f.shadeFrom, f.shadeInv), 1.0);
 }
+// Of what one field leaves, the next takes its share.
+SoilShares soilUnderBoth(SoilShares a, SoilShares b) {
+    return SoilShares(a.ambient, a.mean * b.mean, a.casting * b.casting);
+}
 
-// Of what one field leaves, the next takes its share. The sky that the ground sees is the least that any map says.
+// grown: how dense all species are together. The sky that the ground sees is the least that any field's map says.
 SoilShares soilUnder(vec2 uv, float distance, out float grown) {
-    float sky = 1.0;
+    float left = 1.0, tall = 1.0, sky = 1.0, density = 0.0;
     grown = 0.0;
     SoilShares all = SoilShares(1.0, 1.0, 1.0);
-    if (!GRASS) return all;
-    for (int i = 0; i < SOIL_FIELDS; ++i) {
-        SoilShares one = soilUnderField(i, uv, distance, grown, sky);
-        all.mean *= one.mean;
-        all.casting *= one.casting;
-    }
+    SOIL_EACH
     all.ambient = all.mean * sky;
     return all;
 }

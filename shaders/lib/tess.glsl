@@ -1,33 +1,16 @@
 // A blade to be tessellated: whether it is drawn, how it is posed and how finely (Jahrmann and Wimmer 2013,
-// sections 5.1 and 6.3). All that is decided once a blade. Any stage but fragments. Brings what blade_light.glsl needs
-// with it.
-#include "lib/frame.glsl"
-#include "shared/tess.h"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/bilinear.h"
-#include "numerics/lod.h"
-#include "numerics/opacity.h"
-#include "numerics/blade.h"
-#include "numerics/spline.h"
-#include "numerics/tess.h"
-#include "numerics/clump.h"
-#include "numerics/population.h"
-#include "numerics/leaf.h"
-#include "numerics/weights.h"
-#include "numerics/shadow.h"
-#include "lib/heights.glsl"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/leaf.glsl"
-#include "lib/shadow.glsl"
-#include "lib/mask.glsl"
-#include "lib/cover.glsl"
-ivec2 cell;  // of the blade at hand
-vec2 cellCorner, mirror, shift;
+// sections 5.1 and 6.3). All that is decided once a blade. Any stage but fragments.
 #include "lib/blade.glsl"
 #include "lib/blade_light.glsl"
+#include "lib/frame.glsl"
+#include "numerics/basics.h"
+#include "numerics/opacity.h"
+#include "numerics/population.h"
+#include "numerics/tess.h"
+#include "shared/bindings.h"
+#include "shared/grass.h"
+#include "shared/tess.h"
+
 layout(std140, binding = UBO_TESS) uniform TessBlock { TessGlobals tess; };
 
 struct TessBlade {
@@ -41,13 +24,6 @@ struct TessBlade {
     bool plain;  // so thin that it is one triangle
 };
 
-void takeCell(TessCell c) {
-    cell = c.cell;
-    cellCorner = c.corner;
-    mirror = c.mirror;
-    shift = c.shift;
-}
-
 int levelOf(BladePose pose, vec3 root) {
     if (!(tess.pixelsPerQuad > 0.0)) return max(tessLevel(tess.mostLevel, length(root), tess.maxDistance), 1);
     return tessLevelOnScreen(frame.viewProj * vec4(root, 1.0), frame.viewProj * vec4(root + pose.tip, 1.0),
@@ -57,11 +33,10 @@ int levelOf(BladePose pose, vec3 root) {
 // Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of
 // fading.
 TessBlade tessBlade(TessCell c, uint index) {
-    takeCell(c);
     TessBlade t;
     t.level = 0;
     Blade b = blades[index];
-    Stand s = standAt(b, 0.0, 0.0);
+    Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
     float high = geometryOpacity(s.density * kept, 0.0, b.threshold, species.fade) / s.opacity *

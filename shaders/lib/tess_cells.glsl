@@ -1,5 +1,7 @@
 // The cells of which blades are drawn, in the order of their slots.
+#include "shared/bindings.h"
 #include "shared/tess.h"
+
 layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
 layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
 

@@ -1,7 +1,9 @@
-// The scene's wind at a place. Needs: const bool WIND, GUSTS; frame.glsl; numerics glsl, basics.
-#include "shared/wind.h"
-#include "numerics/wind.h"
+// The scene's wind at a place. Needs: const bool WIND, GUSTS.
 #include "numerics/gust.h"
+#include "numerics/wind.h"
+#include "shared/bindings.h"
+#include "shared/wind.h"
+
 layout(std140, binding = UBO_WIND) uniform WindBlock { WindGlobals wind; };
 layout(binding = TEX_WIND) uniform sampler2D gustMap;
 

@@ -20,6 +20,7 @@
 #include "numerics/tilt.h"
 #include "numerics/wind.h"
 #include "numerics/gust.h"
+#include "numerics/stand.h"
 #include "numerics/water.h"
 #include "numerics/flower.h"
 #include "numerics/spline.h"

@@ -1,5 +1,9 @@
 // Constants and vector guards that the other formulas share.
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 const real kPi = real(3.14159265358979323846);
 const real kTau = real(6.28318530717958647693);
 const real kTiny = real(1e-30);  // a divisor that is never 0, far above the subnormals that GPUs flush

@@ -1,6 +1,10 @@
 // Bilinear fetches with one rule for CPU and GPU: hardware filters with 8-bit fractions, so that a texel 10 m wide has
 // only 257 densities, and CPU and GPU would disagree about which blades exist.
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 struct BilinearTap {
     int x0;  // the four texels are (x0|x1, y0|y1), all inside the map
     int x1;

@@ -4,6 +4,11 @@
 // Convention: a blade of azimuth a leans towards (cos a, 0, sin a); its width runs along side = (-sin a, 0, cos a); its
 // normal is that of its upper face, (-cos a, 0, -sin a) where it stands upright, and turns up as the blade bends.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 struct BladeShape {
     vec3 control;
     vec3 tip;

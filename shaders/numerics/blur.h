@@ -3,6 +3,11 @@
 // direction. As printed, the centre's weight is the depth alone: 0 far away, and with weights of 0 beside it 0/0
 // (J-10). Here the centre has a share of its own and weights are divided by their sum.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // How far into the blur a distance lies: 0 at the eye, 1 at `reach` (metres, above 0) and beyond.
 FN real farShare(real distance, real reach) { return clamp(distance / max(reach, kTiny), real(0.0), real(1.0)); }
 

@@ -2,6 +2,13 @@
 // may choose. Lengths are metres, places are relative to the eye. Every rounding is monotone: what holds a cell's box
 // passes what it passes.
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#include "numerics/lod.h"
+#include "numerics/opacity.h"
+#include "numerics/tess.h"
+#endif
+
 struct CellGrid {
     vec2 eyeCell;  // the cell that the eye is over: whole numbers below 2^24
     vec2 inCell;   // where in it

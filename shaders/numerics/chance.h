@@ -1,5 +1,10 @@
 // Coverage by chance: each sample of a pixel is covered with the probability alpha (lib/transparency.glsl).
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#endif
+
 // Whether a pixel's only sample is, by what is drawn with the random number `seed`.
 FN bool chanceCovers(real alpha, uint seed) {
     if (!(alpha >= real(0.004))) return false;

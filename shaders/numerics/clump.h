@@ -2,6 +2,12 @@
 // local position in 16.16 fixed point, so that cell 180,000 is as precise as cell 0 and neighbouring cells meet
 // exactly.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#endif
+
 // One axis of a lattice point: the 16-bit lattice id and where between it and the next the point lies.
 struct ClumpAxis {
     uint id;

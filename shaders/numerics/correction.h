@@ -3,6 +3,11 @@
 // [1, 16]: Taylor 0.35, hyperbola 0.19, pow 3e-7 (but 0.4 relative for thin layers), series 3e-7 and 2e-7 relative down
 // to A = 1e-7.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // The paper's series, cut after its first term: opaque voxels stay opaque only for k >= 1.
 FN real correctionTaylor(real a, real k) { return min(k * a, real(1.0)); }
 // The rational form with the right limits.

@@ -3,6 +3,13 @@
 // upward, half to the eye. Where it stands and whether follows from an integer hash of (cell, number), as a blade's
 // threshold does: a flower exists where the density reaches its threshold.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#include "numerics/population.h"
+#endif
+
 struct Flower {
     vec2 place;      // in its cell, in cells
     real threshold;  // above 0, rises with the number; beyond 1: it exists nowhere

@@ -3,6 +3,13 @@
 // stay, no wind is the rest pose to the last bit. Places are metres from the eye; what depends on eye and time is
 // wrapped in double on the CPU, so that a month of wind at 90 km moves as the first second at the origin (J-1, T-3).
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/population.h"
+#include "numerics/wind.h"
+#endif
+
 // Along the wind and across it, in repeats of the picture. begin: of the eye, wrapped; rate: repeats a metre.
 FN vec2 gustPlace(vec2 at, vec2 way, vec2 begin, vec2 rate) {
     return vec2(begin.x + (at.x * way.x + at.y * way.y) * rate.x, begin.y + (at.y * way.x - at.x * way.y) * rate.y);

@@ -1,6 +1,10 @@
 // Integer hashes: the same bits on CPU and GPU, in place of the papers' sin- and fract-based randoms (Jahrmann and
 // Wimmer 2013 eqs 10-12 are constant along lines, negative half the time or NaN). Does not: resist an adversary.
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 // A bijection of 32 bits that avalanches: xorshift-multiply with the constants that C. Wellons found by search (2018).
 FN uint hashMix(uint x) {
     x += 0x9E3779B9u;  // so that 0 does not map to 0

@@ -2,6 +2,11 @@
 // shines through, and a waxy highlight. Factors are of (irradiance on a surface that faces the light) / pi, as lights
 // are given.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // Reflectance of normal incidence of leaf wax, refractive index 1.5.
 const real kLeafFresnel = real(0.04);
 

@@ -1,6 +1,10 @@
 // Light that all surfaces of a view share: from the sky's two halves, from the horizon, through haze. Light is divided
 // by pi, as the frame's globals give it.
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 // From above and below on a surface whose unit normal rises by `up`: a mix of what level ground and a ceiling receive.
 FN vec3 halvesLight(vec3 below, vec3 above, real up) { return mix(below, above, real(0.5) + real(0.5) * up); }
 

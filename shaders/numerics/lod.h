@@ -1,6 +1,11 @@
 // Level-of-detail weights by distance, finite for every range (Boulanger, Pattanaik, Bouatouch 2006, eqs 2-4).
 // Cost: one multiplication, one clamp and one select a ramp; the division is made once, on the CPU.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // What lodRamp wants to know of the range from a to b (metres, a >= 0), beside a itself:
 //   1 / (b - a); 0 if b is at least 1e30 ("never fades", infinity included); -1 ("a step at a") if b <= a, because
 //   swapped distances count as equal ones.

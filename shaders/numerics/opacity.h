@@ -1,6 +1,10 @@
 // Which blades exist and how opaque they are while fading: Boulanger, Pattanaik, Bouatouch 2006, eq 5 and section 3.4,
 // with every blade drawn exactly once. Densities, thresholds, weights and opacities are in [0, 1].
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 // Threshold number k of 255; k in 1..255, because 0 is reserved for "no blade".
 FN real thresholdOf(int k) { return real(k) / real(255.0); }
 

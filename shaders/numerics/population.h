@@ -1,6 +1,12 @@
 // What makes one blade of a repeated patch differ from its copies, and what colour it has: the part of the population
 // that is not in the patch. Every technique and the reference pose and colour blades by these lines.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/hash.h"
+#endif
+
 // Which version of the patch a cell is: mirrored (Boulanger, Pattanaik and Bouatouch 2006, section 3.1), and begun
 // elsewhere. Four mirrored versions alone make every fourth pair of cells equal, which shows as a lattice from afar;
 // these are a hundred. The patch goes on at its far edge with its near one, as its images do. Fifths, whatever a
@@ -83,21 +89,6 @@ FN vec3 bladeTint(vec3 color, real hue, real lightness) {
     return max((color + turned) * lightness, vec3(real(0.0), real(0.0), real(0.0)));
 }
 
-// What a place adds to the patch's blade that stands there.
-struct BladePlace {
-    vec2 lean;  // as poseBlade takes it
-    real scale;
-    real lighter;
-};
-// paint: the painted direction (x, z), its length the strength; leanAtFull: lean (m per m) at strength 1; clump: three
-// values of clumpValues; strengths: lean (m per m), share of height and of lightness that full clump values give.
-FN BladePlace bladePlace(vec2 paint, real leanAtFull, vec3 clump, vec3 strengths) {
-    BladePlace p;
-    p.lean = paint * leanAtFull + vec2(clump.x, clump.y) * strengths.x;
-    p.scale = 1.0f + clump.z * strengths.y;
-    p.lighter = 1.0f + clump.z * strengths.z;
-    return p;
-}
 // Painted direction of a texel of the orientation map (0.5 is none), its length the strength in [0, 1]; what is shorter
 // than half a step of eight bits counts as not painted.
 FN vec2 paintOf(real x, real z) {

@@ -1,5 +1,10 @@
 // Shadows of blades on the ground and on one another (Boulanger, Pattanaik, Bouatouch 2006, section 3.5). y is up.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // Where a ray from o along d leaves the vertical cylinder of radius R around the y axis: o + t d, t >= 0. o outside
 // counts as on the cylinder. Rays along the axis get a large finite t, which lies above every mask: unshadowed.
 FN real cylinderExit(vec3 o, vec3 d, real radius) {

@@ -6,6 +6,11 @@
 // is darker still. kSkyLevel brings sun and sky into one scale; colours and distribution are the paper's. Does not:
 // clouds, the sun's disc, ozone and water vapour (their bands matter little next to Rayleigh and haze).
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 const real kSkyLevel = real(0.37);
 
 // Perez coefficients of (Y, x, y) and what makes zenith values of them. Make once a frame.

@@ -1,5 +1,10 @@
 // Frames of a blade made of two quadratic splines (Jahrmann, Wimmer 2013, eqs 7 and 8).
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 struct SplineFrame {
     vec3 position;
     vec3 tangent;    // unit, along the blade

@@ -1,6 +1,11 @@
 // Levels: of a blade's tessellation (Jahrmann, Wimmer 2013, eqs 4 and 5) and of the terrain's macro-cells (Boulanger,
 // Pattanaik, Bouatouch 2006, section 4.1).
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // Eq 4: s at distance 0, 0 at dmax and beyond, never increasing. s: the smoothness, at least 0; 64 is OpenGL's limit.
 // An exact integer does not land a level high, for which a level may be lost within 1e-4 above an integer.
 FN int tessLevel(real s, real d, real dmax) {

@@ -1,5 +1,9 @@
 // Display: the Khronos PBR Neutral tone mapper (Khronos Group, 2024) and the sRGB transfer function (IEC 61966-2-1).
 
+#ifndef __cplusplus
+#include "numerics/glsl.h"
+#endif
+
 // Linear colour (1 = display white), any finite size, to [0, 1]: colours below 0.8 keep their hue and value but for the
 // Fresnel offset of 0.04; brighter ones are compressed, and desaturate towards white. Negative components count as 0.
 FN vec3 toneMapNeutral(vec3 linear) {

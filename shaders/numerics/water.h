@@ -3,6 +3,12 @@
 // the eye are wrapped in double (world/water.h), so that a month moves as the first second. Does not: breakers, foam,
 // caustics.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#include "numerics/wind.h"
+#endif
+
 const real kWaterIndex = real(1.333);
 const real kSmoothest =
     real(2e-4);  // variance of slopes that even still water has along each axis: it gives the sun's glint a size

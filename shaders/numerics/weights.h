@@ -4,6 +4,11 @@
 // polynomials of degree 13 / 9 / 7 / 5 / 3: 8e-7 / 3.3e-5 / 2.3e-4 / 1.8e-3 / 1.4e-2. Degree 9 lies below a step of 8
 // bits and costs a fifth of the atan form.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 const real kFourOverPi = real(1.27323954473516268615);
 
 // The light folded into the first octant and scaled so that its largest component is 1.

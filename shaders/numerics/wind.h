@@ -3,6 +3,11 @@
 // 0.5 at 90 km and after a week, where half the frames stand still. Error here: 2e-6 anywhere, any time. Unit of x and
 // z: metres, of t: seconds. eps of 0.1 or more; below, neighbouring blades move without relation.
 
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
+
 // The part of the phases that depends on the cell's corner and the time; make in double and round to float.
 struct WindPhase {
     real first;   // of c1 a, turns in [-1/2, 1/2]

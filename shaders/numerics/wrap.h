@@ -1,4 +1,10 @@
 // Repeating coordinates (Boulanger, Pattanaik, Bouatouch 2006, eqs 6 and 7).
+// On the GPU only the formula suite runs this (shaders/formulas).
+
+#ifndef __cplusplus
+#include "numerics/basics.h"
+#include "numerics/glsl.h"
+#endif
 
 // x modulo 1 in [0, 1), floored; x - floor(x) alone is 1 for x = -1e-9 and would read the neighbouring tile. Above 2^23
 // nothing is left of the fraction.

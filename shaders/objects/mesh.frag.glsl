@@ -2,9 +2,11 @@
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
+#include "shared/bindings.h"
 
 layout(binding = TEX_OBJECT) uniform sampler2D image;
-layout(location = 0) uniform vec4 part;  // reflectance; w: cut-off of alpha
+layout(location = 0) uniform vec3 reflectance;  // factor of the image
+layout(location = 1) uniform float cutoff;      // of its alpha
 
 in vec3 position;
 in vec3 normal;
@@ -13,10 +15,10 @@ out vec4 color;
 
 void main() {
     vec4 texel = texture(image, uv);
-    if (texel.a < part.w) discard;
+    if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     float distance = length(position);
-    vec3 light = (sunLight(n) * sunVisible(position, n) + ambientLight(n)) * texel.rgb * part.rgb;
+    vec3 light = (sunLight(n) * sunVisible(position, n) + ambientLight(n)) * texel.rgb * reflectance;
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(distance)), 1.0);
     if (viewMode() == VIEW_TIERS || viewMode() == VIEW_DENSITY) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;

@@ -1,6 +1,7 @@
 // A vertex of an object, placed relative to the eye.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;
 layout(location = 2) in vec2 meshUv;

@@ -1,5 +1,6 @@
 // Depth alone; what an image's alpha cuts out casts no shadow.
-#include "shared/objects.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_OBJECT) uniform sampler2D image;
 layout(location = 0) uniform float cutoff;
 in vec2 uv;

@@ -1,5 +1,7 @@
 // A vertex of what casts a shadow, as the sun sees it.
+#include "shared/bindings.h"
 #include "shared/objects.h"
+
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(location = 1) uniform int map;
 layout(location = 0) in vec3 meshPosition;

@@ -1,6 +1,7 @@
 // The brush on whatever is seen: a ring at its radius, a disc that fades as the brush does.
 #include "lib/frame.glsl"
 #include "lib/scene_depth.glsl"
+
 out vec4 color;
 void main() {
     float depth = sceneDepth(ivec2(gl_FragCoord.xy));

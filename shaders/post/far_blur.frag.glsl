@@ -1,9 +1,9 @@
 // One direction of the blur of what is far (numerics/blur.h).
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/blur.h"
 #include "lib/scene_depth.glsl"
+#include "numerics/blur.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_SCENE) uniform sampler2D scene;
 layout(location = 0) uniform ivec2 along;
 layout(location = 1) uniform float reach;

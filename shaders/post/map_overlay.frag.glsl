@@ -1,26 +1,25 @@
 // A painted map over the scene, looked at from above: what stands on a place takes the place's colour. Over painted
 // forces, also those of what stands and went there. Needs: const bool FORCES, GRASS.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/bilinear.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
-#include "numerics/wind.h"
-#include "numerics/gust.h"
 #include "lib/heights.glsl"
 #include "lib/scene_depth.glsl"
+#include "numerics/gust.h"
+#include "shared/bindings.h"
 #include "shared/wind.h"
+
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
-layout(location = 0) uniform vec4 overlay;   // 1 amounts, 2 directions, 3 forces, 4 colours; tiling, as in
-                                             // shared/grass.h; metres a pixel at 1 m; texels a metre
-layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
-layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
+const int AMOUNTS = 1, DIRECTIONS = 2, FORCE_KIND = 3;  // beside these: colours
+layout(location = 0) uniform int kind;                  // of the map
+layout(location = 1) uniform float tallest;             // metres: what stands higher is no grass, and keeps its colour
+layout(location = 2) uniform bool painted;              // false: there is no map, only what presses by itself
+layout(location = 3) uniform float tiling;              // of the map, as in shared/grass.h
+layout(location = 4) uniform float pixel;               // metres, at a distance of 1 m
+layout(location = 5) uniform float texels;              // of the map, a metre
 out vec4 color;
 
-vec4 mapAt(vec2 place, float level) { return textureLod(map, tiled(mapPlace(place), overlay.y), level); }
+vec4 mapAt(vec2 place, float level) { return textureLod(map, tiled(mapPlace(place), tiling), level); }
 
 vec3 amountColor(float amount) {
     const vec3 none = vec3(0.24, 0.05, 0.42), half_ = vec3(0.87, 0.30, 0.36), full = vec3(1.0, 0.92, 0.25);
@@ -41,7 +40,9 @@ vec3 forceAt(vec2 place, float level) {
     return forceOf(sum);
 }
 
-vec2 wayAt(vec2 place, float level) { return overlay.x > 2.5 ? forceAt(place, level).xy : leanOf(mapAt(place, level)); }
+vec2 wayAt(vec2 place, float level) {
+    return kind >= FORCE_KIND ? forceAt(place, level).xy : leanOf(mapAt(place, level));
+}
 
 // Hue by direction, clockwise from red in the north.
 vec3 directionColor(vec2 lean) {
@@ -54,16 +55,16 @@ vec3 directionColor(vec2 lean) {
 float arrow(vec2 place, float metresPerPixel) {
     float pitch = exp2(ceil(log2(metresPerPixel * 40.0)));
     vec2 middle = (floor(place / pitch) + 0.5) * pitch;
-    vec2 lean = wayAt(middle, max(0.0, log2(pitch * overlay.w) - (overlay.x > 2.5 ? 3.0 : 1.0)));
+    vec2 lean = wayAt(middle, max(0.0, log2(pitch * texels) - (kind >= FORCE_KIND ? 3.0 : 1.0)));
     float strength = length(lean);
     if (strength < 0.04) return 0.0;
     vec2 d = lean / strength, from = (place - middle) / pitch;
     float size = 0.25 + 0.2 * strength;
     float along = dot(from, d) / size, across = abs(dot(from, vec2(-d.y, d.x))) / size;
-    float pixel = metresPerPixel / (pitch * size);
+    float width = metresPerPixel / (pitch * size);
     float shaft = max(across - 0.07, max(along - 0.4, -1.0 - along));
     float head = max((across - (1.0 - along) * 0.55) * 0.88, 0.3 - along);
-    return 1.0 - smoothstep(0.0, 1.5 * pixel, min(shaft, head));
+    return 1.0 - smoothstep(0.0, 1.5 * width, min(shaft, head));
 }
 
 // Where the eye would see the ground if nothing stood on it: arrows lie there, or every blade would break them.
@@ -98,14 +99,14 @@ void main() {
     vec2 place = position.xz + frame.eye.xz;
     if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, frame.terrainSize))) discard;
     if (position.y - groundHeight(place) > tallest) discard;
-    float metresPerPixel = length(position) * overlay.z;
-    float level = max(0.0, log2(metresPerPixel * overlay.w));
+    float metresPerPixel = length(position) * pixel;
+    float level = max(0.0, log2(metresPerPixel * texels));
     vec4 texel = painted ? mapAt(place, level) : vec4(0.0);
-    if (overlay.x < 1.5)
+    if (kind <= AMOUNTS)
         color = vec4(amountColor(clamp(texel.r, 0.0, 1.0)), 0.55);
-    else if (overlay.x < 2.5)
+    else if (kind == DIRECTIONS)
         color = directionView(position, place, leanOf(texel), metresPerPixel);
-    else if (overlay.x < 3.5)
+    else if (kind == FORCE_KIND)
         color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
     else
         color = vec4(srgb(texel.rgb), texel.a * 0.75);

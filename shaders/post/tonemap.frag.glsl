@@ -1,9 +1,10 @@
 // Linear light to the screen: Khronos PBR Neutral tone mapping (2024), which keeps hues, then sRGB. False-colour views
 // are already in screen colours; depth is shown as the logarithm of the distance.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/tonemap.h"
 #include "lib/scene_depth.glsl"
+#include "numerics/tonemap.h"
+#include "shared/bindings.h"
+
 layout(binding = TEX_SCENE) uniform sampler2D scene;
 out vec4 color;
 

@@ -1,7 +1,6 @@
 // How cells that draw blades are chosen (grass/gpu_cells.h), and which were. Does not: say by which formulas;
 // numerics/cells.h does.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #ifdef __cplusplus
 namespace sward {

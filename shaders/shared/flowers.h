@@ -1,7 +1,6 @@
 // What shaders read of one kind of flowers (grass/flowers.h). Does not: say how a flower stands; numerics/flower.h
 // does.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #ifdef __cplusplus
 namespace sward {

@@ -1,7 +1,6 @@
 // What every shader may read of a frame. Positions are relative to the eye; directions are in world axes; light is in
 // the renderer's exposed units. Does not: hold what only one domain's shaders read.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #ifdef __cplusplus
 namespace sward {

@@ -1,7 +1,6 @@
 // What shaders read of a field and of its species' blades. Does not: hold slices (slices.h), tessellation (tess.h) or
 // the choice of cells (cells.h).
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define MAX_SPECIES 16  // of a field
 #ifdef __cplusplus

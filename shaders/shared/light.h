@@ -1,6 +1,5 @@
 // Lights beside the sun. Does not: hold the sun (frame.h) or its shadows (objects.h).
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define MAX_LIGHTS 8
 #ifdef __cplusplus

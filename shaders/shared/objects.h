@@ -1,7 +1,6 @@
 // Objects and the shadow maps that they are drawn into (objects/shadow.h). Does not: hold hills' shadows, which are a
 // texture.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define SHADOW_CASCADES 3
 #ifdef __cplusplus

@@ -1,6 +1,5 @@
 // What slices of a species are drawn with (grass/slices.h). Does not: hold their images.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 // Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine =
 // (i/(n-1))^2).

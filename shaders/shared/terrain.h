@@ -1,6 +1,5 @@
 // The ground's pieces (terrain/lod.h). Does not: hold heights, which are a texture.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define NODES_PER_DRAW 256
 #ifdef __cplusplus

@@ -1,7 +1,6 @@
 // How a species' blades are tessellated (grass/tessellated.h). Does not: hold what all techniques read of blades
 // (grass.h).
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #ifdef __cplusplus
 namespace sward {

@@ -1,6 +1,5 @@
 // Water, about the eye (world/water.h). Does not: hold what it mirrors, which is a texture.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define WATER_WAVES 10
 #ifdef __cplusplus

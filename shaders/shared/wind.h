@@ -1,7 +1,6 @@
 // What moves the grass, about the eye: the wind (world/wind.h) and the map of what presses on it (grass/forces.h).
 // Does not: say how blades answer; numerics/gust.h does.
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #ifdef __cplusplus
 namespace sward {

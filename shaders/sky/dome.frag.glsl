@@ -1,10 +1,10 @@
 // The sky (Preetham, Shirley and Smits 1999) with the sun's disc; below the horizon the ground beyond the terrain,
 // level with its corner, in the haze.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/sky.h"
 #include "lib/light.glsl"
+#include "numerics/light.h"
+#include "numerics/sky.h"
+
 in vec3 direction;
 flat in vec3 skyA, skyB, skyC, skyD, skyE, skyScale;
 flat in vec4 skySun;

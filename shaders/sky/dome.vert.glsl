@@ -1,8 +1,7 @@
 // A triangle over the whole view at depth 0, infinitely far; the sky model is made once a vertex, not once a pixel.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
 #include "numerics/sky.h"
+
 out vec3 direction;
 flat out vec3 skyA, skyB, skyC, skyD, skyE, skyScale;
 flat out vec4 skySun;

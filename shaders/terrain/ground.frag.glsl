@@ -1,17 +1,12 @@
 // Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass
 // stands on it.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/bilinear.h"
-#include "numerics/hash.h"
-#include "numerics/lod.h"
-#include "numerics/weights.h"
-#include "lib/light.glsl"
-#include "lib/lamps.glsl"
-#include "lib/shadow.glsl"
 #include "lib/ground_light.glsl"
+#include "lib/light.glsl"
 #include "lib/soil.glsl"
+#include "numerics/light.h"
+#include "numerics/lod.h"
+#include "shared/bindings.h"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;

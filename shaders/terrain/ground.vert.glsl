@@ -1,10 +1,8 @@
 // The ground's corners.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/bilinear.h"
 #include "lib/heights.glsl"
-#include "lib/node.glsl"
 #include "lib/mirror.glsl"
+#include "lib/node.glsl"
 
 invariant gl_Position;  // the same in all programs that draw these corners
 out vec3 position;      // relative to the eye

@@ -1,19 +1,16 @@
 // Water: what it mirrors, what is seen through it, and the sun's glint (numerics/water.h). What lies under it is dimmed
 // where it was drawn, by a factor a colour (the second output); nothing is copied.
 #include "lib/frame.glsl"
-#include "numerics/glsl.h"
-#include "numerics/basics.h"
-#include "numerics/hash.h"
-#include "numerics/population.h"
 #include "lib/light.glsl"
+#include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
 #include "lib/wind.glsl"
 #include "numerics/water.h"
+#include "shared/bindings.h"
 #include "shared/water.h"
+
 layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
 layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
-layout(binding = TEX_DEPTH) uniform sampler2D depthPlain;
-layout(binding = TEX_DEPTH_SAMPLES) uniform sampler2DMS depthSamples;
 
 in vec3 position;
 layout(location = 0, index = 0) out vec4 added;

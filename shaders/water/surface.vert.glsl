@@ -1,6 +1,8 @@
 // The corners of what may be seen of the water.
 #include "lib/frame.glsl"
+#include "shared/bindings.h"
 #include "shared/water.h"
+
 layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
 out vec3 position;  // relative to the eye
 

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <optional>
 
-#include "core/hash.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -97,12 +95,4 @@ TEST(Files, PathsStayInside) {
     EXPECT_TRUE(resolveInside(dir.path.string() + "/p/", "a.png")) << "a root that ends in a slash";
     EXPECT_TRUE(resolveInside(dir / "not-made", "a.png"));
     EXPECT_FALSE(resolveInside(dir / "p", std::string("a\0b", 3)));
-}
-
-TEST(Hashes, AreThoseOfXxh3HoweverTheBytesAreCut) {
-    EXPECT_EQ(hashHex(hashText("")), "2d06800538d394c2");  // XXH3_64bits of nothing, as its authors publish it
-    const std::string text(100000, 'g');
-    Hasher hasher;
-    for (size_t i = 0; i < text.size(); i += 777) hasher.add(text.data() + i, std::min<size_t>(777, text.size() - i));
-    EXPECT_EQ(hasher.value(), hashText(text));
 }

@@ -20,6 +20,12 @@ std::string withoutComments(const std::string& text) {
                               "");
 }
 
+// Without the includes that a formula file has for GLSL alone.
+std::string withoutIncludes(const std::string& text) {
+    static const std::regex block(R"(\n#ifndef __cplusplus\n(#include "numerics/\w+\.h"\n)+#endif\n)");
+    return std::regex_replace(text, block, "\n", std::regex_constants::format_first_only);
+}
+
 struct Rule {
     const char* name;
     std::regex pattern;
@@ -112,7 +118,7 @@ std::vector<std::string> textsUnder(std::initializer_list<const char*> folders, 
 TEST(NumericsSubset, EveryFormulaHeaderKeepsTheRules) {
     ASSERT_GT(formulaFiles().size(), 10u);
     for (const fs::path& file : formulaFiles())
-        for (const std::string& breach : breaches(test::readText(file)))
+        for (const std::string& breach : breaches(withoutIncludes(test::readText(file))))
             ADD_FAILURE() << file.filename() << ": " << breach;
 }
 

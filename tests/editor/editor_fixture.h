@@ -1,7 +1,14 @@
 // An editor without a window for tests: real widgets, real input queue, real renderer, on a new project.
 // Does not: test anything itself.
 #pragma once
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
@@ -31,7 +38,7 @@ class EditorFixture : public testing::Test {
     }
     void TearDown() override {
         EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
-        EXPECT_EQ(app->notice, "");
+        EXPECT_EQ(app->messages.notice, "");
     }
 
     void ok(const Status& status) { EXPECT_TRUE(status) << status.error().text(); }
@@ -49,7 +56,7 @@ class EditorFixture : public testing::Test {
     }
     // Across the lower middle of the viewport, where there is ground.
     void paint() {
-        const Rect& r = app->viewport.rect;
+        const Rect& r = app->hand.rect;
         const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
         ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y));
     }
@@ -59,6 +66,50 @@ class EditorFixture : public testing::Test {
     Document doc{tables()};
     std::unique_ptr<EditorApp> app;
     std::unique_ptr<UiDriver> ui;
+};
+
+// Tests of panels and of the editor as a whole; one suite over several files, so that a context is made once.
+class EditorUi : public EditorFixture {};
+
+// The same for tools of a hybrid field: tiers, rings, combing, overlays, erasing.
+class EditorTools : public EditorFixture {
+  protected:
+    TierDistances tiers() {
+        return tiersOf(*doc.project().registry.get<GrassField>(findEntity(doc.project(), "lawn")));
+    }
+    std::array<double, 2> grip(const std::string& tier) {
+        const auto r = ui->rect("Viewport/Ring " + tier);
+        EXPECT_TRUE(r) << (r ? "" : r.error().text());
+        return r ? std::array{((*r)[0] + (*r)[2]) / 2, ((*r)[1] + (*r)[3]) / 2} : std::array{0.0, 0.0};
+    }
+    const MapField& mapOf(const std::string& path) {
+        return *static_cast<const MapField*>(findField(doc.project(), tables().components, path)->value);
+    }
+    // Left button down at a place; frames run.
+    void press(double x, double y) {
+        app->queue.push({InputKind::Move, x, y, 0, false});
+        ok(ui->wait(2));
+        app->queue.push({InputKind::Button, 0, 0, 0, true});
+        ok(ui->wait(1));
+    }
+    void moveTo(double x, double y) {
+        app->queue.push({InputKind::Move, x, y, 0, false});
+        ok(ui->wait(1));
+    }
+    void release() {
+        app->queue.push({InputKind::Button, 0, 0, 0, false});
+        ok(ui->wait(2));
+    }
+    std::vector<uint8_t> picture() {
+        app->clock.refineNow = true;
+        app->picture.drawnRevision = ~uint64_t(0);
+        ok(ui->wait(2));
+        app->clock.refineNow = false;
+        std::vector<uint8_t> pixels(static_cast<size_t>(app->picture.width) * app->picture.height * 4);
+        glGetTextureImage(app->picture.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
+                          pixels.data());
+        return pixels;
+    }
 };
 
 }  // namespace sward::test

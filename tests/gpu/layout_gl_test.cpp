@@ -3,7 +3,13 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "frame/plan.h"
 #include "gpu/program.h"

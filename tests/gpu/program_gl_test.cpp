@@ -3,7 +3,7 @@
 #include "gpu/program.h"
 
 #include "core/log.h"
-#include "frame/plan.h"
+#include "frame/draw_context.h"
 #include "scenes.h"
 #include "support.h"
 
@@ -37,7 +37,7 @@ TEST(Program, IncludesAreResolvedOnceAndCompile) {
     const auto program = programs.get(s.sources, "");
     ASSERT_TRUE(program) << program.error().text();
     EXPECT_EQ(*programs.get(s.sources, ""), *program) << "compiled twice";
-    EXPECT_NE(*programs.get(s.sources, "const bool WIND = true;\n"), *program) << "other constants, other program";
+    EXPECT_EQ(programs.size(), 1u);
 }
 
 TEST(Program, ACompilersMessageNamesTheIncludedFileAndItsLine) {
@@ -88,6 +88,43 @@ TEST(Program, AMisspeltFeatureIsACompileError) {
     EXPECT_FALSE(programs.get(s.sources, "const bool WIND = true;\n"));
 }
 
+TEST(Program, OnlyConstantsThatItsSourcesNameMakeItAnother) {
+    gpu();
+    Shaders s;
+    writeText(s.dir / "a.frag.glsl",
+              "#include \"lib/value.glsl\"\nout vec4 c; // as RAIN would\n/* or\nFOG */ const float SUNNY = 1.0;\n"
+              "void main() { c = vec4(VALUE); if (WIND) c.x = SUNNY; }\n");
+    Programs programs(s.dir.path);
+    const auto with = [&](const std::string& constants) { return *programs.get(s.sources, constants); };
+    const GLuint calm = with("const bool SUN = false;\nconst bool WIND = false;\n"),
+                 windy = with("const bool WIND = true;\n");
+    EXPECT_NE(calm, windy) << "a constant that is named";
+    EXPECT_EQ(with("const bool SUN = true;\nconst bool WIND = true;\n"), windy) << "a part of another word";
+    EXPECT_EQ(with("const int RAIN = 2;\nconst bool WIND = true;\nconst bool FOG = true;\n"), windy) << "comments";
+    EXPECT_EQ(programs.size(), 2u);
+    EXPECT_TRUE(programs.named(s.sources, "VALUE")) << "in an include";
+    EXPECT_TRUE(programs.named(s.sources, "WIND"));
+    EXPECT_FALSE(programs.named(s.sources, "FOG"));
+    EXPECT_FALSE(programs.named({"test/gone", "gone.vert.glsl"}, "WIND"));
+}
+
+TEST(Program, ReloadingDeclaresWhatSourcesNameNow) {
+    gpu();
+    Shaders s;
+    Programs programs(s.dir.path);
+    const std::string rain = "const bool RAIN = true;\n", dry = "const bool RAIN = false;\n";
+    EXPECT_EQ(*programs.get(s.sources, rain), *programs.get(s.sources, dry));
+    s.rewrite("lib/value.glsl", "const float VALUE = RAIN ? 1.0 : broken;\n");
+    EXPECT_EQ(programs.reload().failed.size(), 2u) << "with rain and without";
+    EXPECT_TRUE(programs.reload().nothing()) << "told twice";
+    s.rewrite("lib/value.glsl", "const float VALUE = RAIN ? 1.0 : 0.0;\n");
+    EXPECT_EQ(programs.reload().renewed, 2);
+    EXPECT_NE(*programs.get(s.sources, rain), *programs.get(s.sources, dry));
+    s.rewrite("lib/value.glsl", "const float VALUE = 1.0;\n");
+    EXPECT_EQ(programs.reload().renewed, 1);
+    EXPECT_EQ(*programs.get(s.sources, rain), *programs.get(s.sources, dry));
+}
+
 TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
     gpu();
     Shaders s;
@@ -114,8 +151,7 @@ TEST(Program, ReloadingTakesAChangedIncludeAndKeepsTheLastGoodProgram) {
 void expectCompiles(Programs& programs, const ProgramRow& p, const FeatureSet& scene) {
     const std::vector<std::string> variants = p.variants ? p.variants() : std::vector<std::string>{""};
     for (const std::string& constants : variants) {
-        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                          featureConstants(p.features, scene) + constants);
+        const auto program = programs.get(sourcesOf(p), featureConstants(scene) + constants);
         EXPECT_TRUE(program) << (program ? "" : program.error().text()) << " with " << constants;
     }
 }

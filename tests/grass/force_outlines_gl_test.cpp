@@ -3,6 +3,7 @@
 
 #include "core/numerics.h"
 #include "objects.h"
+#include "shared/bindings.h"
 #include "shared/wind.h"
 #include "world/forces.h"
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/numerics.h"
-#include "frame/tiles.h"
+#include "frame/color_image.h"
 #include "grass/comparison.h"
 #include "grass/slice_bake.h"
 #include "grass/slice_textures.h"

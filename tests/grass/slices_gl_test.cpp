@@ -248,16 +248,16 @@ class Layers {
                   "flat out int layer;\nvoid main() {\n    layer = gl_InstanceID;\n    gl_Position = vec4(gl_VertexID "
                   "% 2 * 4 - 1, gl_VertexID / 2 * 4 - 1, 0.5, 1.0);\n}\n");
         writeText(dir / "test/layers.frag.glsl",
-                  "#include \"lib/frame.glsl\"\n#include \"numerics/glsl.h\"\n#include \"numerics/hash.h\"\n#include "
-                  "\"lib/transparency.glsl\"\n"
+                  "#include \"lib/transparency.glsl\"\n#include \"numerics/hash.h\"\n"
                   "layout(location = 0) uniform float alpha;\nflat in int layer;\nout vec4 color;\nvoid main() {\n"
-                  "    float a = coveredAlpha(alpha, hash3(uint(gl_FragCoord.x), uint(gl_FragCoord.y), uint(layer)));\n"
+                  "    float a = coveredAlpha(COVERAGE, alpha, hash3(uint(gl_FragCoord.x), uint(gl_FragCoord.y), "
+                  "uint(layer)));\n"
                   "    if (!(a > 0.0)) discard;\n    color = vec4(1.0, 1.0, 1.0, a);\n}\n");
     }
     // Share of a black picture that n layers hide.
     double hidden(float alpha, int n, int samples) {
-        const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr},
-                                             "const int TRANSPARENCY = 0;\n");
+        const GLuint program =
+            *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr}, "");
         FrameGlobals globals{};
         globals.samples = samples;
         const Buffer frame = makeBuffer(gpu(), "test", sizeof(globals), &globals);

@@ -25,16 +25,6 @@ double seenFrom(const RayScene& rays, double x, double z, int samples = 16384) {
     return skySeen(rays, level, x, z, {0, 0}, samples, 5);
 }
 
-TEST(RayScene, HitsWhatLiesAheadWithinReach) {
-    const RayScene rays = sceneOf({quad({-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1})});
-    EXPECT_TRUE(rays.hits({0, 0, 0}, {0, 1, 0}));
-    EXPECT_TRUE(rays.hits({0, 2, 0}, {0, -1, 0})) << "from either side";
-    EXPECT_FALSE(rays.hits({0, 0, 0}, {0, 1, 0}, 0.9f));
-    EXPECT_FALSE(rays.hits({0, 0, 0}, {0, -1, 0}));
-    EXPECT_FALSE(rays.hits({3, 0, 0}, {0, 1, 0}));
-    EXPECT_FALSE(sceneOf({}).hits({0, 0, 0}, {0, 1, 0})) << "nothing is there";
-}
-
 TEST(Occlusion, OpenGroundSeesAllOfTheSky) { EXPECT_EQ(seenFrom(sceneOf({}), 50, 50), 1); }
 
 TEST(Occlusion, ALongWallTakesHalfOfOneMinusTheCosineToItsEdge) {

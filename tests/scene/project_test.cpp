@@ -37,32 +37,6 @@ Map& densityOf(Project& p) { return static_cast<MapField*>(findMap(p, rows(), "d
 using Files = std::vector<std::string>;
 }  // namespace
 
-TEST(Project, ANewOneHasGroundGrassSunSkyHazeAndACamera) {
-    TempDir dir;
-    made(dir / "park");
-    Project p = loaded(dir / "park");
-    EXPECT_EQ(p.name, "park");
-    const std::set<std::string> names{"camera", "ground", "haze", "lawn", "sky", "sun"};
-    std::set<std::string> found;
-    for (const auto& [name, entity] : p.entities) found.insert(name);
-    EXPECT_EQ(found, names);
-    EXPECT_DOUBLE_EQ(virtualBlades(p), 2000.0 * 40 * 40);
-    const FeatureSet expected =
-        featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps,
-                   Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows,
-                   Feature::GroundShadows, Feature::Sun, Feature::CastingLights, Feature::Sky, Feature::Fog);
-    EXPECT_EQ(sceneFeatures(p.registry, rows()), expected);
-}
-
-TEST(Project, ANewOneIsNotMadeWhereThereAreFiles) {
-    TempDir dir;
-    writeText(dir / "park/letter.txt", "dear");
-    const Result<Project> p = newProject(dir / "park");
-    ASSERT_FALSE(p);
-    EXPECT_EQ(p.error().code, ExitCode::Failed);
-    EXPECT_EQ(std::distance(fs::directory_iterator(dir / "park"), {}), 1);
-}
-
 TEST(Project, SavingWhatWasLoadedRewritesNothing) {
     TempDir dir;
     made(dir / "p");

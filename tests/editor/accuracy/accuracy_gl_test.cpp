@@ -4,7 +4,7 @@
 
 #include "core/file.h"
 #include "cost/cost_files.h"
-#include "editor_fixture.h"
+#include "editor/editor_fixture.h"
 #include "maps/map_io.h"
 
 namespace sward {
@@ -31,7 +31,7 @@ class EditorAccuracy : public test::EditorFixture {
     // Mean distance of two shots over the viewport from share `from` to `to` of its width, away from the line and its
     // labels.
     double apart(const Image& a, const Image& b, double from, double to) {
-        const Rect& r = app->viewport.rect;
+        const Rect& r = app->hand.rect;
         double sum = 0;
         int n = 0;
         for (int y = static_cast<int>(r.y) + 40; y < static_cast<int>(r.y + r.h) - 40; ++y)
@@ -66,14 +66,14 @@ TEST_F(EditorAccuracy, TheReferenceStandsRightOfTheLineAndGoesWithAllItsMemory) 
 
     // Another view starts anew on the same scene; another scene does not.
     const auto scene = comparison().scene;
-    const double yaw = app->viewport.camera.yaw;
+    const double yaw = app->view.camera.yaw;
     ASSERT_TRUE(scene);
-    app->viewport.camera.yaw += 0.1;
+    app->view.camera.yaw += 0.1;
     ok(ui->wait(1));
     EXPECT_EQ(comparison().sum.passes, 0);
     EXPECT_EQ(comparison().picture.id(), 0u);
     EXPECT_EQ(comparison().scene, scene);
-    app->viewport.camera.yaw = yaw;
+    app->view.camera.yaw = yaw;
     ASSERT_TRUE(doc.setField("sun.Light.elevationDeg", "20"));
     ok(ui->wait(1));
     EXPECT_FALSE(comparison().scene);
@@ -110,7 +110,7 @@ TEST_F(EditorAccuracy, ATechniqueHasARendererOfItsOwnAnErrorViewAndAGripUntilItI
     ok(ui->drag(x, y, x - 100, y));
     EXPECT_LT(comparison().split, 0.4f);
     EXPECT_EQ(density(), painted);
-    EXPECT_EQ(app->viewport.gesture, Gesture::None);
+    EXPECT_EQ(app->hand.gesture, Gesture::None);
     ok(ui->set("Accuracy/Show", "split"));
     ok(ui->set("Accuracy/Split", "0.5"));
     ok(ui->set("Accuracy/Against", "hybrid"));
@@ -142,7 +142,7 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     ASSERT_TRUE(at) << at.error().text();
     ok(ui->click("Accuracy/Point hybrid maxGeom=6 msaa=4"));
     EXPECT_EQ(field("lawn.GrassField.maxGeom"), "6");
-    EXPECT_NE(app->status.find("msaa=4"), std::string::npos) << app->status;
+    EXPECT_NE(app->messages.status.find("msaa=4"), std::string::npos) << app->messages.status;
     ok(ui->key("ctrl+z"));
     EXPECT_FALSE(doc.canUndo());
 
@@ -150,8 +150,8 @@ TEST_F(EditorAccuracy, APointOfThePlotIsAdoptedByAClickAndAFailedMeasurementSays
     setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
     app->accuracy.program = "/bin/false";
     ok(ui->click("Accuracy/Measure"));
-    for (int i = 0; i < 2000 && measuring(*app); ++i) ok(ui->wait(1));
-    EXPECT_FALSE(measuring(*app));
+    for (int i = 0; i < 2000 && measuring(app->accuracy); ++i) ok(ui->wait(1));
+    EXPECT_FALSE(measuring(app->accuracy));
     EXPECT_NE(app->accuracy.sweep.error.find("exit code 1"), std::string::npos) << app->accuracy.sweep.error;
     EXPECT_FALSE(app->accuracy.sweep.run);
     EXPECT_TRUE(app->accuracy.sweep.copy.empty());
@@ -192,7 +192,7 @@ TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
          {std::pair{"Accuracy/Measure", "Accuracy/Stop"}, {"Accuracy/Fit to budget", "Accuracy/Stop fit"}}) {
         std::filesystem::remove(dir / "measures.pid");
         ok(ui->click(start));
-        ASSERT_TRUE(measuring(*app)) << start;
+        ASSERT_TRUE(measuring(app->accuracy)) << start;
         for (int i = 0; i < 2000 && !std::filesystem::exists(dir / "measures.pid"); ++i) ok(ui->wait(1));
         const std::filesystem::path copy =
             app->accuracy.sweep.copy.empty() ? app->accuracy.fit.copy : app->accuracy.sweep.copy;
@@ -200,7 +200,7 @@ TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
         const std::string pid = *readFile(dir / "measures.pid", 64);
         EXPECT_EQ(kill(std::stoi(pid), 0), 0);
         ok(ui->click(stop));
-        EXPECT_FALSE(measuring(*app));
+        EXPECT_FALSE(measuring(app->accuracy));
         EXPECT_FALSE(std::filesystem::exists(copy));
         EXPECT_NE(kill(std::stoi(pid), 0), 0) << "the program still runs";
         EXPECT_TRUE(ui->exists(start));

@@ -30,7 +30,7 @@ TEST_F(EditorPlay, KeysStartPauseStepAndStop) {
     const int64_t tick = state().tick;
     ok(ui->wait(30));
     EXPECT_NEAR(static_cast<double>(state().tick - tick), 30, 6) << "a frame without a window is one step";
-    EXPECT_EQ(app->viewport.drawnSettings.time, doc.play()->time()) << "the scene's time is the playtest's";
+    EXPECT_EQ(app->picture.drawnSettings.time, doc.play()->time()) << "the scene's time is the playtest's";
     ok(ui->key("f6"));
     EXPECT_EQ(shown(), "paused");
     const int64_t held = state().tick;
@@ -44,23 +44,23 @@ TEST_F(EditorPlay, KeysStartPauseStepAndStop) {
     ok(ui->key("f5"));
     EXPECT_EQ(shown(), "stopped");
     ok(ui->wait(1));
-    EXPECT_EQ(app->viewport.drawnSettings.time, 0);
+    EXPECT_EQ(app->picture.drawnSettings.time, 0);
 }
 
 TEST_F(EditorPlay, BladesAreCountedThoughItBeganBeforeTheFirstPicture) {
     ASSERT_TRUE(doc.open(dir / "meadow"));
-    app->viewport.bladesVirtual = 0;
-    ASSERT_TRUE(doc.startPlay({.view = viewOf(app->viewport.camera)}));
+    app->counts.bladesVirtual = 0;
+    ASSERT_TRUE(doc.startPlay({.view = viewOf(app->view.camera)}));
     ok(ui->wait(3));
     EXPECT_EQ(shown(), "playing");
-    EXPECT_EQ(app->viewport.bladesVirtual, 2000.0 * 40 * 40);
+    EXPECT_EQ(app->counts.bladesVirtual, 2000.0 * 40 * 40);
 }
 
 TEST_F(EditorPlay, ButtonsAndTheMenuDoTheSame) {
     EXPECT_FALSE(ui->click("Play/Pause")) << "disabled while nothing is played";
     ok(ui->click("Play/Start"));
     EXPECT_EQ(shown(), "playing");
-    captureMouse(*app, false);
+    captureMouse(app->play, doc, *app->surface, false);
     ok(ui->click("Play/Pause"));
     EXPECT_EQ(shown(), "paused");
     const int64_t tick = state().tick;
@@ -79,8 +79,8 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
     ok(ui->key("ctrl+z"));
     ok(ui->click("Outliner/sun"));
     const uint64_t before = hash(), revision = doc.revision();
-    const ViewCamera view = viewOf(app->viewport.camera);
-    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = app->selected,
+    const ViewCamera view = viewOf(app->view.camera);
+    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = app->selection.entity,
                       tool = app->brushes.tool;
     ok(ui->key("f5"));
     key(GLFW_KEY_W, true);
@@ -94,12 +94,12 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
     EXPECT_TRUE(doc.dirty());
     EXPECT_EQ(doc.undoLabel(), undo);
     EXPECT_EQ(doc.redoLabel(), redo);
-    EXPECT_EQ(app->selected, selected);
+    EXPECT_EQ(app->selection.entity, selected);
     EXPECT_EQ(app->brushes.tool, tool);
-    EXPECT_EQ(viewOf(app->viewport.camera).eye, view.eye);
-    EXPECT_EQ(viewOf(app->viewport.camera).target, view.target);
+    EXPECT_EQ(viewOf(app->view.camera).eye, view.eye);
+    EXPECT_EQ(viewOf(app->view.camera).target, view.target);
     ok(ui->wait(1));
-    EXPECT_EQ(app->viewport.drawnCamera.eye, view.eye) << "and it is seen";
+    EXPECT_EQ(app->picture.drawnCamera.eye, view.eye) << "and it is seen";
 }
 
 TEST_F(EditorPlay, NothingIsSavedTakenBackOrPaintedMeanwhileAndItIsSaid) {
@@ -113,11 +113,11 @@ TEST_F(EditorPlay, NothingIsSavedTakenBackOrPaintedMeanwhileAndItIsSaid) {
         EXPECT_NE(get("Status/Message").find(label), std::string::npos) << get("Status/Message");
         EXPECT_NE(get("Status/Message").find("not while playing"), std::string::npos);
     }
-    EXPECT_TRUE(playing(*app));
+    EXPECT_TRUE(playing(doc));
     paint();
     EXPECT_EQ(hash(), before);
     EXPECT_TRUE(doc.dirty());
-    captureMouse(*app, false);
+    captureMouse(app->play, doc, *app->surface, false);
     EXPECT_FALSE(ui->click("Tools/Add")) << "greyed";
     EXPECT_FALSE(ui->set("Inspector/lawn.GrassField.maxGeom", "7")) << "greyed";
     ok(ui->key("f5"));
@@ -140,7 +140,7 @@ TEST_F(EditorPlay, TheMouseTurnsTheHeadUntilEscapeFreesIt) {
     EXPECT_FALSE(app->play.captured);
     EXPECT_EQ(doc.play()->held().move.y, 0) << "with the mouse free the walker stands";
     key(GLFW_KEY_W, false);
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     const double x = static_cast<double>(r.x + r.w / 2), y = static_cast<double>(r.y + r.h / 2);
     ok(ui->drag(x, y, x + 5, y));
     EXPECT_TRUE(app->play.captured) << "a click takes it again";
@@ -148,7 +148,7 @@ TEST_F(EditorPlay, TheMouseTurnsTheHeadUntilEscapeFreesIt) {
 
 TEST_F(EditorPlay, PressedAmidAStrokeItFinishesTheStroke) {
     ok(ui->set("Brush/Mode", "Subtract"));
-    const Rect& r = app->viewport.rect;
+    const Rect& r = app->hand.rect;
     const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
     app->queue.push({InputKind::Move, static_cast<double>(r.x + r.w * 0.3f), y, 0, false});
     app->queue.push({InputKind::Button, 0, 0, 0, true});
@@ -157,7 +157,7 @@ TEST_F(EditorPlay, PressedAmidAStrokeItFinishesTheStroke) {
     ok(ui->wait(2));
     ASSERT_TRUE(doc.stroking());
     ok(ui->key("f5"));
-    EXPECT_TRUE(playing(*app));
+    EXPECT_TRUE(playing(doc));
     EXPECT_FALSE(doc.stroking());
     const uint64_t painted = density();
     app->queue.push({InputKind::Button, 0, 0, 0, false});
@@ -180,7 +180,7 @@ TEST_F(EditorPlay, AHalfTypedValueAndADraggedSliderAreNotLost) {
     app->queue.push({InputKind::Char, 0, 0, '7', false});
     ok(ui->wait(2));
     ok(ui->key("f5"));
-    EXPECT_FALSE(playing(*app));
+    EXPECT_FALSE(playing(doc));
     EXPECT_NE(get("Status/Message").find("typing"), std::string::npos) << get("Status/Message");
     ok(ui->key("enter"));
     EXPECT_EQ(field(path), "7");
@@ -193,19 +193,19 @@ TEST_F(EditorPlay, AHalfTypedValueAndADraggedSliderAreNotLost) {
     const std::string dragged = field(path);
     EXPECT_NE(dragged, "7");
     ok(ui->key("f5"));
-    EXPECT_FALSE(playing(*app));
+    EXPECT_FALSE(playing(doc));
     app->queue.push({InputKind::Button, 0, 0, 0, false});
     ok(ui->wait(3));
     EXPECT_EQ(field(path), dragged);
     ok(ui->key("f5"));
-    EXPECT_TRUE(playing(*app));
+    EXPECT_TRUE(playing(doc));
 }
 
 TEST_F(EditorPlay, ClosingTheProgramStopsItAndAsksForUnsavedWork) {
     ok(ui->set("Inspector/lawn.GrassField.maxGeom", "9"));
     ok(ui->key("f5"));
     ok(ui->key("ctrl+q"));
-    EXPECT_FALSE(playing(*app));
+    EXPECT_FALSE(playing(doc));
     EXPECT_FALSE(app->quit);
     ok(ui->click("Unsaved/Save"));
     EXPECT_TRUE(app->quit);

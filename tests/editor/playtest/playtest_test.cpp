@@ -1,13 +1,12 @@
 // A playtest of a project: what the copy shows, and that the project is left alone.
 #include "playtest/playtest.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
-#include "model/document.h"
+#include "editor/playtest/played_project.h"
 #include "model/field_walk.h"
-#include "project/project_files.h"
-#include "support.h"
-#include "techniques.h"
 #include "world/forces.h"
 #include "world/placement.h"
 #include "world/view_camera.h"
@@ -15,84 +14,7 @@
 namespace sward {
 namespace {
 
-using test::TempDir;
-
-// A new project of 40 x 40 m with a ball; unsaved work, something to undo and to do again.
-struct Fixture {
-    TempDir dir;
-    Document doc{tables()};
-    Fixture() {
-        EXPECT_TRUE(doc.create(dir / "p"));
-        ok(doc.addEntity("ball"));
-        for (const char* c : {"Transform", "Rolling", "StaticMesh"}) ok(doc.addComponent("ball", c));
-        ok(doc.setField("ball.Transform.position", "[20, 0.5, 20]"));
-        ok(doc.setField("ball.Rolling.radius", "0.5"));
-        ok(doc.setField("ball.StaticMesh.file", "ball.glb"));
-        ok(doc.setField("sun.Light.elevationDeg", "20"));
-        EXPECT_TRUE(doc.undo());
-    }
-    void ok(const Status& s) { EXPECT_TRUE(s) << s.error().text(); }
-    PlayStart start() {
-        PlayStart s;
-        s.view = {{17, 5, 20}, {27, 5, 20}, 60, 0.5f};
-        s.byClock = false;
-        return s;
-    }
-    uint64_t hash() { return projectHash(doc.project(), tables().components); }
-};
-PlayInput walkEast() {
-    PlayInput in;
-    in.move = {0, 1};
-    in.yaw = 3.14159265358979 / 2;
-    return in;
-}
-
-// Forces that the copy has, of all kinds, as techniques see them.
-std::vector<Force> forcesIn(Playtest& play) { return forcesOf(play.project(), play.time()); }
-
-TEST(Playtest, FeetPressTheGrassAndItsTracksRecover) {
-    Fixture f;
-    f.ok(f.doc.startPlay(f.start()));
-    Playtest& play = *f.doc.play();
-    play.step(3000);
-    const size_t standing = forcesIn(play).size();
-    EXPECT_EQ(standing, 3u) << "two feet and the ball";
-    for (const Force& force : forcesIn(play)) EXPECT_EQ(force.share, 1) << "what stands there keeps pressing";
-    play.hold(walkEast());
-    play.step(300);
-    const size_t walked = forcesIn(play).size();
-    EXPECT_GT(walked, standing + 5);
-    size_t most = 0;
-    for (int i = 0; i < 60; ++i) {  // ten minutes, to and fro
-        PlayInput in = walkEast();
-        in.yaw += i % 2 * 3.14159265358979;
-        play.hold(in);
-        play.step(600);
-        most = std::max(most, forcesIn(play).size());
-    }
-    EXPECT_LT(most, 150u) << "what has recovered is forgotten";
-    play.hold({});
-    play.step(21 * kTicksPerSecond);
-    EXPECT_LE(forcesIn(play).size(), 3u);
-    f.doc.stopPlay();
-    EXPECT_TRUE(forcesOf(f.doc.project(), 0).empty()) << "the project itself has none";
-}
-
-TEST(Playtest, FeetAreWhatAFootWithoutAPlaceSays) {
-    Fixture f;
-    f.ok(f.doc.addEntity("boots"));
-    f.ok(f.doc.addComponent("boots", "ForceSource"));
-    f.ok(f.doc.setField("boots.ForceSource.shape", "foot"));
-    f.ok(f.doc.setField("boots.ForceSource.radius", "0.4"));
-    f.ok(f.doc.setField("boots.ForceSource.recovery", "inf"));
-    f.ok(f.doc.startPlay(f.start()));
-    f.doc.play()->hold(walkEast());
-    f.doc.play()->step(120);
-    size_t boots = 0;
-    for (const Force& force : forcesIn(*f.doc.play())) boots += force.radius == 0.4f;
-    EXPECT_GT(boots, 2u);
-    f.doc.stopPlay();
-}
+using namespace test;
 
 TEST(Playtest, StoppingLeavesTheProjectItsUndoAndItsUnsavedWorkAsTheyWere) {
     Fixture f;

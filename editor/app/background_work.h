@@ -1,0 +1,17 @@
+// What is made beside the editor's frames, as the status bar tells it.
+// Does not: start or end it (model/bakes.h, frame/renderer.h).
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "core/jobs.h"
+#include "model/bakes.h"
+
+namespace sward {
+
+struct BackgroundWork {
+    std::optional<OcclusionBake> occlusion;  // being baked
+    std::vector<JobNews> making;             // what the renderer makes beside, as of the last frame
+};
+
+}  // namespace sward

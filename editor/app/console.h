@@ -1,0 +1,46 @@
+// The log as the console shows it, and the line in which a person types Lua.
+// Does not: run Lua itself; who owns the editor gives runLua.
+#pragma once
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/log.h"
+
+namespace sward {
+
+struct LogLine {
+    LogLevel level;
+    std::string text;
+};
+// Lines come from any thread.
+struct LogBook {
+    mutable std::mutex mutex;
+    std::deque<LogLine> fresh;  // not yet seen by a frame
+    std::deque<LogLine> lines;  // the last thousand; frames only
+    int sink = 0;
+};
+
+// From now on the book gets what is logged by any thread, until closeLog. The book must stay where it is.
+void openLog(LogBook& log);
+// The log goes on without the book; nothing happens if it was not opened.
+void closeLog(LogBook& log);
+// Takes what was logged since the last call into `lines`, of which the oldest go. True if there was anything.
+bool takeLog(LogBook& log);
+// True if a line waits for takeLog.
+bool hasFreshLog(const LogBook& log);
+
+struct Console {
+    LogBook log;
+    std::string line;  // being typed
+    std::vector<std::string> history;
+    std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
+    std::deque<std::string> luaLines;  // entered, run before the next frame: they may run frames themselves
+};
+// Runs the lines that were entered, in order; what fails is logged. Returns how many ran.
+int runEntered(Console& console);
+
+}  // namespace sward

@@ -1,0 +1,46 @@
+#include "app/file_tasks.h"
+
+#include <fmt/format.h>
+
+namespace sward {
+namespace {
+
+void openDialog(FileDialog& d, const Document& document, FileTask task) {
+    d.task = task;
+    d.opening = true;
+    d.error.clear();
+    if (document.isOpen() && !document.project().dir.empty()) d.folder = document.project().dir.parent_path();
+    d.path = task == FileTask::SaveAs ? document.project().dir.string() : "";
+}
+
+}  // namespace
+
+void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then) {
+    if (!document.isOpen() || !document.dirty()) return then();
+    unsaved.then = std::move(then);
+    unsaved.opening = true;
+}
+
+void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
+    if (task == FileTask::SaveAs) return openDialog(files, document, task);
+    askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
+}
+
+bool saveNow(Document& document, FileDialog& files, Messages& messages) {
+    if (document.project().dir.empty()) {
+        openDialog(files, document, FileTask::SaveAs);
+        return false;
+    }
+    const auto written = document.save();
+    if (!written) {
+        showError(messages, written.error());
+        return false;
+    }
+    messages.notice.clear();
+    say(messages, written->empty()
+                      ? "saved: nothing had changed"
+                      : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
+    return true;
+}
+
+}  // namespace sward

@@ -1,0 +1,60 @@
+// The viewport's parts: what it looks at, what the hand does there, the picture on the screen, and what it counts.
+// Does not: draw or take input (panels/viewport_scene.h, panels/viewport_input.h).
+#pragma once
+#include <optional>
+#include <string>
+
+#include "app/layout.h"
+#include "app/resolution.h"
+#include "frame/renderer.h"
+#include "tools/camera_control.h"
+#include "world/view_camera.h"
+
+namespace sward {
+
+class Document;
+
+struct ViewState {
+    FlyCamera camera;
+    float pathSecond = 0;  // where the inspector last moved it along a path
+    ViewMode mode = ViewMode::Final;
+};
+
+// What the left, right or middle button is doing in the viewport since it went down there.
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split };
+struct ViewportHand {
+    Rect rect;  // of the image, window coordinates
+    bool hovered = false;
+    std::optional<glm::dvec3> ground;  // under the pointer
+    Gesture gesture = Gesture::None;
+    bool flying = false;            // keys move the camera in this frame
+    double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
+};
+
+inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);
+
+struct ViewportPicture {
+    Resolution resolution;
+    unsigned texture = 0, target = 0, source = 0;  // GL texture on the screen, and how it is written
+    int width = 0, height = 0;
+    int skipped = 0;  // frames that showed an old image because input was waiting
+    // What the image on the screen shows.
+    uint64_t drawnRevision = kNeverDrawn;
+    ViewCamera drawnCamera;
+    ViewSettings drawnSettings;
+    bool hasImage = false;
+};
+
+struct ViewCounts {
+    bool measure = false;        // the profiler's: passes are timed and their work is counted
+    double lastMs = 0;           // of the last drawing, all its parts together
+    FrameStats stats;            // of the same
+    double bladesVirtual = 0;    // the population, counted at rest
+    uint64_t bladesVisible = 0;  // counted at rest while measuring
+    uint64_t populationRevision = kNeverDrawn, countedRevision = kNeverDrawn;
+};
+
+// Moves the view to a camera of the project. False if there is none of this name.
+bool goToCamera(const Document& document, const std::string& name, FlyCamera& view);
+
+}  // namespace sward

@@ -1,0 +1,164 @@
+// The table of panels: which there are, where they lie, and which parts of the editor each of them gets.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/app.h"
+#include "app/commands.h"
+#include "panels/field_edit.h"
+#include "panels/overlay_legend.h"
+#include "panels/panels.h"
+#include "panels/play_bar.h"
+#include "panels/viewport.h"
+#include "panels/viewport_compare.h"
+#include "panels/viewport_input.h"
+#include "panels/viewport_rings.h"
+#include "panels/viewport_scene.h"
+#include "playtest/playtest.h"
+#include "tools/brush_target.h"
+#include "ui/imgui_compat.h"
+
+namespace sward {
+namespace {
+
+FieldParts fieldParts(EditorApp& a) { return {a.doc, a.edits, a.book.errors, a.messages}; }
+MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
+RingParts ringParts(EditorApp& a) {
+    const std::string entity = tierEntity(a.doc, a.tierView.field, a.selection.entity);
+    const bool shown = a.tierView.rings && openTab(a.layout) == "Tiers" && tierField(a.doc, entity);
+    return {a.doc, a.tierView, a.view.camera, a.hand.rect, entity, shown};
+}
+
+void menuBar(EditorApp& a) {
+    if (const Command* c = drawMenuBar(a.doc, commandStates(a), a.view.mode, a.layout))
+        a.edits.deferred.push_back([&a, c] { c->run(a); });
+}
+
+void playBar(EditorApp& a) {
+    switch (drawPlayBar(a.doc)) {
+        case PlayAction::Toggle:
+            return a.edits.deferred.push_back(
+                [&a] { togglePlay(playParts(a), a.view.camera, a.hand, a.edits, ui::typing(a.book)); });
+        case PlayAction::Pause:
+            return a.edits.deferred.push_back([&a] { togglePause(playParts(a)); });
+        case PlayAction::Step:
+            return a.edits.deferred.push_back([&a] { stepOnce(playParts(a)); });
+        case PlayAction::None:
+            return;
+    }
+}
+
+void brushBar(EditorApp& a) {
+    a.brushBarRows = drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.edits, a.messages);
+}
+
+// --- the viewport: input, then the picture, then what lies over it
+
+void takeInput(EditorApp& a, const RingParts& rings, bool over) {
+    const HandInput input{a.in, a.clock.delta, over};
+    if (playing(a.doc)) {
+        if (playInput(input, a.hand) && a.doc.play()->runs()) captureMouse(a.play, a.doc, *a.surface, true);
+        return;
+    }
+    viewportInput(input, a.view.camera, a.hand, {a.doc, a.brushes, a.edits, a.messages}, rings, a.accuracy.comparison);
+}
+
+// What the next picture is to show.
+ViewSettings wantedSettings(EditorApp& a) {
+    ViewSettings s;
+    const float dense =
+        static_cast<float>(a.surface->pixelWidth()) / static_cast<float>(std::max(1, a.surface->width()));
+    s.width = static_cast<int>(a.hand.rect.w * dense), s.height = static_cast<int>(a.hand.rect.h * dense);
+    s.mode = a.view.mode;
+    s.time = timeShown(a.doc);
+    s.measure = a.counts.measure;
+    s.background = !a.clock.fixed && !a.clock.refineNow;  // scripts and screenshots wait: the same picture each time
+    if (drawsDecal(a.picture, a.clock) && !a.tierView.hover) s.decal = decalOf(a.doc, a.hand, a.brushes);
+    s.overlay = overlayOf(a.doc, a.brushes);
+    return s;
+}
+
+void makePicture(EditorApp& a) {
+    drawScene({a.doc, *a.renderer, a.picture, a.counts, a.clock, a.messages}, viewShown(a.doc, a.view.camera),
+              wantedSettings(a), a.queue.pending());
+    if (playing(a.doc)) return;
+    followComparison(a.accuracy.comparison, {a.doc, a.gpu, *a.renderer, a.clock, a.messages},
+                     comparedView(a.view.camera, a.picture, a.hand, a.clock, !a.background.making.empty()));
+    releaseSplit(a.accuracy.comparison, a.hand);
+}
+
+// What helps the hand that edits, over the picture.
+void drawAids(EditorApp& a, const RingParts& rings) {
+    const Comparison& c = a.accuracy.comparison;
+    drawComparison(c, a.hand,
+                   {techniqueShown(a.doc), comparisonLabel(c, a.doc, a.clock), a.messages.notice.empty() ? 6.f : 60.f});
+    if (!a.tierView.hover && !c.gripHovered && !drawsDecal(a.picture, a.clock))
+        drawBrushRing(a.doc, a.view.camera, a.hand, a.brushes);
+    drawRings(rings);
+}
+
+void viewport(EditorApp& a) {
+    {
+        const ui::Disabled noProject(!a.doc.isOpen());
+        drawViewportHeader(a.doc, a.view, a.hand.gesture);
+    }
+    const Rect& r = a.hand.rect = layImage(a.areas.viewport);
+    const RingParts rings = ringParts(a);
+    takeInput(a, rings, ImGui::IsItemHovered());
+    if (a.doc.isOpen()) makePicture(a);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({r.x, r.y}, {r.x + r.w, r.y + r.h}, true);
+    if (a.doc.isOpen() && a.picture.hasImage) {
+        list.AddImage(ui::textureId(a.picture.texture), {r.x, r.y}, {r.x + r.w, r.y + r.h}, {0, 1}, {1, 0});
+        if (!playing(a.doc)) drawAids(a, rings);
+        drawOverlayLegend(a.doc, a.brushes, a.view.camera.yaw, r);
+        drawPlayFrame(a.doc, a.play.captured, r);
+    } else {
+        drawEmptyHint(r);
+    }
+    list.PopClipRect();
+    drawErrorBar(a.messages.notice, r);
+}
+
+// --- the rest
+
+void profiler(EditorApp& a) { drawProfiler(a.counts, a.picture.drawnSettings.measure, a.gpu.renderer); }
+void tiers(EditorApp& a) {
+    drawTiers(fieldParts(a), a.tierView, a.selection.entity, a.view, a.counts, a.picture.drawnSettings.measure);
+}
+void statusBar(EditorApp& a) {
+    drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
+}
+void fileDialog(EditorApp& a) {
+    drawFileDialog(a.files, a.doc, a.edits, a.messages, [&a] { adoptProject(a); });
+}
+void recoveryDialog(EditorApp& a) {
+    if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
+}
+
+using App = EditorApp;
+constexpr PanelRow kPanels[] = {
+    {"Menu", Dock::Menu, menuBar, false},
+    {"Play", Dock::Menu, playBar, false},
+    {"Brush", Dock::BrushBar, brushBar, false, nullptr, true},
+    {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.messages); }, false, nullptr, true},
+    {"Viewport", Dock::Viewport, viewport, false},
+    {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection); }, true, nullptr, true},
+    {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), a.selection.entity, a.view); }, true,
+     nullptr, true},
+    {"Console", Dock::Bottom, [](App& a) { drawConsole(a.console, a.queue.pending()); }, true},
+    {"Profiler", Dock::Bottom, profiler, true},
+    {"Tiers", Dock::Bottom, tiers, true, "Tiers Panel", true},
+    {"Accuracy", Dock::Bottom, [](App& a) { drawAccuracy(a.accuracy, measureParts(a), a.edits, a.counts.lastMs); },
+     true, nullptr, true},
+    {"Status", Dock::StatusBar, statusBar, false},
+    {"Files", Dock::Dialog, fileDialog, false},
+    {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},
+    {"Recovery", Dock::Dialog, recoveryDialog, false},
+};
+
+}  // namespace
+
+std::span<const PanelRow> panelRows() { return kPanels; }
+
+}  // namespace sward

@@ -1,0 +1,70 @@
+// The settings of a sweep: which there are, and how one is laid on a project.
+#include "cost/cost_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "techniques.h"
+
+namespace sward::test {
+namespace {
+
+Project grassy() {
+    Project p;
+    p.registry.add<GrassField>(*addEntity(p, "meadow"), {});
+    return p;
+}
+
+TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
+    const Project p = grassy();
+    auto all = costSettings(p);
+    ASSERT_TRUE(all);
+    EXPECT_GE(all->size(), 35u);
+    EXPECT_LE(all->size(), 48u);
+    std::set<std::string> texts;
+    for (const CostSetting& s : *all) {
+        Project copy = snapshot(p, tables().components);
+        ViewSettings view;
+        const Status done = applySetting(copy, tables(), s, view);
+        EXPECT_TRUE(done) << s.technique << " " << s.text() << ": " << done.error().text();
+        EXPECT_STREQ(kTechniques[copy.registry.get<GrassField>(findEntity(copy, "meadow"))->technique],
+                     s.technique.c_str());
+        const GrassField& f = *copy.registry.get<GrassField>(findEntity(copy, "meadow"));
+        EXPECT_LE(f.minGeom, f.maxGeom) << s.text();
+        EXPECT_LE(f.minBTF, f.maxBTF) << s.text();
+        EXPECT_TRUE(texts.insert(s.technique + " " + s.text()).second) << s.text();
+    }
+    for (const char* name : kTechniques)
+        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == name; }))
+            << name;
+}
+
+TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
+    auto flat = costSettings(grassy(), "flat");
+    ASSERT_TRUE(flat);
+    EXPECT_EQ(flat->size(), 2u);
+    EXPECT_EQ(costSettings(grassy(), "felt").error().code, ExitCode::Usage);
+    EXPECT_EQ(costSettings(Project{}).error().code, ExitCode::Unsound);
+    Project p = grassy();
+    ViewSettings view;
+    EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"msaa=0"}}, view).error().code, ExitCode::Usage);
+    EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"maxGeom=far"}}, view).error().code, ExitCode::Usage);
+    EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"felt=1"}}, view).error().code, ExitCode::Usage);
+}
+
+TEST(CostSettings, WhatDrawsNoLessThanASlowOneIsTakenForSlow) {
+    const CostSetting slow{"hybrid", {"maxGeom=5", "maxBTF=9", "msaa=1"}};
+    EXPECT_TRUE(drawsNoLess(slow, slow));
+    EXPECT_TRUE(drawsNoLess({"hybrid", {"maxGeom=5", "maxBTF=20", "msaa=4"}}, slow));
+    EXPECT_TRUE(drawsNoLess({"hybrid", {"maxGeom=inf", "maxBTF=9", "msaa=1"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=4.9", "maxBTF=20", "msaa=4"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"maxGeom=9", "maxBTF=9"}}, slow)) << "says nothing of samples";
+    EXPECT_FALSE(drawsNoLess({"geometry", {"maxGeom=5", "maxBTF=9", "msaa=1"}}, slow));
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"sharpness=2", "msaa=4"}}, {"hybrid", {"sharpness=1", "msaa=4"}}))
+        << "what sharpness costs is not known";
+}
+
+}  // namespace
+}  // namespace sward::test

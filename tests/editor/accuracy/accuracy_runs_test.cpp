@@ -1,0 +1,63 @@
+// What is done with the results of sweeps and fits.
+#include "editor/accuracy/accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/model/document.h"
+#include "support.h"
+#include "techniques.h"
+
+namespace sward {
+namespace {
+
+TEST(AccuracyRuns, AdoptingIsOneUndoStepAndNamesWhatIsTheViews) {
+    test::TempDir dir;
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    const auto value = [&](const char* name) {
+        return fieldText(*findField(doc.project(), doc.tables().components, std::string("lawn.GrassField.") + name));
+    };
+    const std::string before = value("maxGeom");
+    const CostSetting wanted = settingOf("slices", "minGeom=3 maxGeom=7 minBTF=9 maxBTF=18 msaa=1");
+    EXPECT_FALSE(isPresent(doc, wanted));
+    const auto left = adoptSettings(doc, wanted);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(*left, std::vector<std::string>{"msaa=1"});
+    EXPECT_EQ(value("technique"), "slices");
+    EXPECT_EQ(value("maxGeom"), "7");
+    EXPECT_EQ(value("maxBTF"), "18");
+    EXPECT_EQ(doc.undoLabel(), "adopt settings");
+    EXPECT_FALSE(isPresent(doc, wanted)) << "one sample is not what the editor draws";
+    EXPECT_TRUE(isPresent(doc, settingOf("slices", "maxGeom=7 msaa=4")));
+    ASSERT_TRUE(doc.undo());
+    EXPECT_EQ(value("maxGeom"), before);
+    EXPECT_EQ(value("technique"), "hybrid");
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST(AccuracyRuns, SettingsThatDoNotExistChangeNothing) {
+    test::TempDir dir;
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    EXPECT_FALSE(adoptSettings(doc, settingOf("slices", "maxGeom=7 nonsense=1")));
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_EQ(techniqueShown(doc), "hybrid");
+    EXPECT_TRUE(settingOf("flat", "as it is").values.empty());
+}
+
+TEST(AccuracyRuns, AFitIsReadWithWhatItGivesUp) {
+    const auto fit = fitFrom(
+        R"({"budget_ms": 8, "fits": true, "tried": 20, "best": {"ms": 7.5, "appearance": 0.02, "settings": "maxGeom=6"},
+        "shipped": {"ms": 12, "appearance": 0.015, "settings": "maxGeom=12"}, "next_better": {"ms": 9, "appearance": 0.018, "settings": "maxGeom=8"}, "grid": null})");
+    ASSERT_TRUE(fit) << fit.error().text();
+    EXPECT_TRUE(fit->fits);
+    EXPECT_EQ(fit->ms, 7.5);
+    EXPECT_EQ(fit->settings, "maxGeom=6");
+    EXPECT_EQ(fit->shippedMs, 12);
+    EXPECT_EQ(fit->better, "9 ms for 0.0180: maxGeom=8");
+    EXPECT_FALSE(fitFrom("{\"fits\": true}"));
+    EXPECT_FALSE(fitFrom(""));
+}
+
+}  // namespace
+}  // namespace sward

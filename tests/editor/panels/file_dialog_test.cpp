@@ -1,0 +1,67 @@
+// The file dialog: what it lists, what it refuses, and that another project is told of.
+#include "app/file_tasks.h"
+#include "editor/panels/panel_stage.h"
+#include "panels/panels.h"
+
+namespace sward {
+namespace {
+
+class FileDialogPanel : public test::PanelStage {
+  protected:
+    FileDialogPanel() {
+        draw = [this] { drawFileDialog(files, doc, edits, messages, [this] { ++adopted; }); };
+    }
+    void open(FileTask task) {
+        requestTask(files, unsaved, doc, task);
+        frames(4);
+    }
+    FileDialog files;
+    UnsavedDialog unsaved;
+    int adopted = 0;
+};
+
+TEST_F(FileDialogPanel, ListsFoldersAndKnowsProjects) {
+    std::filesystem::create_directories(dir / "plain");
+    std::filesystem::create_directories(dir / ".hidden");
+    test::writeText(dir / "file.txt", "x");
+    open(FileTask::Open);
+    EXPECT_EQ(files.folder, dir.path);
+    EXPECT_EQ(files.entries, (std::vector<std::pair<std::string, bool>>{{"meadow", true}, {"plain", false}}));
+}
+
+TEST_F(FileDialogPanel, WithoutAPathItSaysWhatToDo) {
+    open(FileTask::Open);
+    click("Panel/Open");
+    EXPECT_NE(files.error.find("no folder is named"), std::string::npos) << files.error;
+    EXPECT_EQ(files.task, FileTask::Open) << "it stays open";
+    EXPECT_EQ(adopted, 0);
+}
+
+TEST_F(FileDialogPanel, AChosenProjectIsOpenedAndTold) {
+    Document other(tables());
+    ASSERT_TRUE(other.create(dir / "other"));
+    open(FileTask::Open);
+    click("Panel/other");
+    click("Panel/Open");
+    EXPECT_EQ(doc.project().dir, dir / "other");
+    EXPECT_EQ(adopted, 1);
+    EXPECT_EQ(files.task, FileTask::None);
+}
+
+TEST_F(FileDialogPanel, SavingElsewhereIsNoOtherProject) {
+    open(FileTask::SaveAs);
+    files.path = (dir / "copy").string();
+    click("Panel/Save");
+    EXPECT_EQ(doc.project().dir, dir / "copy");
+    EXPECT_EQ(adopted, 0);
+}
+
+TEST_F(FileDialogPanel, CancelChangesNothing) {
+    open(FileTask::New);
+    click("Panel/Cancel");
+    EXPECT_EQ(files.task, FileTask::None);
+    EXPECT_EQ(doc.project().dir, dir / "meadow");
+}
+
+}  // namespace
+}  // namespace sward

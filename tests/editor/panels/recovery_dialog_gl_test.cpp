@@ -1,0 +1,44 @@
+// Copies of unsaved work, offered to the next run; with the clock in the test's hand.
+#include "editor/editor_fixture.h"
+
+namespace sward {
+namespace {
+
+using test::EditorTools;
+
+TEST_F(EditorTools, UnsavedWorkIsCopiedAndOfferedToTheNextRun) {
+    setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+    app->autosave.on = true;
+    const auto copies = [&] { return autosavesOf(dir / "meadow"); };
+    const auto tickUntilIdle = [&](double now) {
+        const auto tick = [&] { return tickAutosave(app->autosave, doc, false, now); };
+        if (tick()) app->clock.wanted = 4;
+        while (app->autosave.job.active()) tick();
+    };
+    tickUntilIdle(0);
+    ok(ui->set("Inspector/sun.Light.elevationDeg", "20"));
+    tickUntilIdle(kAutosaveSeconds - 1);
+    EXPECT_TRUE(copies().empty());
+    tickUntilIdle(kAutosaveSeconds + 1);
+    EXPECT_EQ(copies().size(), 1u);
+    tickUntilIdle(3 * kAutosaveSeconds);  // nothing new
+    EXPECT_EQ(copies().size(), 1u);
+    app->autosave.mine = false;  // as if the program had been killed, and another run began
+    ASSERT_TRUE(doc.open(dir / "meadow"));
+    app->autosave.of.clear();
+    tickUntilIdle(0);
+    ok(ui->wait(2));
+    ASSERT_TRUE(ui->exists("Recovery/Recover"));
+    ok(ui->click("Recovery/Recover"));
+    EXPECT_EQ(field("sun.Light.elevationDeg"), "20");
+    EXPECT_EQ(get("Status/Saved"), "false");
+    EXPECT_EQ(copies().size(), 1u);
+    ok(ui->key("ctrl+s"));
+    tickUntilIdle(1);
+    EXPECT_TRUE(copies().empty());
+    app->autosave.on = false;
+    unsetenv("XDG_STATE_HOME");
+}
+
+}  // namespace
+}  // namespace sward

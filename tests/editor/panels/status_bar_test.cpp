@@ -1,0 +1,64 @@
+// The status bar: large numbers shortly, and what a stroke adds.
+#include "app/background_work.h"
+#include "app/viewport.h"
+#include "editor/panels/panel_stage.h"
+#include "panels/panels.h"
+#include "tools/brush_cost.h"
+
+namespace sward {
+namespace {
+
+TEST(Counted, HasThreeDigitsAndALetterFromTenThousandOn) {
+    EXPECT_EQ(counted(0), "0");
+    EXPECT_EQ(counted(9999), "9999");
+    EXPECT_EQ(counted(12345), "12.3 k");
+    EXPECT_EQ(counted(627'000'000), "627 M");
+    EXPECT_EQ(counted(5'000'000'000), "5 G");
+}
+
+class StatusBar : public test::PanelStage {
+  protected:
+    StatusBar() {
+        draw = [this] { drawStatusBar(doc, counts, 0.25, cost, work, "ready"); };
+    }
+    ViewCounts counts;
+    BrushCost cost;
+    BackgroundWork work;
+};
+
+TEST_F(StatusBar, SaysWhatIsDrawnHowFineAndWhetherItIsSaved) {
+    counts.bladesVirtual = 3'200'000;
+    counts.lastMs = 12.345;
+    frames(2);
+    EXPECT_EQ(value("Panel/Blades"), "3.2 M");
+    EXPECT_EQ(value("Panel/Frame"), "12.3 ms");
+    EXPECT_EQ(value("Panel/Resolution"), "25 %");
+    EXPECT_EQ(value("Panel/Saved"), "true");
+    EXPECT_EQ(value("Panel/Message"), "ready");
+    EXPECT_FALSE(shown("Panel/Visible")) << "nothing was counted";
+    ASSERT_TRUE(doc.addEntity("second"));
+    counts.lastMs = 2500;
+    frames(2);
+    EXPECT_EQ(value("Panel/Saved"), "false");
+    EXPECT_EQ(value("Panel/Frame"), "2.5 s");
+}
+
+TEST_F(StatusBar, SaysWhatAStrokeAddsAndItsTimeOnceThatWasMeasured) {
+    frames(2);
+    EXPECT_FALSE(shown("Panel/Stroke"));
+    cost.stroke = -120;
+    frames(2);
+    EXPECT_EQ(value("Panel/Stroke"), "-120 blades");
+    cost.stroke = 1000, cost.grassMs = 8, counts.stats.bladesGeometry = 4000;
+    frames(2);
+    EXPECT_EQ(value("Panel/Stroke"), "+1000 blades, about +2 ms");
+}
+
+TEST_F(StatusBar, TellsWhatIsMadeBeside) {
+    work.making = {{"slices of clover", 0.4}};
+    frames(2);
+    EXPECT_EQ(value("Panel/Making"), "slices of clover 40 %");
+}
+
+}  // namespace
+}  // namespace sward

@@ -1,0 +1,118 @@
+// What the hand does in the viewport: strokes of all kinds of brushes, by the real mouse and modifiers.
+#include <cmath>
+
+#include "editor/editor_fixture.h"
+#include "tools/brush_target.h"
+#include "world/ground.h"
+#include "world/view_camera.h"
+
+namespace sward {
+namespace {
+
+using test::EditorTools;
+using test::EditorUi;
+
+constexpr const char* kOrientation = "lawn.GrassField.orientation";
+constexpr const char* kForces = "lawn.GrassField.forces";
+
+TEST_F(EditorUi, AStrokeInTheViewportPaintsAndIsOneUndoStep) {
+    const uint64_t before = density();
+    ok(ui->set("Brush/Mode", "Subtract"));
+    paint();
+    const uint64_t painted = density();
+    EXPECT_NE(painted, before);
+    EXPECT_EQ(get("Status/Saved"), "false");
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(density(), before);
+    EXPECT_EQ(get("Status/Saved"), "true");
+    ok(ui->key("ctrl+y"));
+    EXPECT_EQ(density(), painted);
+    ok(ui->key("ctrl+z"));
+    ok(ui->key("ctrl+shift+z"));
+    EXPECT_EQ(density(), painted);
+    EXPECT_FALSE(doc.canRedo());
+}
+
+TEST_F(EditorTools, CombingInTheViewportLaysTheGrassTheWayTheHandGoes) {
+    ok(ui->click("Tools/Comb"));
+    ok(ui->set("Brush/Strength", "1"));
+    paint();                                     // to the right on the screen
+    ASSERT_TRUE(mapOf(kOrientation).present());  // made with the stroke
+    const Rect& r = app->hand.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
+                               static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
+    ASSERT_TRUE(at);
+    const glm::dvec2 size = findGround(doc.project()).terrain->size;
+    const Map& map = mapOf(kOrientation).map;
+    const double yaw = app->view.camera.yaw;
+    EXPECT_NEAR(map.sample(at->x / size.x, at->z / size.y, 0) * 2 - 1, std::cos(yaw), 0.1);
+    EXPECT_NEAR(map.sample(at->x / size.x, at->z / size.y, 1) * 2 - 1, std::sin(yaw), 0.1);
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(mapOf(kOrientation).present());
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) {
+    ok(ui->click("Tools/Press"));
+    EXPECT_EQ(app->brushes.map, kForces);
+    EXPECT_NE(get("Brush/New map").find(" x "), std::string::npos);
+    ok(ui->set("Brush/Strength", "1"));
+    const std::vector<uint8_t> before = picture();
+    paint();  // to the right on the screen
+    ASSERT_TRUE(mapOf(kForces).present());
+    EXPECT_EQ(overlayOf(doc, app->brushes).map, kForces);
+    const Rect& r = app->hand.rect;
+    const auto at = pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
+                               static_cast<double>(r.w) * 0.45, static_cast<double>(r.h) * 0.8);
+    ASSERT_TRUE(at);
+    const glm::dvec2 size = findGround(doc.project()).terrain->size;
+    const Map& map = mapOf(kForces).map;
+    const auto channel = [&](int c) { return static_cast<double>(map.sample(at->x / size.x, at->z / size.y, c)); };
+    const double yaw = app->view.camera.yaw;
+    EXPECT_NEAR(channel(0) * 2 - 1, std::cos(yaw), 0.1);
+    EXPECT_NEAR(channel(1) * 2 - 1, std::sin(yaw), 0.1);
+    EXPECT_NEAR(channel(2), 1, 0.02);
+    EXPECT_NEAR(channel(3), 1, 0.02);
+    const std::vector<uint8_t> shown = picture();
+    ok(ui->key("o"));
+    const std::vector<uint8_t> pressed = picture();
+    EXPECT_NE(pressed, shown) << "the overlay shows nothing";
+    EXPECT_NE(pressed, before) << "the grass stands as before";
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(mapOf(kForces).present());
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_EQ(picture(), before);
+    ok(ui->key("ctrl+y"));
+    EXPECT_EQ(picture(), pressed);
+}
+
+TEST_F(EditorTools, CtrlShiftErasesEverySpeciesInOneStep) {
+    ok(ui->click("Inspector/lawn.GrassField.species/Add species"));
+    const std::string second = "lawn.GrassField.species[grass].density";
+    const uint64_t before = density();
+    ok(ui->set("Brush/Map", "species[lawn].density"));
+    const Rect& r = app->hand.rect;
+    const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
+    ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y, "ctrl+shift"));
+    EXPECT_NE(mapOf("lawn.GrassField.species[lawn].density").map.hash(), before);
+    ASSERT_TRUE(mapOf(second).present());
+    EXPECT_LT(mapOf(second).map.mean(), 0.99999);
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(mapOf("lawn.GrassField.species[lawn].density").map.hash(), before);
+    EXPECT_FALSE(mapOf(second).present());
+}
+
+TEST_F(EditorTools, ShiftErasesWithThePreset) {
+    const uint64_t before = density();
+    ok(ui->click("Menu/Brush/Shift Erases"));
+    EXPECT_TRUE(app->brushes.shiftErases);
+    const Rect& r = app->hand.rect;
+    const double y = static_cast<double>(r.y) + static_cast<double>(r.h) * 0.8;
+    const double mean = mapOf("lawn.GrassField.species[lawn].density").map.mean();
+    ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y, "shift"));
+    EXPECT_NE(density(), before);
+    EXPECT_LT(mapOf("lawn.GrassField.species[lawn].density").map.mean(), mean);
+}
+
+}  // namespace
+}  // namespace sward

@@ -1,0 +1,113 @@
+// What a scene asks for, from its components.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "scene/components.h"
+#include "scene/project.h"
+
+namespace sward {
+namespace {
+
+std::span<const ComponentRow> rows() { return sharedComponentRows(); }
+
+TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
+    const auto featuresOf = [](const char* name, const void* value) {
+        return findComponent(rows(), name)->features(value);
+    };
+    Terrain terrain;
+    EXPECT_EQ(featuresOf("Terrain", &terrain), featureSet(Feature::Terrain));
+    terrain.height.map = terrain.terrainMap.map = Map({2, 2, 1, PixelType::F32});
+    EXPECT_EQ(featuresOf("Terrain", &terrain),
+              featureSet(Feature::Terrain, Feature::TerrainHeights, Feature::TerrainMap));
+    GrassField grass;
+    const FeatureSet drawn =
+        featureSet(Feature::Grass, Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar);
+    EXPECT_EQ(featuresOf("GrassField", &grass),
+              drawn | featureSet(Feature::GrassClumps, Feature::BladeShadows, Feature::GroundShadows));
+    grass.shadowMask = 0;
+    grass.groundShadows = false;
+    grass.species[0].clumpSize = 0;
+    EXPECT_EQ(featuresOf("GrassField", &grass), drawn);
+    grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
+        Map({2, 2, 1, PixelType::U8});
+    EXPECT_EQ(featuresOf("GrassField", &grass), drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation,
+                                                                   Feature::GrassVegetation, Feature::GrassOcclusion));
+    grass.species[0].translucency = grass.species[0].gloss = 1;
+    EXPECT_TRUE((featuresOf("GrassField", &grass) & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
+    grass.technique = static_cast<int>(Technique::Flat);
+    grass.shadowMask = 64;
+    EXPECT_FALSE(has(featuresOf("GrassField", &grass), Feature::BladeShadows)) << "no blade is drawn";
+    grass.species[0].bladesPerM2 = 0;
+    EXPECT_TRUE(featuresOf("GrassField", &grass).none()) << "nothing grows";
+    Light light;
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun, Feature::CastingLights));
+    light.castShadows = false;
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Sun));
+    light.type = LightType::Point;
+    EXPECT_EQ(featuresOf("Light", &light), featureSet(Feature::Lamps));
+    light.intensity = 0;
+    EXPECT_TRUE(featuresOf("Light", &light).none());
+    Sky sky;
+    EXPECT_EQ(featuresOf("Sky", &sky), featureSet(Feature::Sky));
+    sky.intensity = 0;
+    EXPECT_TRUE(featuresOf("Sky", &sky).none());
+    Fog fog;
+    EXPECT_EQ(featuresOf("Fog", &fog), featureSet(Feature::Fog));
+    const Rolling rolling;
+    EXPECT_TRUE(featuresOf("Rolling", &rolling).none()) << "it draws nothing by itself";
+    fog.visibility = std::numeric_limits<float>::infinity();
+    EXPECT_TRUE(featuresOf("Fog", &fog).none());
+}
+
+TEST(SceneFeatures, AddingAndRemovingAComponentLeavesTheFeaturesAsBefore) {
+    Project p;
+    const Entity e = *addEntity(p, "e");
+    for (const ComponentRow& row : rows()) {
+        const FeatureSet before = sceneFeatures(p.registry, rows());
+        row.assign(p.registry, e, nullptr);
+        const bool nowhere = std::string(row.name) == "ForceSource";  // without a Transform it presses nothing
+        EXPECT_EQ(sceneFeatures(p.registry, rows()), nowhere ? FeatureSet() : row.features(row.defaults())) << row.name;
+        row.remove(p.registry, e);
+        EXPECT_EQ(sceneFeatures(p.registry, rows()), before) << row.name;
+        EXPECT_EQ(row.get(p.registry, e), nullptr);
+    }
+}
+
+TEST(SceneFeatures, AForceIsThereWhereItsSourceStandsOrLeftTracks) {
+    Project p;
+    const Entity e = *addEntity(p, "e");
+    ForceSource& s = *p.registry.add<ForceSource>(e);
+    s.shape = ForceShape::Outline;
+    EXPECT_TRUE(sceneFeatures(p.registry, rows()).none());
+    EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Forces).empty());
+    s.tracks.push_back({{1, 1}, {2, 2}, 0});
+    EXPECT_TRUE(has(sceneFeatures(p.registry, rows()), Feature::Forces));
+    s.tracks.clear();
+    p.registry.add<Transform>(e);
+    EXPECT_EQ(sceneFeatures(p.registry, rows()), featureSet(Feature::Forces, Feature::ForceOutlines));
+}
+
+TEST(SceneFeatures, KnowWhichEntitiesAskForThem) {
+    Project p;
+    for (const char* name : {"b", "a", "c"}) p.registry.add<Light>(*addEntity(p, name));
+    p.registry.get<Light>(findEntity(p, "c"))->intensity = 0;
+    EXPECT_EQ(entitiesWith(p.registry, rows(), Feature::CastingLights), (std::vector<std::string>{"a", "b"}));
+    EXPECT_TRUE(entitiesWith(p.registry, rows(), Feature::Fog).empty());
+}
+
+TEST(SceneFeatures, HaveNamesForPeopleAndForShaders) {
+    std::set<std::string> names;
+    for (size_t i = 0; i < size_t(Feature::Count); ++i) {
+        std::string name = featureName(Feature(i));
+        EXPECT_TRUE(names.insert(name).second);
+        for (char& c : name) c = c == '-' ? '_' : char(std::toupper(c));
+        EXPECT_EQ(name, featureConstant(Feature(i)));
+    }
+}
+
+}  // namespace
+}  // namespace sward
