@@ -26,14 +26,14 @@ namespace sward {
 
 std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
-        sunEffect(),         skyEffect(),           hazeEffect(),       lampsEffect(),                       // light
-        windEffect(),        gustsEffect(),         groundEffect(),     groundDepthEffect(), shadeEffect(),  // ground
-        meshEffect(),        shadowEffect(),                                                                 // objects
-        forcesEffect(),      forceOutlinesEffect(), maskEffect(),       fieldEffect(),       farDarkeningEffect(),
-        uniqueEffect(), geometryEffect(),    groundShadowEffect(),  farEffect(),        farShadowEffect(),   slicesEffect(),
-        tessellatedEffect(), flowersEffect(),                                           // grass
-        waterEffect(),       reflectionEffect(),                                        // water
-        farBlurEffect(),     tonemapEffect(),       mapOverlayEffect(), decalEffect(),  // the screen
+        sunEffect(),     skyEffect(),           hazeEffect(),         lampsEffect(),                       // light
+        windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
+        meshEffect(),    shadowEffect(),                                                                   // objects
+        forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
+        uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
+        slicesEffect(),  tessellatedEffect(),   flowersEffect(),                      // grass
+        waterEffect(),   reflectionEffect(),                                          // water
+        farBlurEffect(), tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
     };
     return kRows;
 }

@@ -70,7 +70,7 @@ void dropScene(Comparison& c) {
 
 ComparisonKey keyOf(const Comparison& c, const Document& doc, const ComparedView& view) {
     return {c.against,  doc.revision(), view.camera,
-            view.width, view.height,    c.preview ? c.preview->technique + c.preview->text() : ""};
+            view.width, view.height,    c.technique + (c.preview ? c.preview->technique + c.preview->text() : "")};
 }
 
 ViewSettings settingsFor(const FrameClock& clock, int width, int height) {
@@ -185,9 +185,7 @@ Status makeCopy(Comparison& c, const CompareParts& p) {
     c.copyRevision = c.key.revision;
     if (!c.renderer) c.renderer = std::make_unique<Renderer>(p.gpu, p.doc.tables());
     ViewSettings view;  // its fields are not the project's
-    const CostSetting setting = c.against == Against::Settings && c.preview
-                                    ? *c.preview
-                                    : CostSetting{kAgainst[static_cast<size_t>(c.against)], {}};
+    const CostSetting setting = c.against == Against::Settings && c.preview ? *c.preview : CostSetting{c.technique, {}};
     return applySetting(*c.copy, p.doc.tables(), setting, view);
 }
 
@@ -307,14 +305,36 @@ bool ComparisonKey::operator==(const ComparisonKey& o) const {
            height == o.height && settings == o.settings;
 }
 
-void compareWith(Comparison& c, double now, Against against) {
-    if (c.against == against) return;
+void compareWith(Comparison& c, double now, Against against, const std::string& technique) {
+    if (c.against == against && c.technique == technique) return;
     dropCompared(c);
     dropScene(c);
     c.against = against;
+    c.technique = technique;
     c.gripHovered = false;
     c.changed = now;
     c.key = {};
+}
+
+std::vector<std::string> comparisonNames(const Comparison& c, std::span<const TechniqueRow> techniques) {
+    std::vector<std::string> names{"off", "reference"};
+    for (const TechniqueRow& row : techniques) names.push_back(row.name);
+    if (c.preview) names.push_back("preview");
+    return names;
+}
+
+int comparisonChosen(const Comparison& c, std::span<const TechniqueRow> techniques) {
+    if (c.against == Against::Off || c.against == Against::Reference) return static_cast<int>(c.against);
+    const std::vector<std::string> names = comparisonNames(c, techniques);
+    const std::string& shown = c.against == Against::Settings ? names.back() : c.technique;
+    return static_cast<int>(std::find(names.begin(), names.end(), shown) - names.begin());
+}
+
+void chooseComparison(Comparison& c, double now, std::span<const TechniqueRow> techniques, int chosen) {
+    if (chosen < 2) return compareWith(c, now, chosen == 0 ? Against::Off : Against::Reference);
+    const auto row = static_cast<size_t>(chosen - 2);
+    if (row < techniques.size()) return compareWith(c, now, Against::Technique, techniques[row].name);
+    compareWith(c, now, Against::Settings);
 }
 
 void endComparison(Comparison& c) {
@@ -365,7 +385,8 @@ std::string techniqueShown(const Document& document) {
 
 std::string comparisonLabel(const Comparison& c, const Document& document, const FrameClock& clock) {
     const std::string name = c.against == Against::Settings && c.preview ? "preview: " + c.preview->technique
-                                                                         : kAgainst[static_cast<size_t>(c.against)];
+                             : c.against == Against::Reference           ? "reference"
+                                                                         : c.technique;
     if (c.picture.id() == 0)
         return name + (comparing(c, document, clock) && clock.now - c.changed >= kCompareRestSeconds
                            ? ", coming"

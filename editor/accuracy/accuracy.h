@@ -43,8 +43,7 @@ inline constexpr int kCompareWidth = 480;  // pixels: the reference is traced, a
 glm::ivec2 comparisonSize(int width, int height);
 
 // --- the comparison in the viewport
-enum class Against { Off, Reference, Hybrid, Geometry, Slices, Flat, Settings };
-inline constexpr const char* kAgainst[] = {"off", "reference", "hybrid", "geometry", "slices", "flat", "preview"};
+enum class Against { Off, Reference, Technique, Settings };
 enum class CompareShow { Split, Error };
 inline constexpr const char* kCompareShows[] = {"split", "error"};
 
@@ -54,7 +53,7 @@ struct ComparisonKey {
     uint64_t revision = ~uint64_t(0);
     ViewCamera camera;
     int width = 0, height = 0;  // of the viewport's picture
-    std::string settings;       // that a preview shows
+    std::string settings;       // technique and settings that are shown
     bool operator==(const ComparisonKey& o) const;
 };
 struct ComparedPass {
@@ -71,6 +70,7 @@ struct Comparison {
     ErrorMetric metric = ErrorMetric::Appearance;
     float split = 0.5f;  // where the line is, as a share of the viewport's width
     bool gripHovered = false;
+    std::string technique;               // what Against::Technique shows: the name of a row of the table
     std::optional<CostSetting> preview;  // what Against::Settings shows
 
     ComparisonKey key;
@@ -94,7 +94,12 @@ struct Comparison {
     std::unique_ptr<Renderer> renderer;  // of a technique
 };
 // Another choice drops what was made for the last one; Off all of it. `now`: seconds, as frames count them.
-void compareWith(Comparison& c, double now, Against against);
+void compareWith(Comparison& c, double now, Against against, const std::string& technique = {});
+// What a person may compare with: "off", "reference", each technique of the table, and "preview" where there is one.
+std::vector<std::string> comparisonNames(const Comparison& c, std::span<const TechniqueRow> techniques);
+// The place of what is compared with among them, and the choice of another by its place.
+int comparisonChosen(const Comparison& c, std::span<const TechniqueRow> techniques);
+void chooseComparison(Comparison& c, double now, std::span<const TechniqueRow> techniques, int chosen);
 // Compares with the project under these settings, which it does not take on.
 void previewSettings(Comparison& c, double now, const CostSetting& setting);
 // The measure that the map of errors shows.
@@ -140,7 +145,8 @@ struct Sweep {
 struct FitShown {
     bool fits = false;
     double budget = 0, ms = 0, appearance = 0, shippedMs = 0, shippedAppearance = 0;
-    std::string settings, better;  // better: the next better one that does not fit, described; "": none was seen
+    std::string technique, settings,
+        better;  // better: the next better one that does not fit, described; "": none was seen
     std::string error;
 };
 struct Fit {

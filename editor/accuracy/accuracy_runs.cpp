@@ -133,8 +133,6 @@ std::string textAt(const Json& j, const char* key) {
 
 bool isViewSetting(const std::string& value) { return value.starts_with("msaa=") || value.starts_with("detail="); }
 
-std::string grassPath(const std::string& entity, const std::string& name) { return entity + ".GrassField." + name; }
-
 std::vector<std::string> grassEntities(const Document& document) {
     std::vector<std::string> names;
     for (const auto& [name, e] : document.project().entities)
@@ -143,12 +141,12 @@ std::vector<std::string> grassEntities(const Document& document) {
 }
 
 Status adoptIn(Document& document, const std::string& entity, const CostSetting& setting) {
-    if (Status s = document.setField(grassPath(entity, "technique"), setting.technique); !s) return s;
+    if (Status s = document.setField(entity + ".GrassField.technique", setting.technique); !s) return s;
     for (const std::string& value : setting.values) {
         const size_t equals = value.find('=');
         if (equals == std::string::npos || isViewSetting(value)) continue;
-        if (Status s = document.setField(grassPath(entity, value.substr(0, equals)), value.substr(equals + 1)); !s)
-            return s;
+        const std::string path = settingPath(document.tables(), entity, setting.technique, value.substr(0, equals));
+        if (Status s = document.setField(path, value.substr(equals + 1)); !s) return s;
     }
     return {};
 }
@@ -217,7 +215,8 @@ bool isPresent(const Document& document, const CostSetting& setting) {
             const size_t equals = value.find('=');
             if (isViewSetting(value)) continue;
             const auto field =
-                findField(document.project(), document.tables().components, grassPath(entity, value.substr(0, equals)));
+                findField(document.project(), document.tables().components,
+                          settingPath(document.tables(), entity, setting.technique, value.substr(0, equals)));
             if (!field || fieldText(*field) != value.substr(equals + 1)) return false;
         }
     }
@@ -246,6 +245,7 @@ Result<FitShown> fitFrom(const std::string& text) {
         return unsound("sward fit gave no result", "measure again");
     FitShown f;
     f.fits = fits->boolean;
+    f.technique = textAt(*j, "technique");
     f.budget = numberAt(*j, "budget_ms");
     f.ms = numberAt(*best, "ms"), f.appearance = numberAt(*best, "appearance"), f.settings = textAt(*best, "settings");
     if (shipped->type == Json::Type::Object)

@@ -66,8 +66,7 @@ struct Verbs {
         v->add_option("--camera", o.camera, "name of one camera (default: all)");
         v->add_option("--path", o.path, "name of a CameraPath to film along, instead of cameras");
         v->add_option("--size", o.size, "WxH in pixels (default: 1024x768)");
-        v->add_option("--technique", o.technique,
-                      techniqueNames(tables().techniques) + " (default: the project's)");
+        v->add_option("--technique", o.technique, techniqueNames(tables().techniques) + " (default: the project's)");
         v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
         v->add_option("--view", o.view, "final, tiers, overdraw, density, depth or normals");
         v->add_option("--msaa", o.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")

@@ -26,6 +26,7 @@ Json candidateJson(const FitCandidate& c) {
 }
 Json fitJson(const FitResult& r, double budgetMs) {
     Json j;
+    j["technique"] = r.technique;
     j["budget_ms"] = budgetMs, j["fits"] = r.fits, j["tried"] = r.tried;
     j["best"] = candidateJson(r.best), j["shipped"] = candidateJson(r.shipped), j["grid"] = candidateJson(r.gridBest),
     j["next_better"] = candidateJson(r.given);

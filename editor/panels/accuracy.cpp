@@ -18,16 +18,16 @@
 namespace sward {
 namespace {
 
-void choices(Comparison& c, double now) {
+void choices(Comparison& c, std::span<const TechniqueRow> techniques, double now) {
     if (!ImGui::BeginTable("choices", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 4.2f);
     ImGui::TableSetupColumn("value");
-    std::vector<std::string> against(std::begin(kAgainst), std::end(kAgainst) - (c.preview ? 0 : 1));
-    int chosen = static_cast<int>(c.against);
+    const std::vector<std::string> against = comparisonNames(c, techniques);
+    int chosen = comparisonChosen(c, techniques);
     caption("Against",
             "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same "
             "grass.");
-    if (ui::combo("Against", against, chosen)) compareWith(c, now, static_cast<Against>(chosen));
+    if (ui::combo("Against", against, chosen)) chooseComparison(c, now, techniques, chosen);
     const ui::Disabled off(c.against == Against::Off);
     const std::vector<std::string> shows(std::begin(kCompareShows), std::end(kCompareShows));
     int show = static_cast<int>(c.show);
@@ -126,7 +126,7 @@ void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     if (!f.error.empty()) return ImGui::TextWrapped("%s", f.error.c_str());
     if (!f.result) return ImGui::TextWrapped("%s", "Finds the tiers that look truest within this time a frame.");
     const FitShown& r = *f.result;
-    const CostSetting setting = settingOf("hybrid", r.settings);
+    const CostSetting setting = settingOf(r.technique, r.settings);
     if (ui::button("Preview")) previewSettings(accuracy.comparison, parts.clock.now, setting);
     ui::tooltip("Shows these settings right of the line in the viewport; the project stays as it is.");
     ImGui::SameLine(0, 6);
@@ -179,7 +179,7 @@ void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, d
         for (const float share : {1.1f, 2.2f, 1.25f})
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
-        choices(c, parts.clock.now);
+        choices(c, parts.doc.tables().techniques, parts.clock.now);
         scores(c, comparisonLabel(c, parts.doc, parts.clock));
         ImGui::TableNextColumn();
         plotColumn(accuracy, parts, edits, lastMs);

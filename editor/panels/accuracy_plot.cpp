@@ -13,20 +13,11 @@
 namespace sward {
 namespace {
 
-struct TechniqueColor {
-    const char* name;
-    ImU32 color;
-};
-constexpr TechniqueColor kColors[] = {{"hybrid", IM_COL32(120, 205, 90, 255)},
-                                      {"geometry", IM_COL32(255, 120, 90, 255)},
-                                      {"slices", IM_COL32(90, 170, 255, 255)},
-                                      {"flat", IM_COL32(205, 190, 110, 255)},
-                                      {"tessellated", IM_COL32(215, 120, 225, 255)}};
-
-ImU32 colorOf(const std::string& technique) {
-    for (const TechniqueColor& c : kColors)
-        if (technique == c.name) return c.color;
-    return IM_COL32_WHITE;
+ImU32 opaque(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
+// A technique's colour; white for rows of one that the table lacks.
+ImU32 colorOf(std::span<const TechniqueRow> techniques, const std::string& name) {
+    const TechniqueRow* row = findTechnique(techniques, name);
+    return row ? opaque(row->color) : IM_COL32_WHITE;
 }
 
 // A logarithmic axis: values to pixels.
@@ -128,13 +119,13 @@ void frontier(const Plot& p, const CostRun& run) {
             1.5f);
 }
 
-void legend(const Plot& p) {
+void legend(const Plot& p, std::span<const TechniqueRow> techniques) {
     float x = p.high.x;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const TechniqueColor& c : kColors) {
-        const ImVec2 size = ImGui::CalcTextSize(c.name);
+    for (const TechniqueRow& row : techniques) {
+        const ImVec2 size = ImGui::CalcTextSize(row.name);
         x -= size.x;
-        list.AddText({x, p.low.y - ImGui::GetFontSize() * 1.3f}, c.color, c.name);
+        list.AddText({x, p.low.y - ImGui::GetFontSize() * 1.3f}, opaque(row.color), row.name);
         x -= 12;
     }
 }
@@ -172,7 +163,11 @@ void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Doc
     for (const CostRow& r : run.rows) {
         if (!isDrawn(r)) continue;
         const ImVec2 at = pointAt(p, r);
-        list.AddCircleFilled(at, &r == hovered ? 5.5f : r.onFrontier ? 4.0f : 3.0f, colorOf(r.technique));
+        list.AddCircleFilled(at,
+                             &r == hovered  ? 5.5f
+                             : r.onFrontier ? 4.0f
+                                            : 3.0f,
+                             colorOf(doc.tables().techniques, r.technique));
         recordPoint(at, r);
         if (marked || !isPresent(doc, settingOf(r.technique, r.settings))) continue;
         marked = true;
@@ -215,7 +210,7 @@ std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, 
     level(p, floors.sampling.distance, "sampling noise", taken);
     level(p, floors.seed.distance, "other blades", taken);
     frontier(p, run);
-    legend(p);
+    legend(p, document.tables().techniques);
     const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
     points(p, run, hovered, document, viewport);
     if (!hovered) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
+#include "scene/technique.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -65,8 +66,10 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
     const ComponentRow& row = owner.component;
     const std::string path = owner.path();
     const bool open = header(path, row.name, true);
-    removeButton(parts, path, "Remove this component",
-                 [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
+    if (value != row.defaults())  // settings that are absent
+        removeButton(
+            parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
+            [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
         const void* field = static_cast<const char*>(value) + f.offset;
@@ -80,10 +83,25 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
     ImGui::Spacing();
 }
 
+// Whether settings act: those of the technique that the entity's field is drawn by.
+bool acts(const Document& doc, Entity e, const ComponentRow& row) {
+    const GrassField* field = doc.project().registry.get<GrassField>(e);
+    const TechniqueRow* technique = field ? findTechnique(doc.tables().techniques, field->technique) : nullptr;
+    return technique && std::find(technique->settings.begin(), technique->settings.end(), std::string_view(row.name)) !=
+                            technique->settings.end();
+}
+// What the inspector shows of a component: settings only where they act, and then their defaults if they are absent.
+const void* shownComponent(const Document& doc, Entity e, const ComponentRow& row) {
+    const void* own = row.get(doc.project().registry, e);
+    if (!row.settingsOf) return own;
+    if (!acts(doc, e, row)) return nullptr;
+    return own ? own : row.defaults();
+}
+
 void addComponent(const FieldParts& parts, const std::string& entity, Entity e) {
     std::vector<std::string> names;
     for (const ComponentRow& row : parts.doc.tables().components)
-        if (!row.get(parts.doc.project().registry, e)) names.push_back(row.name);
+        if (!row.settingsOf && !row.get(parts.doc.project().registry, e)) names.push_back(row.name);
     int chosen = -1;
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "Add component");
@@ -107,7 +125,7 @@ void drawInspector(const FieldParts& parts, const std::string& selected, ViewSta
     }
     ImGui::BeginChild("fields");
     for (const ComponentRow& row : doc.tables().components)
-        if (const void* value = row.get(doc.project().registry, e)) component(parts, view, {selected, row}, value);
+        if (const void* value = shownComponent(doc, e, row)) component(parts, view, {selected, row}, value);
     addComponent(parts, selected, e);
     ImGui::EndChild();
 }

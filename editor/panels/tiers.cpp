@@ -45,7 +45,7 @@ void setAll(const FieldParts& parts, const std::string& entity, const TierDistan
 void deferAll(const FieldParts& parts, const std::string& entity,
               std::function<TierDistances(const TierDistances&)> change) {
     parts.edits.deferred.push_back([parts, entity, change = std::move(change)] {
-        if (const GrassField* field = tierField(parts.doc, entity)) setAll(parts, entity, change(tiersOf(*field)));
+        if (const HybridTiers* field = tierField(parts.doc, entity)) setAll(parts, entity, change(tiersOf(*field)));
     });
 }
 
@@ -104,7 +104,8 @@ void chooseField(const Document& doc, std::string& chosenField, std::string& ent
     if (ui::combo("Field", names, chosen)) chosenField = entity = names[static_cast<size_t>(chosen)];
 }
 
-void numberOf(const FieldParts& parts, const std::string& entity, const char* component, const char* name, const char* title) {
+void numberOf(const FieldParts& parts, const std::string& entity, const char* component, const char* name,
+              const char* title) {
     const ConstFieldRef field = fieldNamed(parts.doc, entity, component, name);
     double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
                                                      : static_cast<double>(*static_cast<const float*>(field.value));

@@ -133,7 +133,8 @@ std::optional<CostSetting> plainest(const Sweep& s, const Prepared& p) {
     const FieldEntity field = fieldsOf(p.project).front().second;
     const TechniqueRow* least = nullptr;
     for (const TechniqueRow& row : s.tables.techniques)
-        if (row.tiers(field).blades.max <= 0 && (!least || row.features(field).count() < least->features(field).count()))
+        if (row.tiers(field).blades.max <= 0 &&
+            (!least || row.features(field).count() < least->features(field).count()))
             least = &row;
     return least ? std::optional(CostSetting{least->name, {}}) : std::nullopt;
 }
@@ -175,8 +176,9 @@ std::string tooSlow(const Sweep& s, size_t row, const Prepared& p) {
         if (s.run.rows[slow].camera == s.run.rows[row].camera &&
             drawsNoLess(setting, s.request.settings[s.settings[slow]]))
             return fmt::format("draws no less than {}: {}", s.run.rows[slow].settings, s.run.rows[slow].skipped);
-    const double blades = static_cast<double>(submittedBlades(p.project, s.tables, p.camera, p.view.width, p.view.height)) *
-                          static_cast<double>(p.view.detail);
+    const double blades =
+        static_cast<double>(submittedBlades(p.project, s.tables, p.camera, p.view.width, p.view.height)) *
+        static_cast<double>(p.view.detail);
     const double expected = s.msOfRest + s.msPerBlade * blades;
     return expected > kSure * s.msLimit ? fmt::format("{:.3g} blades would take about {:.0f} ms, the limit is {:.0f}",
                                                       blades, expected, s.msLimit)

@@ -7,7 +7,7 @@
 namespace sward {
 
 // Empty (width 0) if no row of the camera was drawn and timed.
-Plot costPlot(const CostRun& run, const std::string& camera, std::span<const TechniqueRow> techniques,
-              int width = 900, int height = 600);
+Plot costPlot(const CostRun& run, const std::string& camera, std::span<const TechniqueRow> techniques, int width = 900,
+              int height = 600);
 
 }  // namespace sward

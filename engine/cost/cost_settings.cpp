@@ -58,8 +58,7 @@ std::string CostSetting::text() const {
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
                                               const std::string& technique) {
     const auto fields = fieldsOf(project);
-    if (fields.empty())
-        return unsound("the project has no grass", "add a GrassField").at(project.dir);
+    if (fields.empty()) return unsound("the project has no grass", "add a GrassField").at(project.dir);
     if (!technique.empty() && !findTechnique(tables.techniques, technique))
         return usage("there is no technique \"" + technique + "\"", techniqueNames(tables.techniques));
     std::vector<CostSetting> out;
@@ -90,8 +89,7 @@ Status applySetting(Project& project, const Tables& tables, const CostSetting& s
             if (Status s = setField(project, tables, name + ".GrassField.technique", setting.technique); !s) return s;
         for (const std::string& value : setting.values) {
             const size_t equals = value.find('=');
-            if (equals == std::string::npos)
-                return usage("\"" + value + "\" has no '='", "write NAME=VALUE");
+            if (equals == std::string::npos) return usage("\"" + value + "\" has no '='", "write NAME=VALUE");
             const std::string what = value.substr(0, equals), to = value.substr(equals + 1);
             const auto ofView = setView(view, what, to);
             if (!ofView) return ofView.error();

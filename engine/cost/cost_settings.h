@@ -9,7 +9,8 @@
 
 namespace sward {
 
-// Values by name: of a field of the technique's settings or of GrassField ("maxGeom=6"), or of the view ("msaa=1", "detail=0.5").
+// Values by name: of a field of the technique's settings or of GrassField ("maxGeom=6"), or of the view ("msaa=1",
+// "detail=0.5").
 struct CostSetting {
     std::string technique;  // a row of the table; empty: the fields' own
     std::vector<std::string> values;

@@ -256,8 +256,7 @@ ViewCamera heldOutCamera(ViewCamera c) {
 
 Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables) {
     const auto fields = fieldsOf(project);
-    if (fields.empty())
-        return unsound("the project has no grass", "add a GrassField").at(project.dir);
+    if (fields.empty()) return unsound("the project has no grass", "add a GrassField").at(project.dir);
     const TechniqueRow* own = findTechnique(tables.techniques, fields.front().second.grows.technique);
     if (own && !own->knobs.empty()) return own;
     for (const TechniqueRow& row : tables.techniques)

@@ -1,11 +1,11 @@
 // The settings with the least appearance error within a budget of time, over a project's cameras, or moments of a path.
 // Search: a pattern search (Hooke and Jeeves 1961) over the knobs of the field's technique, such as where blades end,
-// where slices end, how wide the fade between them is, and how sharp slices are. Each step is the double or the half, then less; no
-// model of cost is assumed, times are measured. A candidate fits if its slowest camera's median is within the budget;
-// of those that fit, the least mean appearance wins. One that takes half as much again from a camera is not drawn from
-// the others. Beside it a grid (each of three knobs at three values on a log scale) and the shipped
-// settings are measured by the same rule, and all three are drawn from cameras that the search did not see. Does not:
-// save the project (the caller does). The order of candidates is the same each time but for what times decide.
+// where slices end, how wide the fade between them is, and how sharp slices are. Each step is the double or the half,
+// then less; no model of cost is assumed, times are measured. A candidate fits if its slowest camera's median is within
+// the budget; of those that fit, the least mean appearance wins. One that takes half as much again from a camera is not
+// drawn from the others. Beside it a grid (each of three knobs at three values on a log scale) and the shipped settings
+// are measured by the same rule, and all three are drawn from cameras that the search did not see. Does not: save the
+// project (the caller does). The order of candidates is the same each time but for what times decide.
 #pragma once
 #include "cost/cost.h"
 #include "world/view_camera.h"
@@ -37,8 +37,8 @@ struct FitRequest {
     int candidates = 40;  // that the search may measure
     CostRequest cost;     // views, size, truth, folder for truths; settings and shards are not read
 };
-// The technique whose knobs a fit turns (TechniqueRow::knobs): that of the project's first field, or, where it has none,
-// the first of the table that has some. Unsound: the project has no grass.
+// The technique whose knobs a fit turns (TechniqueRow::knobs): that of the project's first field, or, where it has
+// none, the first of the table that has some. Unsound: the project has no grass.
 Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables);
 // Measures at most `request.candidates` settings of the project's fields and returns the best. Truths are traced first
 // and kept in cost.folder. Failed: the folder cannot be made. Unsound: the project has no grass. Interrupted:

@@ -123,9 +123,8 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
         for (const Species& s : f.species) {
             const UniqueBlades own = isUnique(f) ? makeUnique(s, f, *ground.terrain) : UniqueBlades{};
             const Patch patch = isUnique(f) ? own.patch : makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed));
-            CellQuery q = cellQuery({*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades,
-                                     fadeOf(field)},
-                                    from);
+            CellQuery q = cellQuery(
+                {*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades, fadeOf(field)}, from);
             if (!own.empty()) q.unique = &own;
             sum += count(q);
         }
@@ -136,7 +135,8 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
 }  // namespace
 
 uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height) {
-    return sumOverSpecies({project, tables.techniques, camera, width, height}, [](const CellQuery& q) { return countVisible(q); });
+    return sumOverSpecies({project, tables.techniques, camera, width, height},
+                          [](const CellQuery& q) { return countVisible(q); });
 }
 
 uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width,

@@ -1,5 +1,5 @@
-// What grows on the soil, for who lights the ground (shaders/lib/soil.glsl): whoever grows it says how much light it leaves
-// and by which maps, and the ground's program is compiled for that. Does not: know species or fields by name.
+// What grows on the soil, for who lights the ground (shaders/lib/soil.glsl): whoever grows it says how much light it
+// leaves and by which maps, and the ground's program is compiled for that. Does not: know species or fields by name.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -8,8 +8,8 @@
 
 namespace sward {
 
-// Which of the maps a field and its species read, by their numbers in SoilCover::maps; -1: none, and then the density, or
-// the share of height or sky, is 1.
+// Which of the maps a field and its species read, by their numbers in SoilCover::maps; -1: none, and then the density,
+// or the share of height or sky, is 1.
 struct SoilNumbers {
     int height = -1, occlusion = -1;
     std::vector<int> density;  // by species
@@ -20,9 +20,9 @@ std::string soilConstants(const std::vector<SoilNumbers>& fields);
 std::vector<std::string> soilVariants();
 
 struct SoilCover {
-    GLuint globals = 0;         // SoilGlobals
-    std::string constants;      // of soilConstants; empty: nothing grows
-    std::vector<GLuint> maps;   // textures, bound from TEX_SOIL on
+    GLuint globals = 0;        // SoilGlobals
+    std::string constants;     // of soilConstants; empty: nothing grows
+    std::vector<GLuint> maps;  // textures, bound from TEX_SOIL on
 };
 
 }  // namespace sward

@@ -98,8 +98,8 @@ void publishMaps(DrawContext& ctx, Field& field) {
     field.orientation = texture(f.orientation, "orientation", "grass/orientation", false, true);
     field.vegetation = texture(f.vegetation, "vegetation", "grass/vegetation", true, true);
     field.forces = texture(f.forces, "forces", "grass/force-map", false, true);
-    field.bladeHeights = texture(f.bladeHeight, "bladeHeight", "grass/heights", false,
-                                 tilingOf(t, f.bladeHeightTiling).repeats);
+    field.bladeHeights =
+        texture(f.bladeHeight, "bladeHeight", "grass/heights", false, tilingOf(t, f.bladeHeightTiling).repeats);
     field.occlusion = texture(f.ambientOcclusion, "ambientOcclusion", "grass/occlusion", false, true);
 }
 

@@ -62,8 +62,8 @@ struct FieldSpecies {
 // A field as this view draws it.
 struct GrassView {
     FieldEntity of;
-    FeatureSet own;       // what this field asks for in this view
-    FeatureSet features;  // the scene's without other fields': what this field's programs are compiled for
+    FeatureSet own;         // what this field asks for in this view
+    FeatureSet features;    // the scene's without other fields': what this field's programs are compiled for
     std::string constants;  // featureConstants(features)
     FieldTiers tiers;
     template <class C>
@@ -136,7 +136,8 @@ CellQuery patchQuery(const DrawContext& ctx, const Field& field, size_t species,
 // Instance attributes 0 to 3 of a mesh: cell, corner relative to the eye, mirror, shift, as CellInstance and SliceCell
 // are.
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices);
-// Makes the pass's program current for a field, binds its maps, and begins its transparency; false if it does not compile.
+// Makes the pass's program current for a field, binds its maps, and begins its transparency; false if it does not
+// compile.
 bool beginField(DrawContext& ctx, const Field& field, size_t program, const std::string& constants);
 // Blending and tests of the field's way with part-covered pixels (section 4.2), and back.
 void beginTransparency(const DrawContext& ctx, const Field& field);

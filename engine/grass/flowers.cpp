@@ -151,7 +151,8 @@ void update(DrawContext& ctx) {
 void draw(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
     // They stand among the first field's grass: its maps lower, shade and press them.
-    const Field* among = ctx.shared.grass && !ctx.shared.grass->all.empty() ? ctx.shared.grass->all.front().get() : nullptr;
+    const Field* among =
+        ctx.shared.grass && !ctx.shared.grass->all.empty() ? ctx.shared.grass->all.front().get() : nullptr;
     if (!ctx.use(0, {}, among ? &among->view->constants : nullptr)) return;
     if (among) bindField(*among);
     for (const auto& [entity, k] : s.kinds) {

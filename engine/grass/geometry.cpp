@@ -98,9 +98,7 @@ float shadingShare(const Look& look, float sinElevation) {
 }
 
 // A renderer that shades vertices on the CPU has its blades listed there, unless the field wants it otherwise.
-bool gpuChooses(Culling who, const Gpu& gpu) {
-    return who == Culling::Gpu || (who == Culling::Auto && !gpu.software);
-}
+bool gpuChooses(Culling who, const Gpu& gpu) { return who == Culling::Gpu || (who == Culling::Auto && !gpu.software); }
 
 // Cells that the CPU chooses, as instances and commands.
 void selectHere(DrawContext& ctx, SpeciesState& s, const CellQuery& query, Transparency way) {

@@ -52,8 +52,7 @@ void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
         return;
     }
     BladeList list;
-    const bool listed =
-        blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, field, i, share)).tooMany;
+    const bool listed = blades.count > 0 && ctx.gpu.software && !(list = shadowList(ctx, one, field, i, share)).tooMany;
     if (listed)
         writeBuffer(ctx.gpu, one.listed, kOwner, list.indices.size() * sizeof(uint32_t), list.indices.data());
     else

@@ -262,7 +262,8 @@ void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t
     const float nearest = std::max(f.view->tiers.slicesFrom, 0.0f);
     const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
-        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER, small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+        glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER,
+                            small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
         glTextureParameteri(s->id(), GL_TEXTURE_MAG_FILTER, small ? GL_NEAREST : GL_LINEAR);
     }
 }
@@ -318,8 +319,7 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float 
 void updateFar(DrawContext& ctx) {
     FarState& state = ctx.own<FarState>();
     if (!ctx.shared.grass) return;
-    if (!state.nodes.id())
-        state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     state.selected.clear();
     for (Field* field : fieldsWith(ctx, Feature::GrassFar)) {
         for (size_t i = 0; i < field->species.size(); ++i) {
@@ -367,7 +367,8 @@ void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room)
 }
 
 void beginFar(const DrawContext& ctx, const Field& field) {
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = has(field.view->own, Feature::GrassBlended);
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw,
+               blended = has(field.view->own, Feature::GrassBlended);
     if (overdraw || blended)
         glEnable(GL_BLEND);
     else
@@ -400,8 +401,7 @@ void drawFieldShadow(DrawContext& ctx, const Field& field, const Buffer& room) {
     const std::vector<TerrainNode> shaded = farNodes(ctx, field, field.view->tiers.shadowsTo);
     if (shaded.empty() || !ctx.use(0, fieldConstants(field.view->of), &field.view->constants)) return;
     bindField(field);
-    const bool sun =
-        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
+    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
     const int lamps = ctx.shared.lights.casting;
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
         for (size_t i = 0; i < field.species.size(); ++i) {

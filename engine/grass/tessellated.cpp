@@ -130,10 +130,10 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState&
     const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.widening;
     const CellQuery query = queryOf(ctx, field, i);
     const bool byGpu = field.view->settings<GrassDrawing>().culling != Culling::Cpu && gpuMayChoose(query);
-    chooseCells(ctx, s.chosen,
-                {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu),
-                 byGpu},
-                kOwner);
+    chooseCells(
+        ctx, s.chosen,
+        {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), byGpu},
+        kOwner);
     planBatches(ctx.gpu, field.view->features, s);
     planPoints(ctx.gpu, s, species.smoothness);
     writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
@@ -160,11 +160,8 @@ void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s
     if (!ctx.use(kList, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
-    glUniform1ui(0, s.chosen.count);
-    glUniform1ui(1, s.batchVertices);
-    glUniform1ui(2, s.batches);
-    glUniform1ui(3, s.drawPoints);
-    glUniform1ui(4, s.pointDraws);
+    glUniform4ui(0, s.chosen.count, s.batchVertices, s.batches, s.drawPoints);
+    glUniform1ui(1, s.pointDraws);
     glDispatchCompute(1, 1, 1);
     if (ctx.settings.measure) recount(ctx, s.chosen);
 }
@@ -246,9 +243,8 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
 }
 
 void prepareStrips(DrawContext& ctx, SpeciesState& s, const FeatureSet& features, int smoothness) {
-    const size_t size = vertexBytes(features),
-                 over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
-                        static_cast<uint64_t>(smoothness + 1);
+    const size_t size = vertexBytes(features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
+                                                      static_cast<uint64_t>(smoothness + 1);
     writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
     writeBuffer(ctx.gpu, s.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
     if (s.indicesTo != smoothness) {
@@ -272,10 +268,7 @@ struct StripPrograms {
 
 bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
-    glUniform1ui(0, batch);
-    glUniform1ui(1, batch * s.batchVertices);
-    glUniform1ui(2, s.batchPieces);
-    glUniform1ui(3, pieceBlades(ctx.gpu));
+    glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
     glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
@@ -305,8 +298,8 @@ void drawBatches(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s
         if (writeStrips(ctx, s, b, p)) drawStrips(ctx, s, p);
 }
 
-// Whether a blade shows all of a sample or nothing: what strips are compiled with, beside what all of the field's shaders
-// are.
+// Whether a blade shows all of a sample or nothing: what strips are compiled with, beside what all of the field's
+// shaders are.
 std::string allOrNothing(Transparency way, int samples) {
     return fmt::format("const bool ALL_OR_NOTHING = {};\n", samples == 1 && way == Transparency::Coverage);
 }
@@ -348,8 +341,7 @@ void draw(DrawContext& ctx) {
 std::vector<std::string> stripVariants() {
     std::vector<std::string> out;
     GrassDrawing drawing;
-    for (const Transparency way :
-         {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend})
+    for (const Transparency way : {Transparency::Coverage, Transparency::Both, Transparency::Test, Transparency::Blend})
         for (const int samples : {1, 4}) {
             drawing.transparency = way;
             out.push_back(fieldConstants(drawing, {}) + allOrNothing(way, samples));

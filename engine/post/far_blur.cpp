@@ -42,7 +42,8 @@ void pass(DrawContext& ctx, GLuint from, GLuint target, int axis) {
 // Of the first field by name that blurs: the pass runs only where one does.
 const FarLook& lookOf(const Project& project) {
     for (const auto& [name, e] : project.entities)
-        if (const FarLook* look = project.registry.get<FarLook>(e); look && look->farBlur != FarBlur::None) return *look;
+        if (const FarLook* look = project.registry.get<FarLook>(e); look && look->farBlur != FarBlur::None)
+            return *look;
     static const FarLook none;
     return none;
 }

@@ -229,8 +229,7 @@ float GrassRays::lightLeft(const glm::dvec2& place, float sinElevation, FieldBit
         if (!(of >> field->number & 1)) continue;
         const glm::dvec2 ground = place * mapExtent(*field->terrain);
         for (const auto& kind : field->kinds)
-            left *= glm::mix(1.0f,
-                             std::pow(sward::lightLeft(kind->look, sinElevation), bladeShareAt(*field, ground)),
+            left *= glm::mix(1.0f, std::pow(sward::lightLeft(kind->look, sinElevation), bladeShareAt(*field, ground)),
                              densityAt(*field, *kind->species, ground));
     }
     return left;

@@ -1,9 +1,10 @@
-// Rays through all fields of grass: every blade that the maps call for, posed and coloured where it stands by the shared numerics,
-// met exactly (numerics/ribbon.h). No level of detail, no fading: a blade exists where the density reaches its
-// threshold. How: a field repeats a patch, but paint and clumps lean each copy's blades another way. Embree holds one
-// scene of boxes a patch, wide enough for every lean within a class (prefix of thresholds, mean lean, spread); a blade
-// is posed when a ray meets its box, kept for a while, and tested in closed form. So memory does not grow with the
-// field, and a cell seen once costs what was seen. Does not: ground, objects, light. Cost: 2 to 10 us a ray.
+// Rays through all fields of grass: every blade that the maps call for, posed and coloured where it stands by the
+// shared numerics, met exactly (numerics/ribbon.h). No level of detail, no fading: a blade exists where the density
+// reaches its threshold. How: a field repeats a patch, but paint and clumps lean each copy's blades another way. Embree
+// holds one scene of boxes a patch, wide enough for every lean within a class (prefix of thresholds, mean lean,
+// spread); a blade is posed when a ray meets its box, kept for a while, and tested in closed form. So memory does not
+// grow with the field, and a cell seen once costs what was seen. Does not: ground, objects, light. Cost: 2 to 10 us a
+// ray.
 #pragma once
 #include <memory>
 #include <optional>
@@ -31,8 +32,9 @@ inline constexpr FieldBits kAllFields = ~FieldBits{0};
 
 class GrassRays {
   public:
-    // Of all of the project's fields as its wind bends them at a scene time; `p` must outlive it. A project without grass
-    // or terrain has rays that meet nothing. Failed without memory or when cancelled; Unsound if there are too many.
+    // Of all of the project's fields as its wind bends them at a scene time; `p` must outlive it. A project without
+    // grass or terrain has rays that meet nothing. Failed without memory or when cancelled; Unsound if there are too
+    // many.
     static Result<GrassRays> make(const Project& p, double time, const JobControl& control);
     GrassRays(GrassRays&&) noexcept;
     GrassRays& operator=(GrassRays&&) noexcept;

@@ -1,5 +1,5 @@
-// One field of grass as rays see it: its kinds of blades, each posed where it stands when a ray first meets its box, and
-// kept for a while. For grass_rays.cpp. Does not: walk along a ray.
+// One field of grass as rays see it: its kinds of blades, each posed where it stands when a ray first meets its box,
+// and kept for a while. For grass_rays.cpp. Does not: walk along a ray.
 #pragma once
 #include <map>
 #include <memory>
@@ -46,7 +46,6 @@ struct Kept {
 };
 constexpr size_t kCells = 1 << 12, kBlades = 1 << 17;
 
-
 struct GrassMemory::Tables {
     std::vector<Cell> cells{kCells};
     std::vector<Kept> blades{kBlades};
@@ -85,7 +84,7 @@ struct Kind {
 
 // A field of grass as its wind bends it at a time.
 struct RayField {
-    uint32_t number = 0;  // among the scene's fields
+    uint32_t number = 0;   // among the scene's fields
     size_t firstKind = 0;  // kinds of the fields before it: blades are remembered by kind
     const Terrain* terrain = nullptr;
     const GrassField* grass = nullptr;
@@ -97,7 +96,6 @@ struct RayField {
     std::vector<Force> forces;
     std::vector<std::unique_ptr<Kind>> kinds;
 };
-
 
 // A ray within a cell, as the callbacks of its scene see it. First member: Embree's.
 struct Query {

@@ -201,8 +201,7 @@ float skyShare(const View& v, const Surface& s) {
         const GrassField& f = *v.fields[i];
         if (!f.ambientOcclusion.present() || (s.met == Met::Blade && s.field != i)) continue;
         least = std::min(
-            least,
-            paintedAt(f.ambientOcclusion.map, s.place, static_cast<double>(f.ambientOcclusionTiling), false).x);
+            least, paintedAt(f.ambientOcclusion.map, s.place, static_cast<double>(f.ambientOcclusionTiling), false).x);
     }
     return least;
 }

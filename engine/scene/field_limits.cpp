@@ -28,14 +28,16 @@ std::optional<FieldFault> brokenLimit(const Project& p) {
         };
         if (f.species.size() > kMaxSpecies)
             return fault("species", fmt::format("{} species; a field may have {}", f.species.size(), kMaxSpecies));
-        if (fields > kMaxFields) return fault("", fmt::format("it is field {}; a scene may have {}", fields, kMaxFields));
+        if (fields > kMaxFields)
+            return fault("", fmt::format("it is field {}; a scene may have {}", fields, kMaxFields));
         if (species > kMaxSceneSpecies)
-            return fault("species", fmt::format("with it fields have {} species; a scene may have {}", species,
-                                                kMaxSceneSpecies));
+            return fault("species",
+                         fmt::format("with it fields have {} species; a scene may have {}", species, kMaxSceneSpecies));
         if (maps > kMaxSoilMaps)
-            return fault("species", fmt::format("with it fields have {} density, blade-height and ambient-occlusion maps; "
-                                                "a scene may have {}",
-                                                maps, kMaxSoilMaps));
+            return fault("species",
+                         fmt::format("with it fields have {} density, blade-height and ambient-occlusion maps; "
+                                     "a scene may have {}",
+                                     maps, kMaxSoilMaps));
     }
     return std::nullopt;
 }

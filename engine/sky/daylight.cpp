@@ -1,5 +1,7 @@
 #include "sky/daylight.h"
 
+#include <algorithm>
+
 #include "core/numerics.h"
 #include "scene/project.h"
 #include "sky/exposure.h"

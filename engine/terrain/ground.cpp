@@ -164,7 +164,8 @@ const System kSystems[] = {
     {"terrain/maps", {.writes = {Slot::Ground}}, prepare, true},
     {"terrain/select", {.reads = {Slot::Ground, Slot::Haze}, .writes = {Slot::GroundNodes}}, select}};
 const ProgramRow kDepthPrograms[] = {{"terrain/depth", "terrain/ground.vert.glsl", nullptr, nullptr}};
-const ProgramRow kPrograms[] = {{"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr, soilVariants}};
+const ProgramRow kPrograms[] = {
+    {"terrain/ground", "terrain/ground.vert.glsl", "terrain/ground.frag.glsl", nullptr, soilVariants}};
 const Pass kDepthPasses[] = {{"terrain/depth",
                               Stage::Depth,
                               kViewMain | kViewReflection,

@@ -14,11 +14,12 @@ layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer TessCellBlock { TessCell cells[]; };
 layout(std430, binding = SSBO_LIST) coherent buffer ListBlock { uint list[]; };
-layout(location = 0) uniform uint chosenCount;
-layout(location = 1) uniform uint batchVertices;  // at most, of the pieces that begin in a batch
-layout(location = 2) uniform uint batchCount;
-layout(location = 3) uniform uint drawPoints;  // at most, of a command
-layout(location = 4) uniform uint pointDraws;
+layout(location = 0) uniform uvec4 job;  // in one call; by name below
+layout(location = 1) uniform uint pointDraws;
+uint chosenCount = job.x;
+uint batchVertices = job.y;  // at most, of the pieces that begin in a batch
+uint batchCount = job.z;
+uint drawPoints = job.w;  // at most, of a command
 
 // Of all before: pieces, blades, vertices.
 shared uvec3 sums[2u * kRuns];

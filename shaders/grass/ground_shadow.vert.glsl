@@ -35,7 +35,8 @@ void main() {
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = species.index;
     float near = 1.0 - lodRamp(length(s.root), cover.shadeFrom, cover.shadeInv);
-    SoilShares soil = soilShares(soilLeft(cover.species[kind].shade, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
+    SoilShares soil =
+        soilShares(soilLeft(cover.species[kind].shade, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
     vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 

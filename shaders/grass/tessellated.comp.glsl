@@ -18,11 +18,12 @@ layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
 layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
     uint commands[];
-};                                              // of strips five words, then of triangles four
-layout(location = 0) uniform uint batch;        // its number
-layout(location = 1) uniform uint batchVertex;  // its first
-layout(location = 2) uniform uint batchPieces;  // at most
-layout(location = 3) uniform uint pieceBlades;  // at most
+};                                       // of strips five words, then of triangles four
+layout(location = 0) uniform uvec4 job;  // in one call; by name below
+uint batch = job.x;                      // its number
+uint batchVertex = job.y;                // its first
+uint batchPieces = job.z;                // at most
+uint pieceBlades = job.w;                // at most
 
 // Words of a vertex: clip position (4); light, as halves (2); along and opacity, as 16 bits each: coverage by chance
 // turns on their last bits (1); grain, whose first two bits are across and whether it is plain (1); where blades shade

@@ -35,10 +35,9 @@ float density(vec2 uv) {
         t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
     else
         t = bilinearTap(uv.x, uv.y, size.x, size.y);
-    return bilinearMix(texelFetch(densityMap, ivec2(t.x0, t.y0), 0).r,
-                       texelFetch(densityMap, ivec2(t.x1, t.y0), 0).r,
-                       texelFetch(densityMap, ivec2(t.x0, t.y1), 0).r,
-                       texelFetch(densityMap, ivec2(t.x1, t.y1), 0).r, t.fx, t.fy);
+    return bilinearMix(texelFetch(densityMap, ivec2(t.x0, t.y0), 0).r, texelFetch(densityMap, ivec2(t.x1, t.y0), 0).r,
+                       texelFetch(densityMap, ivec2(t.x0, t.y1), 0).r, texelFetch(densityMap, ivec2(t.x1, t.y1), 0).r,
+                       t.fx, t.fy);
 }
 
 Stand standAt(CellInstance cell, Blade b, float v, float across) {

@@ -23,8 +23,8 @@ vec3 castLight(int i, vec3 at, vec3 n) {
 struct SoilShares {
     float ambient, mean, casting;
 };
-// Of grass that leaves `shades` in the mean. near: 1 where blades are drawn, 0 where they are not; sky: share of the sky
-// that the ground sees.
+// Of grass that leaves `shades` in the mean. near: 1 where blades are drawn, 0 where they are not; sky: share of the
+// sky that the ground sees.
 SoilShares soilShares(float shades, float near, float sky) {
     bool drawn = GROUND_SHADOWS && CASTING_LIGHTS;
     return SoilShares(shades * sky, shades, drawn ? mix(shades, 1.0, near) : shades);
@@ -37,7 +37,8 @@ vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
     for (int i = 0; i < lampCount(); ++i) sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), s);
     return sum;
 }
-// Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach there.
+// Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach
+// there.
 vec3 shadowShare(int i, vec3 at, vec3 n, SoilShares s) {
     return clamp(castLight(i, at, n) * directShare(true, s) / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0),
                  vec3(1.0));

@@ -1,7 +1,7 @@
-// What grows on the ground under a fragment, over all fields: the share of light that it leaves to the soil. Needs: const
-// bool GRASS, GRASS_HEIGHTS and those of ground_light.glsl; ground_light.glsl; SOIL_EACH, which the program is compiled
-// with (frame/soil.h): for each field SOIL_FIELD, then SOIL_SPECIES for each of its species, then SOIL_SHARE. Texture
-// arrays take constant numbers alone on some drivers, so that a loop over species would not do.
+// What grows on the ground under a fragment, over all fields: the share of light that it leaves to the soil. Needs:
+// const bool GRASS, GRASS_HEIGHTS and those of ground_light.glsl; ground_light.glsl; SOIL_EACH, which the program is
+// compiled with (frame/soil.h): for each field SOIL_FIELD, then SOIL_SPECIES for each of its species, then SOIL_SHARE.
+// Texture arrays take constant numbers alone on some drivers, so that a loop over species would not do.
 #include "lib/frame.glsl"
 #include "lib/ground_light.glsl"
 #include "numerics/lod.h"

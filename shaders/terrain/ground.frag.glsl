@@ -35,5 +35,6 @@ void main() {
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
     if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
-    if (viewMode() == VIEW_DENSITY) color.rgb = mix(vec3(0.35, 0.18, 0.05), vec3(0.1, 0.9, 0.2), clamp(grown, 0.0, 1.0));
+    if (viewMode() == VIEW_DENSITY)
+        color.rgb = mix(vec3(0.35, 0.18, 0.05), vec3(0.1, 0.9, 0.2), clamp(grown, 0.0, 1.0));
 }
