@@ -95,7 +95,8 @@ void prepare(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     const bool level = !t.height.present();
-    ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
+    const std::string path = entityOf(ctx.project, t) + ".Terrain.height";
+    ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", path, t.height.map);
     FrameGlobals& g = ctx.globals;
     g.terrainSize = t.size;
     g.terrainShare = 1.0 / t.size;
