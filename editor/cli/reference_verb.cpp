@@ -96,7 +96,7 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
     Json j;
     j["sward"] = SWARD_VERSION, j["project"] = s.project.name, j["camera"] = s.camera,
     j["samples"] = s.settings.samples;
-    j["lighting"] = kReferenceLightings[static_cast<size_t>(s.settings.lighting)], j["seconds"] = seconds;
+    j["lighting"] = kReferenceLightings[s.settings.lighting], j["seconds"] = seconds;
     j["size"].push(s.settings.width), j["size"].push(s.settings.height);
     if (s.settings.shards == 1) j["mean_error"] = meanOf(truth->error), j["grass"] = meanOf(truth->grass);
     j["memory"]["host_peak_bytes"] = int64_t(used.ru_maxrss) * 1024;

@@ -81,8 +81,8 @@ void drawCameraTools(const FieldParts& parts, ViewState& view, const std::string
                      const void* component) {
     const std::string path = entity + "." + row.name;
     const ui::Disabled walks(playing(parts.doc));
-    if (std::string_view(row.name) == "Camera") cameraTools(parts, view, path, *static_cast<const Camera*>(component));
-    if (std::string_view(row.name) == "CameraPath")
+    if (isRowOf<Camera>(row)) cameraTools(parts, view, path, *static_cast<const Camera*>(component));
+    if (isRowOf<CameraPath>(row))
         pathTools(parts, view, path, *static_cast<const CameraPath*>(component));
 }
 

@@ -17,10 +17,9 @@ namespace {
 
 std::vector<std::string> cameraNames(const Document& doc) {
     std::vector<std::string> names;
-    const ComponentRow* row = findComponent(doc.tables().components, "Camera");
-    if (!row || !doc.isOpen()) return names;
+    if (!doc.isOpen()) return names;
     for (const auto& [name, entity] : doc.project().entities)
-        if (row->get(doc.project().registry, entity)) names.push_back(name);
+        if (doc.project().registry.get<Camera>(entity)) names.push_back(name);
     return names;
 }
 

@@ -43,7 +43,7 @@ void scaleBar(const Comparison& c, const Rect& r) {
                            {x + w * static_cast<float>(i + 1) / kParts, y + h}, color);
     }
     list.AddText({x, y - 17}, IM_COL32_WHITE,
-                 fmt::format("{} error", kErrorMetrics[static_cast<size_t>(c.metric)]).c_str());
+                 fmt::format("{} error", kErrorMetrics[c.metric]).c_str());
     list.AddText({x - 10, y - 3}, IM_COL32_WHITE, "0");
     list.AddText({x + w + 5, y - 3}, IM_COL32_WHITE, fmt::format("{:g}", heatScale(c.metric)).c_str());
 }

@@ -313,7 +313,7 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
     s.hash = sweepHash(request, project, tables);
     s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height,
     s.run.samples = request.truth.samples;
-    s.run.lighting = kReferenceLightings[static_cast<size_t>(request.truth.lighting)];
+    s.run.lighting = kReferenceLightings[request.truth.lighting];
     s.run.machines.push_back({gpu.renderer, "wall-finish", workerCount()});
     listRows(s);
     if (Status st = traceTruths(s); !st) return st.error();

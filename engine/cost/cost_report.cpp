@@ -58,7 +58,7 @@ std::optional<fs::path> heatFile(const fs::path& image, const fs::path& truth, E
     const auto pair = pairPictures(pictureOf(*a, false), pictureOf(*b, false));
     if (!pair) return {};
     const fs::path file =
-        fs::path(image).replace_extension(std::string(".") + kErrorMetrics[static_cast<size_t>(metric)] + ".png");
+        fs::path(image).replace_extension(std::string(".") + kErrorMetrics[metric] + ".png");
     if (!writeImagePng(file, a->width, a->height, 3, heatmap(errorMap(*pair, metric), heatScale(metric)))) return {};
     return file;
 }

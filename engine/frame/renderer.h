@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "core/error.h"
 #include "core/jobs.h"
 #include "gpu/gpu.h"
@@ -17,7 +18,7 @@
 namespace sward {
 
 enum class ViewMode { Final, Tiers, Overdraw, Density, Depth, Normals };
-inline constexpr const char* kViewModes[] = {"final", "tiers", "overdraw", "density", "depth", "normals"};
+inline constexpr auto kViewModes = enumNames<ViewMode>("final", "tiers", "overdraw", "density", "depth", "normals");
 
 // The brush's decal on the terrain; radius 0: none.
 struct BrushDecal {

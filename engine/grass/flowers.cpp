@@ -125,7 +125,7 @@ void updateKind(DrawContext& ctx, const std::string& entity, const Flowers& f, K
     const FlowerGrid grid = flowerGrid(f);
     updateTexture(ctx, k, f);
     makeMesh(ctx, k, grid.most);
-    k.density = f.density.present() ? ctx.maps.get("flower/density", "flowers." + entity, f.density.map, false,
+    k.density = f.density.present() ? ctx.maps.get("flower/density", entity + ".Flowers.density", f.density.map, false,
                                                    tilingOf(*ctx.shared.ground.terrain, f.densityTiling).repeats)
                                     : 0;
     CellSearch search{ctx, f, grid, {}, {}};

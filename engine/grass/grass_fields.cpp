@@ -137,6 +137,20 @@ FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     return s;
 }
 
+// A blade that has no height or no width is not seen.
+void checkField(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
+    const GrassField& field = *registry.get<GrassField>(e);
+    for (size_t i = 0; i < field.species.size(); ++i) {
+        const Species& s = field.species[i];
+        for (const auto& [name, value] : {std::pair("height", s.height), std::pair("width", s.width)})
+            if (s.bladesPerM2 > 0 && value == 0)
+                out.push_back({fmt::format("species[{}].{}", i, name),
+                               fmt::format("{}.species[{}].{} is 0: none of its blades is seen; raise it, or set "
+                                           "bladesPerM2 to 0",
+                                           path, s.name, name)});
+    }
+}
+
 FeatureSet featuresOnEntity(const Registry& registry, Entity e, const Tables& tables, bool coarse) {
     return fieldFeatures(tables.techniques, {registry, e, *registry.get<GrassField>(e)}, coarse);
 }
@@ -161,6 +175,7 @@ ComponentRow grassFieldRow(std::span<const char* const> techniques, std::vector<
     ComponentRow row = componentRow<GrassField>("GrassField", "Grass over the whole terrain.", fields,
                                                 [](const void*) { return FeatureSet{}; });
     row.featuresOnEntity = featuresOnEntity;
+    row.check = checkField;
     return row;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "core/enum_names.h"
 #include "mesh/mesh.h"
 
 namespace sward {
@@ -15,7 +16,7 @@ enum class SolidKind {
     Leaves,    // size: half axes of the ball that `count` leaves of length `leaf` fill, denser outside; `at` is its
                // centre
 };
-inline constexpr const char* kSolidKinds[] = {"box", "cylinder", "ball", "leaves"};
+inline constexpr auto kSolidKinds = enumNames<SolidKind>("box", "cylinder", "ball", "leaves");
 
 struct Solid {
     SolidKind kind = SolidKind::Box;

@@ -4,6 +4,7 @@
 #pragma once
 #include <string>
 
+#include "core/enum_names.h"
 #include "core/json.h"
 #include "metrics/appearance.h"
 #include "metrics/flip.h"
@@ -23,7 +24,7 @@ struct Metrics {
 Metrics metricsOf(const PicturePair& pair, double pixelsPerDegree = kPixelsPerDegree);
 
 enum class ErrorMetric { Appearance, Flip, Rmse, Ssim };
-inline constexpr const char* kErrorMetrics[] = {"appearance", "flip", "rmse", "ssim"};
+inline constexpr auto kErrorMetrics = enumNames<ErrorMetric>("appearance", "flip", "rmse", "ssim");
 // The metric at each pixel, as an error: of SSIM 1 - ssim, of RMSE over the channels of one pixel.
 ErrorMap errorMap(const PicturePair& pair, ErrorMetric metric, double pixelsPerDegree = kPixelsPerDegree);
 // The error that a heat map shows in its brightest colour: 0.2 of appearance, 1 of FLIP and SSIM, 0.5 of RMSE.

@@ -41,29 +41,31 @@ std::string placeOf(const SceneToCheck& s, const Json* at) {
     return at ? fmt::format("{}:{}", file, at->line) : file;
 }
 
-// Drawing says the same once it comes to it (world/forces.h).
-void checkOutline(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
-    const ForceSource* f = s.project.registry.get<ForceSource>(e);
-    const StaticMesh* mesh = s.project.registry.get<StaticMesh>(e);
-    if (!f || f->shape != ForceShape::Outline || (mesh && !mesh->file.empty())) return;
-    report.repaired.push_back(
-        {placeOf(s, valueOf(s.root, name, "ForceSource", "shape")), name + ".ForceSource.shape: " + kOutlineOfNothing});
+// The value of a field such as "species[1].height" below a component's; null if it is not written there.
+const Json* valueBelow(const Json* component, const std::string& field) {
+    const Json* at = component;
+    for (size_t i = 0; at && i < field.size();) {
+        const size_t end = std::min(field.find_first_of(".[", i), field.size());
+        const std::string key = field.substr(i, end - i);
+        if (key.ends_with(']')) {
+            const size_t n = std::stoul(key);
+            at = n < at->array.size() ? &at->array[n] : nullptr;
+        } else if (!key.empty()) {
+            at = at->find(key);
+        }
+        i = end + 1;
+    }
+    return at;
 }
 
-// A blade that has no height or no width is not seen.
-void checkSpecies(const SceneToCheck& s, const std::string& name, Entity e, CheckReport& report) {
-    const GrassField* f = s.project.registry.get<GrassField>(e);
-    if (!f) return;
-    const Json* list = valueOf(s.root, name, "GrassField", "species");
-    for (size_t i = 0; i < f->species.size(); ++i) {
-        const Species& sp = f->species[i];
-        const Json* read = list && i < list->array.size() ? &list->array[i] : nullptr;
-        for (const auto& [field, value] : {std::pair("height", sp.height), std::pair("width", sp.width)})
-            if (sp.bladesPerM2 > 0 && value == 0)
-                report.noticed.push_back({placeOf(s, read ? read->find(field) : nullptr),
-                                          fmt::format("{}.GrassField.species[{}].{} is 0: none of its blades is seen; "
-                                                      "raise it, or set bladesPerM2 to 0",
-                                                      name, sp.name, field)});
+void checkComponent(const SceneToCheck& s, const std::string& name, Entity e, const ComponentRow& row,
+                    CheckReport& report) {
+    if (!row.check || !row.get(s.project.registry, e)) return;
+    std::vector<ComponentFault> faults;
+    row.check(s.project.registry, e, name + "." + row.name, faults);
+    for (ComponentFault& f : faults) {
+        const Json* at = valueBelow(valueOf(s.root, name, row.name, ""), f.field);
+        (f.withoutIt ? report.repaired : report.noticed).push_back({placeOf(s, at), std::move(f.message)});
     }
 }
 
@@ -73,10 +75,8 @@ void checkScene(const SceneToCheck& scene, CheckReport& report) {
     if (report.refused.empty())
         checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
     checkLimits(scene, report);
-    for (const auto& [name, e] : scene.project.entities) {
-        checkOutline(scene, name, e, report);
-        checkSpecies(scene, name, e, report);
-    }
+    for (const auto& [name, e] : scene.project.entities)
+        for (const ComponentRow& row : scene.rows) checkComponent(scene, name, e, row, report);
 }
 
 }  // namespace sward

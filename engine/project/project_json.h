@@ -44,6 +44,7 @@ Status checkValues(const Project& p, std::span<const ComponentRow> rows);
 // A project as it was read, with the tree that it was read from, whose lines messages name.
 struct SceneToCheck {
     const Project& project;
+    std::span<const ComponentRow> rows;
     const Json& root;
 };
 // Adds to the faults of reading those of the scene as a whole. Reads every texel of the density maps of a unique

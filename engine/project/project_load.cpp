@@ -171,7 +171,7 @@ Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> r
 CheckReport checkProject(const fs::path& dir, std::span<const ComponentRow> rows) {
     Loading l = load(dir, rows, true);
     CheckReport report{std::move(l.reader.refused), std::move(l.reader.repaired), {}};
-    if (l.soundJson) checkScene({l.reader.project, l.root}, report);
+    if (l.soundJson) checkScene({l.reader.project, rows, l.root}, report);
     return report;
 }
 

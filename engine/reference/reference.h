@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "core/jobs.h"
 #include "frame/renderer.h"
 #include "scene/rows.h"
@@ -20,7 +21,7 @@
 namespace sward {
 
 enum class ReferenceLighting { Full, Direct };
-inline constexpr const char* kReferenceLightings[] = {"full", "direct"};
+inline constexpr auto kReferenceLightings = enumNames<ReferenceLighting>("full", "direct");
 
 struct ReferenceSettings {
     int width = 1024, height = 768;

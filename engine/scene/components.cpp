@@ -157,6 +157,20 @@ FeatureSet forceFeatures(const void* component) {
                                           : featureSet(Feature::Forces);
 }
 
+// Drawing says the same once it comes to it (world/forces.h).
+void checkForce(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
+    const StaticMesh* mesh = registry.get<StaticMesh>(e);
+    if (registry.get<ForceSource>(e)->shape != ForceShape::Outline || (mesh && !mesh->file.empty())) return;
+    out.push_back({"shape", path + ".shape: " + kOutlineOfNothing, true});
+}
+constexpr ComponentRow forceRow() {
+    ComponentRow row =
+        componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.",
+                                  kForceFields, forceFeatures);
+    row.check = checkForce;
+    return row;
+}
+
 constexpr FieldRow kFogFields[] = {
     distance("visibility", offsetof(Fog, visibility), {0.1, 1e8, 50, 20000},
              "distance at which contrast has fallen to 2%; inf: no haze"),
@@ -292,8 +306,7 @@ std::span<const ComponentRow> sharedComponentRows() {
         componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),
         componentRow<Wind>("Wind", "Wind: what grows leans with it.", kWindFields, windFeatures),
-        componentRow<ForceSource>("ForceSource", "Presses the grass down where it stands; what moves leaves tracks.",
-                                  kForceFields, forceFeatures),
+        forceRow(),
         componentRow<Fog>("Fog", "Haze: what is far fades into the horizon.", kFogFields, fogFeatures),
         componentRow<Water>("Water", "Water up to a level: it stands where the ground is lower.", kWaterFields,
                             waterFeatures),

@@ -47,6 +47,14 @@ const C* firstOf(const Project& p) {
     return nullptr;
 }
 
+// The name of the entity that holds this component of the project; empty if none does. Looks through them all.
+template <class C>
+std::string entityOf(const Project& p, const C& component) {
+    for (const auto& [name, e] : p.entities)
+        if (p.registry.get<C>(e) == &component) return name;
+    return {};
+}
+
 // The population of all fields: sum over species of bladesPerM2 * mean density * area of the terrain (the first by
 // name; none: 0). Reads every texel of the density maps: about 5 ms for 4096 x 4096.
 double virtualBlades(const Project& p);

@@ -64,6 +64,13 @@ struct FieldRow {
 
 struct Tables;
 
+// What a component's `check` finds: allowed, but surely not meant.
+struct ComponentFault {
+    std::string field;       // from the component on, list elements by number: "shape", "species[1].height"
+    std::string message;     // names the field's PATH, says what is wrong and what to do
+    bool withoutIt = false;  // the program goes on as if the component were not there
+};
+
 struct ComponentRow {
     const char* name;
     const char* help;
@@ -80,6 +87,8 @@ struct ComponentRow {
     FeatureSet (*featuresOnEntity)(const Registry&, Entity, const Tables&, bool coarse) = nullptr;
     // Pulls fields into order that must be; says what it changed. Null: no rule holds between them.
     std::vector<std::string> (*repair)(void* component) = nullptr;
+    // Adds what `sward check` is to say of an entity's component, whose PATH is given. Null: nothing.
+    void (*check)(const Registry&, Entity, const std::string& path, std::vector<ComponentFault>&) = nullptr;
     // The component beside which it holds settings: where it is absent, its defaults hold, and where all its fields
     // have them, it is not saved. Null: it stands for itself.
     const char* settingsOf = nullptr;
@@ -94,6 +103,17 @@ inline int enumIndex(const void* field) {
 }
 inline void setEnumIndex(void* field, int index) { std::memcpy(field, &index, sizeof index); }
 
+// The component of a kind, as rows hold it.
+template <class C>
+const void* componentIn(const Registry& r, Entity e) {
+    return r.get<C>(e);
+}
+// Whether it is the row of components C.
+template <class C>
+bool isRowOf(const ComponentRow& row) {
+    return row.get == &componentIn<C>;
+}
+
 template <class C>
 constexpr ComponentRow componentRow(const char* name, const char* help, std::span<const FieldRow> fields,
                                     FeatureSet (*features)(const void*)) {
@@ -101,7 +121,7 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
             help,
             fields,
             features,
-            [](const Registry& r, Entity e) -> const void* { return r.get<C>(e); },
+            &componentIn<C>,
             [](Registry& r, Entity e) -> void* { return r.get<C>(e); },
             [](Registry& r, Entity e, const void* v) { r.add<C>(e, v ? *static_cast<const C*>(v) : C{}); },
             [](Registry& r, Entity e) { r.remove<C>(e); },

@@ -26,11 +26,11 @@ bool presses(const Registry& registry, Entity e) {
     const ForceSource* s = registry.get<ForceSource>(e);
     return s && (registry.get<Transform>(e) || !s->tracks.empty());
 }
-// What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
+// What one entity asks for by all its components.
 FeatureSet entityFeatures(const Registry& registry, const Tables& tables, Entity e, Entity sun, bool coarse) {
     FeatureSet all;
     for (const ComponentRow& row : tables.components)
-        if (const void* component = row.get(const_cast<Registry&>(registry), e)) {
+        if (const void* component = row.get(registry, e)) {
             all |= row.features(component);
             if (row.featuresOnEntity) all |= row.featuresOnEntity(registry, e, tables, coarse);
         }

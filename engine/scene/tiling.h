@@ -2,7 +2,7 @@
 // metres, or over the whole terrain where that is 0; so that texels stay small on a field of any size (Jahrmann and
 // Wimmer 2013, section 6.2). A map that lies on the terrain once ends there: its edge texels go on beyond. One that
 // repeats begins again, and should be seamless; heights are mirrored from repeat to repeat instead, so that no map has
-// a cliff at its seams. Does not: know which field is whose tiling; the fields' names say it (density, densityTiling).
+// a cliff at its seams. Does not: know which field is whose tiling; the map's row says it (scene/map_row.h).
 #pragma once
 #include "scene/components.h"
 

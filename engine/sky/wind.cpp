@@ -21,8 +21,10 @@ void runWind(DrawContext& ctx) {
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_WIND, block.id());
 }
 void runGusts(DrawContext& ctx) {
-    const Map& gusts = gustsOf(*windOf(ctx.project), ctx.own<GustsState>().made);
-    glBindTextureUnit(TEX_WIND, ctx.maps.get("sky/gusts", "gusts", gusts, false, true));
+    const Wind& wind = *windOf(ctx.project);
+    const Map& gusts = gustsOf(wind, ctx.own<GustsState>().made);
+    const std::string path = entityOf(ctx.project, wind) + ".Wind.gusts";
+    glBindTextureUnit(TEX_WIND, ctx.maps.get("sky/gusts", path, gusts, false, true));
 }
 
 const System kWindSystems[] = {{"sky/wind", {}, runWind}};

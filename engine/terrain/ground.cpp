@@ -78,9 +78,11 @@ void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
 
 // For the whole frame: nothing else uses the bindings.
 void bindMaps(DrawContext& ctx, const GroundState& s, const Terrain& t) {
-    const GLuint map = t.terrainMap.present() ? ctx.maps.get("terrain/map", "terrain.map", t.terrainMap.map, true,
-                                                             tilingOf(t, t.terrainMapTiling).repeats)
-                                              : 0;
+    const auto texture = [&](const MapField& m) {
+        return ctx.maps.get("terrain/map", entityOf(ctx.project, t) + ".Terrain.terrainMap", m.map, true,
+                            tilingOf(t, t.terrainMapTiling).repeats);
+    };
+    const GLuint map = t.terrainMap.present() ? texture(t.terrainMap) : 0;
     static_assert(TEX_TERRAIN_MAP == TEX_HEIGHT + 1 && TEX_GROUND == TEX_HEIGHT + 2);
     const GLuint textures[] = {ctx.shared.heights, map, s.soil.id()};
     glBindTextures(TEX_HEIGHT, 3, textures);
@@ -93,7 +95,8 @@ void prepare(DrawContext& ctx) {
     updateHeightBounds(ctx.shared.bounds, t);
     updateTile(ctx, s, t);
     const bool level = !t.height.present();
-    ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
+    const std::string path = entityOf(ctx.project, t) + ".Terrain.height";
+    ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", path, t.height.map);
     FrameGlobals& g = ctx.globals;
     g.terrainSize = t.size;
     g.terrainShare = 1.0 / t.size;

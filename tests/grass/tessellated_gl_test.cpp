@@ -193,7 +193,7 @@ TEST(Tessellated, EveryViewShowsBlades) {
             ViewSettings s = small();
             s.mode = mode;
             EXPECT_GT(differing(pictureOf(r, p, eyeHeight(), s), pictureOf(r, bare, eyeHeight(), s)), 0.05)
-                << kViewModes[static_cast<int>(mode)];
+                << kViewModes[mode];
         }
 }
 

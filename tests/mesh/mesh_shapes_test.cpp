@@ -19,7 +19,7 @@ TEST(MeshShapes, SolidsAreClosedAndFaceOutwards) {
                 c(m.vertices[m.indices[k + 2]].position);
             volume += glm::dot(a, glm::cross(b, c)) / 6;
         }
-        EXPECT_NEAR(volume / volumes[i], 1, 0.02) << kSolidKinds[static_cast<size_t>(solids[i].kind)];
+        EXPECT_NEAR(volume / volumes[i], 1, 0.02) << kSolidKinds[solids[i].kind];
     }
 }
 

@@ -91,3 +91,11 @@ TEST(Project, AHandWrittenFileKeepsItsLayoutUntilSomethingChanges) {
     EXPECT_EQ(savedFiles(p), Files{"project.json"});
     EXPECT_EQ(readText(dir / "p/project.json"), once);
 }
+
+TEST(EntityOf, NamesWhoHoldsAComponent) {
+    Project p;
+    p.registry.add<Wind>(*addEntity(p, "a"));
+    p.registry.add<Wind>(*addEntity(p, "b"));
+    EXPECT_EQ(entityOf(p, *p.registry.get<Wind>(findEntity(p, "b"))), "b");
+    EXPECT_EQ(entityOf(p, Wind{}), "") << "one that no entity holds";
+}
