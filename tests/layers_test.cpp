@@ -132,7 +132,8 @@ Lines lengthBreaches(const fs::path& root) {
         for (size_t i = 0; i < lines.size(); ++i) {
             const size_t indent = lines[i].find_first_not_of(' ');
             if (indent > 4 || indent == std::string::npos || !opensFunction(lines[i])) continue;
-            const std::string closing = std::string(indent, ' ') + "}";
+            const size_t opened = lines[i][indent] == ':' ? indent - 4 : indent;  // a list of members stands deeper
+            const std::string closing = std::string(opened, ' ') + "}";
             size_t end = i + 1;
             while (end < lines.size() && !lines[end].starts_with(closing)) ++end;
             if (end - i + 1 > kMaxFunctionLines)

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 // Every constant that some program is compiled with: features, and what its variants say.
 std::string everyConstant() {
     const FeatureSet all = ~FeatureSet{};
-    std::string out = featureConstants(all, all);
+    std::string out = featureConstants(all);
     std::set<std::string> names;
     const auto add = [&](const std::string& lines) {
         static const std::regex line(R"((const \w+ (\w+) = [^\n]*\n))");

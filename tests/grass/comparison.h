@@ -39,7 +39,7 @@ inline Project designed(const Design& d, double side) {
     f.species[0].height = d.height;
     f.species[0].width = d.width;
     f.minGeom = d.minGeom, f.maxGeom = d.maxGeom, f.minBTF = d.minBTF, f.maxBTF = d.maxBTF;
-    give(p, "grass", f);
+    put(p, "grass", f);
     give(p, "sun", Light{});
     give(p, "sky", Sky{});
     give(p, "haze", Fog{});
@@ -171,9 +171,9 @@ inline double restlessness(const std::vector<double>& hybrid, const std::vector<
     return quantile(difference, 0.999) / quantile(blades, 0.999);
 }
 inline TileChanges bladesWalk(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
-    const int tiers = std::exchange(grassIn(p).technique, static_cast<int>(Technique::Geometry));
+    const std::string own = std::exchange(grassIn(p).technique, nameOf(Technique::Geometry));
     TileChanges blades = walk(r, p, c, steps, s);
-    grassIn(p).technique = tiers;
+    grassIn(p).technique = own;
     return blades;
 }
 inline Restless restless(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {

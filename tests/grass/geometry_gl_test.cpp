@@ -231,8 +231,7 @@ TEST(GrassPicture, OverdrawCountsFragments) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
     Project p = lawn();
-    flatField(p, "grass").transparency =
-        static_cast<int>(Transparency::Blend);  // else the ground is not lit under blades
+    flatField(p, "grass").transparency = Transparency::Blend;  // else the ground is not lit under blades
     ViewSettings s = small();
     s.mode = ViewMode::Overdraw;
     ASSERT_TRUE(r.draw(p, above(), s));

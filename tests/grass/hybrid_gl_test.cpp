@@ -392,7 +392,7 @@ Lattice lattice(const std::vector<double>& picture) {
 // A quarter of all pairs of mirrored cells are alike, and show; of cells that begin elsewhere too, one in a hundred.
 TEST(HybridRepetition, ShowsNoPeakAtTheLatticeOfCells) {
     NoGlErrors errors;
-    const Project p = designed(kLawn, 14);
+    Project p = designed(kLawn, 14);
     JobControl control;
     const FlatField f = flatField(p, "grass");
     const SliceImages images =

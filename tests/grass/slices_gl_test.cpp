@@ -99,7 +99,7 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     const auto blades = picture(meadow(Technique::Geometry));
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
         Project p = meadow(Technique::Slices);
-        grassOf(p).transparency = way;
+        grassOf(p).transparency = static_cast<Transparency>(way);
         grassOf(p).sharpness =
             3;  // of layers that are blended, each half transparent, smoother ones let more soil through: 0.26 at 2
         const auto drawn = picture(p);

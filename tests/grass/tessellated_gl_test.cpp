@@ -200,7 +200,7 @@ TEST(Tessellated, EveryViewShowsBlades) {
 TEST(Tessellated, IsFiniteForBladesOfNoSizeAndExtremeSettings) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
-    const std::function<void(GrassField&)> extremes[] = {
+    const std::function<void(const FlatField&)> extremes[] = {
         [](const FlatField& f) { f.species[0].height = 0; },
         [](const FlatField& f) { f.species[0].width = 0; },
         [](const FlatField& f) { f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90; },

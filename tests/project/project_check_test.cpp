@@ -5,6 +5,7 @@
 
 #include "core/json.h"
 #include "maps/map_io.h"
+#include "grass/hybrid.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
 #include "scene/project.h"
