@@ -12,6 +12,14 @@ namespace {
 
 using namespace test;
 
+// Direct mean over the square, from the map as it was: what smooth must paint towards in every tile.
+float meanAround(const Map& map, int x, int y, int reach) {
+    double sum = 0;
+    for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) sum += map.at(x + i, y + j);
+    return float(sum / ((2 * reach + 1) * (2 * reach + 1)));
+}
+
 TEST(SmoothBrush, SmoothReadsTheStateBeforeTheStampAcrossTilesAndEdges) {
     for (const PixelType type : kTypes) {
         const Map before = randomMap(270, 260, type, 9);
