@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "frame/plan.h"
+#include "frame/draw_context.h"
 #include "gpu/program.h"
 #include "project/project_files.h"
 #include "scenes.h"
@@ -142,8 +142,7 @@ std::vector<FeatureSet> featuresOfSamples() {
 void comparePrograms(Programs& programs, const Pass& pass, const FeatureSet& scene, std::set<std::string>& seen) {
     for (const ProgramRow& p : pass.programs) {
         const std::string constants = p.variants ? p.variants().front() : "";
-        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                          featureConstants(p.features, scene) + constants);
+        const auto program = programs.get(sourcesOf(p), featureConstants(scene) + constants);
         ASSERT_TRUE(program) << program.error().text();
         compare(*program, seen);
     }
@@ -157,8 +156,8 @@ TEST(Layout, MembersOfSharedStructsLieWhereLinkedProgramsReadThem) {
     const std::vector<FeatureSet> samples = featuresOfSamples();
     EXPECT_GE(samples.size(), 8u);
     for (const FeatureSet& scene : samples)
-        for (const PlannedPass& planned : planFrame(scene, ~0u, tables().effects).passes)
-            comparePrograms(programs, *planned.pass, scene, seen);
+        for (const Pass* pass : planFrame(scene, ~0u, tables().effects).passes())
+            comparePrograms(programs, *pass, scene, seen);
     // Attributes are no blocks; every other struct has been compared, each member of it.
     const std::set<std::string> attributes = {"FlowerCell", "ObjectInstance"};
     for (const SharedMember& m : sharedMembers())

@@ -4,7 +4,7 @@
 
 #include "core/file.h"
 #include "cost/cost_files.h"
-#include "editor_fixture.h"
+#include "editor/editor_fixture.h"
 #include "maps/map_io.h"
 
 namespace sward {
