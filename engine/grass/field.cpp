@@ -220,7 +220,8 @@ void update(DrawContext& ctx) {
     ctx.shared.grass = &grass;
 }
 
-const System kSystems[] = {{"grass/field", {.reads = {Slot::Sun, Slot::Masks}, .writes = {Slot::Grass}}, update}};
+const System kSystems[] = {
+    {"grass/field", {.reads = {Slot::Sun, Slot::Ground, Slot::Masks}, .writes = {Slot::Grass}}, update}};
 
 }  // namespace
 

@@ -179,7 +179,9 @@ TEST(PlanTable, ASlotThatIsReadIsFilledAndNoTwoMakeIt) {
 }
 
 // Which slot a member of SharedResources is; `ground` is there before the first step.
-const std::map<std::string, std::string> kSlotOf = {{"groundMesh", "GroundNodes"},
+const std::map<std::string, std::string> kSlotOf = {{"soil", "Grass"},
+                                                    {"masks", "Masks"},
+                                                    {"groundMesh", "GroundNodes"},
                                                     {"grass", "Grass"},
                                                     {"bounds", "Ground"},
                                                     {"heights", "Ground"},

@@ -3,19 +3,12 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "frame/plan.h"
+#include "frame/draw_context.h"
 #include "gpu/program.h"
 #include "project/project_files.h"
 #include "scenes.h"
-#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -149,8 +142,7 @@ std::vector<FeatureSet> featuresOfSamples() {
 void comparePrograms(Programs& programs, const Pass& pass, const FeatureSet& scene, std::set<std::string>& seen) {
     for (const ProgramRow& p : pass.programs) {
         const std::string constants = p.variants ? p.variants().front() : "";
-        const auto program = programs.get({p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation},
-                                          featureConstants(scene) + constants);
+        const auto program = programs.get(sourcesOf(p), featureConstants(scene) + constants);
         ASSERT_TRUE(program) << program.error().text();
         compare(*program, seen);
     }
