@@ -12,7 +12,7 @@ namespace {
 
 ForceSource source(ForceShape shape, float radius) {
     ForceSource s;
-    s.shape = static_cast<int>(shape), s.radius = radius;
+    s.shape = shape, s.radius = radius;
     return s;
 }
 

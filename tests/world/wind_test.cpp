@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMonth = 30.0 * 86400;
 
-Wind windOfModel(int model) {
+Wind windOfModel(WindModel model) {
     Wind w;
     w.model = model;
     return w;
@@ -21,7 +21,7 @@ glm::vec2 leanAt(const Wind& w, const Map& gusts, const glm::dvec2& place, doubl
     return windLeanAt(windGlobals(w, eye, seconds), gusts, glm::vec2(place - eye), 0.3f);
 }
 
-class WindModels : public ::testing::TestWithParam<int> {
+class WindModels : public ::testing::TestWithParam<WindModel> {
   protected:
     Wind wind = windOfModel(GetParam());
     Map made;
@@ -112,10 +112,10 @@ TEST_P(WindModels, LeansAndQuiversByTheShareThatStiffnessLeaves) {
     EXPECT_GT(most, 0.2f);
     EXPECT_GT(quivers, 0.02f);
 }
-INSTANTIATE_TEST_SUITE_P(Models, WindModels, ::testing::Values(0, 1));
+INSTANTIATE_TEST_SUITE_P(Models, WindModels, ::testing::Values(WindModel::Waves, WindModel::Noise));
 
 TEST(Wind, WavesComeBackAfterTheirPeriod) {
-    Wind w = windOfModel(0);
+    Wind w = windOfModel(WindModel::Waves);
     w.c1 = 0.3f, w.c3 = 0.45f, w.speed = 5, w.turbulence = 0;
     const double period = wavePeriod(w);
     EXPECT_NEAR(period, 2 / (0.15 * 5), 1e-6);
