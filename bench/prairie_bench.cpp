@@ -135,7 +135,7 @@ SWARD_LIMITS("prairie-far", [] {
     const auto before = here.renderer.readImage();
     const glm::dvec3 far(90000, 0, 90000);
     here.project.registry.add<Transform>(findEntity(here.project, "land"), {far});
-    Camera& camera = const_cast<Camera&>(*findCamera(here.project, "human"));
+    Camera& camera = *here.project.registry.get<Camera>(findEntity(here.project, "human"));
     camera.eye += far, camera.target += far;
     here.frame(here.camera(), s);
     reportLimit("a prairie moved by 90,000 m, at the worst pixel", mostDifferent(before, here.renderer.readImage()), 1,

@@ -43,8 +43,10 @@ struct Child {
 inline Child startChild(const std::string& name, const std::vector<std::string>& args) {
     int ends[2];
     if (pipe(ends) != 0) return {};
-    std::vector<const char*> argv{"/proc/self/exe", "--child", name.c_str()};
-    for (const std::string& a : args) argv.push_back(a.c_str());
+    std::vector<std::string> own{"/proc/self/exe", "--child", name};  // execv wants texts that it could write to
+    own.insert(own.end(), args.begin(), args.end());
+    std::vector<char*> argv;
+    for (std::string& a : own) argv.push_back(a.data());
     argv.push_back(nullptr);
     const pid_t pid = fork();
     if (pid == 0) {
@@ -52,7 +54,7 @@ inline Child startChild(const std::string& name, const std::vector<std::string>&
         dup2(ends[1], STDOUT_FILENO);
         close(ends[0]);
         close(ends[1]);
-        execv(argv[0], const_cast<char* const*>(argv.data()));
+        execv(argv[0], argv.data());
         _exit(127);
     }
     close(ends[1]);

@@ -77,7 +77,8 @@ ViewSettings settingsFor(EditorApp& app, int width, int height) {
     return s;
 }
 
-Status drawn(Renderer& renderer, Project& project, const ViewCamera& camera, const ViewSettings& s, Picture& out) {
+Status drawn(Renderer& renderer, const Project& project, const ViewCamera& camera, const ViewSettings& s,
+             Picture& out) {
     if (Status status = renderer.draw(project, camera, s); !status) return status;
     out = pictureOfBytes(s.width, s.height, renderer.readImage());
     return {};

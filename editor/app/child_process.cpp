@@ -29,8 +29,9 @@ int exitCodeOf(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 12
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& args, const std::filesystem::path& output,
                                          const std::filesystem::path& errors) {
+    std::vector<std::string> own = args;  // execv wants texts that it could write to
     std::vector<char*> argv;
-    for (const std::string& a : args) argv.push_back(const_cast<char*>(a.c_str()));
+    for (std::string& a : own) argv.push_back(a.data());
     argv.push_back(nullptr);
     const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
     const int out = open(output.c_str(), flags, 0644), err = open(errors.c_str(), flags, 0644);

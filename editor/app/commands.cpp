@@ -61,7 +61,7 @@ void bakeOcclusion(EditorApp& app) {
 // Of the density that is painted, else of the first one.
 void makeBladeHeight(EditorApp& app) {
     std::string density;
-    for (const FieldRef& map : allMaps(app.doc.project(), app.doc.tables().components))
+    for (const ConstFieldRef& map : allMaps(app.doc.project(), app.doc.tables().components))
         if (std::string_view(map.row->name) == "density" && (density.empty() || map.path == app.brushes.map))
             density = map.path;
     if (density.empty()) return say(app, "Height from Density: no species has a density map");

@@ -136,7 +136,9 @@ FrameInput widgetInput(const EditorApp& app) {
     return none;
 }
 
-Project& projectShown(EditorApp& app) { return playing(app) ? app.doc.play()->project() : app.doc.project(); }
+const Project& projectShown(const EditorApp& app) {
+    return playing(app) ? app.doc.play()->project() : app.doc.project();
+}
 ViewCamera viewShown(const EditorApp& app) {
     return playing(app) ? app.doc.play()->view() : viewOf(app.viewport.camera);
 }

@@ -33,7 +33,7 @@ void followPlay(EditorApp& app);
 FrameInput widgetInput(const EditorApp& app);
 
 // --- what the viewport shows: the copy that runs, or the document
-Project& projectShown(EditorApp& app);
+const Project& projectShown(const EditorApp& app);
 ViewCamera viewShown(const EditorApp& app);
 double timeShown(const EditorApp& app);
 

@@ -61,7 +61,7 @@ Status writePicture(const Renderer& r, const fs::path& file, int w, int h) {
 
 struct Shot {
     Renderer& renderer;
-    Project& project;
+    const Project& project;
     const Gpu& gpu;
     ViewCamera view;
     ViewSettings settings;
@@ -96,7 +96,7 @@ Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, co
     return {};
 }
 
-Status renderAll(RenderOptions o, Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
+Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
     const auto cameras = shotNames(o, project);
     if (!cameras) return cameras.error();
     Renderer renderer(gpu, tables());
@@ -135,7 +135,7 @@ Result<Project> openForRendering(const RenderOptions& o) {
     if (Status s = setTechnique(*project, o.technique); !s) return s.error();
     for (const auto& [name, e] : project->entities)
         for (const ComponentRow& row : tables().components)
-            if (void* c = row.get(project->registry, e))
+            if (void* c = row.edit(project->registry, e))
                 for (const std::string& said : repairComponent(row, c)) logWarning(name + "." + row.name + ": " + said);
     return project;
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr double kReach = 2;  // heights of the species
 constexpr double kLeastTexels = 2;
 
-double heightOf(const Project& p, const FieldRef& density) {
+double heightOf(const Project& p, const ConstFieldRef& density) {
     const auto* field = p.registry.get<GrassField>(findEntity(p, density.entity));
     for (const Species& s : field->species)
         if (&s.density == density.value) return static_cast<double>(s.height);
@@ -21,11 +21,11 @@ double heightOf(const Project& p, const FieldRef& density) {
 }  // namespace
 
 Status heightFromDensity(Document& document, const std::string& name) {
-    Project& p = document.project();
+    const Project& p = document.project();
     const auto rows = document.tables().components;
-    const Result<FieldRef> density = findMap(p, rows, name);
+    const Result<ConstFieldRef> density = findMap(p, rows, name);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
+    const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField& from = *static_cast<const MapField*>(density->value);
     if (!from.present()) return usage(density->path + ": there is no map", "create or import one first");

@@ -154,7 +154,7 @@ Status Document::takeOver(const fs::path& dir, const std::string& label) {
     const Result<Project> other = loadProject(dir, impl_->rows());
     if (!other) return other.error();
     std::set<std::string> names;
-    for (const auto& [name, entity] : project().entities) names.insert(name);
+    for (const auto& [name, entity] : impl_->project->entities) names.insert(name);
     for (const auto& [name, entity] : other->entities) names.insert(name);
     std::vector<Change> changes;
     const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
@@ -163,11 +163,11 @@ Status Document::takeOver(const fs::path& dir, const std::string& label) {
             const void* after = componentOf(*other, name, row);
             changes.push_back({name, &row, impl_->stateOf(name, row), after ? row.clone(after) : nullptr});
         }
-        const bool before = project().entities.contains(name), after = other->entities.contains(name);
+        const bool before = impl_->project->entities.contains(name), after = other->entities.contains(name);
         if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
     }
     dropEmptyChanges(changes);
-    applyChanges(project(), changes, true);
+    applyChanges(*impl_->project, changes, true);
     impl_->record(label, std::move(changes));
     return {};
 }
@@ -184,7 +184,7 @@ bool Document::dirty() const {
     return known.value;
 }
 
-Project& Document::project() {
+const Project& Document::project() const {
     CHECK(isOpen());
     return *impl_->project;
 }
@@ -197,7 +197,7 @@ Status Document::startPlay(const PlayStart& start) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     if (impl_->groupDepth > 0) return failed("play cannot start while a value is being changed", "let go of it first");
     impl_->finishStroke();
-    Result<std::unique_ptr<Playtest>> play = Playtest::start(project(), impl_->rows(), start);
+    Result<std::unique_ptr<Playtest>> play = Playtest::start(*impl_->project, impl_->rows(), start);
     if (!play) return play.error();
     impl_->play = std::move(*play);
     return {};
@@ -232,7 +232,7 @@ Status Document::Impl::changeField(const std::string& label, const FieldRef& fie
 Status Document::setField(const std::string& path, const std::string& text) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    const Result<FieldRef> field = findField(project(), impl_->rows(), path);
+    const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), path);
     if (!field) return field.error();
     return impl_->changeField("set " + field->path, *field, [&] { return setFieldText(*field, text); });
 }
@@ -240,7 +240,7 @@ Status Document::setField(const std::string& path, const std::string& text) {
 Status Document::addEntity(const std::string& name) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    const Result<Entity> made = sward::addEntity(project(), name);
+    const Result<Entity> made = sward::addEntity(*impl_->project, name);
     if (!made) return made.error();
     impl_->record("add " + name, {{name, nullptr, nullptr, std::make_shared<bool>(true)}});
     return {};
@@ -249,12 +249,12 @@ Status Document::addEntity(const std::string& name) {
 Status Document::removeEntity(const std::string& name) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    if (!project().entities.contains(name)) return usage(fmt::format("there is no entity \"{}\"", name));
+    if (!impl_->project->entities.contains(name)) return usage(fmt::format("there is no entity \"{}\"", name));
     std::vector<Change> changes;
     for (const ComponentRow& row : impl_->rows())
         if (auto before = impl_->stateOf(name, row)) changes.push_back({name, &row, std::move(before), nullptr});
     changes.push_back({name, nullptr, std::make_shared<bool>(true), nullptr});
-    sward::removeEntity(project(), name);
+    sward::removeEntity(*impl_->project, name);
     impl_->record("remove " + name, std::move(changes));
     return {};
 }
@@ -264,9 +264,9 @@ Status Document::addComponent(const std::string& entity, const std::string& comp
     impl_->finishStroke();
     const ComponentRow* row = findComponent(impl_->rows(), component);
     if (!row) return usage(fmt::format("there is no component \"{}\"", component));
-    if (!project().entities.contains(entity)) return usage(fmt::format("there is no entity \"{}\"", entity));
+    if (!impl_->project->entities.contains(entity)) return usage(fmt::format("there is no entity \"{}\"", entity));
     if (impl_->stateOf(entity, *row)) return usage(fmt::format("\"{}\" has a {} already", entity, component));
-    row->assign(project().registry, findEntity(project(), entity), nullptr);
+    row->assign(impl_->project->registry, findEntity(*impl_->project, entity), nullptr);
     impl_->record(fmt::format("add {}.{}", entity, component), {{entity, row, nullptr, impl_->stateOf(entity, *row)}});
     return {};
 }
@@ -277,7 +277,7 @@ Status Document::removeComponent(const std::string& entity, const std::string& c
     const ComponentRow* row = findComponent(impl_->rows(), component);
     auto before = row ? impl_->stateOf(entity, *row) : nullptr;
     if (!before) return usage(fmt::format("\"{}\" has no component \"{}\"", entity, component));
-    row->remove(project().registry, findEntity(project(), entity));
+    row->remove(impl_->project->registry, findEntity(*impl_->project, entity));
     impl_->record(fmt::format("remove {}.{}", entity, component), {{entity, row, std::move(before), nullptr}});
     return {};
 }
@@ -286,7 +286,7 @@ Status Document::removeComponent(const std::string& entity, const std::string& c
 Status Document::addListElement(const std::string& listPath) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    const Result<FieldRef> field = findField(project(), impl_->rows(), listPath);
+    const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), listPath);
     if (!field) return field.error();
     if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
     const ListRow& list = *field->row->list;
@@ -294,7 +294,7 @@ Status Document::addListElement(const std::string& listPath) {
         const std::vector<std::string> taken = elementSelectors(list, field->value);
         const size_t n = list.size(field->value);
         list.resize(field->value, n + 1);
-        void* made = list.at(field->value, n);
+        void* made = list.editAt(field->value, n);
         copyFields(list.fields, made, list.defaults());
         auto& name = *reinterpret_cast<std::string*>(static_cast<std::byte*>(made) + list.fields[0].offset);
         const std::string stem = name;
@@ -310,7 +310,7 @@ Status Document::removeListElement(const std::string& elementPath) {
     const size_t open = elementPath.rfind('[');
     if (open == std::string::npos || !elementPath.ends_with("]"))
         return usage(elementPath + " names no element of a list", "write entity.Component.list[name]");
-    const Result<FieldRef> field = findField(project(), impl_->rows(), elementPath.substr(0, open));
+    const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), elementPath.substr(0, open));
     if (!field) return field.error();
     if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
     const Result<size_t> index = findElement(*field, elementPath.substr(open + 1, elementPath.size() - open - 2));
@@ -319,7 +319,7 @@ Status Document::removeListElement(const std::string& elementPath) {
     return impl_->changeField("remove " + elementPath, *field, [&]() -> Status {
         const size_t n = list.size(field->value);
         for (size_t i = *index; i + 1 < n; ++i)
-            copyFields(list.fields, list.at(field->value, i), list.at(field->value, i + 1));
+            copyFields(list.fields, list.editAt(field->value, i), list.at(field->value, i + 1));
         list.resize(field->value, n - 1);
         return {};
     });
@@ -328,7 +328,7 @@ Status Document::removeListElement(const std::string& elementPath) {
 Status Document::setMap(const std::string& mapPath, Map map, const std::string& label) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    const Result<FieldRef> field = findMap(project(), impl_->rows(), mapPath);
+    const Result<FieldRef> field = findMap(*impl_->project, impl_->rows(), mapPath);
     if (!field) return field.error();
     if (map.empty()) return usage(field->path + ": an empty map", "set the field to \"\" to remove the map");
     if (map.info().channels != field->row->mapChannels)
@@ -346,11 +346,16 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
 
 Status Document::createMap(const std::string& mapPath) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
-    const Result<FieldRef> field = findField(project(), impl_->rows(), mapPath);
+    const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), mapPath);
     if (!field) return field.error();
     if (field->row->type != FieldType::Map) return usage(field->path + " is not a map");
     if (static_cast<const MapField*>(field->value)->present()) return {};
-    return setMap(field->path, newMap(project(), *field), "new map " + field->path);
+    return setMap(field->path, newMap(*impl_->project, *field), "new map " + field->path);
+}
+
+void Document::rememberImport(const std::string& mapPath, const MapImport& import) {
+    CHECK(isOpen());
+    impl_->project->imports[mapPath] = import;
 }
 
 void Document::beginGroup(const std::string& label) {
@@ -371,7 +376,7 @@ void Document::endGroup() {
 void Document::cancelGroup() {
     impl_->finishStroke();
     if (impl_->groupDepth == 0) return;
-    if (isOpen()) applyChanges(project(), impl_->group.changes, false);
+    if (isOpen()) applyChanges(*impl_->project, impl_->group.changes, false);
     impl_->group.changes.clear();
     --impl_->groupDepth;
     ++impl_->revision;
@@ -381,7 +386,7 @@ void Document::cancelGroup() {
 
 namespace {
 
-Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool create) {
+Status checkTarget(const ConstFieldRef& field, const BrushSettings& brush, bool create) {
     const auto& target = *static_cast<const MapField*>(field.value);
     if (!target.present() && !create)
         return usage(field.path + ": there is no map to paint on", "create or import one first");
@@ -395,7 +400,7 @@ Status checkTarget(const FieldRef& field, const BrushSettings& brush, bool creat
 
 Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSettings& brush, bool create) {
     if (Status sound = checkBrush(brush); !sound) return sound.error();
-    const Result<FieldRef> field = findMap(*project, rows(), brush.map);
+    const Result<ConstFieldRef> field = findMap(std::as_const(*project), rows(), brush.map);
     if (!field) return field.error();
     if (Status fits = checkTarget(*field, brush, create); !fits) return fits.error();
     const Result<MapScale> scale = mapScale(*project, *field);
@@ -423,12 +428,12 @@ Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, 
         stroke.parts.push_back(std::move(*part));
     }
     for (Impl::StrokePart& part : stroke.parts) {
-        const Result<FieldRef> field = findField(project(), impl_->rows(), part.path);
+        const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), part.path);
         mergeChange(stroke.changes,
                     {field->entity, field->component, impl_->stateOf(field->entity, *field->component), nullptr});
         auto& target = *static_cast<MapField*>(field->value);
         if (target.present()) continue;
-        target.map = newMap(project(), *field);
+        target.map = newMap(*impl_->project, *field);
         target.file = mapFileFor(*field, target.map.info().type);
     }
     impl_->stroke = std::move(stroke);

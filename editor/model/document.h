@@ -41,8 +41,8 @@ class Document {
     // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
     Status takeOver(const std::filesystem::path& dir, const std::string& label);
     bool isOpen() const;
-    bool dirty() const;  // differs from what is on disk
-    Project& project();
+    bool dirty() const;              // differs from what is on disk
+    const Project& project() const;  // changed by the calls below alone
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo
 
@@ -67,6 +67,8 @@ class Document {
     // Replaces a map's texels (imports, fills). A new map's file name follows the convention
     // "maps/entity.species.map.ext".
     Status setMap(const std::string& mapPath, Map map, const std::string& label);
+    // How a map came in, for the next time (Project::imports): beside the undo steps.
+    void rememberImport(const std::string& mapPath, const MapImport& import);
     void beginGroup(const std::string& label);  // nests; sliders hold one while dragged
     void endGroup();
     // Takes back what the outermost group has changed so far, and ends this level of it: for an edit of several parts

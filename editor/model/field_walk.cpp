@@ -57,15 +57,13 @@ struct CopyValue {
 
 const void* listOf(const FieldRow& field, const void* base) { return &at<std::byte>(base, field); }
 void* listOf(const FieldRow& field, void* base) { return &at<std::byte>(base, field); }
-// ListRow::at gives the element of a list that may be written to; these only read.
-const void* element(const ListRow& list, const void* of, size_t i) { return list.at(const_cast<void*>(of), i); }
 
 bool sameList(const FieldRow& field, const void* a, const void* b) {
     const ListRow& list = *field.list;
     const void *la = listOf(field, a), *lb = listOf(field, b);
     if (list.size(la) != list.size(lb)) return false;
     for (size_t i = 0; i < list.size(la); ++i)
-        if (!sameFields(list.fields, element(list, la, i), element(list, lb, i))) return false;
+        if (!sameFields(list.fields, list.at(la, i), list.at(lb, i))) return false;
     return true;
 }
 
@@ -74,7 +72,7 @@ void copyList(const FieldRow& field, void* to, const void* from) {
     void* into = listOf(field, to);
     const void* of = listOf(field, from);
     list.resize(into, list.size(of));
-    for (size_t i = 0; i < list.size(of); ++i) copyFields(list.fields, list.at(into, i), element(list, of, i));
+    for (size_t i = 0; i < list.size(of); ++i) copyFields(list.fields, list.editAt(into, i), list.at(of, i));
 }
 
 bool sameField(const FieldRow& field, const void* a, const void* b) {
@@ -114,14 +112,13 @@ void eachMap(std::span<const FieldRow> fields, const void* component, const std:
         if (field.type == FieldType::Map) f(at<MapField>(component, field));
         if (field.type != FieldType::List) continue;
         const void* list = listOf(field, component);
-        for (size_t i = 0; i < field.list->size(list); ++i)
-            eachMap(field.list->fields, element(*field.list, list, i), f);
+        for (size_t i = 0; i < field.list->size(list); ++i) eachMap(field.list->fields, field.list->at(list, i), f);
     }
 }
 
 const void* componentOf(const Project& p, const std::string& entity, const ComponentRow& row) {
     const auto found = p.entities.find(entity);
-    return found == p.entities.end() ? nullptr : row.get(const_cast<Registry&>(p.registry), found->second);
+    return found == p.entities.end() ? nullptr : row.get(p.registry, found->second);
 }
 
 bool sameProject(const Project& a, const Project& b, std::span<const ComponentRow> rows) {

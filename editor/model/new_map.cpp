@@ -11,7 +11,7 @@ namespace sward {
 namespace {
 
 // Metres that the map covers along its longer side; a scene without ground gets a modest map.
-double extentOf(const Project& p, const FieldRef& map) {
+double extentOf(const Project& p, const ConstFieldRef& map) {
     const Result<MapScale> scale = mapScale(p, map);
     return scale ? std::max(scale->width, scale->depth) : 100;
 }
@@ -28,13 +28,13 @@ std::vector<std::byte> rowOf(const MapInfo& info, const glm::vec4& value) {
 
 }  // namespace
 
-MapInfo newMapInfo(const Project& p, const FieldRef& map) {
+MapInfo newMapInfo(const Project& p, const ConstFieldRef& map) {
     const double perMetre = std::string_view(map.row->name) == "density" || map.row->isForce ? 8 : 4;
     const double side = std::exp2(std::ceil(std::log2(std::clamp(extentOf(p, map) * perMetre, 256.0, 4096.0))));
     return {static_cast<int>(side), static_cast<int>(side), map.row->mapChannels, map.row->mapType};
 }
 
-Map newMap(const Project& p, const FieldRef& map) {
+Map newMap(const Project& p, const ConstFieldRef& map) {
     const MapInfo info = newMapInfo(p, map);
     Map made(info);
     const MapKind kind = kindOf(*map.row);
@@ -45,7 +45,7 @@ Map newMap(const Project& p, const FieldRef& map) {
     return made;
 }
 
-std::string describeNewMap(const Project& p, const FieldRef& map) {
+std::string describeNewMap(const Project& p, const ConstFieldRef& map) {
     const MapInfo info = newMapInfo(p, map);
     const double bytes = double(info.width) * info.height * info.channels * static_cast<double>(pixelBytes(info.type));
     return fmt::format("{} x {} texels, {:.3g} a metre, {:.2g} MB", info.width, info.height,

@@ -29,7 +29,7 @@ void next(EditorApp& app, const char* label, float width) {
 
 void mapCombo(EditorApp& app) {
     std::vector<std::string> names, paths;
-    for (const FieldRef& map : paintableMaps(app)) {
+    for (const ConstFieldRef& map : paintableMaps(app)) {
         paths.push_back(map.path);
         names.push_back(static_cast<const MapField*>(map.value)->present() ? map.path : map.path + " (new)");
     }
@@ -39,7 +39,7 @@ void mapCombo(EditorApp& app) {
     caption("Map");
     ImGui::SetNextItemWidth(em(21));
     if (ui::combo("Map", names, chosen)) selectMap(app, paths[static_cast<size_t>(chosen)]);
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     ui::tooltip("The map that the brush paints" + (map ? fmt::format(": {}.\n{}", map->row->help, map->path) : "."));
     ImGui::SameLine(0, 5);
     if (ui::button("Overlay", 0, overlayShown(app))) toggleOverlay(app);
@@ -47,7 +47,7 @@ void mapCombo(EditorApp& app) {
 }
 
 // One click makes the map that is not there; without one there is nothing to see or paint.
-void createButton(EditorApp& app, const FieldRef& map) {
+void createButton(EditorApp& app, const ConstFieldRef& map) {
     const std::string size = describeNewMap(app.doc.project(), map), path = map.path;
     const std::string shortly = size.substr(0, size.find(" texels"));
     next(app, shortly.c_str(), em(7));
@@ -150,7 +150,7 @@ void drawBrushBar(EditorApp& app) {
     const ui::Disabled noProject(!app.doc.isOpen());
     modeCombo(app);
     mapCombo(app);
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(app, *map);
     const ui::Disabled looking(app.brushes.tool == kLookTool);
     BrushSettings& b = currentBrush(app.brushes);

@@ -40,7 +40,8 @@ ui::NumberSpec numberSpec(const FieldRow& row) {
     return s;
 }
 
-void takeEdit(EditorApp& app, const FieldRef& f, const ui::NumberEdit& edit, double value, const std::string& label) {
+void takeEdit(EditorApp& app, const ConstFieldRef& f, const ui::NumberEdit& edit, double value,
+              const std::string& label) {
     if (edit.changed) {
         holdEdit(app, f.path);
         setField(app, f.path, ui::numberText(value, f.row->type == FieldType::Int), label);

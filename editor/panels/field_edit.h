@@ -12,7 +12,7 @@ void setField(EditorApp& app, const std::string& path, const std::string& text, 
 void holdEdit(EditorApp& app, const std::string& path);
 ui::NumberSpec numberSpec(const FieldRow& row);
 // What a number's widget gave: a drag is held and set, a typed text set.
-void takeEdit(EditorApp& app, const FieldRef& field, const ui::NumberEdit& edit, double value,
+void takeEdit(EditorApp& app, const ConstFieldRef& field, const ui::NumberEdit& edit, double value,
               const std::string& label);
 
 // A row of a table of two columns: its name, told about by a tooltip, and room for a widget across the second.

@@ -29,20 +29,20 @@ bool header(const std::string& path, const std::string& title, bool openAtFirst)
 }
 
 void listField(EditorApp& app, const std::string& owner, const ComponentRow& component, const FieldRow& row,
-               void* list) {
+               const void* list) {
     const ListRow& l = *row.list;
     const std::string path = owner + "." + row.name;
     for (size_t i = 0; i < l.size(list); ++i) {
-        void* element = l.at(list, i);
+        const void* element = l.at(list, i);
         const std::string name = *static_cast<const std::string*>(
-            static_cast<const void*>(static_cast<char*>(element) + l.fields[0].offset));
+            static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
         const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
         const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
         removeButton(app, at, "Remove this one", [&app, at] { return app.doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
         for (const FieldRow& f : l.fields) {
-            void* value = static_cast<char*>(element) + f.offset;
+            const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
             drawField(app, {value, &f, &component, app.selected, at + "." + f.name}, fallback);
         }
@@ -52,14 +52,14 @@ void listField(EditorApp& app, const std::string& owner, const ComponentRow& com
         app.deferred.push_back([&app, path] { accept(app, app.doc.addListElement(path)); });
 }
 
-void component(EditorApp& app, const ComponentRow& row, void* value) {
+void component(EditorApp& app, const ComponentRow& row, const void* value) {
     const std::string path = app.selected + "." + row.name;
     const bool open = header(path, row.name, true);
     removeButton(app, path, "Remove this component",
                  [&app, &row] { return app.doc.removeComponent(app.selected, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
-        void* field = static_cast<char*>(value) + f.offset;
+        const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
             listField(app, path, row, f, field);
         else
@@ -96,7 +96,7 @@ void drawInspector(EditorApp& app) {
     }
     ImGui::BeginChild("fields");
     for (const ComponentRow& row : app.doc.tables().components)
-        if (void* value = row.get(app.doc.project().registry, e)) component(app, row, value);
+        if (const void* value = row.get(app.doc.project().registry, e)) component(app, row, value);
     addComponent(app, e);
     ImGui::EndChild();
 }

@@ -15,7 +15,7 @@ void set(EditorApp& app, const std::string& path, const std::string& text) {
     setField(app, path, text, "Inspector/" + path);
 }
 
-void numberField(EditorApp& app, const FieldRef& f) {
+void numberField(EditorApp& app, const ConstFieldRef& f) {
     double value = f.row->type == FieldType::Int ? static_cast<double>(*static_cast<const int*>(f.value))
                                                  : static_cast<double>(*static_cast<const float*>(f.value));
     const ui::NumberEdit edit = ui::number(f.path, value, numberSpec(*f.row));
@@ -28,7 +28,7 @@ std::string vectorText(const double* v, int n) {
     return text + "]";
 }
 
-void vectorField(EditorApp& app, const FieldRef& f) {
+void vectorField(EditorApp& app, const ConstFieldRef& f) {
     const int n = f.row->type == FieldType::Vec2 ? 2 : 3;
     double v[3] = {};
     for (int i = 0; i < n; ++i) v[i] = static_cast<const double*>(f.value)[i];
@@ -54,11 +54,11 @@ void vectorField(EditorApp& app, const FieldRef& f) {
     ui::record(f.path, ui::Kind::Vector, vectorText(v, n));
 }
 
-void textLine(EditorApp& app, const FieldRef& f, const std::string& shown) {
+void textLine(EditorApp& app, const ConstFieldRef& f, const std::string& shown) {
     if (const auto typed = ui::textField(f.path, shown)) set(app, f.path, *typed);
 }
 
-void colorField(EditorApp& app, const FieldRef& f) {
+void colorField(EditorApp& app, const ConstFieldRef& f) {
     const glm::vec3 color = *static_cast<const glm::vec3*>(f.value);
     float v[3] = {color.x, color.y, color.z};
     if (ui::colorEdit(f.path + "/Swatch", v)) {
@@ -71,18 +71,18 @@ void colorField(EditorApp& app, const FieldRef& f) {
     textLine(app, f, fieldText(f));
 }
 
-void boolField(EditorApp& app, const FieldRef& f) {
+void boolField(EditorApp& app, const ConstFieldRef& f) {
     bool value = *static_cast<const bool*>(f.value);
     if (ui::checkbox(f.path, value)) set(app, f.path, value ? "true" : "false");
 }
 
-void enumField(EditorApp& app, const FieldRef& f) {
+void enumField(EditorApp& app, const ConstFieldRef& f) {
     const std::vector<std::string> items(f.row->options.begin(), f.row->options.end());
     int chosen = enumIndex(f.value);
     if (ui::combo(f.path, items, chosen)) set(app, f.path, items[static_cast<size_t>(chosen)]);
 }
 
-void mapField(const FieldRef& f) {
+void mapField(const ConstFieldRef& f) {
     const MapField& m = *static_cast<const MapField*>(f.value);
     std::string text = "none";
     if (m.present()) {
@@ -96,8 +96,8 @@ void mapField(const FieldRef& f) {
     if (m.present()) ui::tooltip(m.file);
 }
 
-void label(EditorApp& app, const FieldRef& f, const void* fallback, float width) {
-    const FieldRef usual{const_cast<void*>(fallback), f.row, f.component, f.entity, f.path};
+void label(EditorApp& app, const ConstFieldRef& f, const void* fallback, float width) {
+    const ConstFieldRef usual{fallback, f.row, f.component, f.entity, f.path};
     const bool map = f.row->type == FieldType::Map;
     const std::string usualText = map ? "" : fieldText(usual);
     const bool changed = !map && fieldText(f) != usualText;
@@ -120,7 +120,7 @@ void label(EditorApp& app, const FieldRef& f, const void* fallback, float width)
     if (clicked && changed) set(app, f.path, usualText);
 }
 
-void value(EditorApp& app, const FieldRef& f) {
+void value(EditorApp& app, const ConstFieldRef& f) {
     switch (f.row->type) {
         case FieldType::Bool:
             return boolField(app, f);
@@ -157,7 +157,7 @@ std::string fieldTitle(const std::string& name) {
     return title;
 }
 
-void drawField(EditorApp& app, const FieldRef& field, const void* fallback) {
+void drawField(EditorApp& app, const ConstFieldRef& field, const void* fallback) {
     const float width = std::max(ImGui::GetContentRegionAvail().x * 0.42f, 60.f);
     const float x = ImGui::GetCursorPosX();
     label(app, field, fallback, width - 6);

@@ -6,7 +6,7 @@
 namespace sward {
 
 // Label (dim at its default; click: back to it), value, and what was wrong with the value last typed.
-void drawField(EditorApp& app, const FieldRef& field, const void* fallback);
+void drawField(EditorApp& app, const ConstFieldRef& field, const void* fallback);
 // "bladesPerM2" -> "Blades per m2"; units of a name are left out: they stand beside the number.
 std::string fieldTitle(const std::string& name);
 

@@ -116,7 +116,7 @@ AmountEnds amountEnds(const FieldRow& map) {
 }
 
 void drawOverlayLegend(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (overlayOf(app).map.empty() || !map) return;
     const std::string title = map->path;
     const MapKind kind = kindOf(*map->row);

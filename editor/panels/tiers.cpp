@@ -11,8 +11,8 @@
 namespace sward {
 namespace {
 
-FieldRef fieldNamed(EditorApp& app, const char* name) {
-    const Result<FieldRef> f =
+ConstFieldRef fieldNamed(EditorApp& app, const char* name) {
+    const Result<ConstFieldRef> f =
         findField(app.doc.project(), app.doc.tables().components, tierEntity(app) + ".GrassField." + name);
     CHECK(bool(f));
     return *f;
@@ -46,7 +46,7 @@ void typeDistance(EditorApp& app, size_t i, const std::string& text, const ui::N
 
 void distance(EditorApp& app, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
-    const FieldRef field = fieldNamed(app, name);
+    const ConstFieldRef field = fieldNamed(app, name);
     const std::string help =
         fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
@@ -91,7 +91,7 @@ void chooseField(EditorApp& app) {
 }
 
 void numberOf(EditorApp& app, const char* name, const char* title) {
-    const FieldRef field = fieldNamed(app, name);
+    const ConstFieldRef field = fieldNamed(app, name);
     double value = field.row->type == FieldType::Int ? *static_cast<const int*>(field.value)
                                                      : static_cast<double>(*static_cast<const float*>(field.value));
     caption(title, field.row->help);
@@ -103,7 +103,7 @@ void numberOf(EditorApp& app, const char* name, const char* title) {
 void looks(EditorApp& app) {
     if (!beginForm("looks", 5)) return;
     chooseField(app);
-    const FieldRef technique = fieldNamed(app, "technique");
+    const ConstFieldRef technique = fieldNamed(app, "technique");
     const std::vector<std::string> items(technique.row->options.begin(), technique.row->options.end());
     int chosen = enumIndex(technique.value);
     caption("Technique", technique.row->help);

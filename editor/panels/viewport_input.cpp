@@ -23,7 +23,7 @@ void beginPaint(EditorApp& app) {
     Viewport& v = app.viewport;
     const std::optional<glm::dvec3> at = groundAt(app, app.in.x, app.in.y);
     if (!at) return;
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map) return showError(app, failed("there is no map to paint on", "add a GrassField to an entity"));
     const glm::dvec3 origin = findGround(app.doc.project()).origin;
     const std::vector<BrushSettings> brushes = strokeBrushes(app, app.in.ctrl(), app.in.shift());

@@ -144,7 +144,7 @@ std::optional<glm::dvec3> groundTowards(const EditorApp& app, double x, double y
 
 std::string tierEntity(EditorApp& app) {
     if (!app.doc.isOpen()) return "";
-    Project& p = app.doc.project();
+    const Project& p = app.doc.project();
     const auto grows = [&](const std::string& name) {
         return p.registry.get<GrassField>(findEntity(p, name)) != nullptr;
     };
@@ -155,7 +155,7 @@ std::string tierEntity(EditorApp& app) {
     return "";
 }
 
-GrassField* tierField(EditorApp& app) {
+const GrassField* tierField(EditorApp& app) {
     const std::string entity = tierEntity(app);
     if (entity.empty()) return nullptr;
     return app.doc.project().registry.get<GrassField>(findEntity(app.doc.project(), entity));

@@ -15,7 +15,7 @@ inline constexpr const char* kTierTitles[kTierCount] = {"All blades up to", "Bla
 // The entity whose distances panel and rings show: the one chosen in the panel, the selected, or the first; "" if none
 // has a GrassField.
 std::string tierEntity(EditorApp& app);
-GrassField* tierField(EditorApp& app);
+const GrassField* tierField(EditorApp& app);
 std::string tierPath(EditorApp& app, size_t i);  // "lawn.GrassField.maxGeom"
 
 // --- once a frame, around the drawing of the image

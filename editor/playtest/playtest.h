@@ -42,9 +42,9 @@ class Playtest {
     const std::vector<Contact>& contacts() const { return now_.contacts; }
 
     // --- the picture
-    Project& project() { return project_; }  // with what rolls where the picture shows it
-    double time() const;                     // scene seconds
-    ViewCamera view() const;                 // where the held input looks
+    const Project& project() const { return project_; }  // with what rolls where the picture shows it
+    double time() const;                                 // scene seconds
+    ViewCamera view() const;                             // where the held input looks
 
   private:
     Playtest() = default;

@@ -49,9 +49,9 @@ int stroke(lua_State* L, State& state) {
 
 // brush.erase{{x, z}, …}: every species of the field, whatever map is selected; with the brush's size and strength.
 int erase(lua_State* L, State& state) {
-    Project& p = openProject(L);
+    const Project& p = openProject(L);
     BrushSettings like = state.host.brush;
-    if (const Result<FieldRef> map = findMap(p, state.rows(), like.map)) like.map = map->path;
+    if (const Result<ConstFieldRef> map = findMap(p, state.rows(), like.map)) like.map = map->path;
     like.mode = "subtract";
     const std::vector<BrushSettings> brushes = speciesBrushes(p, state.rows(), like);
     if (brushes.empty()) raise(L, "there is no grass to erase");

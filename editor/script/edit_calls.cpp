@@ -24,7 +24,7 @@ int redo(lua_State* L, State& state) {
 // camera.use(name): the editor shows the view of this entity.
 int use(lua_State* L, State& state) {
     const std::string name = textArg(L, 1);
-    Project& p = openProject(L);
+    const Project& p = openProject(L);
     if (!p.registry.get<Camera>(findEntity(p, name)))
         raise(L, usage(fmt::format("there is no camera \"{}\"", name), "entity.list(\"Camera\") names them"));
     state.host.camera = name;

@@ -7,7 +7,7 @@ namespace {
 
 // entity.list() or entity.list("Camera"): names, sorted.
 int list(lua_State* L, State& state) {
-    Project& p = openProject(L);
+    const Project& p = openProject(L);
     const ComponentRow* only = nullptr;
     if (!lua_isnoneornil(L, 1) && !(only = findComponent(state.rows(), textArg(L, 1))))
         raise(L, usage(fmt::format("there is no component \"{}\"", textArg(L, 1))));
@@ -57,7 +57,7 @@ struct Whole {
     const ComponentRow* component = nullptr;
     const void* value = nullptr;  // of the component, if named
 };
-std::optional<Whole> wholeOf(Project& p, State& state, const std::string& path) {
+std::optional<Whole> wholeOf(const Project& p, State& state, const std::string& path) {
     const size_t dot = path.find('.');
     Whole w{path.substr(0, dot)};
     if (!p.entities.contains(w.entity)) return std::nullopt;
@@ -68,11 +68,11 @@ std::optional<Whole> wholeOf(Project& p, State& state, const std::string& path) 
 }
 
 int get(lua_State* L, State& state) {
-    Project& p = openProject(L);
+    const Project& p = openProject(L);
     const std::string path = textArg(L, 1);
     const std::optional<Whole> whole = wholeOf(p, state, path);
     if (!whole) {
-        const FieldRef field = orRaise(L, findField(p, state.rows(), path));
+        const ConstFieldRef field = orRaise(L, findField(p, state.rows(), path));
         pushField(L, *field.row, field.value);
         return 1;
     }
@@ -91,7 +91,7 @@ int get(lua_State* L, State& state) {
 
 // entity.set(path, value); a component's path takes a table, and gives the component to an entity that lacks it.
 int set(lua_State* L, State& state) {
-    Project& p = openProject(L);
+    const Project& p = openProject(L);
     const std::string path = textArg(L, 1);
     luaL_checkany(L, 2);
     GroupOrNothing group(state.document(), "set " + path);
@@ -101,7 +101,7 @@ int set(lua_State* L, State& state) {
         if (!row->get(p.registry, findEntity(p, entity))) orRaise(L, state.document().addComponent(entity, rest));
         setFieldsFromLua(L, path, row->fields, 2);
     } else {
-        const FieldRef field = orRaise(L, findField(p, state.rows(), path));
+        const ConstFieldRef field = orRaise(L, findField(p, state.rows(), path));
         setFromLua(L, field.path, *field.row, 2);
     }
     group.keep();

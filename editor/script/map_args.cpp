@@ -5,8 +5,8 @@
 namespace sward::script {
 
 NamedMap mapArg(lua_State* L, int arg) {
-    Project& p = openProject(L);
-    const FieldRef field = orRaise(L, findMap(p, stateOf(L).rows(), textArg(L, arg)));
+    const Project& p = openProject(L);
+    const ConstFieldRef field = orRaise(L, findMap(p, stateOf(L).rows(), textArg(L, arg)));
     const auto& value = *static_cast<const MapField*>(field.value);
     if (!value.present()) raise(L, usage(field.path + ": there is no map", "create or import one first"));
     const MapScale scale = orRaise(L, mapScale(p, field));
@@ -44,7 +44,7 @@ void checkMapBytes(lua_State* L, const MapInfo& info) {
     };
     size_t total = bytes(info);
     if (total > kMaxMapBytes) raise(L, fmt::format("a map of {} MiB; the most is {}", total >> 20, kMaxMapBytes >> 20));
-    for (const FieldRef& f : allMaps(openProject(L), state.rows()))
+    for (const ConstFieldRef& f : allMaps(openProject(L), state.rows()))
         total += bytes(static_cast<const MapField*>(f.value)->map.info());
     if (total > state.host.limits.mapBytes)
         raise(L, fmt::format("the project's maps would need {} MiB; a script may make them {}", total >> 20,

@@ -8,7 +8,7 @@ namespace sward::script {
 
 // A present map by its PATH or an unambiguous tail of it, as a copy to work on (it shares its tiles).
 struct NamedMap {
-    FieldRef field;
+    ConstFieldRef field;
     Map map;
     double width = 0, depth = 0;             // metres that it covers once
     bool repeats = false, mirrored = false;  // MapScale

@@ -34,7 +34,7 @@ int sizeOption(lua_State* L, Options& options, const char* name) {
 // map.create{path =, width =, height =, channels =, type =, value = 0}: replaces a map that is there.
 int create(lua_State* L, State& state) {
     Options options(L, 1);
-    const FieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
+    const ConstFieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
     MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->mapChannels,
                  PixelType::U16};
     info.channels = static_cast<int>(std::clamp(options.number("channels", info.channels), 0.0, 99.0));
@@ -165,7 +165,7 @@ int curve(lua_State* L, State&) {
 // map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is
 // replaced.
 int copy(lua_State* L, State& state) {
-    const FieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
+    const ConstFieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
     const NamedMap from = mapArg(L, 2);
     if (from.map.info().channels != to.row->mapChannels)
         raise(L, fmt::format("{} has {} channels, not {} as {}", from.field.path, from.map.info().channels,
@@ -204,10 +204,10 @@ TransferOptions transferOptions(lua_State* L) {
 }
 
 // Density and blade heights from one image, and how often both repeat: one step.
-int importBoth(lua_State* L, State& state, const FieldRef& density, const std::filesystem::path& file,
+int importBoth(lua_State* L, State& state, const ConstFieldRef& density, const std::filesystem::path& file,
                const ImportOptions& options) {
-    Project& p = openProject(L);
-    const FieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
+    const Project& p = openProject(L);
+    const ConstFieldRef height = orRaise(L, bladeHeightBeside(p, state.rows(), density));
     const auto remembered = p.imports.find(density.path);
     const bool flip = options.flip.value_or(remembered != p.imports.end() && remembered->second.flip);
     PackedMaps maps = orRaise(L, readPacked(file, flip));
@@ -218,14 +218,15 @@ int importBoth(lua_State* L, State& state, const FieldRef& density, const std::f
     orRaise(L, state.document().setMap(height.path, std::move(maps.bladeHeight), "import"));
     orRaise(L, state.document().setField(height.path + "Tiling", fmt::format("{}", tiling)));
     group.keep();
-    for (const FieldRef* f : {&density, &height}) p.imports[f->path] = {file.filename().string(), flip, {}};
+    for (const ConstFieldRef* f : {&density, &height})
+        state.document().rememberImport(f->path, {file.filename().string(), flip, {}});
     return 0;
 }
 
 // map.import(name, file, {flip =, range =, packed =}): texels, remembered settings and the height's range are one step.
 int import(lua_State* L, State& state) {
-    Project& p = openProject(L);
-    const FieldRef field = orRaise(L, findMap(p, state.rows(), textArg(L, 1)));
+    const Project& p = openProject(L);
+    const ConstFieldRef field = orRaise(L, findMap(p, state.rows(), textArg(L, 1)));
     const auto file = readablePath(L, textArg(L, 2));
     const TransferOptions options = transferOptions(L);
     if (options.packed) return importBoth(L, state, field, file, options);
@@ -238,7 +239,7 @@ int import(lua_State* L, State& state) {
         orRaise(L, state.document().setField(field.entity + "." + field.component->name + ".heightRange",
                                              fmt::format("[{}, {}]", used.range->first, used.range->second)));
     group.keep();
-    p.imports[field.path] = used;
+    state.document().rememberImport(field.path, used);
     return 0;
 }
 
@@ -296,7 +297,7 @@ int size(lua_State* L, State&) {
 
 // map.exists(name): whether the field has a map.
 int exists(lua_State* L, State& state) {
-    const Result<FieldRef> field = findMap(openProject(L), state.rows(), textArg(L, 1));
+    const Result<ConstFieldRef> field = findMap(openProject(L), state.rows(), textArg(L, 1));
     lua_pushboolean(L, field && static_cast<const MapField*>(field->value)->present());
     return 1;
 }

@@ -22,7 +22,7 @@ void raise(lua_State* L, const Error& error) {
 }
 void raise(lua_State* L, const std::string& message) { raise(L, failed(message)); }
 
-Project& openProject(lua_State* L) {
+const Project& openProject(lua_State* L) {
     if (!stateOf(L).document().isOpen()) raise(L, "no project is open; project.open or project.new opens one");
     return stateOf(L).document().project();
 }

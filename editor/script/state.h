@@ -52,7 +52,7 @@ T orRaise(lua_State* L, Result<T> result) {
     if (!result) raise(L, result.error());
     return std::move(*result);
 }
-Project& openProject(lua_State* L);  // raises if there is none
+const Project& openProject(lua_State* L);  // raises if there is none
 
 // A call as Lua sees it: counts itself, and turns exceptions into Lua errors.
 using Call = int (*)(lua_State*, State&);

@@ -30,7 +30,7 @@ void pushColor(lua_State* L, const glm::vec3& c) {
     }
 }
 
-void pushList(lua_State* L, const ListRow& list, void* value) {
+void pushList(lua_State* L, const ListRow& list, const void* value) {
     const size_t n = list.size(value);
     lua_createtable(L, static_cast<int>(n), 0);
     for (size_t i = 0; i < n; ++i) {
@@ -74,7 +74,7 @@ std::string fieldTextOf(lua_State* L, const std::string& path, int index) {
 }
 
 size_t listSize(lua_State* L, const std::string& path) {
-    const FieldRef field = orRaise(L, findField(openProject(L), stateOf(L).rows(), path));
+    const ConstFieldRef field = orRaise(L, findField(openProject(L), stateOf(L).rows(), path));
     return field.row->list->size(field.value);
 }
 
@@ -116,7 +116,7 @@ void pushField(lua_State* L, const FieldRow& field, const void* value) {
         case FieldType::String:
             return static_cast<void>(lua_pushstring(L, as<std::string>(value).c_str()));
         case FieldType::List:
-            return pushList(L, *field.list, const_cast<void*>(value));  // only read
+            return pushList(L, *field.list, value);
         case FieldType::Map:
             break;
     }

@@ -13,7 +13,7 @@ constexpr double kMostTexels = 10000;  // under the brush, that are read
 constexpr double kPi = 3.14159265358979323846;
 
 // The species' blades per square metre; nothing if the map is no density.
-std::optional<double> bladesPerM2Of(Document& document, const FieldRef& map) {
+std::optional<double> bladesPerM2Of(Document& document, const ConstFieldRef& map) {
     if (std::string_view(map.row->name) != "density") return {};
     const std::string path = map.path.substr(0, map.path.rfind('.')) + ".bladesPerM2";
     const auto field = findField(document.project(), document.tables().components, path);
@@ -23,7 +23,7 @@ std::optional<double> bladesPerM2Of(Document& document, const FieldRef& map) {
 
 std::optional<double> underBrush(EditorApp& app) {
     const Viewport& v = app.viewport;
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!v.ground || app.brushes.tool == kLookTool || !map) return {};
     const std::optional<double> perM2 = bladesPerM2Of(app.doc, *map);
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
@@ -34,15 +34,15 @@ std::optional<double> underBrush(EditorApp& app) {
 }
 
 // Densities of all species: erasing may paint each.
-std::vector<FieldRef> densities(EditorApp& app) {
-    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
-    std::erase_if(maps, [](const FieldRef& m) { return std::string_view(m.row->name) != "density"; });
+std::vector<ConstFieldRef> densities(EditorApp& app) {
+    std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+    std::erase_if(maps, [](const ConstFieldRef& m) { return std::string_view(m.row->name) != "density"; });
     return maps;
 }
 
 void beginCount(EditorApp& app, BrushCost& c) {
     c.before.clear();
-    for (const FieldRef& m : densities(app)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
+    for (const ConstFieldRef& m : densities(app)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
     c.stroke.reset();
 }
 
@@ -50,7 +50,7 @@ void countStroke(EditorApp& app, BrushCost& c) {
     if (c.revision == app.doc.revision()) return;
     c.revision = app.doc.revision();
     double added = 0;
-    for (const FieldRef& m : densities(app)) {
+    for (const ConstFieldRef& m : densities(app)) {
         const Map& now = static_cast<const MapField*>(m.value)->map;
         const auto before = c.before.find(m.path);
         const auto perM2 = bladesPerM2Of(app.doc, m);

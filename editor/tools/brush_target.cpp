@@ -6,12 +6,12 @@
 namespace sward {
 namespace {
 
-bool present(const FieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
+bool present(const ConstFieldRef& map) { return static_cast<const MapField*>(map.value)->present(); }
 
 // The map that a tool goes to: of those that it paints the last one chosen, else a density, else the first.
 std::string mapFor(EditorApp& app, const BrushRow& row) {
     std::vector<std::string> fitting;
-    for (const FieldRef& map : paintableMaps(app))
+    for (const ConstFieldRef& map : paintableMaps(app))
         if (paints(row, kindOf(*map.row))) fitting.push_back(map.path);
     for (const std::string& map : app.brushes.recentMaps)
         if (std::find(fitting.begin(), fitting.end(), map) != fitting.end()) return map;
@@ -44,16 +44,16 @@ void remember(BrushBook& book, MapKind kind) {
 
 }  // namespace
 
-std::vector<FieldRef> paintableMaps(EditorApp& app) {
+std::vector<ConstFieldRef> paintableMaps(EditorApp& app) {
     if (!app.doc.isOpen()) return {};
-    std::vector<FieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
-    std::erase_if(maps, [](const FieldRef& f) { return f.row->isHeight; });
+    std::vector<ConstFieldRef> maps = allMaps(app.doc.project(), app.doc.tables().components, true);
+    std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->isHeight; });
     return maps;
 }
 
-std::optional<FieldRef> chosenMap(EditorApp& app) {
+std::optional<ConstFieldRef> chosenMap(EditorApp& app) {
     if (!app.doc.isOpen() || app.brushes.map.empty()) return std::nullopt;
-    const Result<FieldRef> map = findField(app.doc.project(), app.doc.tables().components, app.brushes.map);
+    const Result<ConstFieldRef> map = findField(app.doc.project(), app.doc.tables().components, app.brushes.map);
     return map && map->row->type == FieldType::Map ? std::optional(*map) : std::nullopt;
 }
 
@@ -65,7 +65,7 @@ void selectMap(EditorApp& app, const std::string& path) {
 void selectTool(EditorApp& app, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
     if (!row && tool != kLookTool) return;
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (row && (!map || !paints(*row, kindOf(*map->row)))) {
         const std::string other = mapFor(app, *row);
         if (other.empty()) return say(app, fmt::format("{}: the project has no map that it paints", row->label));
@@ -76,13 +76,13 @@ void selectTool(EditorApp& app, const std::string& tool) {
 }
 
 void toggleLook(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     selectTool(app, app.brushes.tool != kLookTool ? kLookTool
                                                   : toolFor(app.brushes, map ? kindOf(*map->row) : MapKind::Amounts));
 }
 
 void pickColor(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map || kindOf(*map->row) != MapKind::Colours)
         return say(app, "Pick Colour: the brush is on no map of colours");
     const Map& texels = static_cast<const MapField*>(map->value)->map;
@@ -99,13 +99,13 @@ void pickColor(EditorApp& app) {
 }
 
 void keepTargetValid(EditorApp& app) {
-    const std::vector<FieldRef> maps = paintableMaps(app);
-    const auto named = [&](const FieldRef& f) { return f.path == app.brushes.map; };
+    const std::vector<ConstFieldRef> maps = paintableMaps(app);
+    const auto named = [&](const ConstFieldRef& f) { return f.path == app.brushes.map; };
     if (std::none_of(maps.begin(), maps.end(), named)) {
         const BrushRow* row = findBrush("add");
         app.brushes.map = mapFor(app, *row);
     }
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map) return;
     const MapKind kind = kindOf(*map->row);
     const BrushRow* row = findBrush(app.brushes.tool);
@@ -121,14 +121,14 @@ std::vector<BrushSettings> strokeBrushes(EditorApp& app, bool ctrl, bool shift) 
 
 namespace {
 // Forces that nobody painted are shown with those of the map, and where there is none.
-bool showsSources(EditorApp& app, const FieldRef& map) {
+bool showsSources(EditorApp& app, const ConstFieldRef& map) {
     return map.row->isForce &&
            has(sceneFeatures(app.doc.project().registry, app.doc.tables().components), Feature::Forces);
 }
 }  // namespace
 
 bool overlayShown(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map) return false;
     const auto chosen = app.brushes.overlays.find(map->path);
     return chosen != app.brushes.overlays.end() ? chosen->second : std::string_view(map->row->name) != "density";
@@ -137,7 +137,7 @@ bool overlayShown(EditorApp& app) {
 void toggleOverlay(EditorApp& app) { app.brushes.overlays[app.brushes.map] = !overlayShown(app); }
 
 MapOverlay overlayOf(EditorApp& app) {
-    const std::optional<FieldRef> map = chosenMap(app);
+    const std::optional<ConstFieldRef> map = chosenMap(app);
     if (!map || !overlayShown(app) || !(present(*map) || showsSources(app, *map))) return {};
     const Result<MapScale> scale = mapScale(app.doc.project(), *map);
     if (!scale || !findGround(app.doc.project()).terrain) return {};

@@ -7,9 +7,9 @@
 namespace sward {
 
 // Maps that brushes paint on, absent ones included; no heights.
-std::vector<FieldRef> paintableMaps(EditorApp& app);
+std::vector<ConstFieldRef> paintableMaps(EditorApp& app);
 // The chosen map, or nothing if the project has none.
-std::optional<FieldRef> chosenMap(EditorApp& app);
+std::optional<ConstFieldRef> chosenMap(EditorApp& app);
 void selectMap(EditorApp& app, const std::string& path);
 void selectTool(EditorApp& app, const std::string& tool);
 void toggleLook(EditorApp& app);  // from looking back to the tool that painted last

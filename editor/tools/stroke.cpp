@@ -14,21 +14,21 @@ constexpr double kHeadingReach = 0.25;     // radii of the way behind that a com
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
 
 // "orientation" repeats "orientationTiling" times, where the component has such a field.
-std::string tilingName(const FieldRef& map) { return std::string(map.row->name) + "Tiling"; }
+std::string tilingName(const ConstFieldRef& map) { return std::string(map.row->name) + "Tiling"; }
 const float* tilingIn(std::span<const FieldRow> fields, const void* base, const std::string& wanted) {
     for (const FieldRow& field : fields)
         if (field.name == wanted && field.type == FieldType::Float)
             return reinterpret_cast<const float*>(static_cast<const std::byte*>(base) + field.offset);
     return nullptr;
 }
-float tilingFactor(const Project& p, const FieldRef& map) {
-    const void* base = map.component->get(const_cast<Registry&>(p.registry), findEntity(p, map.entity));
+float tilingFactor(const Project& p, const ConstFieldRef& map) {
+    const void* base = map.component->get(p.registry, findEntity(p, map.entity));
     if (const float* found = tilingIn(map.component->fields, base, tilingName(map))) return *found;
     for (const FieldRow& field : map.component->fields) {  // in an element of a list, beside the map itself
         if (field.type != FieldType::List) continue;
         const void* list = static_cast<const std::byte*>(base) + field.offset;
         for (size_t i = 0; i < field.list->size(list); ++i) {
-            const void* element = field.list->at(const_cast<void*>(list), i);
+            const void* element = field.list->at(list, i);
             for (const FieldRow& own : field.list->fields)
                 if (static_cast<const std::byte*>(element) + own.offset == map.value)
                     if (const float* found = tilingIn(field.list->fields, element, tilingName(map))) return *found;
@@ -50,7 +50,7 @@ double milliseconds() {
 
 }  // namespace
 
-Result<MapScale> mapScale(const Project& p, const FieldRef& map) {
+Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
     const Terrain* terrain = terrainOf(p, map.entity);
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
     const float factor = tilingFactor(p, map);
@@ -84,12 +84,13 @@ Status checkBrush(const BrushSettings& b) {
     return {};
 }
 
-std::vector<BrushSettings> speciesBrushes(Project& p, std::span<const ComponentRow> rows, const BrushSettings& like) {
+std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const ComponentRow> rows,
+                                          const BrushSettings& like) {
     const auto grows = [&](const std::string& entity) { return p.registry.get<GrassField>(findEntity(p, entity)); };
     std::string entity = like.map.substr(0, like.map.find('.'));
     if (!p.entities.contains(entity) || !grows(entity)) entity.clear();
     std::vector<BrushSettings> brushes;
-    for (const FieldRef& map : allMaps(p, rows, true)) {
+    for (const ConstFieldRef& map : allMaps(p, rows, true)) {
         if (std::string_view(map.row->name) != "density" || !grows(map.entity)) continue;
         if (entity.empty()) entity = map.entity;
         if (map.entity != entity) continue;

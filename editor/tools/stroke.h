@@ -19,7 +19,7 @@ struct MapScale {
     float tiling = 0;  // ... as shaders take it
 };
 // Of the terrain that the map's entity has, or the first terrain by name. Fails if there is none.
-Result<MapScale> mapScale(const Project& p, const FieldRef& map);
+Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map);
 
 // Where a hand is heading after `metres` more towards (x, z): a vector mean that forgets what lies `reach` behind, so
 // that the pointer's whole pixels do not show. Starts at (0, 0): nowhere yet; turning back passes through it.
@@ -61,7 +61,8 @@ class Stroke {
 
 // A brush like this one for each species that grows where its map lies, by the density maps' PATHs: painting with all
 // of them at once takes every kind of grass away. Of a map that is no field's: of the first field by name.
-std::vector<BrushSettings> speciesBrushes(Project& p, std::span<const ComponentRow> rows, const BrushSettings& like);
+std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const ComponentRow> rows,
+                                          const BrushSettings& like);
 
 // Usage error if a setting is not finite or out of its range, or the mode is no brush.
 Status checkBrush(const BrushSettings& brush);

@@ -176,7 +176,10 @@ class Registry {
     // As above, to write to.
     template <class C>
     C* get(Entity e) {
-        return const_cast<C*>(std::as_const(*this).template get<C>(e));
+        if (!find<C>() || !valid(e)) return nullptr;
+        detail::Pool<C>& p = pool<C>();
+        const uint32_t s = p.slot(e.index);
+        return s == detail::kNone ? nullptr : &p.items[s];
     }
     // Entities that have a C.
     template <class C>

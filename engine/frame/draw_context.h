@@ -8,6 +8,9 @@
 #include "gpu/program.h"
 #include "gpu/resources.h"
 #include "shared/frame.h"
+#include "shared/grass.h"
+#include "shared/light.h"
+#include "shared/terrain.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 
@@ -133,7 +136,7 @@ std::vector<std::string> depthVariants();
 
 struct DrawContext {
     Gpu& gpu;
-    Project& project;
+    const Project& project;
     const Tables& tables;
     const FramePlan& plan;
     const ViewCamera& camera;

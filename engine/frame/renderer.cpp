@@ -203,8 +203,8 @@ struct Renderer::Impl {
         shared = {};
     }
 
-    DrawContext context(Project& project, const FramePlan& of, const ViewCamera& camera, const ViewSettings& settings,
-                        ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
+    DrawContext context(const Project& project, const FramePlan& of, const ViewCamera& camera,
+                        const ViewSettings& settings, ViewTargets& into, FrameGlobals& globals, FrameStats& counts) {
         DrawContext ctx{gpu,
                         project,
                         tables,
@@ -221,7 +221,7 @@ struct Renderer::Impl {
         shared.ground = findGround(project);
         ctx.eye = camera.eye - shared.ground.origin;
         ctx.around = camera.eye;
-        globals.eye = glm::vec4(glm::vec3(ctx.eye), 0);
+        globals.eye = ctx.eye;
         return ctx;
     }
 
@@ -231,9 +231,12 @@ struct Renderer::Impl {
         const float w = static_cast<float>(s.width), h = static_cast<float>(s.height);
         g.viewProj = viewProj;
         g.invViewProj = glm::inverse(g.viewProj);
-        g.viewport = {w, h, 1 / w, 1 / h};
-        g.mode = {static_cast<float>(s.mode), std::exp2(camera.exposure), static_cast<float>(samples),
-                  std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f)};
+        g.pixels = {w, h};
+        g.pixelShare = {1 / w, 1 / h};
+        g.mode = static_cast<int>(s.mode);
+        g.exposure = std::exp2(camera.exposure);
+        g.samples = samples;
+        g.widening = std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f);
     }
 
     EffectState* stateOf(DrawContext& ctx, const EffectRow* effect) {
@@ -270,7 +273,8 @@ struct Renderer::Impl {
         FrameStats counts;
         FrameGlobals globals;
         fillGlobals(globals, request.camera, request.settings, request.viewProj, request.targets->samples);
-        globals.mirror = {1, request.cutAt, 0, 0};
+        globals.mirrored = 1;
+        globals.mirrorHeight = request.cutAt;
         DrawContext ctx =
             context(outer.project, within, request.camera, request.settings, *request.targets, globals, counts);
         ctx.around = outer.around;
@@ -354,7 +358,7 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
     r.stats = {};
@@ -370,7 +374,9 @@ Status Renderer::draw(Project& project, const ViewCamera& camera, const ViewSett
                       r.targets.samples);
     DrawContext ctx = r.context(project, r.plan, camera, settings, r.targets, globals, r.stats);
     const BrushDecal& d = settings.decal;
-    globals.decal = {static_cast<float>(d.x - ctx.eye.x), static_cast<float>(d.z - ctx.eye.z), d.radius, d.falloff};
+    globals.decalAt = {d.x - ctx.eye.x, d.z - ctx.eye.z};
+    globals.decalRadius = d.radius;
+    globals.decalFalloff = d.falloff;
     r.maps.beginFrame();
     r.drawReflections(ctx);
     r.runSystems(ctx);
@@ -401,7 +407,7 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(Project& project, bool json) {
+std::string Renderer::explain(const Project& project, bool json) {
     impl_->replan(project);
     return explainPlan(impl_->plan, project, impl_->tables, impl_->gpu, json);
 }

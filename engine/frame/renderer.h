@@ -83,7 +83,7 @@ class Renderer {
     ~Renderer();
     // Draws into a texture of settings' size; resolved, tone-mapped, sRGB-encoded RGBA8, first row at the bottom.
     // Fails only if a program does not compile and no earlier version of it did; the message is the compiler's.
-    Status draw(Project& project, const ViewCamera& camera, const ViewSettings& settings);
+    Status draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings);
     unsigned image() const;                  // GL texture of the last draw
     std::vector<uint8_t> readImage() const;  // RGB8, first row on top
     std::vector<float> readLinear() const;   // RGB floats before tone mapping, first row on top
@@ -95,7 +95,7 @@ class Renderer {
     // Recompiles programs whose sources changed; keeps the last good ones. Failures are logged too.
     Reload reloadPrograms();
     // What runs for the project now, and why: the plan as JSON text (explain --json) or for people.
-    std::string explain(Project& project, bool json);
+    std::string explain(const Project& project, bool json);
     std::vector<std::string> programNames() const;
 
   private:

@@ -69,7 +69,7 @@ void GLAPIENTRY onDebug(GLenum source, GLenum type, GLuint, GLenum severity, GLs
     if (source == GL_DEBUG_SOURCE_SHADER_COMPILER || type != GL_DEBUG_TYPE_ERROR ||
         severity == GL_DEBUG_SEVERITY_NOTIFICATION)
         return;
-    auto* gpu = static_cast<Gpu*>(const_cast<void*>(user));
+    auto* gpu = static_cast<Gpu*>(const_cast<void*>(user));  // GL hands back what it was given, as const
     ++gpu->errors;
     gpu->lastError = message;
     logError(std::string("OpenGL: ") + message);

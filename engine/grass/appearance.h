@@ -14,7 +14,7 @@
 #include "frame/color_image.h"
 #include "frame/draw_context.h"
 #include "scene/population.h"
-#include "shared/frame.h"
+#include "shared/slices.h"
 
 namespace sward {
 

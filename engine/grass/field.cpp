@@ -41,15 +41,19 @@ void updateTexture(DrawContext& ctx, FieldSpecies& s, const Species& species) {
 
 void writeGlobals(DrawContext& ctx, FieldSpecies& s, const Species& sp, const GrassField& f, int index) {
     SpeciesGlobals g;
-    g.rootColor = glm::vec4(sp.rootColor, sp.rootOcclusion);
-    g.midColor = glm::vec4(sp.midColor, leanAtFull(sp));
-    g.tipColor = glm::vec4(sp.tipColor, sp.clumpSize);
-    g.clumps = glm::vec4(clumpStrengths(sp), f.cellSize);
-    g.counts = {static_cast<float>(sp.segments), static_cast<float>(f.seed), isUnique(f) ? 0 : f.fade,
-                static_cast<float>(index)};
-    g.looks = {sp.translucency, sp.gloss, sp.roughness, 0};
+    g.rootColor = sp.rootColor, g.midColor = sp.midColor, g.tipColor = sp.tipColor;
+    g.rootOpen = sp.rootOcclusion;
+    g.leanAtFull = leanAtFull(sp);
+    const glm::vec3 clumps = clumpStrengths(sp);
+    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
+    g.cellSize = f.cellSize;
+    g.segments = sp.segments;
+    g.seed = static_cast<uint32_t>(f.seed);
+    g.fade = isUnique(f) ? 0 : f.fade;
+    g.index = index;
+    g.translucency = sp.translucency, g.gloss = sp.gloss, g.roughness = sp.roughness;
     const BladeShade& shade = ctx.shared.shades[static_cast<size_t>(index)];
-    g.mask = {shade.radius, shade.top, 0, 0};
+    g.maskRadius = shade.radius, g.maskHeight = shade.top;
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
 
@@ -108,19 +112,21 @@ std::pair<float, float> shadowRange(const GrassField& f) {
 void writeCover(DrawContext& ctx, FieldState& state, const GrassField& f) {
     const GeometryRange range = geometryRange(f);
     CoverGlobals cover{};
-    cover.tiers = {static_cast<float>(state.species.size()), range.min, range.inv, f.cellSize};
-    cover.tiling = {f.orientationTiling, f.vegetationTiling, f.ambientOcclusionTiling, f.forcesTiling};
+    cover.speciesCount = static_cast<int>(state.species.size());
+    cover.minGeom = range.min, cover.geomInv = range.inv;
+    cover.cellSize = f.cellSize;
+    cover.orientationTiling = f.orientationTiling, cover.vegetationTiling = f.vegetationTiling;
+    cover.occlusionTiling = f.ambientOcclusionTiling, cover.forceTiling = f.forcesTiling;
     const Terrain& t = *ctx.shared.ground.terrain;
-    cover.bladeHeight.x = shaderTiling(t, f.bladeHeightTiling);
+    cover.heightTiling = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
-    for (size_t i = 0; i < state.species.size(); ++i) {
-        cover.densities[static_cast<int>(i)] = shaderTiling(t, f.species[i].densityTiling);
-        cover.shade[static_cast<int>(i)] = lightLeft(state.species[i]->look, ctx.globals.sunDirection.y);
-        cover.height[static_cast<int>(i)] = state.species[i]->look.height;
-        cover.gusts[static_cast<int>(i)] = wind ? windStrength(*wind, f.species[i]) : 0;
-    }
+    for (size_t i = 0; i < state.species.size(); ++i)
+        cover.species[i] = {shaderTiling(t, f.species[i].densityTiling),
+                            lightLeft(state.species[i]->look, ctx.globals.sunDirection.y),
+                            state.species[i]->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
     const auto [from, upTo] = shadowRange(f);
-    cover.shadows = {from, f32::lodInverse(from, upTo), f.farDarkening, f.farDarkeningDistance};
+    cover.shadeFrom = from, cover.shadeInv = f32::lodInverse(from, upTo);
+    cover.farDarkening = f.farDarkening, cover.farDarkeningAt = f.farDarkeningDistance;
     writeBuffer(ctx.gpu, state.cover, kOwner, sizeof(cover), &cover);
     ctx.shared.cover = state.cover.id();
 }

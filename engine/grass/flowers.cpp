@@ -3,6 +3,7 @@
 #include "core/numerics.h"
 #include "frame/flower_image.h"
 #include "grass/cells.h"
+#include "shared/flowers.h"
 
 namespace sward {
 namespace {
@@ -57,12 +58,17 @@ void makeMesh(DrawContext& ctx, Kind& k, uint32_t most) {
 FlowerGlobals globalsOf(const Terrain& t, const Flowers& f, const FlowerGrid& grid, const Kind& k) {
     FlowerGlobals g{};
     const float from = kThinFrom * f.maxDistance;
-    g.shape = {f.height, f.heightVariation, f.headSize, static_cast<float>(grid.side)};
-    g.counts = {grid.expected, static_cast<float>(f.seed & 0xFFFFFF),
-                f.density.present() ? shaderTiling(t, f.densityTiling) : -1, k.image.made ? 1 : 0};
-    g.range = {from, f32::lodInverse(from, f.maxDistance), kWidest, k.image.headShare};
-    g.petal = glm::vec4(f.color, 0), g.second = glm::vec4(f.secondColor, 0);
-    g.center = glm::vec4(f.centerColor, 0), g.stem = glm::vec4(f.stemColor, 0);
+    g.petal = f.color, g.second = f.secondColor, g.center = f.centerColor, g.stem = f.stemColor;
+    g.height = f.height, g.variation = f.heightVariation;
+    g.headSize = f.headSize;
+    g.cellSize = static_cast<float>(grid.side);
+    g.expected = grid.expected;
+    g.seed = static_cast<uint32_t>(f.seed & 0xFFFFFF);
+    g.tiling = f.density.present() ? shaderTiling(t, f.densityTiling) : -1;
+    g.made = k.image.made;
+    g.thinFrom = from, g.thinInv = f32::lodInverse(from, f.maxDistance);
+    g.widest = kWidest;
+    g.headShare = k.image.headShare;
     return g;
 }
 

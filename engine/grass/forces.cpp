@@ -1,6 +1,7 @@
 #include "grass/forces.h"
 
 #include "frame/draw_context.h"
+#include "shared/wind.h"
 #include "world/forces.h"
 
 namespace sward {
@@ -73,7 +74,7 @@ void update(DrawContext& ctx) {
     s.squaresDrawn = drawn.size();
     ctx.shared.forceTarget = {s.target.id(), kSide, s.forces};
     writeBuffer(ctx.gpu, s.drawn, kOwner, drawn.size() * sizeof(Drawn), drawn.data());
-    const ForceGlobals g{glm::vec4(glm::vec2(s.corner - eye), static_cast<float>(1 / s.side), 0)};
+    const ForceGlobals g{s.corner - eye, static_cast<float>(1 / s.side)};
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FORCE, s.globals.id());
     glBindTextureUnit(TEX_FORCE, s.map.id());

@@ -147,7 +147,7 @@ void cull(DrawContext& ctx) {
     const GrassField& f = *firstOf<GrassField>(ctx.project);
     if (!ctx.shared.grass) return;
     const FieldState& field = *ctx.shared.grass;
-    const bool castingLamps = ctx.shared.lights.count.y > 0;
+    const bool castingLamps = ctx.shared.lights.casting > 0;
     state.species.resize(field.species.size());
     ctx.shared.blades = {};
     for (size_t i = 0; i < state.species.size(); ++i) {

@@ -78,21 +78,27 @@ CullGlobals cullGlobals(const CellWish& w) {
     const CellQuery& q = w.query;
     const f32::CellGrid grid = cellGrid(q);
     const f32::CellRule rule = cellRule(q);
-    const glm::ivec2 cells = fieldCells(q);
-    CullGlobals g;
+    CullGlobals g{};
     for (size_t i = 0; i < 6; ++i) g.planes[i] = q.frustum.planes[i];
-    g.eye = glm::vec4(grid.eyeCell, grid.inCell);
-    g.grid = {grid.edge, grid.size, q.reach};
-    g.field = {static_cast<float>(cells.x), static_cast<float>(cells.y), std::min(q.range.max * q.range.max, 3e38f),
-               q.shadow};
-    g.rule = {rule.fade, rule.thinning, rule.rangeMin, rule.rangeInv};
-    g.levels = {static_cast<float>(q.levels.smoothness), q.levels.maxDistance, q.levels.quadsAtOneMetre,
-                q.levels.reach};
-    g.strips = {q.sagitta * q.pixelsPerMetre, static_cast<float>(q.segments), std::clamp(w.detail, 0.01f, 1.0f),
-                w.plainFrom};
-    g.texels = {0, 0, static_cast<float>(q.seed), static_cast<float>(w.pieceBlades)};
-    g.counted = {w.drawn, 0, q.unique ? 1 : 0, 0};
-    if (q.density) g.texels.x = texelsPerCell(q).x, g.texels.y = texelsPerCell(q).y;
+    g.eyeCell = grid.eyeCell, g.inCell = grid.inCell, g.edge = grid.edge, g.cellSize = grid.size;
+    g.reach = q.reach;
+    g.cells = fieldCells(q);
+    g.farthest2 = std::min(q.range.max * q.range.max, 3e38f);
+    g.shadowReach = q.shadow;
+    g.fade = rule.fade, g.thinning = rule.thinning, g.rangeMin = rule.rangeMin, g.rangeInv = rule.rangeInv;
+    g.smoothness = static_cast<float>(q.levels.smoothness);
+    g.maxDistance = q.levels.maxDistance;
+    g.quadsAtOneMetre = q.levels.quadsAtOneMetre;
+    g.levelReach = q.levels.reach;
+    g.sagittaPixels = q.sagitta * q.pixelsPerMetre;
+    g.mostQuads = q.segments;
+    g.detail = std::clamp(w.detail, 0.01f, 1.0f);
+    g.plainFrom = w.plainFrom;
+    if (q.density) g.texels = texelsPerCell(q);
+    g.seed = q.seed;
+    g.pieceBlades = w.pieceBlades;
+    g.drawn = w.drawn;
+    g.unique = q.unique != nullptr;
     return g;
 }
 
@@ -107,7 +113,7 @@ void chooseCells(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char
     CullGlobals globals = cullGlobals(w);
     c.counting = countsNow(c, ctx.settings.measure);
     ++c.frame;
-    globals.counted.y = c.counting ? 1 : 0;
+    globals.counts = c.counting;
     writeBuffer(ctx.gpu, c.globals, owner, sizeof(globals), &globals);
     ctx.stats.cells += c.last.cells;
     ctx.stats.bladesGeometry += c.last.blades;

@@ -4,6 +4,7 @@
 // Source: Jahrmann and Wimmer 2013, section 6.1. Does not: draw.
 #pragma once
 #include "grass/cells.h"
+#include "shared/cells.h"
 
 namespace sward {
 

@@ -38,7 +38,7 @@ BladeList shadowList(const DrawContext& ctx, ShadowState::One& one, size_t i, co
     const FieldSpecies& species = *ctx.shared.grass->species[i];
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, f, i);
-    const float sine = ctx.shared.lights.count.y > 0 ? 0 : ctx.globals.sunDirection.y;
+    const float sine = ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y;
     return listBlades({query, one.least, query.reach + groundShadowReach(species.look.height, sine), share, true},
                       {blades.cells, blades.count});
 }
@@ -101,9 +101,8 @@ void draw(DrawContext& ctx) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    const bool sun =
-        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
-    const int lamps = std::min(static_cast<int>(ctx.shared.lights.count.y), kLights - 1);
+    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
+    const int lamps = std::min(ctx.shared.lights.casting, kLights - 1);
     for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, state, light);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -11,6 +11,7 @@
 #include "grass/cells.h"
 #include "grass/field.h"
 #include "grass/slice_file.h"
+#include "shared/slices.h"
 #include "world/wind.h"
 
 namespace sward {
@@ -97,11 +98,10 @@ FieldLight fieldLight(const DrawContext& ctx, const GrassField& f, const Species
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
-    if (has(ctx.plan.features, Feature::Sun) && g.sunDirection.w > 0)
-        l.suns.push_back({glm::vec3(g.sunDirection), glm::vec3(g.sunLight)});
+    if (has(ctx.plan.features, Feature::Sun) && g.sunIsUp > 0) l.suns.push_back({g.sunDirection, g.sunLight});
     l.weighting = f.lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
-    if (ctx.globals.sunLight.w > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
+    if (g.sunCasts > 0 && ctx.shared.shades[index].texture) l.shade = &ctx.shared.shades[index];
     l.lean = has(ctx.plan.features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
     if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
     if (has(ctx.plan.features, Feature::Wind))
@@ -131,34 +131,53 @@ void updateGains(FieldSpecies& s, const FieldLight& l) {
     s.gains = gainsOf(s.look, l);
 }
 
-SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& sp, const FieldSpecies& s) {
-    SliceGlobals g{};
-    const Gains& gains = s.gains;
-    const glm::dvec2 eye(ctx.eye.x, ctx.eye.z), cell = glm::floor(eye / double(f.cellSize));
-    const glm::vec2 within = eye / double(f.cellSize) - cell;
+// The distances between which slices stand for blades.
+void setTiers(SliceGlobals& g, const DrawContext& ctx, const GrassField& f) {
     const bool only = static_cast<Technique>(f.technique) == Technique::Slices;
     GeometryRange range = slicesAlone(ctx, f) ? GeometryRange{0, f32::lodInverse(0, 0), 0} : geometryRange(f);
     if (static_cast<Technique>(f.technique) == Technique::Tessellated)  // takes over while blades get lower
         range = {f.lowerFrom * f.maxDistance, f32::lodInverse(f.lowerFrom * f.maxDistance, f.maxDistance),
                  f.maxDistance};
-    g.shape = {f.cellSize, s.slices.top, static_cast<float>(s.slices.slices), s.slices.reflectScale};
-    g.tiers = {range.min, range.inv, only ? 0.0f : f.minBTF, only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF)};
-    g.areas = {s.look.across, s.look.above, f.farHeight * s.slices.top, s.slices.farDepth};
-    g.eyeCell = {static_cast<float>(cell.x), static_cast<float>(cell.y), within.x, within.y};
-    g.counts = {f.fade, static_cast<float>(f.seed), static_cast<float>(s.slices.farReflectance.width),
-                static_cast<float>(s.slices.reflectance.width)};
-    g.sunWeights = imageWeights(glm::vec3(ctx.globals.sunDirection), f.lightWeights);
-    g.ambient = glm::vec4(gains.sliceAmbient, 0);
-    g.farAmbient = glm::vec4(gains.farAmbient, 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize);
-    g.clumps = glm::vec4(clumpStrengths(sp), sp.clumpSize);
-    g.lean = {leanAtFull(sp), sp.translucency, s.look.height / f.cellSize, std::exp2(-f.sharpness)};
+    g.minGeom = range.min, g.geomInv = range.inv;
+    g.minBTF = only ? 0.0f : f.minBTF, g.btfInv = only ? 0.0f : f32::lodInverse(f.minBTF, f.maxBTF);
+}
+
+void setGains(SliceGlobals& g, const GrassField& f, const Gains& gains) {
     const bool conserving = f.sliceCover == static_cast<int>(SliceCover::Conserving);
-    g.laid = {s.look.laidAcross, s.look.laidAbove, 0, 0};
-    for (int i = 0; i < LOOK_VIEWS; ++i) {
-        g.laidGains[i] = conserving ? gains.laid[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
-        g.gains[i] = conserving ? gains.slices[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
-        g.farGains[i] = conserving ? gains.far[static_cast<size_t>(i)] : glm::vec4(1, 1, 1, 0);
+    const glm::vec4 none(1, 1, 1, 0);
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec4 across = conserving ? gains.slices[i] : none, above = conserving ? gains.far[i] : none,
+                        laid = conserving ? gains.laid[i] : none;
+        g.gains[i] = {across, across.w, above, above.w, laid};
     }
+}
+
+SliceGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& sp, const FieldSpecies& s,
+                       size_t index) {
+    SliceGlobals g{};
+    const glm::dvec2 eye = glm::dvec2(ctx.eye.x, ctx.eye.z) / double(f.cellSize), cell = glm::floor(eye);
+    setTiers(g, ctx, f);
+    setGains(g, f, s.gains);
+    g.cellSize = f.cellSize;
+    g.top = s.slices.top;
+    g.slices = s.slices.slices;
+    g.reflectScale = s.slices.reflectScale;
+    g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
+    g.farHeight = f.farHeight * s.slices.top, g.farDepth = s.slices.farDepth;
+    g.eyeCell = cell, g.inCell = eye - cell;
+    g.fade = f.fade;
+    g.seed = static_cast<uint32_t>(f.seed);
+    g.species = static_cast<int>(index);
+    g.farTexels = static_cast<float>(s.slices.farReflectance.width);
+    g.sunWeights = imageWeights(ctx.globals.sunDirection, f.lightWeights);
+    g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
+    g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
+    const glm::vec3 clumps = clumpStrengths(sp);
+    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
+    g.leanAtFull = leanAtFull(sp);
+    g.translucency = sp.translucency;
+    g.meanHeight = s.look.height / f.cellSize;
+    g.sharpness = std::exp2(-f.sharpness);
     return g;
 }
 
@@ -294,8 +313,8 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const GrassField& f, f
     const float near =
         static_cast<Technique>(f.technique) == Technique::Hybrid && !slicesAlone(ctx, f) ? f.minGeom : -1;
     for (const TerrainNode& n : ctx.shared.groundMesh.nodes) {
-        const float side = 16 * n.level.x;
-        const glm::vec2 low(n.place), high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
+        const float side = 16 * n.spacing;
+        const glm::vec2 low = n.corner, high = low + glm::vec2(side), reach = glm::max(glm::abs(low), glm::abs(high));
         const float tall = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
                                     std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
         if (glm::length(glm::vec3(reach.x, reach.y, tall)) > near &&
@@ -315,8 +334,7 @@ void updateFar(DrawContext& ctx) {
         FieldSpecies& s = *field.species[i];
         ensureSlices(ctx, f, f.species[i], s);
         updateGains(s, fieldLight(ctx, f, f.species[i], i));
-        SliceGlobals g = globalsOf(ctx, f, f.species[i], s);
-        g.ambient.w = static_cast<float>(i);
+        const SliceGlobals g = globalsOf(ctx, f, f.species[i], s, i);
         writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
     }
     state.selected = farNodes(ctx, f, std::numeric_limits<float>::infinity());
@@ -372,9 +390,8 @@ void drawFarShadow(DrawContext& ctx) {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    const bool sun =
-        has(ctx.plan.features, Feature::Sun) && ctx.globals.sunDirection.w > 0 && ctx.globals.sunLight.w > 0;
-    const int lamps = static_cast<int>(ctx.shared.lights.count.y);
+    const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
+    const int lamps = ctx.shared.lights.casting;
     for (int light = sun ? 0 : 1; light <= lamps; ++light)
         for (size_t i = 0; i < ctx.shared.grass->species.size(); ++i) {
             const FieldSpecies& s = *ctx.shared.grass->species[i];

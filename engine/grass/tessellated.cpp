@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "grass/field.h"
 #include "grass/gpu_cells.h"
+#include "shared/tess.h"
 
 namespace sward {
 namespace {
@@ -58,12 +59,16 @@ float mostWidening(const GrassField& f) {
 
 TessGlobals globalsOf(const DrawContext& ctx, const GrassField& f, const Species& species, float covered) {
     TessGlobals g;
-    g.range = {f.maxDistance, f.thinning / f.maxDistance, 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f),
-               mostWidening(f)};
-    const bool byPixels = f.levelBy == static_cast<int>(LevelBy::Pixels);
-    g.level = {static_cast<float>(species.smoothness), byPixels ? f.pixelsPerQuad : 0, kNear,
-               pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings))};
-    g.plain = {kPlainPixels, 2 * covered, 0, 0};  // a triangle covers half of its strip
+    g.maxDistance = f.maxDistance;
+    g.thinning = f.thinning / f.maxDistance;
+    g.lowerInv = 1 / std::max(f.maxDistance * (1 - f.lowerFrom), 1e-6f);
+    g.widest = mostWidening(f);
+    g.mostLevel = static_cast<float>(species.smoothness);
+    g.pixelsPerQuad = f.levelBy == static_cast<int>(LevelBy::Pixels) ? f.pixelsPerQuad : 0;
+    g.near = kNear;
+    g.pixelsPerMetre = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
+    g.plainPixels = kPlainPixels;
+    g.plainWidth = 2 * covered;  // a triangle covers half of its strip
     return g;
 }
 
@@ -108,7 +113,7 @@ CellQuery queryOf(DrawContext& ctx, const GrassField& f, size_t i) {
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     const Species& species = f.species[i];
     CellQuery q = drawnQuery(ctx, f, i);
-    q.reach += species.width * (mostWidening(f) * ctx.globals.mode.w - 1);
+    q.reach += species.width * (mostWidening(f) * ctx.globals.widening - 1);
     q.thinning = f.thinning / f.maxDistance;
     q.levels = {species.smoothness, f.maxDistance, 0, q.reach};
     if (f.levelBy == static_cast<int>(LevelBy::Pixels)) q.levels.quadsAtOneMetre = q.reach * pixels / f.pixelsPerQuad;
@@ -127,7 +132,7 @@ void select(DrawContext& ctx) {
         if (!state.species[i]) state.species[i] = std::make_unique<SpeciesState>();
         SpeciesState& s = *state.species[i];
         updateSpecies(ctx, s, *field.species[i], f, f.species[i]);
-        const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.mode.w;
+        const float widest = 1.25f * f.species[i].width * mostWidening(f) * ctx.globals.widening;
         const CellQuery query = queryOf(ctx, f, i);
         chooseCells(ctx, s.chosen,
                     {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels),

@@ -5,6 +5,7 @@
 #include "frame/color_image.h"
 #include "frame/draw_context.h"
 #include "mesh/mesh_io.h"
+#include "shared/objects.h"
 #include "world/placement.h"
 
 namespace sward {

@@ -1,6 +1,7 @@
 #include "objects/shadow.h"
 
 #include "frame/draw_context.h"
+#include "shared/objects.h"
 
 namespace sward {
 namespace {
@@ -84,21 +85,21 @@ void aimMap(ShadowState& s, int i, const glm::dvec3& around, const glm::dvec3& e
         map.drawn = 0;
     }
     const double half = kReach[i] * kHalf;
-    s.values.toMap[i] = toMap(s, map.centre, eye, half);
-    s.values.reach[i] = static_cast<float>(kReach[i]);
-    s.values.texel[i] = static_cast<float>(2 * half / kSide);
+    s.values.cascades[i].toMap = toMap(s, map.centre, eye, half);
+    s.values.cascades[i].reach = static_cast<float>(kReach[i]);
+    s.values.cascades[i].texel = static_cast<float>(2 * half / kSide);
 }
 
 void aim(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
-    const glm::vec3 sun(ctx.globals.sunDirection);
-    if (ctx.globals.sunDirection.w > 0) {
+    const glm::vec3 sun = ctx.globals.sunDirection;
+    if (ctx.globals.sunIsUp > 0) {
         if (s.sun != sun) {
             setAxes(s, sun);
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
         for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, i, ctx.around, ctx.camera.eye);
-        s.values.texel.w = 1.0f / kSide;
+        s.values.texelShare = 1.0f / kSide;
         glNamedBufferSubData(s.globals.id(), 0, sizeof(ShadowGlobals), &s.values);
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SHADOW, s.globals.id());
@@ -133,8 +134,7 @@ void draw(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
     const uint64_t wanted = ctx.shared.castersHash | 1;
     const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted; };
-    if (ctx.globals.sunDirection.w <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use())
-        return;
+    if (ctx.globals.sunIsUp <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use()) return;
     glViewport(0, 0, kSide, kSide);
     glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map still shades
     for (int i = 0; i < SHADOW_CASCADES; ++i) {

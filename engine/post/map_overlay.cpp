@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kOwner = "post/map-overlay";
 
 // The texture that the grass reads, if it reads this map; else one of the overlay's own while it is shown.
-GLuint textureOf(DrawContext& ctx, const FieldRef& field) {
+GLuint textureOf(DrawContext& ctx, const ConstFieldRef& field) {
     const auto* wanted = static_cast<const MapField*>(field.value);
     if (const GrassField* f = firstOf<GrassField>(ctx.project)) {
         const SharedResources& r = ctx.shared;
@@ -29,7 +29,7 @@ float kindOf(const FieldRow& row) {
 }
 
 // Metres, with room for the ground's own roughness.
-float tallestGrass(Project& project) {
+float tallestGrass(const Project& project) {
     float most = 0;
     if (const GrassField* f = firstOf<GrassField>(project))
         for (const Species& s : f->species) most = std::max(most, s.height * (1 + s.heightVariation));
@@ -39,7 +39,7 @@ float tallestGrass(Project& project) {
 void draw(DrawContext& ctx) {
     const MapOverlay& overlay = ctx.settings.overlay;
     if (overlay.map.empty()) return;
-    const Result<FieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
+    const Result<ConstFieldRef> field = findField(ctx.project, ctx.tables.components, overlay.map);
     if (!field || field->row->type != FieldType::Map) return;
     const Map& map = static_cast<const MapField*>(field->value)->map;
     const bool pressed =
@@ -50,7 +50,7 @@ void draw(DrawContext& ctx) {
     const float metresPerPixel =
         1 / pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));  // at a distance of one metre
     const float texelsPerMetre =
-        static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.maps.x;
+        static_cast<float>(std::max(map.info().width, 1) * overlay.tiling) * ctx.globals.mapShare.x;
     glUniform4f(0, kindOf(*field->row), static_cast<float>(overlay.tiling), metresPerPixel, texelsPerMetre);
     glUniform1f(1, tallestGrass(ctx.project));
     glUniform1i(2, !map.empty());

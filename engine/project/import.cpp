@@ -6,7 +6,7 @@ namespace sward {
 namespace {
 
 // What was asked for, else what is remembered.
-Result<MapImport> settle(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+Result<MapImport> settle(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                          const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     MapImport out = it == p.imports.end() ? MapImport() : it->second;
@@ -21,7 +21,7 @@ Result<MapImport> settle(const Project& p, const FieldRef& map, const std::files
 }
 
 // The heightRange beside a height map, or null.
-const FieldRow* rangeBeside(const FieldRef& map) {
+const FieldRow* rangeBeside(const ConstFieldRef& map) {
     if (!map.row->isHeight) return nullptr;
     for (const FieldRow& row : map.component->fields)
         if (row.type == FieldType::Vec2 && std::string_view(row.name) == "heightRange") return &row;
@@ -34,14 +34,14 @@ Status setHeightRange(Project& p, const FieldRef& map, const MapImport& import, 
     const auto [low, high] = *import.range;
     if (low < row->hardMin || high > row->hardMax)
         return usage(fmt::format("{}: the range lies beyond {} to {} m", map.path, row->hardMin, row->hardMax));
-    void* component = map.component->get(p.registry, findEntity(p, map.entity));
+    void* component = map.component->edit(p.registry, findEntity(p, map.entity));
     *reinterpret_cast<glm::dvec2*>(static_cast<std::byte*>(component) + row->offset) = {low, high};
     return {};
 }
 
 }  // namespace
 
-Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+Result<Map> readImport(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                        const ImportOptions& options, MapImport* used, std::vector<std::string>* repaired) {
     CHECK(map.row && map.row->type == FieldType::Map);
     Result<MapImport> settled = settle(p, map, file, options);
@@ -73,9 +73,9 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
     return {};
 }
 
-Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportMap(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                  const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<FieldRef> map = findMap(p, rows, mapName);
+    const Result<ConstFieldRef> map = findMap(p, rows, mapName);
     if (!map) return map.error();
     const auto& field = *static_cast<const MapField*>(map->value);
     if (!field.present()) return usage(fmt::format("{} has no map", map->path), "import or paint one first");

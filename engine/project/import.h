@@ -23,7 +23,7 @@ struct ImportOptions {
 
 // Reads FILE as the texels of a map field: converted to the field's own type, except heights, which keep theirs.
 // `used`: what was applied. Errors of readMap; Usage if the range is empty or not finite.
-Result<Map> readImport(const Project& p, const FieldRef& map, const std::filesystem::path& file,
+Result<Map> readImport(const Project& p, const ConstFieldRef& map, const std::filesystem::path& file,
                        const ImportOptions& options, MapImport* used = nullptr,
                        std::vector<std::string>* repaired = nullptr);
 
@@ -34,7 +34,7 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
                  std::vector<std::string>* repaired = nullptr);
 
 // Writes a map to FILE, its format by extension (writeMap). Usage error if the map is absent.
-Status exportMap(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportMap(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                  const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace sward

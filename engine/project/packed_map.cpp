@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kGreenStep = 1.5f / 255;  // within which green counts as a share of red
 
-MapField& mapOf(const FieldRef& f) { return *static_cast<MapField*>(f.value); }
+const MapField& mapOf(const ConstFieldRef& f) { return *static_cast<const MapField*>(f.value); }
 
 // One of several channels, as a map of its own.
 Map channelOf(const Map& floats, int channel, PixelType type) {
@@ -37,9 +37,9 @@ bool hasOwnCoarse(const Map& floats) {
 }
 
 // The tiling field of a map of the field, or of its species.
-float& tilingBeside(Project& p, const FieldRef& map) {
-    GrassField& f = *p.registry.get<GrassField>(findEntity(p, map.entity));
-    for (Species& s : f.species)
+const float& tilingBeside(const Project& p, const ConstFieldRef& map) {
+    const GrassField& f = *p.registry.get<GrassField>(findEntity(p, map.entity));
+    for (const Species& s : f.species)
         if (&s.density == map.value) return s.densityTiling;
     return f.bladeHeightTiling;
 }
@@ -64,14 +64,14 @@ Map packed(const MapField& density, const MapField& bladeHeight) {
 }
 
 void put(Project& p, const FieldRef& field, Map map, const std::filesystem::path& file, bool flip) {
-    MapField& to = mapOf(field);
+    MapField& to = *static_cast<MapField*>(field.value);
     to.file = mapFileFor(field, map.info().type);
     to.map = std::move(map);
     p.imports[field.path] = {file.filename().string(), flip, {}};
 }
 
 // As asked for, else as remembered.
-bool flipOf(const Project& p, const FieldRef& map, const ImportOptions& options) {
+bool flipOf(const Project& p, const ConstFieldRef& map, const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     return options.flip.value_or(it != p.imports.end() && it->second.flip);
 }
@@ -93,7 +93,8 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip, std:
     return PackedMaps{channelOf(floats, 0, PixelType::U16), channelOf(floats, 2, PixelType::U8), hasOwnCoarse(floats)};
 }
 
-Result<FieldRef> bladeHeightBeside(Project& p, std::span<const ComponentRow> rows, const FieldRef& density) {
+Result<ConstFieldRef> bladeHeightBeside(const Project& p, std::span<const ComponentRow> rows,
+                                        const ConstFieldRef& density) {
     if (std::string_view(density.row->name) != "density" || std::string_view(density.component->name) != "GrassField")
         return usage(density.path + " is no density map: only those are packed with blade heights",
                      "name a species' density");
@@ -105,23 +106,24 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
                     std::vector<std::string>* repaired) {
     const Result<FieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
-    if (!height) return height.error();
+    const Result<ConstFieldRef> beside = bladeHeightBeside(p, rows, *density);
+    if (!beside) return beside.error();
+    const Result<FieldRef> height = findField(p, rows, beside->path);
     const bool flip = flipOf(p, *density, options);
     Result<PackedMaps> maps = readPacked(file, flip, repaired);
     if (!maps) return maps.error();
     if (maps->ownCoarse && repaired) repaired->emplace_back(kGreenNotKept);
     put(p, *density, std::move(maps->density), file, flip);
     put(p, *height, std::move(maps->bladeHeight), file, flip);
-    tilingBeside(p, *height) = tilingBeside(p, *density);
+    p.registry.get<GrassField>(findEntity(p, height->entity))->bladeHeightTiling = tilingBeside(p, *density);
     return {};
 }
 
-Status exportPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                     const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<FieldRef> density = findMap(p, rows, mapName);
+    const Result<ConstFieldRef> density = findMap(p, rows, mapName);
     if (!density) return density.error();
-    const Result<FieldRef> height = bladeHeightBeside(p, rows, *density);
+    const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
     if (!height) return height.error();
     const MapField &red = mapOf(*density), &blue = mapOf(*height);
     if (!red.present() && !blue.present())

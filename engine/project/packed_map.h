@@ -25,7 +25,8 @@ Result<PackedMaps> readPacked(const std::filesystem::path& file, bool flip,
 
 // Where the packed map of a density map goes to and comes from: that map, and its field's bladeHeight.
 // Usage error if `density` is no species' density map.
-Result<FieldRef> bladeHeightBeside(Project& p, std::span<const ComponentRow> rows, const FieldRef& density);
+Result<ConstFieldRef> bladeHeightBeside(const Project& p, std::span<const ComponentRow> rows,
+                                        const ConstFieldRef& density);
 
 // Reads FILE into the density map called `mapName` and into its field's blade heights, which then repeat as the density
 // does. In memory; on failure nothing changes.
@@ -35,7 +36,7 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
 
 // Writes both as one image of 16 bits in the density's size (PNG, TIFF) or of floats (EXR); what is absent is 1. Usage
 // error if both are absent, or repeat differently.
-Status exportPacked(Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
+Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                     const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace sward

@@ -11,12 +11,11 @@ uint64_t projectHash(const Project& p, std::span<const ComponentRow> rows) {
     Hasher h;
     const auto addText = [&](const std::string& text) { h.add(text.data(), text.size()); };
     addText(writeJson(projectJson(p, rows)));
-    Project shared = snapshot(p, rows);  // fields are found in what may be changed
-    for (const FieldRef& map : allMaps(shared, rows)) {
+    for (const ConstFieldRef& map : allMaps(p, rows)) {
         const uint64_t texels = static_cast<const MapField*>(map.value)->map.hash();
         h.add(&texels, sizeof(texels));
     }
-    for (const FieldRef& file : allFiles(shared, rows)) {
+    for (const ConstFieldRef& file : allFiles(p, rows)) {
         const auto path = currentFile(p.dir, *static_cast<const std::string*>(file.value));
         const auto bytes = path ? readFile(*path, kMaxMapBytes) : Result<std::string>(std::string());
         if (bytes) addText(*bytes);

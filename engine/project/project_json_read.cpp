@@ -138,7 +138,7 @@ void readNames(const ListRow& list, const Json& j, void* out) {
     if (named == list.fields.end()) return;
     for (size_t i = 0; i < j.array.size(); ++i)
         if (const Json* name = j.array[i].find(named->name); name && name->isString())
-            *static_cast<std::string*>(at(list.at(out, i), *named)) = name->text;
+            *static_cast<std::string*>(at(list.editAt(out, i), *named)) = name->text;
 }
 
 void readList(ProjectReader& r, const FieldRow& row, const std::string& path, const Json& j, void* out) {
@@ -155,7 +155,7 @@ void readList(ProjectReader& r, const FieldRow& row, const std::string& path, co
         if (!element.isObject())
             refuse(r, element, fmt::format("{}: must be an object, not {}", inside, jsonTypeName(element.type)));
         else
-            readFields(r, row.list->fields, inside, element, row.list->at(out, i));
+            readFields(r, row.list->fields, inside, element, row.list->editAt(out, i));
     }
 }
 
@@ -198,7 +198,7 @@ void readFields(ProjectReader& r, std::span<const FieldRow> rows, const std::str
 void readComponent(ProjectReader& r, const ComponentRow& row, const std::string& path, Entity e, const Json& j) {
     if (!j.isObject()) return refuse(r, j, fmt::format("{}: must be an object, not {}", path, jsonTypeName(j.type)));
     row.assign(r.project.registry, e, nullptr);
-    void* component = row.get(r.project.registry, e);
+    void* component = row.edit(r.project.registry, e);
     readFields(r, row.fields, path, j, component);
     if (!r.repair) return;
     for (const std::string& said : repairComponent(row, component)) report(r, j.keyLine, path + ": " + said);

@@ -48,9 +48,8 @@ Json fieldsJson(const Writer& w, std::span<const FieldRow> rows, const void* bas
 Json listJson(const Writer& w, const FieldRow& row, const void* list, const std::string& path) {
     const std::vector<std::string> selectors = elementSelectors(*row.list, list);
     Json j = Json::makeArray();
-    for (size_t i = 0; i < selectors.size(); ++i)  // at() takes a mutable list, but only reads it
-        j.push(fieldsJson(w, row.list->fields, row.list->at(const_cast<void*>(list), i),
-                          fmt::format("{}[{}]", path, selectors[i])));
+    for (size_t i = 0; i < selectors.size(); ++i)
+        j.push(fieldsJson(w, row.list->fields, row.list->at(list, i), fmt::format("{}[{}]", path, selectors[i])));
     return j;
 }
 
@@ -145,8 +144,7 @@ Status checkOne(const FieldRow& row, const void* value, const std::string& path)
             return checkVector<glm::vec3>(row, path, value);
         case FieldType::List:
             for (size_t i = 0; i < row.list->size(value); ++i)
-                if (Status s = checkFields(row.list->fields, row.list->at(const_cast<void*>(value), i),
-                                           fmt::format("{}[{}]", path, i));
+                if (Status s = checkFields(row.list->fields, row.list->at(value, i), fmt::format("{}[{}]", path, i));
                     !s)
                     return s;
             return {};
@@ -174,7 +172,7 @@ Json projectJson(const Project& p, std::span<const ComponentRow> rows,
     for (const auto& [name, entity] : p.entities) {
         Json& one = entities[name] = Json::makeObject();
         for (const ComponentRow& row : rows)
-            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity))
+            if (const void* component = row.get(p.registry, entity))
                 one[row.name] = fieldsJson(w, row.fields, component, name + "." + row.name);
         addUnknown(w, name, one);
     }
@@ -185,7 +183,7 @@ Json projectJson(const Project& p, std::span<const ComponentRow> rows,
 Status checkValues(const Project& p, std::span<const ComponentRow> rows) {
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows)
-            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity))
+            if (const void* component = row.get(p.registry, entity))
                 if (Status s = checkFields(row.fields, component, name + "." + row.name); !s) return s;
     return {};
 }

@@ -115,23 +115,6 @@ void loadMaps(Loading& l) {
     }
 }
 
-void collectFiles(std::span<const FieldRow> rows, void* base, const FieldRef& parent, std::vector<FieldRef>& out) {
-    for (const FieldRow& row : rows) {
-        FieldRef ref = parent;
-        ref.row = &row;
-        ref.value = static_cast<std::byte*>(base) + row.offset;
-        ref.path += std::string(".") + row.name;
-        if (row.isFile && !static_cast<const std::string*>(ref.value)->empty()) out.push_back(ref);
-        if (row.type != FieldType::List) continue;
-        const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
-        for (size_t i = 0; i < selectors.size(); ++i) {
-            FieldRef element = ref;
-            element.path += "[" + selectors[i] + "]";
-            collectFiles(row.list->fields, row.list->at(ref.value, i), element, out);
-        }
-    }
-}
-
 Status checkFile(const fs::path& dir, const FieldRow& row, const std::string& name) {
     if (row.isMesh) {
         const Result<Mesh> mesh = readMesh(dir, name);
@@ -144,7 +127,7 @@ Status checkFile(const fs::path& dir, const FieldRow& row, const std::string& na
 // The renderer reads the images and objects that fields name; what it could not read is refused here, once a file.
 void checkFiles(Loading& l) {
     std::set<std::string> seen;
-    for (const FieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
+    for (const ConstFieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
         const std::string& name = *static_cast<const std::string*>(f.value);
         if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second) continue;
         const Status s = checkFile(l.dir, *f.row, name);
@@ -176,15 +159,6 @@ Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool eve
 }
 
 }  // namespace
-
-std::vector<FieldRef> allFiles(Project& p, std::span<const ComponentRow> rows) {
-    std::vector<FieldRef> out;
-    for (const auto& [name, entity] : p.entities)
-        for (const ComponentRow& row : rows)
-            if (void* component = row.get(p.registry, entity))
-                collectFiles(row.fields, component, {nullptr, nullptr, &row, name, name + "." + row.name}, out);
-    return out;
-}
 
 Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, LoadReport* report) {
     Loading l = load(dir, rows, false);

@@ -12,12 +12,9 @@ namespace {
 
 using Rows = std::span<const ComponentRow>;
 
-// Listing fields takes a mutable project, but only reads it.
-Project& listable(const Project& p) { return const_cast<Project&>(p); }
-
 // A map and the file that it is saved to.
 struct PlannedMap {
-    FieldRef field;
+    ConstFieldRef field;
     std::string file;
     const Map* map;
 };
@@ -27,12 +24,12 @@ struct PlannedMap {
 std::vector<PlannedMap> planMaps(const Project& p, Rows rows) {
     std::vector<PlannedMap> plan;
     std::map<std::string, const Map*> taken;
-    for (const FieldRef& f : allMaps(listable(p), rows)) {
+    for (const ConstFieldRef& f : allMaps(p, rows)) {
         const auto& field = *static_cast<const MapField*>(f.value);
         std::string file = mapFileFor(f, field.map.info().type);
         for (int n = 2; taken.contains(file) && !taken[file]->sameTiles(field.map); ++n) {
             MapField unnamed;
-            FieldRef fresh = f;
+            ConstFieldRef fresh = f;
             fresh.value = &unnamed;
             fs::path own = mapFileFor(fresh, field.map.info().type);
             if (n > 2) own.replace_filename(fmt::format("{}-{}{}", own.stem().string(), n, own.extension().string()));
@@ -118,7 +115,7 @@ Status addMaps(Saving& s) {
 }
 
 // The files that a field names: one image, or an object with what it refers to.
-std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
+std::vector<std::string> filesOf(const fs::path& dir, const ConstFieldRef& f) {
     const std::string& name = *static_cast<const std::string*>(f.value);
     if (f.row->isMesh)
         if (const Result<Mesh> mesh = readMesh(dir, name)) return mesh->files;
@@ -128,7 +125,7 @@ std::vector<std::string> filesOf(const fs::path& dir, const FieldRef& f) {
 // Images and objects that a "save as" finds missing come along from the old folder.
 Status addFiles(Saving& s, const fs::path& from) {
     std::set<std::string> names;
-    for (const FieldRef& f : allFiles(listable(s.p), s.rows))
+    for (const ConstFieldRef& f : allFiles(s.p, s.rows))
         for (std::string& name : filesOf(from, f)) names.insert(std::move(name));
     for (const std::string& name : names) {
         const Result<fs::path> place = resolveInside(s.p.dir, name), source = currentFile(from, name);
@@ -171,7 +168,7 @@ void addProjectJson(Saving& s) {
 }
 
 void addRemoved(Saving& s) {
-    for (const FieldRef& f : allMaps(s.onDisk, s.rows, true)) {
+    for (const ConstFieldRef& f : allMaps(std::as_const(s.onDisk), s.rows, true)) {
         const std::string& file = static_cast<const MapField*>(f.value)->file;
         const bool kept =
             std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });

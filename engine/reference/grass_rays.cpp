@@ -433,7 +433,7 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
                                    : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
-    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.way.z = f.kinds[kind]->gust;
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = f.kinds[kind]->gust;
     c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }
@@ -566,7 +566,7 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
 
 void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
     WindGlobals g = windGlobals(wind, {0, 0}, 0);
-    g.way.z = kind.gust = windStrength(wind, *kind.species);
+    g.strength = kind.gust = windStrength(wind, *kind.species);
     kind.windSlope = windSlope(g, gusts);
 }
 

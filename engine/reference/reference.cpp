@@ -69,10 +69,11 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     View v{scene, settings};
     v.eye = camera.eye - scene.solids->ground().origin;
     v.toWorld = glm::inverse(glm::dmat4(viewProjection(camera, settings.width, settings.height)));
-    v.globals.mode.y = std::exp2(camera.exposure);
-    v.globals.eye = glm::vec4(glm::vec3(v.eye), 0);
+    v.globals.exposure = std::exp2(camera.exposure);
+    v.globals.eye = v.eye;
     const Terrain& t = *firstOf<Terrain>(scene.project);
-    v.globals.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
+    v.globals.terrainSize = t.size;
+    v.globals.terrainShare = 1.0 / t.size;
     v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky),
     v.hasHaze = has(scene.features, Feature::Fog);
     SkySums sums;
@@ -80,8 +81,8 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     if (v.hasSky) addSky(v.globals, scene.project, scene.time, sums);
     if (v.hasHaze) addHaze(v.globals, scene.project);
     if (has(scene.features, Feature::Lamps))
-        v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.mode.y);
-    if (v.hasSky) v.sky = f32::skyModel(glm::vec3(v.globals.skySun), v.globals.skySun.w);
+        v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.exposure);
+    if (v.hasSky) v.sky = f32::skyModel(v.globals.skySun, v.globals.turbidity);
     v.field = firstOf<GrassField>(scene.project);
     v.water = WaterRays::make(scene.project, scene.time, v.eye);
     return v;
@@ -90,7 +91,7 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
 glm::vec3 horizonOf(const View& v, const glm::dvec3& way) {
     const FrameGlobals& g = v.globals;
     const auto h = [&g](int i) { return glm::vec3(g.horizon[i]); };
-    return f32::horizonLight(g.horizon[0], g.horizon[1], h(2), h(3), h(4), {g.skySun.x, g.skySun.z},
+    return f32::horizonLight(h(0), h(1), h(2), h(3), h(4), g.horizonMiddle, g.horizonScale, {g.skySun.x, g.skySun.z},
                              {static_cast<float>(way.x), static_cast<float>(way.z)});
 }
 
@@ -100,10 +101,9 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
     if (d.y < 0)
-        return f32::plainLight(glm::vec3(g.groundLight), horizonOf(v, way), g.haze.x,
-                               f32::plainDistance(glm::vec3(g.eye), {g.terrain.x, g.terrain.y}, d));
-    glm::vec3 light = f32::skyRadianceOf(v.sky, d) * glm::vec3(g.skyGain);
-    if (withSun && v.hasSun) light += glm::vec3(g.sunLight) * f32::sunDisc(glm::dot(d, glm::vec3(g.sunDirection)));
+        return f32::plainLight(g.groundLight, horizonOf(v, way), g.haze, f32::plainDistance(g.eye, g.terrainSize, d));
+    glm::vec3 light = f32::skyRadianceOf(v.sky, d) * g.skyGain;
+    if (withSun && v.hasSun) light += g.sunLight * f32::sunDisc(glm::dot(d, g.sunDirection));
     return light;
 }
 
@@ -171,16 +171,15 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
     constexpr double kFar = std::numeric_limits<double>::infinity();
     const FrameGlobals& g = v.globals;
     glm::vec3 sum(0);
-    if (v.hasSun && g.sunDirection.w > 0)
-        sum += lightFrom(v, s, toEye, {glm::vec3(g.sunDirection), kFar, glm::vec3(g.sunLight), g.sunLight.w > 0}, dice,
-                         memory);
-    for (int i = 0; i < static_cast<int>(v.lamps.count.x); ++i) {
+    if (v.hasSun && g.sunIsUp > 0)
+        sum += lightFrom(v, s, toEye, {g.sunDirection, kFar, g.sunLight, g.sunCasts > 0}, dice, memory);
+    for (int i = 0; i < v.lamps.count; ++i) {
         const LightGlobals& l = v.lamps.lights[i];
-        const glm::vec3 way = glm::vec3(l.place) - glm::vec3(s.at - v.eye) * l.place.w;
-        const f32::PointLight p = f32::pointLight(way, l.color.w);
-        const double far = l.place.w > 0 ? static_cast<double>(glm::length(way)) : kFar;
-        const bool casts = i < static_cast<int>(v.lamps.count.y);
-        sum += lightFrom(v, s, toEye, {p.direction, far, glm::vec3(l.color) * p.attenuation, casts}, dice, memory);
+        const glm::vec3 way = l.place - glm::vec3(s.at - v.eye) * l.isPoint;
+        const f32::PointLight p = f32::pointLight(way, l.beta);
+        const double far = l.isPoint > 0 ? static_cast<double>(glm::length(way)) : kFar;
+        const bool casts = i < v.lamps.casting;
+        sum += lightFrom(v, s, toEye, {p.direction, far, l.color * p.attenuation, casts}, dice, memory);
     }
     return sum;
 }
@@ -193,8 +192,7 @@ glm::vec3 ambientLight(const View& v, const Surface& s) {
                            false)
                      .x;
     if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
-    return s.color * s.tint *
-           f32::halvesLight(glm::vec3(v.globals.groundLight), glm::vec3(v.globals.skyLight), s.normal.y) * share;
+    return s.color * s.tint * f32::halvesLight(v.globals.groundLight, v.globals.skyLight, s.normal.y) * share;
 }
 
 // The next direction of a path, and by how much it counts. A leaf sends part of it on from behind.
@@ -219,16 +217,16 @@ struct WaterShows {
 WaterShows waterShows(const View& v, const WaterMet& w, const Ray& ray, Dice& dice, GrassMemory& memory) {
     const FrameGlobals& g = v.globals;
     WaterShows shows;
-    shows.body = v.water.color() * glm::vec3(g.skyLight);
-    const glm::vec3 sun(g.sunDirection);
+    shows.body = v.water.color() * g.skyLight;
+    const glm::vec3 sun = g.sunDirection;
     Surface s;
     s.met = Met::Water;
     s.at = w.at;
-    if (!v.hasSun || g.sunDirection.w <= 0 ||
-        (g.sunLight.w > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory)))
+    if (!v.hasSun || g.sunIsUp <= 0 ||
+        (g.sunCasts > 0 && !lit(v, s, sun, std::numeric_limits<double>::infinity(), dice, memory)))
         return shows;
-    shows.body += v.water.color() * glm::vec3(g.sunLight) * sun.y;
-    shows.glint = glm::vec3(g.sunLight) * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), sun);
+    shows.body += v.water.color() * g.sunLight * sun.y;
+    shows.glint = g.sunLight * f32::sunGlint(w.slope, f32::kSmoothest, glm::vec3(-ray.way), sun);
     return shows;
 }
 
@@ -251,7 +249,7 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
     if (up) {
         path.seesSun = false;  // the glint is the sun's image
         if (!path.met || !v.hasHaze) return;
-        const float haze = f32::hazeTaken(v.globals.haze.x, static_cast<float>(path.met->t));
+        const float haze = f32::hazeTaken(v.globals.haze, static_cast<float>(path.met->t));
         path.sum += path.weight * haze * horizonOf(v, path.ray.way);
         path.weight *= 1 - haze;
         return;
@@ -304,7 +302,7 @@ glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memor
 
 glm::vec3 inHaze(const View& v, const glm::vec3& light, const Surface& s) {
     const glm::dvec3 way = s.at - v.eye;
-    const float share = f32::hazeTaken(v.globals.haze.x, static_cast<float>(glm::length(way)));
+    const float share = f32::hazeTaken(v.globals.haze, static_cast<float>(glm::length(way)));
     return glm::mix(light, horizonOf(v, way), share);
 }
 

@@ -6,6 +6,7 @@
 #include "reference/surface.h"
 #include "scene/project.h"
 #include "world/water.h"
+#include "world/wind.h"
 
 namespace sward {
 
@@ -26,8 +27,8 @@ class WaterRays {
     // A ray that comes down from above and meets the surface before `far`.
     std::optional<WaterMet> enters(const Ray& ray, double far) const;
     double level() const { return level_; }
-    glm::vec3 color() const { return glm::vec3(globals_.color); }
-    glm::vec3 extinction() const { return glm::vec3(globals_.extinction); }
+    glm::vec3 color() const { return globals_.color; }
+    glm::vec3 extinction() const { return globals_.extinction; }
 
   private:
     const Terrain* terrain_ = nullptr;

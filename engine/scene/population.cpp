@@ -53,7 +53,7 @@ Blade makeBlade(const Species& s, const glm::vec2& root, uint32_t seed, uint32_t
     const float lean = glm::radians(s.leanVariationDeg) * d.bell();
     const float bend = s.bend * (0.5f + d.unit());
     const f32::BladeShape shape = f32::bladeShape(height, std::abs(lean), std::min(bend, 1.0f), azimuth);
-    Blade b;
+    Blade b{};
     b.root = root;
     b.width = s.width * (0.75f + 0.5f * d.unit());
     b.threshold = f32::thresholdOf(k);

@@ -8,24 +8,9 @@
 #include <vector>
 
 #include "scene/components.h"
+#include "shared/grass.h"  // Blade
 
 namespace sward {
-
-// One blade of a patch. control and tip are relative to the root, metres; facing is the unit direction it bends
-// towards. The layout is the storage buffer's (std430): four vec4.
-struct Blade {
-    glm::vec2 root;   // in the cell, [0, cellSize)
-    float width;      // metres
-    float threshold;  // k/255, k in 1..255: it exists where the density reaches it (B-13)
-    glm::vec3 control;
-    float hue;  // radians, by numerics/population.h bladeTint
-    glm::vec3 tip;
-    float lightness;  // factor about 1
-    glm::vec2 facing;
-    float dither;  // ]0, 1]: turns opacity into a number of samples without bias
-    float pad = 0;
-};
-static_assert(sizeof(Blade) == 64);
 
 // Sorted by threshold, so that what a range of densities needs is one contiguous range of blades.
 struct Patch {

@@ -55,9 +55,8 @@ Project snapshot(const Project& p, std::span<const ComponentRow> rows) {
     copy.repairedMaps = p.repairedMaps;
     for (const auto& [name, entity] : p.entities) {
         const Entity twin = makeEntity(copy, name);
-        for (const ComponentRow& row : rows)  // get() takes a mutable registry, but only reads it
-            if (const void* component = row.get(const_cast<Registry&>(p.registry), entity))
-                row.assign(copy.registry, twin, component);
+        for (const ComponentRow& row : rows)
+            if (const void* component = row.get(p.registry, entity)) row.assign(copy.registry, twin, component);
     }
     return copy;
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -59,30 +60,40 @@ Entity findEntity(const Project& p, const std::string& name);  // kNoEntity if n
 Project snapshot(const Project& p, std::span<const ComponentRow> rows);
 
 // --- fields by PATH ("ground.Terrain.size", "lawn.GrassField.species[lawn].height", "species[0]") -----------
-struct FieldRef {
-    void* value = nullptr;  // the field itself
+template <class Void>
+struct BasicFieldRef {
+    Void* value = nullptr;  // the field itself
     const FieldRow* row = nullptr;
     const ComponentRow* component = nullptr;
     std::string entity;
     std::string path;  // canonical: list elements by name
+    // What may be changed may be read.
+    operator BasicFieldRef<const void>() const requires(!std::is_const_v<Void>) {
+        return {value, row, component, entity, path};
+    }
 };
+using FieldRef = BasicFieldRef<void>;             // of a project that is changed
+using ConstFieldRef = BasicFieldRef<const void>;  // of one that is read
 // Usage error if the path names nothing; the message lists what would have fitted. List elements go by name, or by
 // number from 0 where no element has that name; canonical paths take the number where names are empty or repeat.
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path);
+Result<ConstFieldRef> findField(const Project& p, std::span<const ComponentRow> rows, const std::string& path);
 // The number of the element of a list field that a name or number selects. Usage error listing the elements.
-Result<size_t> findElement(const FieldRef& list, const std::string& selector);
+Result<size_t> findElement(const ConstFieldRef& list, const std::string& selector);
 // Any unambiguous tail of a map's PATH ("density"), among those present first, then among the absent;
 // Usage error naming the candidates otherwise.
 Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const std::string& name);
+Result<ConstFieldRef> findMap(const Project& p, std::span<const ComponentRow> rows, const std::string& name);
 // All map fields with their canonical paths, sorted; absent ones included if asked.
 std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bool absentToo = false);
+std::vector<ConstFieldRef> allMaps(const Project& p, std::span<const ComponentRow> rows, bool absentToo = false);
 // All fields that name a file (FieldRow::isFile: images and objects) and are not empty.
-std::vector<FieldRef> allFiles(Project& p, std::span<const ComponentRow> rows);
+std::vector<ConstFieldRef> allFiles(const Project& p, std::span<const ComponentRow> rows);
 // Where a map is saved that has no file yet or whose file's format cannot hold `type`: "maps/entity.species.map.ext",
 // ext png, or exr for F32. Keeps the folder and stem of the file it has.
-std::string mapFileFor(const FieldRef& map, PixelType type);
+std::string mapFileFor(const ConstFieldRef& map, PixelType type);
 // As text: numbers in shortest form, vectors and colours as "[1, 2]", bool, enum by name, strings plain.
-std::string fieldText(const FieldRef& f);
+std::string fieldText(const ConstFieldRef& f);
 // Parses and range-checks against the hard range (Usage error naming the range, old value kept). Lists cannot be set;
 // a map only to "" (none): texels come by importMap.
 Status setFieldText(const FieldRef& f, const std::string& text);

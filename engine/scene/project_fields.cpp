@@ -7,7 +7,16 @@
 namespace sward {
 namespace {
 
+// What is found is as changeable as the project that it is found in: Void is void or const void.
+template <class AnyProject>
+using RefIn = std::conditional_t<std::is_const_v<AnyProject>, ConstFieldRef, FieldRef>;
+
 void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
+const void* at(const void* base, const FieldRow& row) { return static_cast<const std::byte*>(base) + row.offset; }
+void* elementOf(const ListRow& list, void* of, size_t i) { return list.editAt(of, i); }
+const void* elementOf(const ListRow& list, const void* of, size_t i) { return list.at(of, i); }
+void* componentOf(const ComponentRow& row, Registry& r, Entity e) { return row.edit(r, e); }
+const void* componentOf(const ComponentRow& row, const Registry& r, Entity e) { return row.get(r, e); }
 
 template <class Range, class NameOf>
 std::string listNames(const Range& range, NameOf&& nameOf) {
@@ -41,14 +50,15 @@ const FieldRow* findRow(std::span<const FieldRow> rows, const std::string& name)
     return nullptr;
 }
 
-Result<FieldRef> noField(const std::string& path, const std::string& name, std::span<const FieldRow> rows) {
+Error noField(const std::string& path, const std::string& name, std::span<const FieldRow> rows) {
     return usage(fmt::format("{}: no field \"{}\"", path, name),
                  "there are: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
 }
 
 // Walks from a component down the parts that remain.
-Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> rows, std::span<const std::string> parts,
-                         const std::string& path) {
+template <class Void>
+Result<BasicFieldRef<Void>> descend(BasicFieldRef<Void> ref, Void* base, std::span<const FieldRow> rows,
+                                    std::span<const std::string> parts, const std::string& path) {
     if (parts.empty())
         return usage(fmt::format("{}: names no field", path),
                      "add one of: " + listNames(rows, [](const FieldRow& r) { return r.name; }));
@@ -67,26 +77,71 @@ Result<FieldRef> descend(FieldRef ref, void* base, std::span<const FieldRow> row
     if (!element) return element.error();
     const ListRow& list = *row->list;
     ref.path += "[" + elementSelectors(list, ref.value)[*element] + "]";
-    return descend(ref, list.at(ref.value, *element), list.fields, parts.subspan(2), path);
+    return descend<Void>(ref, elementOf(list, ref.value, *element), list.fields, parts.subspan(2), path);
 }
 
-void collectMaps(const FieldRef& parent, void* base, std::span<const FieldRow> rows, bool absentToo,
-                 std::vector<FieldRef>& out) {
+// Adds the fields below `base` that are wanted, those of list elements too, in the order of the rows.
+template <class Void, class Wanted>
+void collect(const BasicFieldRef<Void>& parent, Void* base, std::span<const FieldRow> rows, const Wanted& wanted,
+             std::vector<BasicFieldRef<Void>>& out) {
     for (const FieldRow& row : rows) {
-        FieldRef ref = parent;
+        BasicFieldRef<Void> ref = parent;
         ref.value = at(base, row);
         ref.row = &row;
         ref.path += fmt::format(".{}", row.name);
-        if (row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(ref.value)->present()))
-            out.push_back(ref);
+        if (wanted(row, ref.value)) out.push_back(ref);
         if (row.type != FieldType::List) continue;
         const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
         for (size_t i = 0; i < selectors.size(); ++i) {
-            FieldRef element = ref;
+            BasicFieldRef<Void> element = ref;
             element.path += "[" + selectors[i] + "]";
-            collectMaps(element, row.list->at(ref.value, i), row.list->fields, absentToo, out);
+            collect(element, elementOf(*row.list, ref.value, i), row.list->fields, wanted, out);
         }
     }
+}
+
+// Of all components, in the order of entities' names.
+template <class AnyProject, class Wanted>
+auto collectAll(AnyProject& p, std::span<const ComponentRow> rows, const Wanted& wanted) {
+    std::vector<RefIn<AnyProject>> out;
+    for (const auto& [name, entity] : p.entities)
+        for (const ComponentRow& row : rows)
+            if (auto* component = componentOf(row, p.registry, entity))
+                collect({nullptr, nullptr, &row, name, name + "." + row.name}, component, row.fields, wanted, out);
+    return out;
+}
+
+template <class AnyProject>
+Result<RefIn<AnyProject>> fieldIn(AnyProject& p, std::span<const ComponentRow> rows, const std::string& path) {
+    const std::vector<std::string> parts = splitPath(path);
+    if (parts.size() < 2)
+        return usage(fmt::format("\"{}\" is no path of a field", path), "write entity.Component.field");
+    const Entity e = findEntity(p, parts[0]);
+    if (!p.registry.valid(e))
+        return usage(fmt::format("{}: no entity \"{}\"", path, parts[0]),
+                     "there are: " + listNames(p.entities, [](const auto& item) { return item.first; }));
+    std::vector<std::string> present;
+    for (const ComponentRow& row : rows)
+        if (row.get(p.registry, e)) present.push_back(row.name);
+    const ComponentRow* component = findComponent(rows, parts[1]);
+    auto* base = component ? componentOf(*component, p.registry, e) : nullptr;
+    if (!base)
+        return usage(fmt::format("{}: \"{}\" has no component \"{}\"", path, parts[0], parts[1]),
+                     "it has: " + listNames(present, [](const std::string& s) { return s; }));
+    RefIn<AnyProject> ref;
+    ref.component = component;
+    ref.entity = parts[0];
+    ref.path = parts[0] + "." + component->name;
+    return descend(ref, base, component->fields, std::span(parts).subspan(2), path);
+}
+
+template <class AnyProject>
+std::vector<RefIn<AnyProject>> mapsIn(AnyProject& p, std::span<const ComponentRow> rows, bool absentToo) {
+    auto out = collectAll(p, rows, [&](const FieldRow& row, const void* value) {
+        return row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(value)->present());
+    });
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return out;
 }
 
 bool endsWithPart(const std::string& path, const std::string& tail) {
@@ -94,11 +149,28 @@ bool endsWithPart(const std::string& path, const std::string& tail) {
     return path.size() == tail.size() || path[path.size() - tail.size() - 1] == '.' || tail[0] == '[';
 }
 
-const auto pathOf = [](const FieldRef& f) { return f.path; };
+template <class AnyProject>
+Result<RefIn<AnyProject>> mapIn(AnyProject& p, std::span<const ComponentRow> rows, const std::string& name) {
+    using Ref = RefIn<AnyProject>;
+    const auto pathOf = [](const Ref& f) { return f.path; };
+    if (Result<Ref> whole = fieldIn(p, rows, name); whole && whole->row->type == FieldType::Map) return whole;
+    const std::vector<Ref> all = mapsIn(p, rows, true);
+    for (const bool wantPresent : {true, false}) {
+        std::vector<Ref> found;
+        for (const Ref& f : all)
+            if (static_cast<const MapField*>(f.value)->present() == wantPresent && endsWithPart(f.path, name))
+                found.push_back(f);
+        if (found.size() == 1) return found[0];
+        if (!found.empty())
+            return usage(fmt::format("more than one map is called \"{}\"", name),
+                         "say which: " + listNames(found, pathOf));
+    }
+    return usage(fmt::format("no map is called \"{}\"", name), "there are: " + listNames(all, pathOf));
+}
 
 }  // namespace
 
-Result<size_t> findElement(const FieldRef& list, const std::string& selector) {
+Result<size_t> findElement(const ConstFieldRef& list, const std::string& selector) {
     CHECK(list.row->type == FieldType::List);
     const std::vector<std::string> names = elementSelectors(*list.row->list, list.value);
     const auto named = std::find(names.begin(), names.end(), selector);
@@ -111,56 +183,33 @@ Result<size_t> findElement(const FieldRef& list, const std::string& selector) {
 }
 
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
-    const std::vector<std::string> parts = splitPath(path);
-    if (parts.size() < 2)
-        return usage(fmt::format("\"{}\" is no path of a field", path), "write entity.Component.field");
-    const Entity e = findEntity(p, parts[0]);
-    if (!p.registry.valid(e))
-        return usage(fmt::format("{}: no entity \"{}\"", path, parts[0]),
-                     "there are: " + listNames(p.entities, [](const auto& item) { return item.first; }));
-    std::vector<std::string> present;
-    for (const ComponentRow& row : rows)
-        if (row.get(p.registry, e)) present.push_back(row.name);
-    const ComponentRow* component = findComponent(rows, parts[1]);
-    void* base = component ? component->get(p.registry, e) : nullptr;
-    if (!base)
-        return usage(fmt::format("{}: \"{}\" has no component \"{}\"", path, parts[0], parts[1]),
-                     "it has: " + listNames(present, [](const std::string& s) { return s; }));
-    FieldRef ref;
-    ref.component = component;
-    ref.entity = parts[0];
-    ref.path = parts[0] + "." + component->name;
-    return descend(ref, base, component->fields, std::span(parts).subspan(2), path);
+    return fieldIn(p, rows, path);
+}
+Result<ConstFieldRef> findField(const Project& p, std::span<const ComponentRow> rows, const std::string& path) {
+    return fieldIn(p, rows, path);
 }
 
 std::vector<FieldRef> allMaps(Project& p, std::span<const ComponentRow> rows, bool absentToo) {
-    std::vector<FieldRef> out;
-    for (const auto& [name, entity] : p.entities)
-        for (const ComponentRow& row : rows)
-            if (void* component = row.get(p.registry, entity))
-                collectMaps({nullptr, nullptr, &row, name, name + "." + row.name}, component, row.fields, absentToo,
-                            out);
-    std::sort(out.begin(), out.end(), [](const FieldRef& a, const FieldRef& b) { return a.path < b.path; });
-    return out;
+    return mapsIn(p, rows, absentToo);
+}
+std::vector<ConstFieldRef> allMaps(const Project& p, std::span<const ComponentRow> rows, bool absentToo) {
+    return mapsIn(p, rows, absentToo);
+}
+
+std::vector<ConstFieldRef> allFiles(const Project& p, std::span<const ComponentRow> rows) {
+    return collectAll(p, rows, [](const FieldRow& row, const void* value) {
+        return row.isFile && !static_cast<const std::string*>(value)->empty();
+    });
 }
 
 Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const std::string& name) {
-    if (Result<FieldRef> whole = findField(p, rows, name); whole && whole->row->type == FieldType::Map) return whole;
-    const std::vector<FieldRef> all = allMaps(p, rows, true);
-    for (const bool wantPresent : {true, false}) {
-        std::vector<FieldRef> found;
-        for (const FieldRef& f : all)
-            if (static_cast<const MapField*>(f.value)->present() == wantPresent && endsWithPart(f.path, name))
-                found.push_back(f);
-        if (found.size() == 1) return found[0];
-        if (!found.empty())
-            return usage(fmt::format("more than one map is called \"{}\"", name),
-                         "say which: " + listNames(found, pathOf));
-    }
-    return usage(fmt::format("no map is called \"{}\"", name), "there are: " + listNames(all, pathOf));
+    return mapIn(p, rows, name);
+}
+Result<ConstFieldRef> findMap(const Project& p, std::span<const ComponentRow> rows, const std::string& name) {
+    return mapIn(p, rows, name);
 }
 
-std::string mapFileFor(const FieldRef& map, PixelType type) {
+std::string mapFileFor(const ConstFieldRef& map, PixelType type) {
     CHECK(map.row->type == FieldType::Map);
     const auto& field = *static_cast<const MapField*>(map.value);
     const std::string ext = type == PixelType::F32 ? ".exr" : ".png";

@@ -8,7 +8,7 @@
 namespace sward {
 namespace {
 
-Error refused(const FieldRef& f, const std::string& message, std::string remedy = {}) {
+Error refused(const ConstFieldRef& f, const std::string& message, std::string remedy = {}) {
     return usage(f.path + ": " + message, std::move(remedy));
 }
 
@@ -43,7 +43,7 @@ std::vector<std::string> splitNumbers(std::string text) {
     return out;
 }
 
-Result<double> numberIn(const FieldRef& f, const std::string& text) {
+Result<double> numberIn(const ConstFieldRef& f, const std::string& text) {
     double value = 0;
     if (!parseNumber(text, value))
         return refused(f, fmt::format("\"{}\" is not a number", text), "it takes numbers " + rangeText(*f.row));
@@ -109,7 +109,7 @@ std::string vectorText(const V& v) {
     return out + "]";
 }
 
-std::string listText(const FieldRef& f) {
+std::string listText(const ConstFieldRef& f) {
     return fmt::format("{} element{}", f.row->list->size(f.value), f.row->list->size(f.value) == 1 ? "" : "s");
 }
 
@@ -144,7 +144,7 @@ std::vector<std::string> repairCamera(Camera& c) {
 
 }  // namespace
 
-std::string fieldText(const FieldRef& f) {
+std::string fieldText(const ConstFieldRef& f) {
     switch (f.row->type) {
         case FieldType::Bool:
             return *static_cast<const bool*>(f.value) ? "true" : "false";

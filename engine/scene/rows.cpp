@@ -11,8 +11,8 @@ std::vector<std::string> elementNames(const ListRow& row, const void* list) {
                                     [](const FieldRow& f) { return f.type == FieldType::String; });
     std::vector<std::string> names(row.size(list));
     if (named == row.fields.end()) return names;
-    for (size_t i = 0; i < names.size(); ++i) {  // at() takes a mutable list, but only reads it
-        const auto* element = static_cast<const std::byte*>(row.at(const_cast<void*>(list), i));
+    for (size_t i = 0; i < names.size(); ++i) {
+        const auto* element = static_cast<const std::byte*>(row.at(list, i));
         names[i] = *reinterpret_cast<const std::string*>(element + named->offset);
     }
     return names;

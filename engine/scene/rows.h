@@ -37,7 +37,8 @@ struct FieldRow;
 struct ListRow {
     std::span<const FieldRow> fields;
     size_t (*size)(const void* list);
-    void* (*at)(void* list, size_t i);
+    const void* (*at)(const void* list, size_t i);
+    void* (*editAt)(void* list, size_t i);
     void (*resize)(void* list, size_t n);
     const void* (*defaults)();
 };
@@ -66,7 +67,8 @@ struct ComponentRow {
     const char* help;
     std::span<const FieldRow> fields;
     FeatureSet (*features)(const void* component);         // what having it asks for
-    void* (*get)(Registry&, Entity);                       // null if absent
+    const void* (*get)(const Registry&, Entity);           // null if absent
+    void* (*edit)(Registry&, Entity);                      // the same, to be changed
     void (*assign)(Registry&, Entity, const void* value);  // adds or replaces; null value: its defaults
     void (*remove)(Registry&, Entity);
     std::shared_ptr<void> (*clone)(const void* value);  // maps share their tiles
@@ -88,6 +90,7 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
             help,
             fields,
             features,
+            [](const Registry& r, Entity e) -> const void* { return r.get<C>(e); },
             [](Registry& r, Entity e) -> void* { return r.get<C>(e); },
             [](Registry& r, Entity e, const void* v) { r.add<C>(e, v ? *static_cast<const C*>(v) : C{}); },
             [](Registry& r, Entity e) { r.remove<C>(e); },
@@ -101,7 +104,9 @@ constexpr ComponentRow componentRow(const char* name, const char* help, std::spa
 template <class E>
 constexpr ListRow listRow(std::span<const FieldRow> fields) {
     using V = std::vector<E>;
-    return {fields, [](const void* l) { return static_cast<const V*>(l)->size(); },
+    return {fields,
+            [](const void* l) { return static_cast<const V*>(l)->size(); },
+            [](const void* l, size_t i) -> const void* { return &(*static_cast<const V*>(l))[i]; },
             [](void* l, size_t i) -> void* { return &(*static_cast<V*>(l))[i]; },
             [](void* l, size_t n) { static_cast<V*>(l)->resize(n); },
             []() -> const void* {

@@ -26,11 +26,11 @@ bool presses(const Registry& registry, Entity e) {
     const ForceSource* s = registry.get<ForceSource>(e);
     return s && (registry.get<Transform>(e) || !s->tracks.empty());
 }
-// What one entity asks for by all its components. get() takes a mutable registry, but only reads it.
+// What one entity asks for by all its components.
 FeatureSet entityFeatures(const Registry& registry, std::span<const ComponentRow> rows, Entity e, Entity sun) {
     FeatureSet all;
     for (const ComponentRow& row : rows)
-        if (const void* component = row.get(const_cast<Registry&>(registry), e)) all |= row.features(component);
+        if (const void* component = row.get(registry, e)) all |= row.features(component);
     if (!presses(registry, e)) all &= ~featureSet(Feature::Forces, Feature::ForceOutlines);
     if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;

@@ -16,7 +16,7 @@ struct Tiling {
 Tiling tilingOf(const Terrain& t, float tiling);
 // Metres that a map of tiling 1 covers.
 glm::dvec2 mapExtent(const Terrain& t);
-// As shaders take it (shared/frame.h): 0 where it does not repeat.
+// As shaders take it (shared/grass.h): 0 where it does not repeat.
 float shaderTiling(const Terrain& t, float tiling);
 
 // One channel at terrain-relative (x, z) in metres, bilinear by the rule that shaders use (numerics/bilinear.h). Any

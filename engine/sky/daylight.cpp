@@ -53,7 +53,8 @@ void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
     }
     const glm::vec3 powers[] = {a[0] - a[2] + a[4], a[1] - 3.0f * a[3], 2.0f * a[2] - 8.0f * a[4], 4.0f * a[3],
                                 8.0f * a[4]};
-    for (int i = 0; i < 5; ++i) s.horizon[i] = glm::vec4(powers[i], i == 0 ? middle : i == 1 ? 1 / half : 0);
+    std::copy(std::begin(powers), std::end(powers), s.horizon);
+    s.horizonMiddle = middle, s.horizonScale = 1 / half;
 }
 
 void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity) {
@@ -73,18 +74,17 @@ glm::vec3 whiteBalance(const glm::vec3& onGround) {
 
 LightGlobals directional(const Light& light, double time) {
     LightGlobals g{};
-    const glm::vec3 towards = directionTo(light, time);
-    const f32::LightWeights w = f32::lightWeights(towards);
-    g.place = glm::vec4(towards, 0);
-    g.color = glm::vec4(glm::vec3(f32::horizonFade(towards.y, kFadeSine)), 0);
-    g.weights = {w.xPos, w.yPos, w.zPos, w.xNeg};
+    g.place = directionTo(light, time);
+    g.color = glm::vec3(f32::horizonFade(g.place.y, kFadeSine));
     return g;
 }
 
 LightGlobals point(const Light& light, const glm::dvec3& centre, double time, const glm::dvec3& eye) {
     LightGlobals g{};
-    g.place = glm::vec4(glm::vec3(placeOf(light, centre, time) - eye), 1);
-    g.color = glm::vec4(glm::vec3(1), light.attenuation);
+    g.place = glm::vec3(placeOf(light, centre, time) - eye);
+    g.isPoint = 1;
+    g.color = glm::vec3(1);
+    g.beta = light.attenuation;
     return g;
 }
 
@@ -100,30 +100,34 @@ void addSun(FrameGlobals& g, const Project& p, double seconds) {
     const glm::vec3 sun = directionTo(light, seconds);
     const float up = sun.y > 0 ? 1.0f : 0.0f;
     const glm::vec3 irradiance =
-        f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.mode.y * up);
-    g.sunDirection = glm::vec4(sun, up);
-    g.sunLight = glm::vec4(f32::soundLight(irradiance), light.castShadows ? 1 : 0);
-    g.groundLight += glm::vec4(irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo, 0);
+        f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.exposure * up);
+    g.sunDirection = sun;
+    g.sunIsUp = up;
+    g.sunLight = f32::soundLight(irradiance);
+    g.sunCasts = light.castShadows ? 1.0f : 0.0f;
+    g.groundLight += irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo;
 }
 
 void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
     const glm::vec3 sun = sunOf(p, seconds);
     const float turbidity = firstOf<Sky>(p)->model == SkyModel::Uniform ? 0 : turbidityOf(p);
     integrateSky(s, sun, turbidity);
-    const float scale = firstOf<Sky>(p)->intensity * kExposure * g.mode.y;
-    const glm::vec3 balance = whiteBalance(s.level * scale + glm::vec3(g.sunLight) * std::max(g.sunDirection.y, 0.0f));
+    const float scale = firstOf<Sky>(p)->intensity * kExposure * g.exposure;
+    const glm::vec3 balance = whiteBalance(s.level * scale + g.sunLight * std::max(g.sunDirection.y, 0.0f));
     const glm::vec3 gain = balance * scale;
-    g.skySun = glm::vec4(sun, turbidity);
-    g.skyGain = glm::vec4(gain, 0);
-    g.sunLight *= glm::vec4(balance, 1);
-    g.skyLight = glm::vec4(s.level * gain, 0);
-    g.groundLight = glm::vec4(glm::vec3(g.groundLight) * balance + s.level * gain * kGroundAlbedo, 0);
-    for (int i = 0; i < 5; ++i) g.horizon[i] = s.horizon[i] * glm::vec4(gain, 1);
+    g.skySun = sun;
+    g.turbidity = turbidity;
+    g.skyGain = gain;
+    g.sunLight *= balance;
+    g.skyLight = s.level * gain;
+    g.groundLight = g.groundLight * balance + s.level * gain * kGroundAlbedo;
+    for (int i = 0; i < 5; ++i) g.horizon[i] = glm::vec4(s.horizon[i] * gain, 0);
+    g.horizonMiddle = s.horizonMiddle, g.horizonScale = s.horizonScale;
 }
 
 void addHaze(FrameGlobals& g, const Project& p) {
     // Koschmieder: contrast falls to 2% at the visibility, exp(-k d) = 0.02.
-    g.haze.x = 3.912f / std::max(firstOf<Fog>(p)->visibility, 0.1f);
+    g.haze = 3.912f / std::max(firstOf<Fog>(p)->visibility, 0.1f);
 }
 
 LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure) {
@@ -137,15 +141,14 @@ LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double 
         LightGlobals g =
             isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
         const glm::vec3 color = light->color * (light->intensity * kLampKlx * kExposure / kPi * exposure);
-        g.color = glm::vec4(f32::soundLight(color) * glm::vec3(g.color), g.color.w);
+        g.color = f32::soundLight(color) * g.color;
         lamps.push_back({g, light->castShadows});
     }
     std::stable_partition(lamps.begin(), lamps.end(), [](const Lamp& l) { return l.casts; });
     LightsGlobals all{};
     for (const Lamp& l : lamps) {
-        all.lights[static_cast<size_t>(all.count.x)] = l.globals;
-        all.count.x += 1;
-        all.count.y += l.casts ? 1 : 0;
+        all.lights[all.count++] = l.globals;
+        all.casting += l.casts ? 1 : 0;
     }
     return all;
 }

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "shared/frame.h"
+#include "shared/light.h"
 
 namespace sward {
 
@@ -15,7 +16,8 @@ struct SkySums {
     glm::vec3 sun{2};  // no direction: nothing integrated yet
     float turbidity = 0;
     glm::vec3 level{0};
-    glm::vec4 horizon[5]{};  // of horizonLight, numerics/light.h
+    glm::vec3 horizon[5]{};  // of horizonLight, numerics/light.h
+    float horizonMiddle = 0, horizonScale = 0;
 };
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.

@@ -13,7 +13,7 @@ struct LampsState : EffectState {
 // Bound once: nothing else uses the binding.
 void runLamps(DrawContext& ctx) {
     LightsGlobals& all = ctx.shared.lights;
-    all = lampsAround(ctx.project, ctx.camera.eye, ctx.settings.time, ctx.globals.mode.y);
+    all = lampsAround(ctx.project, ctx.camera.eye, ctx.settings.time, ctx.globals.exposure);
     Buffer& block = ctx.own<LampsState>().block;
     writeBuffer(ctx.gpu, block, "sky/lamps", sizeof(all), &all);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_LIGHTS, block.id());

@@ -86,25 +86,30 @@ void select(DrawContext& ctx) {
     lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
                     static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
-        lod.hidden = f32::hazeReach(ctx.globals.haze.x);
+        lod.hidden = f32::hazeReach(ctx.globals.haze);
     s.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
     ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, s.selected};
     FrameGlobals& g = ctx.globals;
-    g.eye.w = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
-    g.terrain = {t.size.x, t.size.y, 1 / t.size.x, 1 / t.size.y};
-    const glm::dvec2 extent = mapExtent(t);
-    g.maps = {1 / extent.x, 1 / extent.y, shaderTiling(t, t.heightTiling), shaderTiling(t, t.terrainMapTiling)};
-    g.groundColor = glm::vec4(t.groundColor, 1 / t.tileSize);
-    g.heights = glm::vec4(0);
+    g.eyeAbove = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
+    g.terrainSize = t.size;
+    g.terrainShare = 1.0 / t.size;
+    g.mapShare = 1.0 / mapExtent(t);
+    g.heightTiling = shaderTiling(t, t.heightTiling);
+    g.terrainTiling = shaderTiling(t, t.terrainMapTiling);
+    g.soilColor = t.groundColor;
+    g.soilTiles = 1 / t.tileSize;
+    g.groundScale = g.groundTexel = 0;
     if (t.height.present()) {
         const auto [offset, scale] = heightScale(t);
         const float base =
             t.height.map.at(0, 0);  // subtracted from texels first, so that slopes keep their digits (T-4)
-        g.heights = {static_cast<float>(offset + scale * base - ctx.eye.y), static_cast<float>(scale), base, 0};
+        g.groundBase = static_cast<float>(offset + scale * base - ctx.eye.y);
+        g.groundScale = static_cast<float>(scale);
+        g.groundTexel = base;
         ctx.shared.heights = ctx.maps.get("terrain/heights", "terrain.height", t.height.map);
     } else {
-        g.heights.x = static_cast<float>(-ctx.eye.y);
+        g.groundBase = static_cast<float>(-ctx.eye.y);
     }
     bindMaps(ctx, s, t);
 }

@@ -34,10 +34,12 @@ struct Selection {
     void add(double x, double z, int level) {
         const double spacing = lod.spacing * std::exp2(level), end = range(level), begin = end * kMorphStart;
         TerrainNode n;
-        n.place = {static_cast<float>(x - eye.x), static_cast<float>(z - eye.z), static_cast<float>(x),
-                   static_cast<float>(z)};
-        n.level = {static_cast<float>(spacing), static_cast<float>(begin), static_cast<float>(1 / (end - begin)), 0};
-        if (level == lod.levels - 1) n.level.y = std::numeric_limits<float>::max();  // nothing coarser to morph to
+        n.corner = {x - eye.x, z - eye.z};
+        n.place = {x, z};
+        n.spacing = static_cast<float>(spacing);
+        n.morphFrom = static_cast<float>(begin);
+        n.morphInv = static_cast<float>(1 / (end - begin));
+        if (level == lod.levels - 1) n.morphFrom = std::numeric_limits<float>::max();  // nothing coarser to morph to
         out.push_back(n);
     }
 

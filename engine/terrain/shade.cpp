@@ -112,8 +112,8 @@ void updateHeights(ShadeState& s, const Terrain& t) {
 
 void shade(DrawContext& ctx) {
     ShadeState& s = ctx.own<ShadeState>();
-    const glm::vec3 sun(ctx.globals.sunDirection);
-    if (ctx.globals.sunDirection.w <= 0) return;
+    const glm::vec3 sun = ctx.globals.sunDirection;
+    if (ctx.globals.sunIsUp <= 0) return;
     const Terrain& t = *ctx.shared.ground.terrain;
     updateHeights(s, t);
     if (s.sun != sun) {

@@ -19,9 +19,9 @@ void update(DrawContext& ctx) {
     const auto square = waterInView(ctx, water);
     s.seen = square.has_value();
     WaterGlobals g = waterGlobals(water, windOf(ctx.project), ctx.eye, ctx.settings.time);
-    g.place.y = ctx.shared.reflection ? ctx.shared.reflectionScale.x : 0;
-    g.place.z = ctx.shared.reflectionScale.y;
-    g.square = square.value_or(glm::vec4(0));
+    g.mirrorScale = {ctx.shared.reflection ? ctx.shared.reflectionScale.x : 0, ctx.shared.reflectionScale.y};
+    const glm::vec4 seen = square.value_or(glm::vec4(0));
+    g.low = {seen.x, seen.y}, g.high = {seen.z, seen.w};
     writeBuffer(ctx.gpu, s.block, kOwner, sizeof(g), &g);
 }
 

@@ -14,7 +14,7 @@ constexpr glm::vec3 kPureWater{0.264f, 0.0565f, 0.0101f};  // 1/m
 double wrapped(double x) { return x - std::floor(x); }
 
 // Its turns a metre and phase at the eye; its share of the slopes is every wave's.
-glm::vec4 waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& eye, double seconds, float slope) {
+WaterWave waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& eye, double seconds, float slope) {
     const double share = static_cast<double>(i) / (WATER_WAVES - 1);
     const double length = static_cast<double>(water.rippleSize) * std::pow(kShortest, share);
     const double off = (wrapped(0.5 + i * 0.6180339887498949) * 2 - 1) * kSpreadDeg;
@@ -22,7 +22,7 @@ glm::vec4 waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& 
     const glm::dvec2 k = glm::dvec2(std::sin(angle), -std::cos(angle)) / length;
     const double hertz = std::sqrt(kGravity / (2 * f64::kPi * length));
     const double phase = glm::dot(k, eye) - hertz * seconds + i * 0.7548776662466927;
-    return {glm::vec2(k), static_cast<float>(wrapped(phase)), slope};
+    return {k, static_cast<float>(wrapped(phase)), slope};
 }
 
 }  // namespace
@@ -35,9 +35,10 @@ const Water* waterOf(const Project& p) {
 
 WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3& eye, double seconds) {
     WaterGlobals g{};
-    g.place = {static_cast<float>(static_cast<double>(water.level) - eye.y), 0, 0, 0};
-    g.color = glm::vec4(water.color, kMirroredAt);
-    g.extinction = glm::vec4(kPureWater + glm::vec3(3.912f / std::max(water.clarity, 0.01f)), 0);
+    g.height = static_cast<float>(static_cast<double>(water.level) - eye.y);
+    g.color = water.color;
+    g.mirroredAt = kMirroredAt;
+    g.extinction = kPureWater + glm::vec3(3.912f / std::max(water.clarity, 0.01f));
     if (!wind) return g;
     const float slopes = water.ripples * std::sqrt(0.003f + 0.00512f * wind->speed);  // root of the mean square
     for (int i = 0; i < WATER_WAVES; ++i)
@@ -47,7 +48,8 @@ WaterGlobals waterGlobals(const Water& water, const Wind* wind, const glm::dvec3
 
 glm::vec2 waterSlope(const WaterGlobals& g, const glm::vec2& at, float share) {
     glm::vec2 sum(0);
-    for (const glm::vec4& wave : g.waves) sum += f32::waveWay(wave) * f32::waveSlope(wave, at);
+    for (const WaterWave& wave : g.waves)
+        sum += f32::waveWay(wave.turns) * f32::waveSlope(wave.turns, wave.phase, wave.slope, at);
     return sum * share;
 }
 

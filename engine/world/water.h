@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/project.h"
-#include "shared/frame.h"
+#include "shared/water.h"
 
 namespace sward {
 

@@ -38,12 +38,11 @@ float sampleRepeated(const Map& m, const glm::vec2& uv) {
     return glm::mix(glm::mix(m.at(x0, y0), m.at(x1, y0), fx), glm::mix(m.at(x0, y1), m.at(x1, y1), fx), fy);
 }
 
-glm::vec2 wayOf(const WindGlobals& g) { return {g.way.x, g.way.y}; }
 glm::vec2 coarsePlace(const WindGlobals& g, const glm::vec2& at) {
-    return f32::gustPlace(at, wayOf(g), {g.begin.x, g.begin.y}, {g.rate.x, g.rate.y});
+    return f32::gustPlace(at, g.way, g.coarseBegin, g.coarseRate);
 }
 glm::vec2 finePlace(const WindGlobals& g, const glm::vec2& at) {
-    return f32::gustPlace(at, wayOf(g), {g.begin.z, g.begin.w}, {g.rate.z, g.rate.w});
+    return f32::gustPlace(at, g.way, g.fineBegin, g.fineRate);
 }
 
 }  // namespace
@@ -85,15 +84,19 @@ WindGlobals windGlobals(const Wind& w, const glm::dvec2& eye, double seconds) {
     const double along = glm::dot(eye, way), across = eye.y * way.x - eye.x * way.y;
     const double rate = 1 / (kGustsInPicture * static_cast<double>(w.gustSize)), fine = rate * kFiner;
     WindGlobals g{};
-    g.way = {glm::vec2(way), w.strength, w.turbulence};
-    g.begin = {wrapped((along - speed * seconds) * rate), wrapped(across * rate * kAcross),
-               wrapped((along - kOvertakes * speed * seconds) * fine), wrapped(across * fine)};
-    g.rate = {rate, rate * kAcross, fine, fine};
-    g.waves = {inGrains(w.c1), w.c2, inGrains(w.c3), w.epsilon};
+    g.way = way;
+    g.strength = w.strength, g.turbulence = w.turbulence;
+    g.coarseBegin = {wrapped((along - speed * seconds) * rate), wrapped(across * rate * kAcross)};
+    g.fineBegin = {wrapped((along - kOvertakes * speed * seconds) * fine), wrapped(across * fine)};
+    g.coarseRate = {rate, rate * kAcross}, g.fineRate = {fine, fine};
+    g.c1 = static_cast<float>(inGrains(w.c1)), g.c2 = w.c2, g.c3 = static_cast<float>(inGrains(w.c3));
+    g.epsilon = w.epsilon;
     // Equation 9 as printed moves at 1/pi metres a unit of time, against x.
     const f64::WindPhase phase = f64::windPhase(along, across, -f64::kPi * speed * seconds, inGrains(w.c1),
                                                 static_cast<double>(w.c2), inGrains(w.c3));
-    g.phases = {wrapped(static_cast<double>(w.quiverHz) * seconds), phase.first, phase.second, phase.across};
+    g.quiverPhase = static_cast<float>(wrapped(static_cast<double>(w.quiverHz) * seconds));
+    g.firstPhase = static_cast<float>(phase.first), g.secondPhase = static_cast<float>(phase.second);
+    g.acrossPhase = static_cast<float>(phase.across);
     return g;
 }
 
@@ -107,25 +110,23 @@ double wavePeriod(const Wind& w) {
 
 float blowsAt(const WindGlobals& g, const Map& gusts, const glm::vec2& at) {
     if (gusts.empty()) {
-        const glm::vec2 way = wayOf(g);
-        return f32::windAt({g.phases.y, g.phases.z, g.phases.w}, glm::dot(at, way), at.y * way.x - at.x * way.y,
-                           g.waves.x, g.waves.y, g.waves.z, g.waves.w);
+        return f32::windAt({g.firstPhase, g.secondPhase, g.acrossPhase}, glm::dot(at, g.way),
+                           at.y * g.way.x - at.x * g.way.y, g.c1, g.c2, g.c3, g.epsilon);
     }
     return f32::gustStrength(sampleRepeated(gusts, coarsePlace(g, at)), sampleRepeated(gusts, finePlace(g, at)),
-                             g.way.w);
+                             g.turbulence);
 }
 
 glm::vec2 windLeanAt(const WindGlobals& g, const Map& gusts, const glm::vec2& at, float grain) {
-    const float own = grain < 0 ? 0.0f : f32::quiver(g.phases.x, grain, finePlace(g, at));
-    return f32::windLean(wayOf(g), g.way.z, blowsAt(g, gusts, at), g.way.w, own);
+    const float own = grain < 0 ? 0.0f : f32::quiver(g.quiverPhase, grain, finePlace(g, at));
+    return f32::windLean(g.way, g.strength, blowsAt(g, gusts, at), g.turbulence, own);
 }
 
 float windSlope(const WindGlobals& g, const Map& gusts) {
-    const float own = 0.125f * g.way.w;  // a quiver's share
+    const float own = 0.125f * g.turbulence;  // a quiver's share
     if (gusts.empty()) {
-        const float bound =
-            (g.waves.x + g.waves.z) * f32::kPi * (1 + 0.25f * g.waves.y * f32::kPi / (g.waves.w * g.waves.w));
-        return g.way.z * (bound * (1 + own) + own * 8 * (g.rate.z + g.rate.w) * f32::kTau);
+        const float bound = (g.c1 + g.c3) * f32::kPi * (1 + 0.25f * g.c2 * f32::kPi / (g.epsilon * g.epsilon));
+        return g.strength * (bound * (1 + own) + own * 8 * (g.fineRate.x + g.fineRate.y) * f32::kTau);
     }
     float step = 0;
     const MapInfo& i = gusts.info();
@@ -134,8 +135,9 @@ float windSlope(const WindGlobals& g, const Map& gusts) {
             step =
                 std::max({step, std::abs(gusts.at((x + 1) % i.width, y) - gusts.at(x, y)) * static_cast<float>(i.width),
                           std::abs(gusts.at(x, (y + 1) % i.height) - gusts.at(x, y)) * static_cast<float>(i.height)});
-    const float bound = step * ((g.rate.x + g.rate.y) * (1 - 0.4f * g.way.w) + (g.rate.z + g.rate.w) * 0.4f * g.way.w);
-    return g.way.z * (bound * (1 + own) + own * 4 * (g.rate.z + g.rate.w) * f32::kTau);
+    const float bound = step * ((g.coarseRate.x + g.coarseRate.y) * (1 - 0.4f * g.turbulence) +
+                                (g.fineRate.x + g.fineRate.y) * 0.4f * g.turbulence);
+    return g.strength * (bound * (1 + own) + own * 4 * (g.fineRate.x + g.fineRate.y) * f32::kTau);
 }
 
 }  // namespace sward

@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "scene/project.h"
-#include "shared/frame.h"
+#include "shared/wind.h"
 
 namespace sward {
 

@@ -10,6 +10,7 @@
 #include "numerics/tess.h"
 #include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "shared/grass.h"
 layout(local_size_x = 64) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_CELLS) writeonly buffer CellBlock { CellInstance cells[]; };
@@ -38,7 +39,7 @@ void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= chosenCount) return;
     ChosenCell c = chosen[i];
-    CellVersion v = cellVersion(c.cell.x, c.cell.y, uint(cull.texels.z));
+    CellVersion v = cellVersion(c.cell.x, c.cell.y, cull.seed);
     cells[i] = CellInstance(c.cell, cellCorner(cullGrid(), c.cell.x, c.cell.y), v.mirror, v.shift);
     bool any = bladesOf(c) > 0u;
     if (any && isSet(c, CHOSEN_SEEN))

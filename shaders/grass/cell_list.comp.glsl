@@ -12,6 +12,7 @@
 #include "numerics/tess.h"
 #include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "shared/tess.h"
 const uint kRuns = 256u;
 layout(local_size_x = 256) in;
 layout(std430, binding = SSBO_CHOSEN) readonly buffer ChosenBlock { ChosenCell chosen[]; };
@@ -27,7 +28,7 @@ uint drawPoints = job.w;  // at most, of a command
 shared uvec3 sums[2u * kRuns];
 shared uint blades;  // all
 
-uint piecesOf(ChosenCell c) { return (bladesOf(c) + uint(cull.texels.w) - 1u) / uint(cull.texels.w); }
+uint piecesOf(ChosenCell c) { return (bladesOf(c) + cull.pieceBlades - 1u) / cull.pieceBlades; }
 uint verticesOf(ChosenCell c) { return isSet(c, CHOSEN_PLAIN) ? 3u : 2u * (levelOfCell(c) + 1u); }
 uvec3 sizeOf(ChosenCell c) { return uvec3(piecesOf(c), bladesOf(c), bladesOf(c) * verticesOf(c)); }
 
@@ -36,8 +37,8 @@ void beginBatch(uint batch, uint piece) { list[LIST_BATCHES + 4u * batch + 3u] =
 
 void write(ChosenCell c, uvec3 at) {
     uint count = bladesOf(c), pieces = piecesOf(c), each = (count + pieces - 1u) / pieces;
-    CellVersion v = cellVersion(c.cell.x, c.cell.y, uint(cull.texels.z));
-    if (cull.counted.z > 0.5) v.mirror = vec2(1.0), v.shift = vec2(0.0);
+    CellVersion v = cellVersion(c.cell.x, c.cell.y, cull.seed);
+    if (cull.unique != 0) v.mirror = vec2(1.0), v.shift = vec2(0.0);
     vec2 corner = cellCorner(cullGrid(), c.cell.x, c.cell.y);
     for (uint i = 0u; i < pieces; ++i) {
         uint done = i * each, vertex = at.z + done * verticesOf(c),

@@ -11,8 +11,9 @@
 #include "numerics/tess.h"
 #include "numerics/cells.h"
 #include "lib/cull.glsl"
+#include "shared/grass.h"
 layout(local_size_x = 64) in;  // kNodeSide squared
-layout(std430, binding = SSBO_NODES) readonly buffer NodeBlock { NodeOfCells nodes[]; };
+layout(std430, binding = SSBO_NODES) readonly buffer NodeListBlock { NodeOfCells nodes[]; };
 layout(std430, binding = SSBO_CHOSEN) writeonly buffer ChosenBlock { ChosenCell chosen[]; };
 layout(std430, binding = SSBO_UP_TO) readonly buffer UpToBlock {
     uint upTo[];
@@ -45,21 +46,22 @@ vec2 densityIn(ivec2 cell) {
     return d;
 }
 int quadsAt(float distance) {
-    if (cull.levels.x > 0.0) return tessMost(cull.levels.x, distance, cull.levels.y, cull.levels.z, cull.levels.w);
-    return chordQuads(cull.strips.x, distance, int(cull.strips.y));
+    if (cull.smoothness > 0.0)
+        return tessMost(cull.smoothness, distance, cull.maxDistance, cull.quadsAtOneMetre, cull.levelReach);
+    return chordQuads(cull.sagittaPixels, distance, cull.mostQuads);
 }
 
 uint lookOf(CellBox b, uint count) {
     float nearest = sqrt(boxNearest2(b));
     int quads = quadsAt(nearest);
-    bool seen = cull.field.w > 0.0 ? visible(b, cull.grid.w) : true, plain = quads == 1 && nearest > cull.strips.w;
-    return count | uint(quads) << CHOSEN_LEVEL | uint(within(b, cull.grid.w)) << CHOSEN_WHOLE |
+    bool seen = cull.shadowReach > 0.0 ? visible(b, cull.reach) : true, plain = quads == 1 && nearest > cull.plainFrom;
+    return count | uint(quads) << CHOSEN_LEVEL | uint(within(b, cull.reach)) << CHOSEN_WHOLE |
            uint(seen) << CHOSEN_SEEN | uint(plain) << CHOSEN_PLAIN;
 }
 
 void count(ChosenCell c) {
-    if (!isSet(c, CHOSEN_SEEN) || cull.counted.y == 0.0) return;
-    precise float drawn = float(bladesOf(c)) * cull.counted.x;
+    if (!isSet(c, CHOSEN_SEEN) || cull.counts == 0) return;
+    precise float drawn = float(bladesOf(c)) * cull.drawn;
     atomicAdd(counts.cells, 1u);
     atomicAdd(counts.blades, uint(ceil(drawn)));
 }
@@ -71,18 +73,18 @@ void main() {
     c.cell = nodeCell(grid, n.cell.x, n.cell.y, int(gl_LocalInvocationIndex));
     c.first = c.look = 0u;
     CellBox b = cellBox(grid, c.cell.x, c.cell.y, 1, n.heights.x, n.heights.y);
-    bool inField = c.cell.x < int(cull.field.x) && c.cell.y < int(cull.field.y);
-    if (inField && boxNearest2(b) < cull.field.z && visible(b, cull.grid.w + cull.field.w)) {
+    bool inField = c.cell.x < cull.cells.x && c.cell.y < cull.cells.y;
+    if (inField && boxNearest2(b) < cull.farthest2 && visible(b, cull.reach + cull.shadowReach)) {
         CellRule rule;
-        rule.fade = cull.rule.x;
-        rule.thinning = cull.rule.y;
-        rule.rangeMin = cull.rule.z;
-        rule.rangeInv = cull.rule.w;
+        rule.fade = cull.fade;
+        rule.thinning = cull.thinning;
+        rule.rangeMin = cull.rangeMin;
+        rule.rangeInv = cull.rangeInv;
         vec2 d = densityIn(c.cell);
         CellShare share = cellShare(rule, sqrt(boxNearest2(b)), d.x, d.y);
         uint first = upTo[share.low], last = upTo[share.high];
         if (d.y > 0.0 && first < last) {
-            precise float drawn = float(last - first) * cull.strips.z;
+            precise float drawn = float(last - first) * cull.detail;
             c.first = first;
             c.look = lookOf(b, uint(ceil(drawn)));
             count(c);

@@ -43,9 +43,9 @@ vec3 lampsSend(Repeated r, vec3 reflectance, vec4 lit, vec2 above) {
 }
 
 vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
-    vec3 light = slices.farAmbient.rgb * skyShare(uv) * leaf.rgb * leaf.a;
+    vec3 light = slices.farAmbient * skyShare(uv) * leaf.rgb * leaf.a;
     if (!SUN && !LAMPS) return light;
-    vec3 sun = SUN ? frame.sunLight.rgb * frame.sunDirection.w * sunVisible(position, vec3(0.0)) : vec3(0.0);
+    vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * sunVisible(position, vec3(0.0)) : vec3(0.0);
     vec4 w = slices.sunWeights, images = farImages(r, w);
     if (STORAGE == FULL_STORAGE) {
         vec3 sum = vec3(0.0);
@@ -54,7 +54,7 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
         return light + sun * sum;
     }
     vec4 lit = textureGrad(sliceLight, r.texel, r.dx, r.dy);
-    vec3 towards = frame.sunDirection.xyz * vec3(r.mirror.x, 1.0, r.mirror.y);
+    vec3 towards = frame.sunDirection * vec3(r.mirror.x, 1.0, r.mirror.y);
     vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)
                              : vec2(dot(lit, images) + above.x * w.y, dot(lit.yxwz, images) + above.y * w.y);
     light += leavesSend(leaf.rgb, send) * sun;
@@ -63,23 +63,23 @@ vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
 
 // A random number fixed to the ground, its grains about a pixel.
 uint grain(Repeated r) {
-    float size = slices.counts.z,
-          level = clamp(floor(log2(max(length(r.dx), length(r.dy)) / slices.lean.w * size)), 0.0, 16.0);
+    float size = slices.farTexels,
+          level = clamp(floor(log2(max(length(r.dx), length(r.dy)) / slices.sharpness * size)), 0.0, 16.0);
     ivec2 at = ivec2(r.texel.xy * size * exp2(-level));
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(r.cell.x, r.cell.y, uint(level)), 77u);
 }
 
 // What clumps add to the lean (x, y) and to the lightness (z), less where a pixel holds several of them.
 vec3 clumpsHere(Repeated r, float pixel) {
-    float left = 1.0 - pixel / (2.0 * slices.clumps.w);
-    if (!GRASS_CLUMPS || slices.clumps.w <= 0.0 || left <= 0.0) return vec3(0.0);
-    vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
-    return left * c * slices.clumps.xxz;
+    float left = 1.0 - pixel / (2.0 * slices.clumpSize);
+    if (!GRASS_CLUMPS || slices.clumpSize <= 0.0 || left <= 0.0) return vec3(0.0);
+    vec3 c = clumpValues(r.cell.x, r.cell.y, r.inCell, slices.cellSize, slices.clumpSize, slices.seed);
+    return left * c * vec3(slices.clumpLean, slices.clumpLean, slices.clumpLightness);
 }
 
 // The force where this ray is so high over the ground, metres.
 vec3 forceSeen(vec3 toEye, float high) {
-    vec2 on = toEye.xz * ((high - slices.areas.z) / max(toEye.y, 0.03));
+    vec2 on = toEye.xz * ((high - slices.farHeight) / max(toEye.y, 0.03));
     return forceHere(position.xz + on, mapPlace(place + on));
 }
 // What lies there: x, how much of the grass; y, how much of it is pressed. Vertical slices that stand before it hide it
@@ -87,7 +87,7 @@ vec3 forceSeen(vec3 toEye, float high) {
 vec2 laidSeen(vec3 toEye, float vertical) {
     if (!FORCES && !FORCE_MAP) return vec2(0.0);
     vec3 f = forceSeen(toEye, 0.0);
-    return vec2(laidBy(f), f.z) * mix(laidBy(forceSeen(toEye, slices.lean.z * slices.shape.x)), 1.0, vertical);
+    return vec2(laidBy(f), f.z) * mix(laidBy(forceSeen(toEye, slices.meanHeight * slices.cellSize)), 1.0, vertical);
 }
 
 void main() {
@@ -95,11 +95,12 @@ void main() {
     vec2 uv = mapPlace(place);
     float d = length(position);
     vec3 toEye = -position / max(d, 1e-4);
-    float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.tiers.x, slices.tiers.y));
-    vec2 lean = paintedLean(uv) * slices.lean.x + windLeanAt(position.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
+    float density = sliceDensity(fieldDensity(uv), lodRamp(d, slices.minGeom, slices.geomInv));
+    vec2 lean =
+        paintedLean(uv) * slices.leanAtFull + windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
     float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
-                                        (1.0 - lodRamp(d, slices.tiers.z, slices.tiers.w))
+                                        (1.0 - lodRamp(d, slices.minBTF, slices.btfInv))
                                   : 0.0;
     vec4 stored;
     vec2 laid = laidSeen(toEye, vertical);
@@ -111,9 +112,9 @@ void main() {
     if (!(alpha > 0.002)) discard;
     vec4 leaf = textureGrad(sliceReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOver(leaf.rgb, uv);
-    float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w * slices.shape.x;
+    float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness * slices.cellSize;
     vec3 clump = clumpsHere(r, pixel);
-    vec3 gain = slices.shape.w * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, laid.y, true);
+    vec3 gain = slices.reflectScale * darkened(d) * (1.0 + clump.z) * sliceGain(toEye, lean + clump.xy, laid.y, true);
     vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

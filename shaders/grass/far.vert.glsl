@@ -21,7 +21,7 @@ out vec2 place;     // relative to the terrain's corner, metres
 void main() {
     NodeCorner c = nodeCorner();
     place = c.place;
-    position = c.position + vec3(0.0, slices.areas.z, 0.0);
+    position = c.position + vec3(0.0, slices.farHeight, 0.0);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

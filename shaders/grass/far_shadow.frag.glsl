@@ -30,16 +30,16 @@ out vec4 color;
 
 void main() {
     float d = length(position);
-    vec3 towards = light == 0 ? frame.sunDirection.xyz : lampAt(light - 1, position).direction;
-    float here = lodRamp(d, slices.tiers.x, slices.tiers.y), near = 1.0 - lodRamp(d, cover.shadows.x, cover.shadows.y);
+    vec3 towards = light == 0 ? frame.sunDirection : lampAt(light - 1, position).direction;
+    float here = lodRamp(d, slices.minGeom, slices.geomInv), near = 1.0 - lodRamp(d, cover.shadeFrom, cover.shadeInv);
     vec2 uv = mapPlace(place);
     float grown = fieldDensity(uv), tall = bladeShareSeen(uv), density = sliceDensity(grown, here);
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
     float high = max(towards.y, 0.2);  // lower light throws no longer shadows
     vec4 stored;
-    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.areas.z / high)), density, tall, high, 0.0,
+    float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.farHeight / high)), density, tall, high, 0.0,
                                laidBy(forceHere(position.xz, uv)), stored);
     vec3 takes = shadowShare(light, position, uv, normalize(normal),
-                             soilLeft(cover.shade[int(slices.ambient.w)], grown, tall), near);
+                             soilLeft(cover.species[slices.species].shade, grown, tall), near);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

@@ -8,6 +8,7 @@
 #include "lib/light.glsl"
 const int TRANSPARENCY = 0;
 #include "lib/transparency.glsl"
+#include "shared/flowers.h"
 layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
 layout(binding = TEX_BLADE) uniform sampler2D image;
 
@@ -22,8 +23,8 @@ void main() {
     vec4 t = texture(image, uv);
     float alpha = coveredAlpha(t.a, grain);
     if (!(alpha > 0.0)) discard;
-    vec3 light = flowerColor(t.rgb, petal, flowers.center.rgb, flowers.stem.rgb, flowers.counts.w > 0.5) * lit.rgb;
-    vec2 way = (gl_FragCoord.xy * frame.viewport.zw * 2.0 - 1.0);
+    vec3 light = flowerColor(t.rgb, petal, flowers.center, flowers.stem, flowers.made != 0) * lit.rgb;
+    vec2 way = (gl_FragCoord.xy * frame.pixelShare * 2.0 - 1.0);
     vec4 there = frame.invViewProj * vec4(way, 1.0, 1.0);
     light = mix(light, horizonColor(there.xz / there.w), lit.w);
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);

@@ -16,6 +16,7 @@
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
 #include "numerics/flower.h"
+#include "shared/flowers.h"
 layout(std140, binding = UBO_FLOWERS) uniform FlowerBlock { FlowerGlobals flowers; };
 layout(binding = TEX_FLOWERS) uniform sampler2D densityHere;
 layout(location = 0) in ivec2 cell;
@@ -28,7 +29,7 @@ flat out vec3 petal;
 flat out uint grain;
 
 float densityAt(vec2 uv) {
-    float tiling = flowers.counts.z;
+    float tiling = flowers.tiling;
     if (!FLOWER_DENSITY || tiling < 0.0) return 1.0;
     ivec2 size = textureSize(densityHere, 0);
     BilinearTap t;
@@ -42,7 +43,7 @@ float densityAt(vec2 uv) {
 }
 
 vec2 leanAt(Flower f, vec2 at, vec2 place) {
-    vec2 lean = windLeanAt(at, f.grain, wind.way.z);
+    vec2 lean = windLeanAt(at, f.grain, wind.strength);
     if ((FORCES && GRASS) || FORCE_MAP) {
         vec3 pressed = forceHere(at, place);
         lean = forcedLean(lean, pressed.xy, pressed.z, f.facing);
@@ -53,8 +54,7 @@ vec2 leanAt(Flower f, vec2 at, vec2 place) {
 vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
     vec3 sum = ambientLight(n) * (open * skyShare(place));
     if (SUN)
-        sum += frame.sunLight.rgb *
-               (flowerSends(n, frame.sunDirection.xyz) * frame.sunDirection.w * sunVisible(at, vec3(0.0)) * open);
+        sum += frame.sunLight * (flowerSends(n, frame.sunDirection) * frame.sunIsUp * sunVisible(at, vec3(0.0)) * open);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
         sum += l.light * (flowerSends(n, l.direction) * open);
@@ -64,12 +64,13 @@ vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
 
 void main() {
     uint number = uint(gl_VertexID) / 8u, corner = uint(gl_VertexID) % 8u;
-    Flower f = flowerOf(cell.x, cell.y, number, flowers.counts.x, uint(flowers.counts.y));
-    vec2 ground = (vec2(cell) + f.place) * flowers.shape.w, share = ground * frame.terrain.zw, place = mapPlace(ground);
-    vec2 at = cellCorner + f.place * flowers.shape.w;
+    Flower f = flowerOf(cell.x, cell.y, number, flowers.expected, flowers.seed);
+    vec2 ground = (vec2(cell) + f.place) * flowers.cellSize, share = ground * frame.terrainShare,
+         place = mapPlace(ground);
+    vec2 at = cellCorner + f.place * flowers.cellSize;
     vec3 root = vec3(at.x, groundHeight(ground), at.y);
-    float kept = 1.0 - lodRamp(length(root), flowers.range.x, flowers.range.y);
-    float size = max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.range.z);
+    float kept = 1.0 - lodRamp(length(root), flowers.thinFrom, flowers.thinInv);
+    float size = max(share.x, share.y) > 1.0 ? 0.0 : flowerSize(f.threshold, densityAt(place), kept, flowers.widest);
     uv = vec2(0.0);
     lit = vec4(0.0);
     shown = petal = vec3(0.0);
@@ -77,15 +78,15 @@ void main() {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     if (!(size > 0.0)) return;
     float rises = min(size, 1.0);
-    vec3 stem = flowerStem(f, flowers.shape.x * (1.0 + flowers.shape.y * f.taller), leanAt(f, at, place)) * rises;
+    vec3 stem = flowerStem(f, flowers.height * (1.0 + flowers.variation * f.taller), leanAt(f, at, place)) * rises;
     FlowerFrame b = flowerFrame(stem, f.facing, unitOr(-(root + stem), 1e-6, vec3(0.0, 1.0, 0.0)));
-    float half_ = 0.5 * flowers.shape.z * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0,
+    float half_ = 0.5 * flowers.headSize * f.larger * size, across = float(corner & 1u) * 2.0 - 1.0,
           top = float((corner >> 1) & 1u);
     bool head = corner >= 4u;
     vec3 position = root + b.side * (across * half_) + (head ? stem + b.up * ((top * 2.0 - 1.0) * half_) : stem * top);
     shown = head ? b.face : stemNormal(unitOr(-root, 1e-6, vec3(0.0, 1.0, 0.0)));
-    uv = vec2(across * 0.5 + 0.5, head ? (1.0 - top) * flowers.range.w : mix(1.0, flowers.range.w, top));
-    petal = mix(flowers.petal.rgb, flowers.second.rgb, f.second);
+    uv = vec2(across * 0.5 + 0.5, head ? (1.0 - top) * flowers.headShare : mix(1.0, flowers.headShare, top));
+    petal = mix(flowers.petal, flowers.second, f.second);
     grain = hash3(uint(cell.x), uint(cell.y), number);
     lit = vec4(lightOn(position, shown, head ? 1.0 : flowerOpen(top), place), hazeShare(length(position)));
     gl_Position = frame.viewProj * vec4(position, 1.0);

@@ -1,5 +1,6 @@
 // A corner of the square around one force (world/forces.h) in the map around the eye.
 #include "lib/frame.glsl"
+#include "shared/wind.h"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(location = 0) in vec4 line;  // begin and end of its line: x, z relative to the eye
 layout(location = 1) in vec3 size;  // radius, reach in radii, share
@@ -14,5 +15,5 @@ void main() {
     place = at - line.xy;
     ends = line;
     extent = size;
-    gl_Position = vec4((at - force.square.xy) * force.square.z * 2.0 - 1.0, 0.5, 1.0);
+    gl_Position = vec4((at - force.corner) * force.share * 2.0 - 1.0, 0.5, 1.0);
 }

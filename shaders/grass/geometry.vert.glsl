@@ -47,17 +47,17 @@ void main() {
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
-    vec3 fromRoot = f.position + f.side * (s.across * b.place.z * frame.mode.w);
+    vec3 fromRoot = f.position + f.side * (s.across * b.width * frame.widening);
     vec3 position = s.root + fromRoot;
     vec3 n = dot(f.normal, position) > 0.0 ? -f.normal : f.normal;  // the side that faces the eye
     BladeLight light =
-        lightBlade(Lit(bladeColor(b.control.w, b.tip.w * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position,
-                       fromRoot, pose.facing, pose.upright, mix(species.rootColor.w, 1.0, s.v), s.density),
+        lightBlade(Lit(bladeColor(b.hue, b.lightness * lighter, s.v, s.uv), n, unitOr(-position, 1e-6, n), position,
+                       fromRoot, pose.facing, pose.upright, mix(species.rootOpen, 1.0, s.v), s.density),
                    s.uv);
     lit = light.lit, sunned = light.sunned, maskAt = light.maskAt;
     if (viewMode() == VIEW_NORMALS) lit.rgb = n * 0.5 + 0.5;
     strip = vec3(s.across + 0.5, s.v, s.opacity);
-    grain = floatBitsToUint(b.facing.z);
+    grain = floatBitsToUint(b.dither);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

@@ -28,7 +28,7 @@ const float kLongest = 4.0;     // blade heights: shadows get no longer (numeric
 const float kNearer = 0.06;     // metres by which depth is let off: the ground's triangles are not quite the heights
 const float kNormalStep = 0.1;  // metres over which the ground's slope is taken
 
-vec3 towardsLight(vec3 at) { return light == 0 ? frame.sunDirection.xyz : lampAt(light - 1, at).direction; }
+vec3 towardsLight(vec3 at) { return light == 0 ? frame.sunDirection : lampAt(light - 1, at).direction; }
 
 void main() {
     Blade b = bladeHere();
@@ -38,19 +38,20 @@ void main() {
         vec4(0.0, 0.0, 0.5, 1.0);  // dropped: no area. Not beyond a plane: then software clips the whole batch
     // A blade that fades shades by chance: the first that shades a pixel is the only one, and half a shadow would keep
     // whole ones out.
-    if (!exists(s) || s.opacity < b.facing.z) return;
+    if (!exists(s) || s.opacity < b.dither) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
-    int kind = int(species.counts.w);
-    float near = 1.0 - lodRamp(length(s.root), cover.shadows.x, cover.shadows.y);
-    vec3 takes = shadowShare(light, s.root, s.uv, n, soilLeft(cover.shade[kind], s.density, bladeShare(s.uv)), near);
+    int kind = species.index;
+    float near = 1.0 - lodRamp(length(s.root), cover.shadeFrom, cover.shadeInv);
+    vec3 takes =
+        shadowShare(light, s.root, s.uv, n, soilLeft(cover.species[kind].shade, s.density, bladeShare(s.uv)), near);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
     float lighter;
     BladePose pose = poseHere(b, s, lighter);
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
-    vec3 p = f.position + f.side * (s.across * b.place.z * frame.mode.w * (1.0 - s.v * s.v));
+    vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
-    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.height[kind]);
+    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.species[kind].height);
     vec2 land = p.xz + shadow.offset;
     vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
     left = vec3(1.0) - takes * shadow.alpha;

@@ -42,14 +42,14 @@ uint grain(float level) {
 vec3 lampsSend(vec3 reflectance, vec4 lit, float above) {
     if (!LAMPS) return vec3(0.0);
     vec4 sum[3] = lamp;
-    if (WEIGHTS_PER_PIXEL) lampsOn(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), axes, sum);
+    if (WEIGHTS_PER_PIXEL) lampsOn(foot + vec3(0.0, texel.y * slices.top, 0.0), axes, sum);
     vec4 numbers = vec4(lit.xzw, above);
     return reflectance * brighter * vec3(dot(sum[0], numbers), dot(sum[1], numbers), dot(sum[2], numbers));
 }
 
 vec3 radiance(vec3 reflectance, float open, vec4 stored) {
     bool front = !(lightLayer > 0.0);
-    float visible = sunVisible(foot + vec3(0.0, texel.y * slices.shape.y, 0.0), vec3(0.0));
+    float visible = sunVisible(foot + vec3(0.0, texel.y * slices.top, 0.0), vec3(0.0));
     float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
     vec3 light = ambient * reflectance * open;
     if (STORAGE == FULL_STORAGE) {
@@ -71,12 +71,12 @@ vec3 radiance(vec3 reflectance, float open, vec4 stored) {
 }
 
 void main() {
-    level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.lean.w), 0.0);
+    level = max(textureQueryLod(sliceThreshold, texel.xy).y + log2(slices.sharpness), 0.0);
     fine = max(level - 1.5, 0.0);
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
-    float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.counts.x, level), grain(level));
+    float alpha = coveredAlpha(texelOpacity(stored.x, stored.y, density, slices.fade, level), grain(level));
     if (!(alpha > 0.0)) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);

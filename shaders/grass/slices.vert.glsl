@@ -46,15 +46,15 @@ struct Place {
 };
 Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
     Place p;
-    p.wide = painted * slices.lean.x + windLeanAt(foot.xz, -1.0, cover.gusts[int(slices.ambient.w)]);
+    p.wide = painted * slices.leanAtFull + windLeanAt(foot.xz, -1.0, cover.species[slices.species].gusts);
     p.scale = 1.0;
     p.lighter = 1.0;
     p.press = 0.0;
-    if (GRASS_CLUMPS && slices.clumps.w > 0.0) {
-        vec3 c = clumpValues(cell.x, cell.y, inCell, slices.shape.x, slices.clumps.w, uint(slices.counts.y));
-        p.wide += c.xy * slices.clumps.x;
-        p.scale += c.z * slices.clumps.y;
-        p.lighter += c.z * slices.clumps.z;
+    if (GRASS_CLUMPS && slices.clumpSize > 0.0) {
+        vec3 c = clumpValues(cell.x, cell.y, inCell, slices.cellSize, slices.clumpSize, slices.seed);
+        p.wide += c.xy * slices.clumpLean;
+        p.scale += c.z * slices.clumpHeight;
+        p.lighter += c.z * slices.clumpLightness;
     }
     p.lean = p.wide;
     if (GRASS_HEIGHTS) p.scale *= bladeShare(uv);
@@ -70,7 +70,7 @@ Place placeHere(vec2 inCell, vec2 uv, vec2 painted) {
 // The sun as a slice sees it, in the patch's own axes.
 vec4 sunImages(int axis, float side) {
     if (!LIGHT_COSINE) return imagesOf(slices.sunWeights, vec4(side, mirror, float(axis)));
-    vec3 l = frame.sunDirection.xyz * vec3(mirror.x, 1.0, mirror.y);
+    vec3 l = frame.sunDirection * vec3(mirror.x, 1.0, mirror.y);
     return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
 }
 
@@ -82,18 +82,18 @@ float jitter(int axis, int k, int end) {
 }
 
 void main() {
-    int n = int(slices.shape.z), quad = gl_VertexID / 4, corner = gl_VertexID % 4;
+    int n = slices.slices, quad = gl_VertexID / 4, corner = gl_VertexID % 4;
     int axis = quad / n, k = quad % n;
     float end = float(corner & 1), top = float(corner >> 1), at = (float(k) + 0.5) / float(n);
     if (CONSERVING) at += jitter(axis, k, corner & 1) / float(n);
     vec2 local = axis == 0 ? vec2(at, end) : vec2(end, at);
-    vec2 inCell = local * slices.shape.x;
-    vec2 ground = vec2(cell) * slices.shape.x + inCell, uv = mapPlace(ground);
+    vec2 inCell = local * slices.cellSize;
+    vec2 ground = vec2(cell) * slices.cellSize + inCell, uv = mapPlace(ground);
     foot = vec3(cellCorner.x + inCell.x, groundHeight(ground), cellCorner.y + inCell.y);
     vec2 painted = paintedLean(uv);
     Place p = placeHere(inCell, uv, painted);
     float lean2 = min(dot(p.lean, p.lean), 0.9);
-    vec3 position = foot + top * slices.shape.y * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
+    vec3 position = foot + top * slices.top * p.scale * vec3(p.lean.x, sqrt(1.0 - lean2), p.lean.y);
 
     vec2 signs = axis == 0 ? mirror : mirror.yx,
          begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
@@ -104,14 +104,14 @@ void main() {
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;
-    weights = vec2(lodRamp(far, slices.tiers.x, slices.tiers.y),
-                   (1.0 - lodRamp(far, slices.tiers.z, slices.tiers.w)) * turned);
+    weights =
+        vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
-    brighter = p.lighter * darkened(far) * slices.shape.w * sliceGain(-foot / far, p.wide, p.press, false);
+    brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.wide, p.press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(axis, axes.x);
-    gain = SUN ? brighter * frame.sunLight.rgb * frame.sunDirection.w : vec3(0.0);
-    ambient = brighter * slices.ambient.rgb * skyShare(uv);
+    gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    ambient = brighter * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);

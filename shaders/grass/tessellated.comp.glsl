@@ -51,13 +51,13 @@ bool covers(TessBlade t) {
     vec4 root = frame.viewProj * vec4(t.root, 1.0), tip = frame.viewProj * vec4(t.root + t.pose.tip, 1.0);
     vec4 control = t.plain ? root : frame.viewProj * vec4(t.root + t.pose.control, 1.0);
     float nearest = min(min(root.w, tip.w), control.w);
-    if (!(nearest > tess.level.z)) return true;
+    if (!(nearest > tess.near)) return true;
     vec2 a = root.xy / root.w, b = tip.xy / tip.w, c = control.xy / control.w;
-    float margin = 0.5 * t.width * tess.level.w / nearest + kSnap;
-    vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.viewport.xy - margin,
-         high = (max(max(a, b), c) * 0.5 + 0.5) * frame.viewport.xy + margin;
-    if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.viewport.xy))) return false;
-    float n = frame.mode.z;
+    float margin = 0.5 * t.width * tess.pixelsPerMetre / nearest + kSnap;
+    vec2 low = (min(min(a, b), c) * 0.5 + 0.5) * frame.pixels - margin,
+         high = (max(max(a, b), c) * 0.5 + 0.5) * frame.pixels + margin;
+    if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.pixels))) return false;
+    float n = float(frame.samples);
     bool regular = n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0;
     return !regular || all(greaterThanEqual(floor(high * n - 0.5), ceil(low * n - 0.5)));
 }

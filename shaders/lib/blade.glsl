@@ -5,12 +5,7 @@
 // numerics basics, hash, bilinear, lod, opacity, blade, clump, population.
 #include "lib/wind.glsl"
 #include "lib/force.glsl"
-struct Blade {
-    vec4 place;    // root x, z; width; threshold
-    vec4 control;  // w: hue
-    vec4 tip;      // w: lightness
-    vec4 facing;   // z: dither
-};
+#include "shared/grass.h"
 layout(std430, binding = SSBO_BLADES) readonly buffer BladeBlock { Blade blades[]; };
 layout(std140, binding = UBO_SPECIES) uniform SpeciesBlock { SpeciesGlobals species; };
 // Where a vertex's blade stands.
@@ -24,7 +19,7 @@ struct Stand {
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
     ivec2 size = textureSize(densityMap[0], 0);
-    float tiling = cover.densities[int(species.counts.w)];
+    float tiling = cover.species[species.index].tiling;
     BilinearTap t;
     if (tiling > 0.0)
         t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
@@ -40,17 +35,17 @@ Stand standAt(Blade b, float v, float across) {
     Stand s;
     s.v = v;
     s.across = across;
-    s.inCell = rootInCell(b.place.xy, mirror, shift, species.clumps.w);
-    s.ground = vec2(cell) * species.clumps.w + s.inCell;
+    s.inCell = rootInCell(b.root, mirror, shift, species.cellSize);
+    s.ground = vec2(cell) * species.cellSize + s.inCell;
     s.uv = mapPlace(s.ground);
     s.root = vec3(cellCorner.x + s.inCell.x, groundHeight(s.ground), cellCorner.y + s.inCell.y);
     s.density = density(s.uv);
-    float weight = lodRamp(length(s.root), cover.tiers.y, cover.tiers.z);
-    s.opacity = geometryOpacity(s.density, weight, b.place.w, species.counts.z);
+    float weight = lodRamp(length(s.root), cover.minGeom, cover.geomInv);
+    s.opacity = geometryOpacity(s.density, weight, b.threshold, species.fade);
     return s;
 }
 bool exists(Stand s) {
-    vec2 share = s.ground * frame.terrain.zw;
+    vec2 share = s.ground * frame.terrainShare;
     return s.opacity > 0.0 && share.x <= 1.0 && share.y <= 1.0;
 }
 
@@ -58,16 +53,17 @@ bool exists(Stand s) {
 // light: the density by which they shade each other falls with the press.
 BladePose poseHere(Blade b, inout Stand s, out float lighter) {
     vec3 clump = vec3(0.0);
-    if (GRASS_CLUMPS && species.tipColor.w > 0.0)
-        clump = clumpValues(cell.x, cell.y, s.inCell, species.clumps.w, species.tipColor.w, uint(species.counts.y));
-    BladePlace p = bladePlace(paintedLean(s.uv), species.midColor.w, clump, species.clumps.xyz);
-    if (WIND) p.lean += windLeanAt(s.root.xz, b.facing.z, cover.gusts[int(species.counts.w)]);
+    if (GRASS_CLUMPS && species.clumpSize > 0.0)
+        clump = clumpValues(cell.x, cell.y, s.inCell, species.cellSize, species.clumpSize, species.seed);
+    BladePlace p = bladePlace(paintedLean(s.uv), species.leanAtFull, clump,
+                              vec3(species.clumpLean, species.clumpHeight, species.clumpLightness));
+    if (WIND) p.lean += windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
     if (FORCES || FORCE_MAP) {
         vec3 pressed = forceHere(s.root.xz, s.uv);
-        p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing.xy * mirror);
+        p.lean = forcedLean(p.lean, pressed.xy, pressed.z, b.facing * mirror);
         s.density *= 1.0 - pressed.z;
     }
     if (GRASS_HEIGHTS) p.scale *= bladeShare(s.uv);
     lighter = p.lighter;
-    return poseBlade(b.control.xyz, b.tip.xyz, b.facing.xy, mirror, p.lean, p.scale);
+    return poseBlade(b.control, b.tip, b.facing, mirror, p.lean, p.scale);
 }

@@ -3,10 +3,9 @@
 // leaf.glsl, shadow.glsl, mask.glsl, cover.glsl. hue, lightness: as numerics/population.h bladeTint takes them; uv: of
 // the root (mapPlace).
 vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
-    vec3 c =
-        bladeTint(bladeGradient(species.rootColor.rgb, species.midColor.rgb, species.tipColor.rgb, v), hue, lightness);
+    vec3 c = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
     if (!GRASS_VEGETATION) return c;
-    vec4 paint = textureLod(vegetationMap, uv * cover.tiling.y, 0.0);
+    vec4 paint = textureLod(vegetationMap, uv * cover.vegetationTiling, 0.0);
     return mix(c, paint.rgb, paint.a);
 }
 
@@ -21,12 +20,14 @@ struct Lit {
 // Where in the shadow mask it is, for a light.
 vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
     return maskPoint(stoodUp(fromRoot, upright), facing, unitOr(stoodUp(towards, upright), 1e-6, towards),
-                     species.mask.xy)
+                     species.maskRadius, species.maskHeight)
         .xy;
 }
+// As leafLight takes them.
+vec3 bladeLooks() { return vec3(species.translucency, species.gloss, species.roughness); }
 vec3 sunOn(Lit p) {
     if (!SUN) return vec3(0.0);
-    return leafLight(p.color, species.looks.xyz, p.normal, p.toEye, frame.sunDirection.xyz, frame.sunLight.rgb) *
+    return leafLight(p.color, bladeLooks(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) *
            sunVisible(p.position, vec3(0.0));
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
@@ -37,7 +38,7 @@ vec3 lampsOn(Lit p) {
         float share = p.open;
         if (BLADE_SHADOWS && i < castingLamps())
             share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
-        sum += leafLight(p.color, species.looks.xyz, p.normal, p.toEye, l.direction, l.light) * share;
+        sum += leafLight(p.color, bladeLooks(), p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
 }
@@ -57,9 +58,9 @@ BladeLight lightBlade(Lit p, vec2 uv) {
     p.fromRoot = inFullHeight(p.fromRoot, uv);
     vec3 sun = sunOn(p);
     vec3 rest = p.color * ambientLight(p.normal) * (skyShare(uv) * p.open) + lampsOn(p);
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) {
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0) {
         o.sunned = vec4(sun * (1.0 - share), p.density);
-        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection.xyz);
+        o.maskAt = maskFor(p.fromRoot, p.facing, p.upright, frame.sunDirection);
     } else {
         rest += sun * p.open;
     }

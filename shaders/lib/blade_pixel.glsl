@@ -20,7 +20,7 @@ out vec4 color;
 // t: the texture's colour there; alpha: of what is written.
 vec4 bladePixel(vec4 t, float alpha) {
     vec3 light = lit.rgb;
-    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
+    if (BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0) light += sunned.rgb * maskLight(maskAt, sunned.w);
     vec4 c = vec4(clamp(light * mix(t.rgb * 2.0, vec3(1.0), lit.w), vec3(0.0), vec3(kBrightest)), alpha);
     if (viewMode() == VIEW_TIERS) c.rgb = vec3(0.85, 0.05, 0.03) * (0.4 + 0.6 * strip.y);
     if (viewMode() == VIEW_NORMALS) c.rgb = lit.rgb;

@@ -1,5 +1,6 @@
 // Painted maps that the ground reads too: how much grows, how high, and how much of the sky it sees. Needs: const bool
 // GRASS_OCCLUSION, GRASS_HEIGHTS; frame.glsl. uv: of mapPlace.
+#include "shared/grass.h"
 layout(std140, binding = UBO_COVER) uniform CoverBlock { CoverGlobals cover; };
 layout(binding = TEX_DENSITY) uniform sampler2D densityMap[MAX_SPECIES];
 layout(binding = TEX_BLADE_HEIGHT) uniform sampler2D bladeHeightMap;
@@ -8,10 +9,10 @@ layout(binding = TEX_OCCLUSION) uniform sampler2D occlusionMap;
 // Share of their height that blades rooted here have.
 float bladeShare(vec2 uv) {
     if (!GRASS_HEIGHTS) return 1.0;
-    return textureLod(bladeHeightMap, tiled(uv, cover.bladeHeight.x), 0.0).r;
+    return textureLod(bladeHeightMap, tiled(uv, cover.heightTiling), 0.0).r;
 }
 
 float skyShare(vec2 uv) {
     if (!GRASS_OCCLUSION) return 1.0;
-    return textureLod(occlusionMap, uv * cover.tiling.z, 0.0).r;
+    return textureLod(occlusionMap, uv * cover.occlusionTiling, 0.0).r;
 }

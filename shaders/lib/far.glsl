@@ -10,24 +10,24 @@ struct Repeated {
 };
 // at: x, z relative to the eye.
 Repeated repeated(vec2 at) {
-    vec2 c = at / slices.shape.x + slices.eyeCell.zw;
+    vec2 c = at / slices.cellSize + slices.inCell;
     vec2 whole = floor(c);
     Repeated r;
-    r.cell = ivec2(slices.eyeCell.xy) + ivec2(whole);
-    CellVersion v = cellVersion(r.cell.x, r.cell.y, uint(slices.counts.y));
+    r.cell = ivec2(slices.eyeCell) + ivec2(whole);
+    CellVersion v = cellVersion(r.cell.x, r.cell.y, slices.seed);
     r.mirror = v.mirror;
     vec2 local = c - whole;
-    r.inCell = local * slices.shape.x;
+    r.inCell = local * slices.cellSize;
     r.texel = vec3(placeInPatch(local, v.mirror, v.shift) + 1.0, 0.0);
-    r.dx = dFdx(c) * r.mirror * slices.lean.w;
-    r.dy = dFdy(c) * r.mirror * slices.lean.w;
+    r.dx = dFdx(c) * r.mirror * slices.sharpness;
+    r.dy = dFdy(c) * r.mirror * slices.sharpness;
     return r;
 }
 
 // Share of their height that blades have, filtered for the pixel.
 float bladeShareSeen(vec2 uv) {
     if (!GRASS_HEIGHTS) return 1.0;
-    return texture(bladeHeightMap, tiled(uv, cover.bladeHeight.x)).r;
+    return texture(bladeHeightMap, tiled(uv, cover.heightTiling)).r;
 }
 
 // How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.
@@ -37,8 +37,8 @@ float bladeShareSeen(vec2 uv) {
 float depthFactor(float sine, float vertical, float laid) {
     if (!CONSERVING) return 1.0;
     float y = clamp(sine, 0.03, 1.0), slant = sqrt(1.0 - y * y) / y;
-    vec2 area = mix(slices.areas.xy, slices.laid.xy, laid) * vec2(slant, 1.0);
-    return max((length(area) - vertical * sunk(laid) * slices.areas.x * slant) / max(slices.areas.w, 1e-4), 0.0);
+    vec2 area = mix(slices.area, slices.laidArea, laid) * vec2(slant, 1.0);
+    return max((length(area) - vertical * sunk(laid) * slices.area.x * slant) / max(slices.farDepth, 1e-4), 0.0);
 }
 
 // Opacity of the slice there, seen along a ray of this sine; pixels wider than a texel are filtered. tall: share of
@@ -48,10 +48,10 @@ float depthFactor(float sine, float vertical, float laid) {
 float farOpacity(Repeated r, float density, float tall, float sine, float vertical, float laid, out vec4 stored) {
     // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected
     // for the slant. Colour and light are taken as sharp as is wanted.
-    float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.lean.z * max(sqrt(1.0 - y * y) / y, laid) : 0.0;
-    float pixel = max(length(r.dx), length(r.dy)) / slices.lean.w, wide = max(pixel, crossed);
-    float level = clamp(log2(wide * slices.counts.z), 0.0, 16.0);
+    float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.meanHeight * max(sqrt(1.0 - y * y) / y, laid) : 0.0;
+    float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness, wide = max(pixel, crossed);
+    float level = clamp(log2(wide * slices.farTexels), 0.0, 16.0);
     stored = textureLod(sliceThreshold, r.texel, level);
-    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.counts.x, level),
+    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.fade, level),
                          depthFactor(sine, vertical, laid) * tall);
 }

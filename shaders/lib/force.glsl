@@ -1,5 +1,6 @@
 // What presses on the grass at a place: what stands or went there, and what is painted. Needs: const bool FORCES,
 // FORCE_MAP; frame.glsl, density.glsl (for the tiling); numerics glsl, basics.
+#include "shared/wind.h"
 #include "numerics/wind.h"
 #include "numerics/gust.h"
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
@@ -9,8 +10,8 @@ layout(binding = TEX_FORCE_MAP) uniform sampler2D forceMap;
 // x, y: push (m per m); z: press. at: x, z relative to the eye; uv: as a share of the terrain.
 vec3 forceHere(vec2 at, vec2 uv) {
     vec3 sum = vec3(0.0);
-    vec2 inMap = (at - force.square.xy) * force.square.z;
+    vec2 inMap = (at - force.corner) * force.share;
     if (FORCES && inMap == clamp(inMap, vec2(0.0), vec2(1.0))) sum = textureLod(forcesAround, inMap, 0.0).rga;
-    if (FORCE_MAP) sum += paintedForce(textureLod(forceMap, uv * cover.tiling.w, 0.0));
+    if (FORCE_MAP) sum += paintedForce(textureLod(forceMap, uv * cover.forceTiling, 0.0));
     return forceOf(sum);
 }

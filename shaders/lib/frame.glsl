@@ -4,7 +4,7 @@ layout(std140, binding = UBO_FRAME) uniform FrameBlock { FrameGlobals frame; };
 const int VIEW_FINAL = 0, VIEW_TIERS = 1, VIEW_OVERDRAW = 2, VIEW_DENSITY = 3, VIEW_DEPTH = 4, VIEW_NORMALS = 5;
 const float kBrightest = 65504.0;  // the largest half: what the scene's target holds
 // Terrain-relative metres as a share of what a map of tiling 1 covers: what maps are read at, times their tiling.
-vec2 mapPlace(vec2 place) { return place * frame.maps.xy; }
+vec2 mapPlace(vec2 place) { return place * frame.mapShare; }
 // A map's coordinates there; tiling 0: it lies on the terrain once.
 vec2 tiled(vec2 uv, float tiling) { return tiling > 0.0 ? uv * tiling : uv; }
-int viewMode() { return int(frame.mode.x); }
+int viewMode() { return frame.mode; }

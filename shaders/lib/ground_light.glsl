@@ -21,7 +21,7 @@ float directShare(bool casts, float shades, float near) {
 
 vec3 soilLight(vec3 at, vec2 uv, vec3 n, float shades, float near) {
     vec3 sum = ambientLight(n) * (shades * skyShare(uv));
-    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunLight.w > 0.0, shades, near);
+    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunCasts > 0.0, shades, near);
     for (int i = 0; i < lampCount(); ++i)
         sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), shades, near);
     return sum;

@@ -4,24 +4,25 @@ layout(binding = TEX_HEIGHT) uniform sampler2D heightMap;
 // Height relative to the eye at terrain-relative metres. A height map that repeats is mirrored from repeat to repeat
 // (scene/tiling.h).
 float groundHeight(vec2 place) {
-    if (!TERRAIN_HEIGHTS) return frame.heights.x;
+    if (!TERRAIN_HEIGHTS) return frame.groundBase;
     ivec2 size = textureSize(heightMap, 0);
-    vec2 uv = place * frame.terrain.zw;
-    if (frame.maps.z > 0.0)
-        uv = vec2(mirrorUnit(place.x * frame.maps.x * frame.maps.z), mirrorUnit(place.y * frame.maps.y * frame.maps.z));
+    vec2 uv = place * frame.terrainShare;
+    if (frame.heightTiling > 0.0)
+        uv = vec2(mirrorUnit(place.x * frame.mapShare.x * frame.heightTiling),
+                  mirrorUnit(place.y * frame.mapShare.y * frame.heightTiling));
     BilinearTap t = bilinearTap(uv.x, uv.y, size.x, size.y);
-    float base = frame.heights.z;
+    float base = frame.groundTexel;
     float h = bilinearMix(texelFetch(heightMap, ivec2(t.x0, t.y0), 0).r - base,
                           texelFetch(heightMap, ivec2(t.x1, t.y0), 0).r - base,
                           texelFetch(heightMap, ivec2(t.x0, t.y1), 0).r - base,
                           texelFetch(heightMap, ivec2(t.x1, t.y1), 0).r - base, t.fx, t.fy);
-    return frame.heights.x + frame.heights.y * h;
+    return frame.groundBase + frame.groundScale * h;
 }
 
 // Upward unit normal by central differences over `step` metres; exactly up on flat ground (T-5).
 vec3 groundNormal(vec2 place, float step) {
     if (!TERRAIN_HEIGHTS) return vec3(0.0, 1.0, 0.0);
-    vec2 repeat = frame.maps.z > 0.0 ? vec2(1.0) / (frame.maps.xy * frame.maps.z) : frame.terrain.xy,
+    vec2 repeat = frame.heightTiling > 0.0 ? vec2(1.0) / (frame.mapShare * frame.heightTiling) : frame.terrainSize,
          texel = repeat / vec2(textureSize(heightMap, 0));
     vec2 d = max(vec2(step), texel);
     float dx = groundHeight(place + vec2(d.x, 0.0)) - groundHeight(place - vec2(d.x, 0.0));

@@ -1,8 +1,9 @@
 // Lights beside the sun. Needs: const bool LAMPS; frame.glsl; numerics/glsl.h, basics.h, weights.h.
+#include "shared/light.h"
 layout(std140, binding = UBO_LIGHTS) uniform LightsBlock { LightsGlobals lamps; };
 
-int lampCount() { return LAMPS ? int(lamps.count.x) : 0; }
-int castingLamps() { return LAMPS ? int(lamps.count.y) : 0; }
+int lampCount() { return LAMPS ? lamps.count : 0; }
+int castingLamps() { return LAMPS ? lamps.casting : 0; }
 
 // Lamp i as a point (relative to the eye) sees it: unit direction towards it, and irradiance on what faces it over pi.
 struct LampHere {
@@ -11,10 +12,10 @@ struct LampHere {
 };
 LampHere lampAt(int i, vec3 at) {
     LightGlobals l = lamps.lights[i];
-    PointLight p = pointLight(l.place.xyz - at * l.place.w, l.color.w);
+    PointLight p = pointLight(l.place - at * l.isPoint, l.beta);
     LampHere here;
     here.direction = p.direction;
-    here.light = l.color.rgb * p.attenuation;
+    here.light = l.color * p.attenuation;
     return here;
 }
 

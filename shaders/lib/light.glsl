@@ -3,20 +3,20 @@
 #include "numerics/light.h"
 
 // Light from above and below on a surface that faces n, divided by pi.
-vec3 ambientLight(vec3 n) { return halvesLight(frame.groundLight.rgb, frame.skyLight.rgb, n.y); }
+vec3 ambientLight(vec3 n) { return halvesLight(frame.groundLight, frame.skyLight, n.y); }
 // Direct light on a surface that faces n; `side` of two-sided surfaces is chosen by the caller.
 vec3 sunLight(vec3 n) {
     if (!SUN) return vec3(0.0);
-    return frame.sunLight.rgb * max(dot(n, frame.sunDirection.xyz), 0.0);
+    return frame.sunLight * max(dot(n, frame.sunDirection), 0.0);
 }
 
 // The sky's colour at the horizon in a direction.
 vec3 horizonColor(vec2 direction) {
-    return horizonLight(frame.horizon[0], frame.horizon[1], frame.horizon[2].rgb, frame.horizon[3].rgb,
-                        frame.horizon[4].rgb, frame.skySun.xz, direction);
+    return horizonLight(frame.horizon[0].rgb, frame.horizon[1].rgb, frame.horizon[2].rgb, frame.horizon[3].rgb,
+                        frame.horizon[4].rgb, frame.horizonMiddle, frame.horizonScale, frame.skySun.xz, direction);
 }
 // Share of the light that haze takes away over a distance.
 float hazeShare(float distance) {
     if (!FOG) return 0.0;
-    return hazeTaken(frame.haze.x, distance);
+    return hazeTaken(frame.haze, distance);
 }

@@ -3,10 +3,10 @@
 layout(binding = TEX_MASK) uniform sampler2D bladeMask;
 
 // Where the ray from a point of a blade (relative to its root) towards a light leaves the blade's cylinder: turns from
-// where the blade faces, height as a share of the mask; z: 1 if the light stands above, else 0. size: radius and height
-// (m).
-vec3 maskPoint(vec3 fromRoot, vec2 facing, vec3 towards, vec2 size) {
-    MaskPoint p = maskPointOf(fromRoot, facing, towards, size.x, size.y);
+// where the blade faces, height as a share of the mask; z: 1 if the light stands above, else 0. radius and height of
+// that cylinder: metres.
+vec3 maskPoint(vec3 fromRoot, vec2 facing, vec3 towards, float radius, float height) {
+    MaskPoint p = maskPointOf(fromRoot, facing, towards, radius, height);
     return vec3(p.turn, p.height, towards.y > 0.0 ? 1.0 : 0.0);
 }
 // Share of light that passes the neighbours there, at a density; at most at half its resolution (grass/mask.cpp).

@@ -1,18 +1,19 @@
 // How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS;
 // frame.glsl. Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden
 // (terrain/shade.h).
+#include "shared/objects.h"
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(binding = TEX_SHADOW) uniform sampler2DArrayShadow shadowMap;
 layout(binding = TEX_SHADE) uniform sampler2D shadeMap;
 
 // Share of light past objects by one map: four taps of two by two texels.
 float sunInMap(int map, vec3 position, vec3 normal) {
-    float texel = shadow.texel[map];
-    float facing = clamp(dot(normal, frame.sunDirection.xyz), 0.0, 1.0);
+    float texel = shadow.cascades[map].texel;
+    float facing = clamp(dot(normal, frame.sunDirection), 0.0, 1.0);
     // Raised over its own surface by as much as the surface rises under the taps, and for facets under smooth normals.
     vec3 p = position + normal * (texel * (2.2 * sqrt(1.0 - facing * facing) + 0.8));
-    vec3 at = (shadow.toMap[map] * vec4(p, 1.0)).xyz;
-    vec2 d = vec2(0.75 * shadow.texel.w);
+    vec3 at = (shadow.cascades[map].toMap * vec4(p, 1.0)).xyz;
+    vec2 d = vec2(0.75 * shadow.texelShare);
     return 0.25 * (texture(shadowMap, vec4(at.xy + d, map, at.z)) + texture(shadowMap, vec4(at.xy - d, map, at.z)) +
                    texture(shadowMap, vec4(at.xy + vec2(d.x, -d.y), map, at.z)) +
                    texture(shadowMap, vec4(at.xy - vec2(d.x, -d.y), map, at.z)));
@@ -22,9 +23,9 @@ float sunInMap(int map, vec3 position, vec3 normal) {
 float sunPastObjects(vec3 position, vec3 normal) {
     float distance = length(position);
     int map = 0;
-    while (map < SHADOW_CASCADES && distance > shadow.reach[map]) ++map;
+    while (map < SHADOW_CASCADES && distance > shadow.cascades[map].reach) ++map;
     if (map == SHADOW_CASCADES) return 1.0;
-    float share = smoothstep(0.9, 1.0, distance / shadow.reach[map]);
+    float share = smoothstep(0.9, 1.0, distance / shadow.cascades[map].reach);
     float here = sunInMap(map, position, normal);
     if (share <= 0.0) return here;
     return mix(here, map + 1 < SHADOW_CASCADES ? sunInMap(map + 1, position, normal) : 1.0, share);
@@ -32,10 +33,10 @@ float sunPastObjects(vec3 position, vec3 normal) {
 
 // Soft over a quarter of what the sun's ray falls from texel to texel.
 float sunPastHills(vec3 position) {
-    vec3 at = position + frame.eye.xyz;
-    float above = at.y - textureLod(shadeMap, at.xz * frame.terrain.zw, 0.0).r;
+    vec3 at = position + frame.eye;
+    float above = at.y - textureLod(shadeMap, at.xz * frame.terrainShare, 0.0).r;
     vec2 across = frame.sunDirection.xz;
-    float cell = frame.terrain.x / float(textureSize(shadeMap, 0).x);
+    float cell = frame.terrainSize.x / float(textureSize(shadeMap, 0).x);
     float soft = 0.02 + 0.25 * cell * frame.sunDirection.y / max(length(across), 0.01);
     return smoothstep(-soft, 0.0, above);
 }
@@ -43,7 +44,7 @@ float sunPastHills(vec3 position) {
 // 1: in the sun; 0: in shadow. position: relative to the eye; normal: unit, of the surface there, or 0 on what is in no
 // shadow map itself (ground, grass) and so needs no distance from its own shadow.
 float sunVisible(vec3 position, vec3 normal) {
-    if (frame.sunDirection.w <= 0.0) return 1.0;
+    if (frame.sunIsUp <= 0.0) return 1.0;
     float share = 1.0;
     if (OBJECT_SHADOWS) share = sunPastObjects(position, normal);
     if (TERRAIN_SHADOWS) share *= sunPastHills(position);

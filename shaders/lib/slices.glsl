@@ -1,6 +1,7 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
 // Needs: frame.glsl; numerics opacity, lod, weights, leaf; cover.glsl, light.glsl, lamps.glsl; const bool TRANSLUCENCY,
 // CONSERVING; const int STORAGE.
+#include "shared/slices.h"
 layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; };
 layout(binding = TEX_SLICE_REFLECTANCE) uniform sampler2DArray sliceReflectance;
 layout(binding = TEX_SLICE_THRESHOLD) uniform sampler2DArray sliceThreshold;
@@ -24,20 +25,28 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
+// The mean of what the four views have.
+float mixTap(LookTap t, float a, float b, float c, float d) {
+    return a * t.weight.x + b * t.weight.y + c * t.weight.z + d * t.weight.w;
+}
+vec3 mixTap(LookTap t, vec3 a, vec3 b, vec3 c, vec3 d) {
+    return a * t.weight.x + b * t.weight.y + c * t.weight.z + d * t.weight.w;
+}
+
 // Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`:
 // how far they are laid down.
 vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
-    vec4 across = slices.gains[t.view.x] * t.weight.x + slices.gains[t.view.y] * t.weight.y +
-                  slices.gains[t.view.z] * t.weight.z + slices.gains[t.view.w] * t.weight.w;
-    vec4 above = slices.farGains[t.view.x] * t.weight.x + slices.farGains[t.view.y] * t.weight.y +
-                 slices.farGains[t.view.z] * t.weight.z + slices.farGains[t.view.w] * t.weight.w;
-    float leant = max(1.0 + dot(lean, vec2(across.w, above.w)), 0.1);
-    vec3 gain = (far ? above.rgb : across.rgb) * leant;
+    LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
+             d = slices.gains[t.view.w];
+    float acrossLean = mixTap(t, a.acrossLean, b.acrossLean, c.acrossLean, d.acrossLean),
+          aboveLean = mixTap(t, a.aboveLean, b.aboveLean, c.aboveLean, d.aboveLean);
+    float leant = max(1.0 + dot(lean, vec2(acrossLean, aboveLean)), 0.1);
+    vec3 gain =
+        (far ? mixTap(t, a.above, b.above, c.above, d.above) : mixTap(t, a.across, b.across, c.across, d.across)) *
+        leant;
     if (!FORCES && !FORCE_MAP) return gain;
-    vec4 laid = slices.laidGains[t.view.x] * t.weight.x + slices.laidGains[t.view.y] * t.weight.y +
-                slices.laidGains[t.view.z] * t.weight.z + slices.laidGains[t.view.w] * t.weight.w;
-    return gain * mix(vec3(1.0), laid.rgb, press);
+    return gain * mix(vec3(1.0), mixTap(t, a.laid, b.laid, c.laid, d.laid), press);
 }
 
 // Share of its height that a slice keeps where it is pressed: it has no blades to lay down each its own way, so it
@@ -52,20 +61,20 @@ float laidBy(vec3 f) { return min((1.0 - sunk(f.z) * sqrt(1.0 - min(dot(f.xy, f.
 float verticalShare(float sine) {
     if (!CONSERVING) return 1.0;
     float y = clamp(sine, 1e-3, 1.0);
-    return min(slices.farAmbient.w * sqrt(1.0 - y * y) / y, 1.0);
+    return min(slices.steepest * sqrt(1.0 - y * y) / y, 1.0);
 }
 
 // Filtered density of the species at a point of the terrain; uv: of mapPlace.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
-    return texture(densityMap[0], tiled(uv, cover.densities[int(slices.ambient.w)])).r;
+    return texture(densityMap[0], tiled(uv, cover.species[slices.species].tiling)).r;
 }
 
 // Reflectance (as a share of full scale) with the field's colour over it.
 vec3 paintedOver(vec3 reflectance, vec2 uv) {
     if (!GRASS_VEGETATION) return reflectance;
-    vec4 paint = texture(vegetationMap, uv * cover.tiling.y);
-    return mix(reflectance, paint.rgb / slices.shape.w, paint.a);
+    vec4 paint = texture(vegetationMap, uv * cover.vegetationTiling);
+    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
 }
 
 // Light from one direction on a texel and on its other side, from what it stores: `plus` and `minus` are the parts of
@@ -81,7 +90,7 @@ vec2 cosineOf(vec3 plus, vec3 minus, vec3 towards) {
 // What leaves send of light on this side (x) and through them from the other (y).
 vec3 leavesSend(vec3 reflectance, vec2 light) {
     vec3 sent = reflectance * light.x;
-    if (TRANSLUCENCY) sent += leafThrough(reflectance) * (slices.lean.y * light.y);
+    if (TRANSLUCENCY) sent += leafThrough(reflectance) * (slices.translucency * light.y);
     return sent;
 }
 

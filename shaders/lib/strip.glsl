@@ -6,8 +6,8 @@ layout(location = 2) in vec2 mirror;      // of the cell's version of the patch 
 layout(location = 3) in vec2 shift;
 #include "lib/blade.glsl"
 
-Blade bladeHere() { return blades[gl_VertexID / (2 * (int(species.counts.x) + 1))]; }
+Blade bladeHere() { return blades[gl_VertexID / (2 * (species.segments + 1))]; }
 Stand standHere(Blade b) {
-    int corner = gl_VertexID % (2 * (int(species.counts.x) + 1));
-    return standAt(b, float(corner / 2) / species.counts.x, float(corner & 1) - 0.5);
+    int corner = gl_VertexID % (2 * (species.segments + 1));
+    return standAt(b, float(corner / 2) / float(species.segments), float(corner & 1) - 0.5);
 }

@@ -2,6 +2,7 @@
 // sections 5.1 and 6.3). All that is decided once a blade. Any stage but fragments. Brings what blade_light.glsl needs
 // with it.
 #include "lib/frame.glsl"
+#include "shared/tess.h"
 #include "numerics/glsl.h"
 #include "numerics/basics.h"
 #include "numerics/hash.h"
@@ -48,9 +49,9 @@ void takeCell(TessCell c) {
 }
 
 int levelOf(BladePose pose, vec3 root) {
-    if (!(tess.level.y > 0.0)) return max(tessLevel(tess.level.x, length(root), tess.range.x), 1);
+    if (!(tess.pixelsPerQuad > 0.0)) return max(tessLevel(tess.mostLevel, length(root), tess.maxDistance), 1);
     return tessLevelOnScreen(frame.viewProj * vec4(root, 1.0), frame.viewProj * vec4(root + pose.tip, 1.0),
-                             frame.viewport.xy, tess.level.z, tess.level.y, tess.level.x);
+                             frame.pixels, tess.near, tess.pixelsPerQuad, tess.mostLevel);
 }
 
 // Blade number `index` of the patch in cell c. Blades that the distance thins out sink into the ground, instead of
@@ -62,31 +63,31 @@ TessBlade tessBlade(TessCell c, uint index) {
     Blade b = blades[index];
     Stand s = standAt(b, 0.0, 0.0);
     if (!exists(s)) return t;
-    float distance = length(s.root), kept = densityKept(1.0, distance, tess.range.y);
-    float high = geometryOpacity(s.density * kept, 0.0, b.place.w, species.counts.z) / s.opacity *
-                 heightKept(distance, tess.range.x, tess.range.z);
+    float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
+    float high = geometryOpacity(s.density * kept, 0.0, b.threshold, species.fade) / s.opacity *
+                 heightKept(distance, tess.maxDistance, tess.lowerInv);
     if (!(high > 0.0)) return t;
     t.pose = poseHere(b, s, t.lightness);
     t.pose.control *= min(high, 1.0);
     t.pose.tip *= min(high, 1.0);
-    t.lightness *= b.tip.w;
-    t.hue = b.control.w;
+    t.lightness *= b.lightness;
+    t.hue = b.hue;
     t.root = s.root;
     t.uv = s.uv;
     t.density = s.density;
     t.opacity = s.opacity;
-    t.grain = floatBitsToUint(b.facing.z);
-    t.width = b.place.z * frame.mode.w * min(1.0 / max(kept, 0.01), tess.range.w);
+    t.grain = floatBitsToUint(b.dither);
+    t.width = b.width * frame.widening * min(1.0 / max(kept, 0.01), tess.widest);
     t.level = min(levelOf(t.pose, s.root), max(int(c.level), 1));
-    t.plain = t.level == 1 && t.width * tess.level.w < tess.plain.x * distance;
-    if (t.plain) t.width *= tess.plain.y;
+    t.plain = t.level == 1 && t.width * tess.pixelsPerMetre < tess.plainPixels * distance;
+    if (t.plain) t.width *= tess.plainWidth;
     return t;
 }
 
 // Where in the shadow mask a vertex of it is.
 vec2 maskOf(TessBlade t, vec3 fromRoot) {
-    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunLight.w > 0.0)) return vec2(0.0);
-    return maskFor(inFullHeight(fromRoot, t.uv), t.pose.facing, t.pose.upright, frame.sunDirection.xyz);
+    if (!(BLADE_SHADOWS && CASTING_LIGHTS && frame.sunCasts > 0.0)) return vec2(0.0);
+    return maskFor(inFullHeight(fromRoot, t.uv), t.pose.facing, t.pose.upright, frame.sunDirection);
 }
 
 // Light on the middle of a row of it; normal: either of the two. shown: the normal that is seen.
@@ -95,7 +96,7 @@ BladeLight lightPoint(TessBlade t, vec3 fromRoot, vec3 normal, float v, out vec3
     shown = dot(normal, position) > 0.0 ? -normal : normal;
     BladeLight l =
         lightBlade(Lit(bladeColor(t.hue, t.lightness, v, t.uv), shown, unitOr(-position, 1e-6, shown), position,
-                       fromRoot, t.pose.facing, t.pose.upright, mix(species.rootColor.w, 1.0, v), t.density),
+                       fromRoot, t.pose.facing, t.pose.upright, mix(species.rootOpen, 1.0, v), t.density),
                    t.uv);
     if (viewMode() == VIEW_NORMALS) l.lit.rgb = shown * 0.5 + 0.5;
     return l;

@@ -1,4 +1,5 @@
 // The cells of which blades are drawn, in the order of their slots.
+#include "shared/tess.h"
 layout(std430, binding = SSBO_CELLS) readonly buffer TessCellBlock { TessCell cells[]; };
 layout(std430, binding = SSBO_LIST) readonly buffer ListBlock { uint list[]; };
 

@@ -5,11 +5,12 @@
 FN vec3 halvesLight(vec3 below, vec3 above, real up) { return mix(below, above, real(0.5) + real(0.5) * up); }
 
 // The sky's colour at the horizon along `direction` (x, z; any length), as a polynomial of the chord to the sun, in
-// which the sun's glow is smooth: t = (chord - h0.w) * h1.w is in [-1, 1]. sun: x, z of its unit vector.
-FN vec3 horizonLight(vec4 h0, vec4 h1, vec3 h2, vec3 h3, vec3 h4, vec2 sun, vec2 direction) {
+// which the sun's glow is smooth: t = (chord - middle) * scale is in [-1, 1]; h0 to h4 are its factors. sun: x, z of
+// its unit vector.
+FN vec3 horizonLight(vec3 h0, vec3 h1, vec3 h2, vec3 h3, vec3 h4, real middle, real scale, vec2 sun, vec2 direction) {
     real c = dot(sun, direction) / max(sqrt(dot(direction, direction)), real(1e-6));
-    real t = clamp((sqrt(max(2.0f - 2.0f * c, real(0.0))) - h0.w) * h1.w, real(-1.0), real(1.0));
-    return max(vec3(h0) + (vec3(h1) + (h2 + (h3 + h4 * t) * t) * t) * t, vec3(0.0f, 0.0f, 0.0f));
+    real t = clamp((sqrt(max(2.0f - 2.0f * c, real(0.0))) - middle) * scale, real(-1.0), real(1.0));
+    return max(h0 + (h1 + (h2 + (h3 + h4 * t) * t) * t) * t, vec3(0.0f, 0.0f, 0.0f));
 }
 
 // Share of light that haze of this extinction (1/m, 0 or more) takes away over a distance (m).

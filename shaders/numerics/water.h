@@ -49,13 +49,15 @@ FN vec3 refracted(vec3 way, vec3 normal) {
 
 // How much stronger ripples are in a gust than between: share of their slopes where it blows so hard (numerics/gust.h).
 FN real rippleShare(real blows) { return real(0.35) + real(0.65) * min(abs(blows), real(1.0)); }
-// Slope of one wave along its way. wave: x, z turns a metre, phase at the eye, slope at its steepest. at: x, z from the
-// eye.
-FN real waveSlope(vec4 wave, vec2 at) { return wave.w * sinTurns(turns(wave.z + wave.x * at.x + wave.y * at.y)); }
+// Slope of one wave along its way. along: its turns a metre, x and z; phase: at the eye, turns; steepest: its greatest
+// slope. at: x, z from the eye.
+FN real waveSlope(vec2 along, real phase, real steepest, vec2 at) {
+    return steepest * sinTurns(turns(phase + along.x * at.x + along.y * at.y));
+}
 // Share of a wave that is seen one by one where a pixel spans so many of its turns; of the rest only the variance
 // shows.
 FN real waveSeen(real across) { return clamp(real(2.0) - 4.0f * across, real(0.0), real(1.0)); }
-FN vec2 waveWay(vec4 wave) { return vec2(wave.x, wave.y) / sqrt(max(wave.x * wave.x + wave.y * wave.y, kTiny)); }
+FN vec2 waveWay(vec2 along) { return along / sqrt(max(along.x * along.x + along.y * along.y, kTiny)); }
 
 // Radiance that the sun's glint sends to the eye, for sunlight of 1 (irradiance on what faces it, over pi): Gaussian
 // slopes of this variance along each axis about `slope` (Cox and Munk, "Measurement of the Roughness of the Sea

@@ -1,5 +1,5 @@
 // Depth alone; what an image's alpha cuts out casts no shadow.
-#include "shared/frame.h"
+#include "shared/objects.h"
 layout(binding = TEX_OBJECT) uniform sampler2D image;
 layout(location = 0) uniform float cutoff;
 in vec2 uv;

@@ -1,5 +1,5 @@
 // A vertex of what casts a shadow, as the sun sees it.
-#include "shared/frame.h"
+#include "shared/objects.h"
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(location = 1) uniform int map;
 layout(location = 0) in vec3 meshPosition;
@@ -12,7 +12,7 @@ out vec2 uv;
 
 void main() {
     vec4 p = vec4(meshPosition, 1.0);
-    vec3 at = (shadow.toMap[map] * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0)).xyz;
+    vec3 at = (shadow.cascades[map].toMap * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0)).xyz;
     uv = meshUv;
     gl_Position = vec4(at.xy * 2.0 - 1.0, at.z, 1.0);
 }

@@ -12,11 +12,11 @@ out vec4 color;
 const float kNear = 0.05;  // metres: the near plane, so that distance = near / depth
 
 float shareAt(ivec2 pixel) {
-    float depth = sceneDepth(clamp(pixel, ivec2(0), ivec2(frame.viewport.xy) - 1));
+    float depth = sceneDepth(clamp(pixel, ivec2(0), ivec2(frame.pixels) - 1));
     return depth > 0.0 ? farShare(kNear / depth, reach) : 1.0;
 }
 vec3 lightAt(vec2 pixel) {
-    vec3 c = textureLod(scene, pixel * frame.viewport.zw, 0.0).rgb;
+    vec3 c = textureLod(scene, pixel * frame.pixelShare, 0.0).rgb;
     return all(lessThan(abs(c), vec3(kBrightest * 2.0))) ? c : vec3(0.0);  // false for NaN
 }
 

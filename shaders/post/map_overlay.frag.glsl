@@ -10,11 +10,12 @@
 #include "numerics/gust.h"
 #include "lib/heights.glsl"
 #include "lib/scene_depth.glsl"
+#include "shared/wind.h"
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
 layout(location = 0) uniform vec4 overlay;   // 1 amounts, 2 directions, 3 forces, 4 colours; tiling, as in
-                                             // shared/frame.h; metres a pixel at 1 m; texels a metre
+                                             // shared/grass.h; metres a pixel at 1 m; texels a metre
 layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
 layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
 out vec4 color;
@@ -35,7 +36,7 @@ vec2 leanOf(vec4 texel) {
 // As blades meet it: painted, and of what stands and went there.
 vec3 forceAt(vec2 place, float level) {
     vec3 sum = painted ? paintedForce(mapAt(place, level)) : vec3(0.0);
-    vec2 inMap = (place - frame.eye.xz - force.square.xy) * force.square.z;
+    vec2 inMap = (place - frame.eye.xz - force.corner) * force.share;
     if (FORCES && GRASS && inMap == clamp(inMap, vec2(0.0), vec2(1.0))) sum += textureLod(forcesAround, inMap, 0.0).rga;
     return forceOf(sum);
 }
@@ -92,10 +93,10 @@ vec3 srgb(vec3 c) {
 void main() {
     float depth = sceneDepth(ivec2(gl_FragCoord.xy));
     if (depth <= 0.0) discard;
-    vec4 p = frame.invViewProj * vec4(gl_FragCoord.xy * frame.viewport.zw * 2.0 - 1.0, depth, 1.0);
+    vec4 p = frame.invViewProj * vec4(gl_FragCoord.xy * frame.pixelShare * 2.0 - 1.0, depth, 1.0);
     vec3 position = p.xyz / p.w;
     vec2 place = position.xz + frame.eye.xz;
-    if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, frame.terrain.xy))) discard;
+    if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, frame.terrainSize))) discard;
     if (position.y - groundHeight(place) > tallest) discard;
     float metresPerPixel = length(position) * overlay.z;
     float level = max(0.0, log2(metresPerPixel * overlay.w));

@@ -25,12 +25,12 @@ SkyModel model() {
 
 void main() {
     vec3 d = normalize(direction);
-    vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyGain.rgb;
-    bool disc = !WATER_REFLECTION || frame.mirror.x < 0.5;  // water shows the sun as its own glint
-    if (SUN && disc && d.y > 0.0) light += frame.sunLight.rgb * sunDisc(dot(d, frame.sunDirection.xyz));
+    vec3 light = skyRadianceOf(model(), vec3(d.x, max(d.y, 0.0), d.z)) * frame.skyGain;
+    bool disc = !WATER_REFLECTION || frame.mirrored < 0.5;  // water shows the sun as its own glint
+    if (SUN && disc && d.y > 0.0) light += frame.sunLight * sunDisc(dot(d, frame.sunDirection));
     if (d.y < 0.0)
-        light = plainLight(frame.groundLight.rgb, horizonColor(d.xz), frame.haze.x,
-                           plainDistance(frame.eye.xyz, frame.terrain.xy, d));
+        light = plainLight(frame.groundLight, horizonColor(d.xz), frame.haze,
+                           plainDistance(frame.eye, frame.terrainSize, d));
     if (viewMode() == VIEW_TIERS || viewMode() == VIEW_OVERDRAW || viewMode() == VIEW_DENSITY ||
         viewMode() == VIEW_NORMALS)
         light = vec3(0.0);

@@ -24,27 +24,27 @@ out vec4 color;
 // Densities of all species here, filtered for the pixel.
 vec4 densities(vec2 uv) {
     vec4 d = vec4(0.0);
-    int n = int(cover.tiers.x);
-    if (!GRASS_DENSITY) return vec4(lessThan(vec4(0.0, 1.0, 2.0, 3.0), vec4(cover.tiers.x)));
-    if (n > 0) d.x = texture(densityMap[0], tiled(uv, cover.densities.x)).r;
-    if (n > 1) d.y = texture(densityMap[1], tiled(uv, cover.densities.y)).r;
-    if (n > 2) d.z = texture(densityMap[2], tiled(uv, cover.densities.z)).r;
-    if (n > 3) d.w = texture(densityMap[3], tiled(uv, cover.densities.w)).r;
+    int n = cover.speciesCount;
+    if (!GRASS_DENSITY) return vec4(lessThan(vec4(0.0, 1.0, 2.0, 3.0), vec4(float(cover.speciesCount))));
+    if (n > 0) d.x = texture(densityMap[0], tiled(uv, cover.species[0].tiling)).r;
+    if (n > 1) d.y = texture(densityMap[1], tiled(uv, cover.species[1].tiling)).r;
+    if (n > 2) d.z = texture(densityMap[2], tiled(uv, cover.species[2].tiling)).r;
+    if (n > 3) d.w = texture(densityMap[3], tiled(uv, cover.species[3].tiling)).r;
     return d;
 }
 
 // Share of light that grass leaves to the soil.
 float lightLeft(vec4 density, vec2 uv) {
-    float left = 1.0, tall = GRASS_HEIGHTS ? texture(bladeHeightMap, tiled(uv, cover.bladeHeight.x)).r : 1.0;
-    for (int i = 0; i < int(cover.tiers.x); ++i) left *= soilLeft(cover.shade[i], density[i], tall);
+    float left = 1.0, tall = GRASS_HEIGHTS ? texture(bladeHeightMap, tiled(uv, cover.heightTiling)).r : 1.0;
+    for (int i = 0; i < cover.speciesCount; ++i) left *= soilLeft(cover.species[i].shade, density[i], tall);
     return left;
 }
 
 vec3 soil(vec2 uv) {
-    vec3 tile = texture(tileTexture, place * frame.groundColor.w).rgb * 2.0 * frame.groundColor.rgb;
+    vec3 tile = texture(tileTexture, place * frame.soilTiles).rgb * 2.0 * frame.soilColor;
     if (!TERRAIN_MAP) return tile;
-    vec4 map = texture(terrainMap, tiled(uv, frame.maps.w));
-    return soilColor(tile, frame.groundColor.rgb, map.rgb, map.a);
+    vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling));
+    return soilColor(tile, frame.soilColor, map.rgb, map.a);
 }
 
 void main() {
@@ -53,7 +53,7 @@ void main() {
     vec3 n = normalize(normal);
     vec4 density = GRASS ? densities(uv) : vec4(0.0);
     float shades = GRASS ? lightLeft(density, uv) : 1.0,
-          near = GRASS ? 1.0 - lodRamp(distance, cover.shadows.x, cover.shadows.y) : 1.0;
+          near = GRASS ? 1.0 - lodRamp(distance, cover.shadeFrom, cover.shadeInv) : 1.0;
     vec3 light = soilLight(position, uv, n, shades, near) * soil(uv);
     light = mix(light, horizonColor(position.xz), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);

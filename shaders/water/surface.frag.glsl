@@ -9,6 +9,7 @@
 #include "lib/shadow.glsl"
 #include "lib/wind.glsl"
 #include "numerics/water.h"
+#include "shared/water.h"
 layout(std140, binding = UBO_WATER) uniform WaterBlock { WaterGlobals water; };
 layout(binding = TEX_REFLECTION) uniform sampler2D reflected;
 layout(binding = TEX_DEPTH) uniform sampler2D depthPlain;
@@ -25,10 +26,11 @@ vec3 ripples() {
     float share = rippleShare(blowsAt(position.xz));
     vec3 sum = vec3(0.0, 0.0, 0.0);
     for (int i = 0; i < WATER_WAVES; ++i) {
-        vec4 wave = water.waves[i];
-        float seen = waveSeen(length(vec2(dot(wave.xy, dx), dot(wave.xy, dy))));
-        if (seen > 0.0) sum.xy += waveWay(wave) * (waveSlope(wave, position.xz) * seen);
-        sum.z += 0.25 * wave.w * wave.w * (1.0 - seen * seen);
+        WaterWave wave = water.waves[i];
+        float seen = waveSeen(length(vec2(dot(wave.turns, dx), dot(wave.turns, dy))));
+        if (seen > 0.0)
+            sum.xy += waveWay(wave.turns) * (waveSlope(wave.turns, wave.phase, wave.slope, position.xz) * seen);
+        sum.z += 0.25 * wave.slope * wave.slope * (1.0 - seen * seen);
     }
     return vec3(sum.xy * share, sum.z * share * share + kSmoothest);
 }
@@ -38,7 +40,7 @@ float depthBelow(float surface) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     if (!MULTISAMPLED) return min(texelFetch(depthPlain, pixel, 0).r, surface);
     float sum = 0.0, count = 0.0;
-    for (int i = 0; i < int(frame.mode.z); ++i) {
+    for (int i = 0; i < frame.samples; ++i) {
         float d = texelFetch(depthSamples, pixel, i).r;
         if (d <= surface) {
             sum += d;
@@ -51,16 +53,16 @@ float depthBelow(float surface) {
 // Where a thing in that direction lies in the picture of what is mirrored. The picture is the scene seen by the
 // mirrored eye: the image of what lies above the water is where the eye sees it below.
 vec2 inMirror(vec3 towards) {
-    vec4 clip = frame.viewProj * vec4(position + vec3(towards.x, -towards.y, towards.z) * water.color.w, 1.0);
-    return clip.xy / clip.w * water.place.yz + 0.5;
+    vec4 clip = frame.viewProj * vec4(position + vec3(towards.x, -towards.y, towards.z) * water.mirroredAt, 1.0);
+    return clip.xy / clip.w * water.mirrorScale + 0.5;
 }
 
-vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight.rgb, sqrt(towards.y)); }
+vec3 skyFrom(vec3 towards) { return mix(horizonColor(towards.xz), frame.skyLight, sqrt(towards.y)); }
 
 // What the water mirrors: smeared along the view by waves that are too small for a pixel.
 vec3 mirroredLight(vec3 toEye, vec3 ripple) {
     vec3 r = mirrored(-toEye, rippleNormal(ripple.xy));
-    if (!WATER_REFLECTION || !(water.place.y > 0.0)) return skyFrom(r);
+    if (!WATER_REFLECTION || !(water.mirrorScale.x > 0.0)) return skyFrom(r);
     vec2 along = normalize(toEye.xz + vec2(1e-6, 0.0)) * sqrt(max(ripple.z - kSmoothest, 0.0));
     vec2 uv = inMirror(r);
     vec2 smear = inMirror(mirrored(-toEye, rippleNormal(ripple.xy + along))) -
@@ -77,11 +79,11 @@ void main() {
     float mirror = waterFresnel(roughCosine(max(dot(n, toEye), 0.0), ripple.z));
     float surface = gl_FragCoord.z, below = max(depthBelow(surface), 1e-7);
     float straight = distance * (surface / below - 1.0), depth = straight * max(toEye.y, 0.0);
-    vec3 left = waterLeft(water.extinction.rgb, waterWay(straight, depth, toEye.y), depth);
-    float sun = SUN ? sunVisible(position, vec3(0.0)) * frame.sunDirection.w : 0.0;
-    vec3 down = frame.skyLight.rgb + (SUN ? frame.sunLight.rgb * (sun * max(frame.sunDirection.y, 0.0)) : vec3(0.0));
-    vec3 body = water.color.rgb * down * (1.0 - left) * (1.0 - mirror);
-    if (SUN) body += frame.sunLight.rgb * (sun * sunGlint(ripple.xy, ripple.z, toEye, frame.sunDirection.xyz));
+    vec3 left = waterLeft(water.extinction, waterWay(straight, depth, toEye.y), depth);
+    float sun = SUN ? sunVisible(position, vec3(0.0)) * frame.sunIsUp : 0.0;
+    vec3 down = frame.skyLight + (SUN ? frame.sunLight * (sun * max(frame.sunDirection.y, 0.0)) : vec3(0.0));
+    vec3 body = water.color * down * (1.0 - left) * (1.0 - mirror);
+    if (SUN) body += frame.sunLight * (sun * sunGlint(ripple.xy, ripple.z, toEye, frame.sunDirection));
     float haze = hazeShare(distance);
     vec3 through = left * (1.0 - mirror);
     // What is mirrored and what is seen through are in their own haze already.

@@ -42,7 +42,7 @@ TEST(NumericsWater, RaysBendBySnellAndAreThrownBackAtTheSameAngle) {
 TEST(NumericsWater, WhatIsInClearSightLosesAllButTwoPercent) {
     Water w;
     w.clarity = 4;
-    const glm::vec3 left = f32::waterLeft(glm::vec3(waterGlobals(w, nullptr, {}, 0).extinction), 4, 0);
+    const glm::vec3 left = f32::waterLeft(waterGlobals(w, nullptr, {}, 0).extinction, 4, 0);
     EXPECT_LT(left.x, left.y);  // water takes red first
     EXPECT_NEAR(left.y, 0.02f * std::exp(-0.0565f * 4), 1e-4f);
     EXPECT_EQ(f32::waterLeft(glm::vec3(1), 0, 0), glm::vec3(1));

@@ -40,11 +40,11 @@ class EditorFixture : public testing::Test {
         return value ? *value : "error: " + value.error().text();
     }
     uint64_t density() {
-        const Result<FieldRef> map = findMap(doc.project(), doc.tables().components, "density");
+        const Result<ConstFieldRef> map = findMap(doc.project(), doc.tables().components, "density");
         return map ? static_cast<const MapField*>(map->value)->map.hash() : 0;
     }
     std::string field(const std::string& path) {
-        const Result<FieldRef> f = findField(doc.project(), doc.tables().components, path);
+        const Result<ConstFieldRef> f = findField(doc.project(), doc.tables().components, path);
         return f ? fieldText(*f) : "error: " + f.error().text();
     }
     // Across the lower middle of the viewport, where there is ground.

@@ -307,7 +307,7 @@ TEST_F(EditorTools, TheOverlayShowsDirectionsUnaskedAndDensitiesOnDemand) {
 }
 
 TEST_F(EditorTools, TheSwatchShowsForMapsOfColoursOnly) {
-    for (const FieldRef& map : paintableMaps(*app)) {
+    for (const ConstFieldRef& map : paintableMaps(*app)) {
         ok(ui->set("Brush/Map", map.path));
         const std::string name = map.row->name;
         const bool colours = name == "terrainMap" || name == "vegetation";

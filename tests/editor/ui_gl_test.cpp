@@ -81,7 +81,7 @@ TEST_F(EditorUi, SavingAndReopeningFindsTheSamePaint) {
     EXPECT_EQ(get("Status/Saved"), "true");
     Document again(tables());
     ASSERT_TRUE(again.open(dir / "meadow"));
-    const Result<FieldRef> map = findMap(again.project(), tables().components, "density");
+    const Result<ConstFieldRef> map = findMap(again.project(), tables().components, "density");
     ASSERT_TRUE(map);
     EXPECT_EQ(static_cast<const MapField*>(map->value)->map.hash(), painted);
 }

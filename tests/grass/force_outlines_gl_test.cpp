@@ -3,7 +3,7 @@
 
 #include "core/numerics.h"
 #include "objects.h"
-#include "shared/frame.h"
+#include "shared/wind.h"
 #include "world/forces.h"
 
 namespace sward::test {
@@ -58,9 +58,8 @@ TEST(ForceOutlinesGl, TheMapAroundTheEyeAndTheListOfTheReferenceAgree) {
     int pressed = 0, pushed = 0;
     for (int y = 0; y < map.side; ++y)
         for (int x = 0; x < map.side; ++x) {
-            const double texel = 1.0 / (static_cast<double>(map.at.square.z) * map.side);
-            const glm::dvec2 place =
-                eye + glm::dvec2(map.at.square.x, map.at.square.y) + texel * (glm::dvec2(x, y) + 0.5);
+            const double texel = 1.0 / (static_cast<double>(map.at.share) * map.side);
+            const glm::dvec2 place = eye + glm::dvec2(map.at.corner) + texel * (glm::dvec2(x, y) + 0.5);
             const float* t =
                 &map.texels[(static_cast<size_t>(y) * static_cast<size_t>(map.side) + static_cast<size_t>(x)) * 4];
             const glm::vec3 drawn = f32::forceOf({t[0], t[1], t[3]}), listed = forceAt(forces, place);

@@ -259,7 +259,7 @@ class Layers {
         const GLuint program = *programs.get({"test/layers", "test/layers.vert.glsl", "test/layers.frag.glsl", nullptr},
                                              "const int TRANSPARENCY = 0;\n");
         FrameGlobals globals{};
-        globals.mode.z = static_cast<float>(samples);
+        globals.samples = samples;
         const Buffer frame = makeBuffer(gpu(), "test", sizeof(globals), &globals);
         const Texture color = makeTexture2DMultisample(gpu(), "test", GL_RGBA16F, kSide, kSide, samples),
                       plain = makeTexture2D(gpu(), "test", GL_RGBA16F, kSide, kSide);

@@ -26,7 +26,7 @@ void eachField(std::span<const FieldRow> fields, const std::string& path, void* 
         if (row.type != FieldType::List) continue;
         for (size_t i = 0; i < row.list->size(at(base, row)); ++i)
             eachField(row.list->fields, path + "." + row.name + "[" + std::to_string(i) + "]",
-                      row.list->at(at(base, row), i), f);
+                      row.list->editAt(at(base, row), i), f);
     }
 }
 template <class F>
@@ -88,7 +88,7 @@ std::map<std::string, std::string> allTexts(Project& p) {
     std::map<std::string, std::string> out;
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows())
-            if (void* component = row.get(p.registry, entity))
+            if (void* component = row.edit(p.registry, entity))
                 eachField(
                     row.fields, name + "." + row.name, component,
                     [&](const FieldRow& f, const std::string& path, void* value) { out[path] = textOf(f, value); });
@@ -161,7 +161,7 @@ TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
     for (const ComponentRow& row : rows()) {
         const Entity e = *addEntity(p, std::string("e-") + row.name);
         row.assign(p.registry, e, nullptr);
-        void* component = row.get(p.registry, e);
+        void* component = row.edit(p.registry, e);
         if (row.name == std::string("GrassField")) static_cast<GrassField*>(component)->species.resize(3);
         eachField(row.fields, row.name, component,
                   [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });

@@ -37,6 +37,17 @@ std::string mapOf(Project& p, const std::string& name) {
 }
 }  // namespace
 
+TEST(Fields, AreAsChangeableAsTheProjectThatTheyAreFoundIn) {
+    Project p = meadow();
+    const Result<FieldRef> ours = findField(p, rows(), "ground.Terrain.gridSpacing");
+    const Result<ConstFieldRef> read = findField(std::as_const(p), rows(), "ground.Terrain.gridSpacing");
+    ASSERT_TRUE(ours && read);
+    ASSERT_TRUE(setFieldText(*ours, "0.5"));
+    EXPECT_EQ(fieldText(*read), "0.5");
+    EXPECT_EQ(fieldText(*ours), "0.5") << "what may be changed may be read";
+    EXPECT_EQ(allMaps(std::as_const(p), rows(), true).size(), allMaps(p, rows(), true).size());
+}
+
 TEST(Entities, AreNamedOnceAndWithPlainNames) {
     Project p;
     ASSERT_TRUE(addEntity(p, "a-1_B"));

@@ -20,7 +20,7 @@ FrameGlobals skyOf(float elevation, float turbidity, double* sunAzimuth) {
     sky.turbidity = turbidity;
     p.registry.add<Sky>(*addEntity(p, "sky"), sky);
     FrameGlobals g{};
-    g.mode.y = 1;
+    g.exposure = 1;
     SkySums sums;
     addSun(g, p, 0);
     addSky(g, p, 0, sums);
@@ -30,7 +30,8 @@ FrameGlobals skyOf(float elevation, float turbidity, double* sunAzimuth) {
 
 glm::vec3 fitted(const FrameGlobals& g, const glm::vec2& way) {
     const auto h = [&g](int i) { return glm::vec3(g.horizon[i]); };
-    return f32::horizonLight(g.horizon[0], g.horizon[1], h(2), h(3), h(4), {g.skySun.x, g.skySun.z}, way);
+    return f32::horizonLight(h(0), h(1), h(2), h(3), h(4), g.horizonMiddle, g.horizonScale, {g.skySun.x, g.skySun.z},
+                             way);
 }
 
 // Share by which the fit is off at most, as a share of the sky's largest channel there.
@@ -39,8 +40,7 @@ float worstOff(const FrameGlobals& g, double from) {
     for (int i = 0; i < 360; ++i) {
         const double a = from + i * std::numbers::pi / 180;
         const glm::vec2 way(std::cos(a), std::sin(a));
-        const glm::vec3 sky =
-                            f32::skyRadiance({way.x, 0, way.y}, glm::vec3(g.skySun), g.skySun.w) * glm::vec3(g.skyGain),
+        const glm::vec3 sky = f32::skyRadiance({way.x, 0, way.y}, g.skySun, g.turbidity) * g.skyGain,
                         off = glm::abs(fitted(g, way) - sky);
         worst = std::max(worst, std::max({off.x, off.y, off.z}) / std::max({sky.x, sky.y, sky.z}));
     }

@@ -1,5 +1,5 @@
 #include "scenes.h"
-#include "shared/frame.h"
+#include "shared/light.h"
 
 namespace sward::test {
 namespace {

@@ -28,8 +28,8 @@ Terrain hills(int side, double size) {
 int covering(const std::vector<TerrainNode>& nodes, double x, double z) {
     int n = 0;
     for (const TerrainNode& node : nodes) {
-        const double side = kNodeQuads * node.level.x;
-        n += x >= node.place.z && x < node.place.z + side && z >= node.place.w && z < node.place.w + side;
+        const double side = kNodeQuads * node.spacing;
+        n += x >= node.place.x && x < node.place.x + side && z >= node.place.y && z < node.place.y + side;
     }
     return n;
 }
@@ -57,17 +57,17 @@ TEST(TerrainLod, VerticesAgreeWhereLevelsMeet) {
         const double above = std::max(eye.y - bounds.high, 0.0);
         const auto morph = [&](const TerrainNode& n, double x, double z) {
             const double d = std::sqrt((x - eye.x) * (x - eye.x) + (z - eye.z) * (z - eye.z) + above * above);
-            return std::clamp((d - n.level.y) * n.level.z, 0.0, 1.0);
+            return std::clamp((d - n.morphFrom) * n.morphInv, 0.0, 1.0);
         };
         for (const TerrainNode& a : nodes)
             for (const TerrainNode& b : nodes) {
-                const double sideA = kNodeQuads * a.level.x, edge = a.place.z + sideA;
-                if (b.level.x <= a.level.x || std::abs(edge - b.place.z) > 1e-6) continue;  // b is coarser, right of a
+                const double sideA = kNodeQuads * a.spacing, edge = a.place.x + sideA;
+                if (b.spacing <= a.spacing || std::abs(edge - b.place.x) > 1e-6) continue;  // b is coarser, right of a
                 for (int i = 0; i <= kNodeQuads; ++i) {
-                    const double z = a.place.w + i * a.level.x;
-                    if (z < b.place.w || z > b.place.w + kNodeQuads * b.level.x || z > 300 || edge > 300) continue;
+                    const double z = a.place.y + i * a.spacing;
+                    if (z < b.place.y || z > b.place.y + kNodeQuads * b.spacing || z > 300 || edge > 300) continue;
                     ++borders;
-                    EXPECT_FLOAT_EQ(b.level.x, 2 * a.level.x) << "levels that meet differ by one";
+                    EXPECT_FLOAT_EQ(b.spacing, 2 * a.spacing) << "levels that meet differ by one";
                     EXPECT_DOUBLE_EQ(morph(a, edge, z), 1.0) << edge << " " << z;
                     EXPECT_DOUBLE_EQ(morph(b, edge, z), 0.0) << edge << " " << z;
                 }
@@ -102,9 +102,10 @@ TEST(TerrainLod, LandThatIsAPlaneToTheEyeTakesFewNodes) {
         for (double x = 0.3; x < t.size.x; x += t.size.x / 61)
             for (double z = 0.3; z < t.size.y; z += t.size.y / 67) ASSERT_EQ(covering(nodes, x, z), 1) << x << " " << z;
         for (const TerrainNode& n : fine)
-            if (glm::length(glm::vec2(n.place)) + 1.5f * kNodeQuads * n.level.x < 1500)
+            if (glm::length(n.corner) + 1.5f * kNodeQuads * n.spacing < 1500)
                 EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const TerrainNode& k) {
-                    return k.place == n.place && k.level == n.level;
+                    return k.corner == n.corner && k.place == n.place && k.spacing == n.spacing &&
+                           k.morphFrom == n.morphFrom && k.morphInv == n.morphInv;
                 }));
     }
     EXPECT_GT(all[1], all[0] + 100);
@@ -127,9 +128,9 @@ TEST(TerrainLod, LandThatHazeHidesIsNotDrawn) {
         return selectNodes(t, lod, bounds, {1200, 10, 1200}, everywhere());
     };
     const auto far = [](const TerrainNode& n) {
-        const double side = kNodeQuads * static_cast<double>(n.level.x);
-        return std::hypot(std::max({static_cast<double>(n.place.x), -n.place.x - side, 0.0}),
-                          std::max({static_cast<double>(n.place.y), -n.place.y - side, 0.0}));
+        const double side = kNodeQuads * static_cast<double>(n.spacing);
+        return std::hypot(std::max({static_cast<double>(n.corner.x), -n.corner.x - side, 0.0}),
+                          std::max({static_cast<double>(n.corner.y), -n.corner.y - side, 0.0}));
     };
     const auto some = nodesOf(2560, 1000, 0), many = nodesOf(80 * 256, 1000, 0), all = nodesOf(80 * 256, 1e30, 0);
     EXPECT_EQ(some.size(), many.size());

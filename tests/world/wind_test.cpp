@@ -96,7 +96,7 @@ TEST_P(WindModels, LeansAndQuiversByTheShareThatStiffnessLeaves) {
     const auto leanOf = [&](float stiffness, const glm::vec2& at, float grain) {
         s.stiffness = stiffness;
         WindGlobals g = windGlobals(wind, {0, 0}, 17);
-        g.way.z = windStrength(wind, s);
+        g.strength = windStrength(wind, s);
         return windLeanAt(g, gusts, at, grain);
     };
     float most = 0, quivers = 0;

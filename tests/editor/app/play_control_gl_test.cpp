@@ -5,8 +5,8 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include "editor/editor_fixture.h"
 #include "editor/playtest/playtest.h"
-#include "editor_fixture.h"
 #include "project/project_files.h"
 #include "world/view_camera.h"
 

@@ -7,6 +7,7 @@
 
 #include "model/field_walk.h"
 #include "model/history.h"
+#include "playtest/playtest.h"
 #include "support.h"
 #include "techniques.h"
 #include "tools/stroke.h"
@@ -49,6 +50,19 @@ void stroke(Document& doc, const BrushSettings& b, std::vector<std::pair<double,
     doc.endStroke();
     doc.pumpStroke(0);
     ASSERT_FALSE(doc.stroking());
+}
+
+TEST(Document, ItsProjectCanOnlyBeChangedThroughIt) {
+    static_assert(std::is_same_v<decltype(std::declval<Document&>().project()), const Project&>);
+    static_assert(std::is_same_v<decltype(std::declval<Playtest&>().project()), const Project&>);
+    Fixture f;
+    const auto terrain = findField(f.doc.project(), tables().components, "ground.Terrain.size");
+    ASSERT_TRUE(terrain);
+    static_assert(std::is_same_v<decltype(terrain->value), const void*>, "what is found in it may only be read");
+    const std::string before = fieldText(*terrain);
+    ASSERT_TRUE(f.doc.setField("ground.Terrain.size", "[7, 9]"));
+    EXPECT_EQ(fieldText(*terrain), "[7, 9]") << "the field that was found is the document's own";
+    EXPECT_NE(before, "[7, 9]");
 }
 
 TEST(Document, UndoOfAStrokeRestoresTheTilesThemselvesAndRedoTheStroke) {

@@ -180,7 +180,7 @@ TEST(Playtest, AStrokeUnderWayIsFinishedFirstAndADragIsLeftAlone) {
 TEST(Playtest, TheSnapshotSharesTheMapsTiles) {
     Fixture f;
     f.ok(f.doc.startPlay(f.start()));
-    const auto density = [](Project& p) {
+    const auto density = [](const Project& p) {
         return static_cast<const MapField*>(findMap(p, tables().components, "density")->value)->map;
     };
     EXPECT_TRUE(density(f.doc.project()).sameTiles(density(f.doc.play()->project())));

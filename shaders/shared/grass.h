@@ -1,0 +1,86 @@
+// What shaders read of a field and of its species' blades. Does not: hold slices (slices.h), tessellation (tess.h) or
+// the choice of cells (cells.h).
+#pragma once
+#include "shared/bindings.h"
+#include "shared/types.h"
+#define MAX_SPECIES 4
+#ifdef __cplusplus
+namespace sward {
+#endif
+
+// Of one species, for shaders of all.
+struct STD140 SpeciesCover {
+    float tiling;  // of its density map, as CoverGlobals has tilings
+    float shade;   // share of light left at the soil under full density
+    float height;  // mean (m)
+    float gusts;   // lean (m per m) of a full gust; 0 in a calm
+};
+
+// What shaders of all of a field's species read. Tilings: repeats over what a map of tiling 1 covers; 0: the map lies
+// on the terrain once, and its edge texels go on beyond (scene/tiling.h).
+struct STD140 CoverGlobals {
+    SpeciesCover species[MAX_SPECIES];
+    int speciesCount;
+    float minGeom;  // distance where blades begin to give way to slices (m)
+    float geomInv;  // 1 / (maxGeom - minGeom), as lodRamp takes it
+    float cellSize;
+    // These four repeat even where their tiling is 1.
+    float orientationTiling;
+    float vegetationTiling;
+    float occlusionTiling;
+    float forceTiling;
+    float heightTiling;    // of the map of blades' heights
+    float shadeFrom;       // distance from which soil is shaded in the mean (m)
+    float shadeInv;        // lodInverse to where it is so alone
+    float farDarkening;    // share of light that far grass loses
+    float farDarkeningAt;  // distance at which it has (m)
+};
+
+// What shaders of one species' blades read.
+struct STD140 SpeciesGlobals {
+    vec3 rootColor;
+    float rootOpen;  // ambient light left at the root
+    vec3 midColor;
+    float leanAtFull;  // lean (m per m) towards the painted direction, at full strength
+    vec3 tipColor;
+    float clumpSize;       // m; 0: no clumps
+    float clumpLean;       // lean (m per m) at full clump value
+    float clumpHeight;     // share of height
+    float clumpLightness;  // share of lightness
+    float cellSize;        // m
+    int segments;          // of a blade
+    uint seed;
+    float fade;  // omega of numerics/opacity.h
+    int index;   // of the species in CoverGlobals
+    float translucency;
+    float gloss;
+    float roughness;   // of the gloss
+    float maskRadius;  // of its shadow mask (m)
+    float maskHeight;  // m
+};
+
+// A blade of a patch (scene/population.h). control and tip are relative to the root, metres.
+struct Blade {
+    vec2 root;        // in the cell, [0, cellSize)
+    float width;      // metres
+    float threshold;  // k/255, k in 1..255: it exists where the density reaches it (B-13)
+    vec3 control;     // as numerics/blade.h has it
+    float hue;        // radians, by numerics/population.h bladeTint
+    vec3 tip;
+    float lightness;  // factor about 1
+    vec2 facing;      // unit: the direction it bends towards
+    float dither;     // ]0, 1]: turns opacity into a number of samples without bias
+    float spare;      // 0: storage buffers give blades 64 bytes
+};
+
+// A cell as what instances a patch's blades reads it.
+struct CellInstance {
+    ivec2 cell;
+    vec2 corner;  // relative to the eye
+    vec2 mirror;  // numerics/population.h, CellVersion
+    vec2 shift;
+};
+
+#ifdef __cplusplus
+}
+#endif

@@ -1,0 +1,59 @@
+// What slices of a species are drawn with (grass/slices.h). Does not: hold their images.
+#pragma once
+#include "shared/bindings.h"
+#include "shared/types.h"
+// Views for which grass's mean looks are tabulated: azimuths around, elevations from level to the zenith (sine =
+// (i/(n-1))^2).
+#define LOOK_AZIMUTHS 8
+#define LOOK_ELEVATIONS 4
+#define LOOK_VIEWS 32
+#ifdef __cplusplus
+namespace sward {
+#endif
+
+// Factors by which slices, seen from one of the tabulated views, get the radiance of the blades they stand for.
+struct STD140 LookGain {
+    vec3 across;       // of vertical slices
+    float acrossLean;  // brighter by a lean (m per m) towards +x
+    vec3 above;        // of the horizontal slice
+    float aboveLean;   // brighter by a lean towards +z
+    vec3 laid;         // of either where grass lies, on top
+};
+
+struct STD140 SliceGlobals {
+    float cellSize;      // m
+    float top;           // height of the vertical slices (m)
+    int slices;          // along an axis
+    float reflectScale;  // reflectance at full scale
+    float minGeom;       // distance from which slices stand for blades (m)
+    float geomInv;       // its lodInverse
+    float minBTF;        // distance from which the horizontal slice stands for vertical ones (m)
+    float btfInv;        // its lodInverse
+    vec2 area;           // blade area towards x: a level view, y: the zenith (m2 a m2)
+    vec2 laidArea;       // the same of grass that lies, pressed down
+    vec2 eyeCell;        // x, z of the cell that the eye is over
+    vec2 inCell;         // where in it, in cells (B-17)
+    vec4 sunWeights;     // of the images x+, y, z+, x-; z- is what is left to 1
+    vec3 ambient;        // light from all around that vertical slices receive
+    float fade;          // omega of numerics/opacity.h
+    vec3 farAmbient;     // that the horizontal slice receives
+    float steepest;      // tangent of the elevation above which vertical slices give way
+    uint seed;
+    int species;           // index in CoverGlobals
+    float farTexels;       // of the horizontal slice, along an axis
+    float farHeight;       // of the horizontal slice (m)
+    float farDepth;        // its optical depth
+    float clumpLean;       // lean (m per m) at full clump value
+    float clumpHeight;     // share of height
+    float clumpLightness;  // share of lightness
+    float clumpSize;       // m; 0: no clumps
+    float leanAtFull;      // lean (m per m) at full paint
+    float translucency;
+    float meanHeight;  // cells
+    float sharpness;   // 2^-(levels finer than a pixel)
+    LookGain gains[LOOK_VIEWS];
+};
+
+#ifdef __cplusplus
+}
+#endif

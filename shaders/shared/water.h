@@ -1,0 +1,30 @@
+// Water, about the eye (world/water.h). Does not: hold what it mirrors, which is a texture.
+#pragma once
+#include "shared/bindings.h"
+#include "shared/types.h"
+#define WATER_WAVES 10
+#ifdef __cplusplus
+namespace sward {
+#endif
+
+// A ripple of full strength.
+struct STD140 WaterWave {
+    vec2 turns;   // a metre, along x and z
+    float phase;  // at the eye (turns)
+    float slope;  // at its steepest
+};
+
+struct STD140 WaterGlobals {
+    vec3 color;        // of deep water
+    float height;      // relative to the eye
+    vec3 extinction;   // 1/m
+    float mirroredAt;  // metres from the surface at which mirrored things are taken to be
+    vec2 low;          // x, z of what may be seen of it, relative to the eye: from
+    vec2 high;         // to
+    vec2 mirrorScale;  // texture coordinates of what it mirrors, a clip unit; 0: only the sky
+    WaterWave waves[WATER_WAVES];
+};
+
+#ifdef __cplusplus
+}
+#endif
