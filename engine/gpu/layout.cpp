@@ -1,6 +1,7 @@
 #include "gpu/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 #include "shared/cells.h"
