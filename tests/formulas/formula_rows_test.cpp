@@ -63,7 +63,7 @@ TEST(FormulaRows, EachHasANameOfItsOwnAndABodyOfItsSize) {
         EXPECT_TRUE(bool(row.ours)) << row.name;
         EXPECT_GT(row.inputs, 0) << row.name;
         EXPECT_GT(row.outputs, 0) << row.name;
-        EXPECT_LE(row.low, row.high) << row.name;
+        EXPECT_LE(row.low, row.high) << row.name << ": a bound that nothing meets";
     }
     EXPECT_GT(names.size(), 50u);
 }
