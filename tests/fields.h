@@ -92,9 +92,9 @@ struct FlatField {
 };
 
 // What a cell query is of: a field's first species.
-inline QueryOf queryOf(const Terrain& terrain, const HeightBounds& bounds, const FlatField& field,
-                       const Patch& patch) {
-    return {terrain, bounds, field.grows, field.species[0], patch, tiersOf(tables().techniques, field.asField()).blades,
+inline QueryOf queryOf(const Terrain& terrain, const HeightBounds& bounds, const FlatField& field, const Patch& patch) {
+    return {terrain,          bounds, field.grows,
+            field.species[0], patch,  tiersOf(tables().techniques, field.asField()).blades,
             field.fade};
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/json.h"
 #include "frame/draw_context.h"
+#include "scene/technique.h"
 
 namespace sward {
 namespace {
@@ -89,8 +90,28 @@ std::string joined(const std::vector<std::string>& list) {
     return out.empty() ? "nothing of its own" : out;
 }
 
-std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
+// How each field of grass is drawn.
+struct DrawnField {
+    std::string name;
+    const TechniqueRow* technique;
+};
+std::vector<DrawnField> drawnFields(const Project& project, const Tables& tables) {
+    std::vector<DrawnField> out;
+    for (const auto& [name, field] : fieldsOf(project))
+        if (const TechniqueRow* row = findTechnique(tables.techniques, field.grows.technique))
+            out.push_back({name, row});
+    return out;
+}
+
+std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields) {
     Json all;
+    all["fields"] = Json::makeArray();
+    for (const DrawnField& field : fields) {
+        Json j;
+        j["name"] = field.name;
+        j["technique"] = field.technique->name;
+        all["fields"].push(std::move(j));
+    }
     all["features"] = Json::makeArray();
     all["absent"] = Json::makeArray();
     for (size_t i = 0; i < plan.features.size(); ++i) {
@@ -113,8 +134,11 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan) {
     return writeJson(all);
 }
 
-std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan) {
+std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields) {
     std::string out = "What this scene makes run, and why\n";
+    for (const DrawnField& field : fields)
+        out += fmt::format("{}  {} is drawn by {}: {}\n", &field == &fields.front() ? "\nGrass\n" : "", field.name,
+                           field.technique->name, field.technique->help);
     for (const auto& [f, m] : made) {
         out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
         out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes),
@@ -138,7 +162,8 @@ std::string explainPlan(const FramePlan& plan, const Project& project, const Tab
     for (size_t i = 0; i < plan.features.size(); ++i)
         if (plan.features.test(i))
             made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu, programs);
-    return json ? asJson(made, plan) : asText(made, plan);
+    const std::vector<DrawnField> fields = drawnFields(project, tables);
+    return json ? asJson(made, plan, fields) : asText(made, plan, fields);
 }
 
 }  // namespace sward

@@ -66,6 +66,7 @@ struct Saving {
         {};                      // of what is known to lie on disk; what it lacks is compared with the files
     Project onDisk = Project();  // without texels
     bool readable = false;       // whether there is a sound project on disk
+    bool sameForm = false;       // and its file is of the form that is written now
     std::vector<SaveFile> files = {};
     std::vector<std::string> removed = {};
 };
@@ -139,6 +140,8 @@ Status addFiles(Saving& s, const fs::path& from) {
 void readOnDisk(Saving& s) {
     const fs::path file = s.p.dir / "project.json";
     Result<Json> json = readJson(file);
+    const Json* format = json ? json->find("format") : nullptr;
+    s.sameForm = format && format->text == fmt::format("{}", kProjectFormat);
     if (!json || !upgradeProject(*json, file.string(), projectUpgrades())) return;
     ProjectReader reader;
     reader.rows = s.rows;
@@ -149,12 +152,12 @@ void readOnDisk(Saving& s) {
     s.onDisk = std::move(reader.project);
 }
 
-// Adds project.json if it says anything else than the one on disk, whatever its layout.
+// Adds project.json if it says anything else than the one on disk, whatever its layout, or that is of an older form.
 void addProjectJson(Saving& s) {
     std::map<const void*, std::string> names;
     for (const PlannedMap& planned : s.plan) names[planned.field.value] = planned.file;
     const std::string text = writeJson(projectJson(s.p, s.rows, names));
-    if (s.readable) {
+    if (s.readable && s.sameForm) {
         if (s.onDisk.name.empty()) s.onDisk.name = s.p.name;  // it was taken from the folder
         if (writeJson(projectJson(s.onDisk, s.rows)) == text) return;
     }

@@ -3,10 +3,12 @@
 #include <mutex>
 
 #include "core/numerics.h"
+#include "grass/drawing.h"
 #include "reference/flower_rays.h"
 #include "reference/grass_rays.h"
 #include "reference/solids.h"
 #include "reference/water_rays.h"
+#include "scene/technique.h"
 #include "shared/frame.h"
 #include "sky/daylight.h"
 #include "world/view_camera.h"
@@ -60,7 +62,8 @@ struct View {
     f32::SkyModel sky{};
     glm::dmat4 toWorld{1};
     glm::dvec3 eye{0};  // from the terrain's corner
-    const GrassField* field = nullptr;
+    std::vector<const GrassField*> fields{};
+    FieldBits masked = 0, shading = 0;  // fields whose blades shade each other; the ground
     WaterRays water{};
     bool hasSky = false, hasSun = false, hasHaze = false;
 };
@@ -83,7 +86,14 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     if (has(scene.features, Feature::Lamps))
         v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.exposure);
     if (v.hasSky) v.sky = f32::skyModel(v.globals.skySun, v.globals.turbidity);
-    v.field = firstOf<GrassField>(scene.project);
+    FieldBits bit = 1;
+    for (const auto& [name, field] : fieldsOf(scene.project)) {
+        const auto& drawing = field.settings<GrassDrawing>();
+        if (drawing.shadowMask > 0) v.masked |= bit;
+        if (drawing.groundShadows) v.shading |= bit;
+        bit <<= 1;
+        v.fields.push_back(&field.grows);
+    }
     v.water = WaterRays::make(scene.project, scene.time, v.eye);
     return v;
 }
@@ -129,10 +139,12 @@ bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, 
     if (v.scene.solids->blocks(ray)) return false;
     if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray))
         return false;
-    const bool blades = v.settings.lighting == ReferenceLighting::Full ||
-                        (s.met == Met::Blade && v.field && v.field->shadowMask > 0) ||
-                        (s.met == Met::Ground && v.field && v.field->groundShadows);
-    return !blades || !v.scene.grass->blocks(ray, memory);
+    FieldBits by = kAllFields;
+    if (v.settings.lighting != ReferenceLighting::Full) {
+        const bool masked = s.met == Met::Blade && (v.masked >> s.field & 1);
+        by = masked ? kAllFields : s.met == Met::Ground ? v.shading : 0;
+    }
+    return by == 0 || !v.scene.grass->blocks(ray, memory, by);
 }
 
 // What a surface sends to the eye of light from a direction that would light what faces it by 1 (irradiance over pi).
@@ -145,10 +157,9 @@ glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towar
 float untracedShare(const View& v, const Surface& s, bool casts) {
     if (v.settings.lighting == ReferenceLighting::Full) return 1;
     if (s.met == Met::Flower) return s.open;
-    if (!v.field) return 1;
-    if (s.met == Met::Blade) return v.field->shadowMask > 0 && casts ? 1 : s.open;
+    if (s.met == Met::Blade) return (v.masked >> s.field & 1) && casts ? 1 : s.open;
     if (s.met == Met::Ground)
-        return v.field->groundShadows && casts ? 1 : v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+        return v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y, casts ? ~v.shading : kAllFields);
     return 1;
 }
 
@@ -184,13 +195,22 @@ glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, D
     return sum;
 }
 
+// Share of the sky that maps of ambient occlusion leave: a blade's own field's; elsewhere the least of any.
+float skyShare(const View& v, const Surface& s) {
+    float least = 1;
+    for (size_t i = 0; i < v.fields.size(); ++i) {
+        const GrassField& f = *v.fields[i];
+        if (!f.ambientOcclusion.present() || (s.met == Met::Blade && s.field != i)) continue;
+        least = std::min(
+            least, paintedAt(f.ambientOcclusion.map, s.place, static_cast<double>(f.ambientOcclusionTiling), false).x);
+    }
+    return least;
+}
+
 // Light from above and below as shaders have it (ReferenceLighting::Direct).
 glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
-    if (v.field && s.met != Met::Object && v.field->ambientOcclusion.present())
-        share *= paintedAt(v.field->ambientOcclusion.map, s.place, static_cast<double>(v.field->ambientOcclusionTiling),
-                           false)
-                     .x;
+    if (s.met != Met::Object) share *= skyShare(v, s);
     if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
     return s.color * s.tint * f32::halvesLight(v.globals.groundLight, v.globals.skyLight, s.normal.y) * share;
 }
@@ -386,7 +406,7 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
                                             const JobControl& control) {
     auto impl = std::make_unique<Impl>();
     impl->project = snapshot(p, tables.components);
-    impl->features = sceneFeatures(impl->project.registry, tables.components);
+    impl->features = sceneFeatures(impl->project.registry, tables);
     impl->time = time;
     auto solids = Solids::make(impl->project, control);
     if (!solids) return solids.error();

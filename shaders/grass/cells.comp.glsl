@@ -5,7 +5,6 @@
 #include "numerics/tess.h"
 #include "shared/bindings.h"
 #include "shared/cells.h"
-#include "shared/grass.h"
 
 layout(local_size_x = 64) in;  // kNodeSide squared
 layout(std430, binding = SSBO_NODES) readonly buffer NodeListBlock { NodeOfCells nodes[]; };

@@ -1,6 +1,5 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
 // GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS.
-#include "lib/density.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"

@@ -1,7 +1,6 @@
 // What the ground reads of what grows on it, over all fields (lib/soil.glsl). Does not: hold what a field's own shaders
 // read (grass.h).
 #pragma once
-#include "shared/bindings.h"
 #include "shared/types.h"
 #define MAX_FIELDS 8
 #define MAX_SOIL_SPECIES 64  // of all fields together

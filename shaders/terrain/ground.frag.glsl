@@ -5,7 +5,6 @@
 #include "lib/light.glsl"
 #include "lib/soil.glsl"
 #include "numerics/light.h"
-#include "numerics/lod.h"
 #include "shared/bindings.h"
 
 layout(binding = TEX_GROUND) uniform sampler2D tileTexture;

@@ -162,7 +162,7 @@ TEST_F(EditorAccuracy, AFitIsPreviewedRightOfTheLineAndChangesNothingUntilItIsAd
     const Image plain = shot();
     FitShown fitted;
     fitted.fits = true, fitted.ms = 5, fitted.appearance = 0.02;
-    fitted.settings = "minGeom=0 maxGeom=0.1 minBTF=0.1 maxBTF=0.1 sharpness=0";
+    fitted.technique = "hybrid", fitted.settings = "minGeom=0 maxGeom=0.1 minBTF=0.1 maxBTF=0.1 sharpness=0";
     app->accuracy.fit.result = fitted;
     ok(ui->click("Accuracy/Preview"));
     const Image split = shot();

@@ -9,7 +9,11 @@ namespace {
 class ToolStrip : public test::PanelStage {
   protected:
     ToolStrip() {
-        draw = [this] { drawToolStrip(doc, brushes, messages); };
+        draw = [this] {  // as wide as in the editor: buttons are squares
+            ImGui::BeginChild("strip", {44, 0});
+            drawToolStrip(doc, brushes, messages);
+            ImGui::EndChild();
+        };
     }
     BrushBook brushes;
 };
