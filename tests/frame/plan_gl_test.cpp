@@ -60,14 +60,12 @@ TEST(PlanOrder, PicturesAreTheSameForShuffledTables) {
     Tables shuffled = tables();
     shuffled.effects = rows;
     std::mt19937 random(5);
-    for (const char* folder : {"tests/scenes/field40", "projects/oasis", "projects/park"}) {
+    for (const char* folder : {"tests/scenes/field40", "projects/oasis"}) {
         auto p = loadProject(fs::path(SWARD_SOURCE_DIR) / folder, tables().components);
         ASSERT_TRUE(p) << p.error().text();
         const std::vector<uint8_t> expected = picture(tables(), *p);
-        for (int i = 0; i < 2; ++i) {
-            std::shuffle(rows.begin(), rows.end(), random);
-            EXPECT_TRUE(picture(shuffled, *p) == expected) << folder;
-        }
+        std::shuffle(rows.begin(), rows.end(), random);
+        EXPECT_TRUE(picture(shuffled, *p) == expected) << folder;
     }
 }
 
