@@ -9,7 +9,11 @@ namespace {
 class ToolStrip : public test::PanelStage {
   protected:
     ToolStrip() {
-        draw = [this] { drawToolStrip(doc, brushes, messages); };
+        draw = [this] {
+            ImGui::BeginChild("strip", {36, 0});  // buttons are as wide as the strip
+            drawToolStrip(doc, brushes, messages);
+            ImGui::EndChild();
+        };
     }
     BrushBook brushes;
 };
