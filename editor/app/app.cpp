@@ -126,8 +126,9 @@ void followWorld(EditorApp& app) {
 
 }  // namespace
 
-EditorApp::EditorApp(Document& document, Gpu& g, std::unique_ptr<ui::Surface> s, bool keep)
-    : doc(document), gpu(g), surface(std::move(s)), keepLayout(keep) {
+EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool keep) : doc(d), gpu(g) {
+    surface = std::move(s);
+    keepLayout = keep;
     imgui = ImGui::CreateContext();
     ImGui::SetCurrentContext(imgui);
     ui::setUpContext();

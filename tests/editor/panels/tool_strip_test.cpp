@@ -9,8 +9,8 @@ namespace {
 class ToolStrip : public test::PanelStage {
   protected:
     ToolStrip() {
-        draw = [this] {  // as wide as in the editor: buttons are squares
-            ImGui::BeginChild("strip", {44, 0});
+        draw = [this] {
+            ImGui::BeginChild("strip", {36, 0});  // buttons are as wide as the strip
             drawToolStrip(doc, brushes, messages);
             ImGui::EndChild();
         };
