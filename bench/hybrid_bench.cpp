@@ -1,6 +1,7 @@
 // The hybrid field's time against all its blades drawn as geometry, and what slices cost to make and to load.
 #include "bench/limits.h"
 #include "core/file.h"
+#include "fields.h"
 #include "frame/color_image.h"
 #include "frame/renderer.h"
 #include "grass/slice_file.h"
@@ -9,7 +10,6 @@
 #include "techniques.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
-#include "fields.h"
 
 namespace {
 using namespace sward;

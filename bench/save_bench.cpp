@@ -2,9 +2,9 @@
 #include "bench/limits.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
+#include "techniques.h"
 #include "tests/project/kill_save.h"
 #include "tests/support.h"
-#include "techniques.h"
 
 using namespace sward;
 

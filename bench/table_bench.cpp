@@ -3,13 +3,13 @@
 // against one patch drawn many times
 // (`patch`, the paper's instanced one). What stands beside each other are ratios: the machines have nothing in common.
 #include "bench/limits.h"
+#include "fields.h"
 #include "frame/renderer.h"
 #include "project/project_files.h"
 #include "scene/unique.h"
 #include "techniques.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
-#include "fields.h"
 
 namespace {
 using namespace sward;

@@ -3,12 +3,12 @@
 #include <ctime>
 
 #include "bench/limits.h"
+#include "fields.h"
 #include "frame/renderer.h"
 #include "techniques.h"
 #include "tests/gl_calls.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
-#include "fields.h"
 
 namespace {
 using namespace sward;

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "accuracy/accuracy.h"
 #include "cost/cost_settings.h"
 #include "fields.h"
 #include "scenes.h"
+#include "sources.h"
 
 namespace sward::test {
 namespace {
@@ -48,6 +51,16 @@ TEST(AddedTechnique, IsInEveryTableWhileItLives) {
     }
     EXPECT_EQ(tables().techniques.size(), before);
     EXPECT_FALSE(takes("stubble"));
+}
+
+TEST(AddedTechnique, NobodyButTheTwoTablesIncludesTheStemsOfTheNewestTechnique) {
+    const std::filesystem::path root(SWARD_SOURCE_DIR);
+    std::set<std::string> by;
+    for (const std::filesystem::path& file : sources(root, {"engine", "editor"}))
+        for (const std::string& line : linesOf(root / file))
+            if (line.starts_with("#include \"grass/tessellated") && !file.string().starts_with("engine/grass/"))
+                by.insert(file.string());
+    EXPECT_EQ(by, (std::set<std::string>{"engine/effects.cpp", "engine/techniques.cpp"}));
 }
 
 }  // namespace

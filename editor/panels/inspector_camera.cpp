@@ -82,8 +82,7 @@ void drawCameraTools(const FieldParts& parts, ViewState& view, const std::string
     const std::string path = entity + "." + row.name;
     const ui::Disabled walks(playing(parts.doc));
     if (isRowOf<Camera>(row)) cameraTools(parts, view, path, *static_cast<const Camera*>(component));
-    if (isRowOf<CameraPath>(row))
-        pathTools(parts, view, path, *static_cast<const CameraPath*>(component));
+    if (isRowOf<CameraPath>(row)) pathTools(parts, view, path, *static_cast<const CameraPath*>(component));
 }
 
 }  // namespace sward

@@ -42,8 +42,7 @@ void scaleBar(const Comparison& c, const Rect& r) {
         list.AddRectFilled({x + w * static_cast<float>(i) / kParts, y},
                            {x + w * static_cast<float>(i + 1) / kParts, y + h}, color);
     }
-    list.AddText({x, y - 17}, IM_COL32_WHITE,
-                 fmt::format("{} error", kErrorMetrics[c.metric]).c_str());
+    list.AddText({x, y - 17}, IM_COL32_WHITE, fmt::format("{} error", kErrorMetrics[c.metric]).c_str());
     list.AddText({x - 10, y - 3}, IM_COL32_WHITE, "0");
     list.AddText({x + w + 5, y - 3}, IM_COL32_WHITE, fmt::format("{:g}", heatScale(c.metric)).c_str());
 }

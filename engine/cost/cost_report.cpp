@@ -57,8 +57,7 @@ std::optional<fs::path> heatFile(const fs::path& image, const fs::path& truth, E
     if (!a || !b) return {};
     const auto pair = pairPictures(pictureOf(*a, false), pictureOf(*b, false));
     if (!pair) return {};
-    const fs::path file =
-        fs::path(image).replace_extension(std::string(".") + kErrorMetrics[metric] + ".png");
+    const fs::path file = fs::path(image).replace_extension(std::string(".") + kErrorMetrics[metric] + ".png");
     if (!writeImagePng(file, a->width, a->height, 3, heatmap(errorMap(*pair, metric), heatScale(metric)))) return {};
     return file;
 }

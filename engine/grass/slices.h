@@ -23,8 +23,8 @@ const EffectRow& slicesEffect();     // vertical
 const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
 const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 
-// What the slices of a field's species (by its number) are made from. shaded: with the blades' shadows on each other; draft: an eighth of the
-// resolution, made while one waits.
+// What the slices of a field's species (by its number) are made from. shaded: with the blades' shadows on each other;
+// draft: an eighth of the resolution, made while one waits.
 SliceSpec sliceSpec(const FieldEntity& field, size_t species, const Rgba8& blade, bool shaded, bool draft = false);
 // The slices of a spec: from a cache folder, or made and put there. Failed only if cancelled. `cached`, if given: they
 // were there.

@@ -1,5 +1,5 @@
-// How much grass one scene may have, beyond which neither renderer nor check lets it through. Source of the numbers: what
-// shaders hold (shaders/shared). Does not: limit blades; a unique population has its own limit (scene/unique.h).
+// How much grass one scene may have, beyond which neither renderer nor check lets it through. Source of the numbers:
+// what shaders hold (shaders/shared). Does not: limit blades; a unique population has its own limit (scene/unique.h).
 #pragma once
 #include "scene/project.h"
 
@@ -14,8 +14,8 @@ inline constexpr size_t kMaxSoilMaps = 20;  // density, blade-height and ambient
 struct FieldFault {
     std::string entity, field, message;
 };
-// The first limit that a scene breaks, by its fields in the order of names; nothing if it keeps them all. Fields without
-// blades count as well.
+// The first limit that a scene breaks, by its fields in the order of names; nothing if it keeps them all. Fields
+// without blades count as well.
 std::optional<FieldFault> brokenLimit(const Project& p);
 // The same as an Unsound error that names project.json.
 Status checkFields(const Project& p);

@@ -2,11 +2,11 @@
 #include "core/json.h"
 #include "cost/cost_files.h"
 #include "cost/fit.h"
+#include "fields.h"
 #include "scenes.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "techniques.h"
 #include "fields.h"
+#include "techniques.h"
 
 namespace sward::test {
 namespace {
@@ -37,8 +37,9 @@ TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
         EXPECT_TRUE(texts.insert(s.technique + " " + s.text()).second) << s.text();
     }
     for (const TechniqueRow& row : tables().techniques)
-        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) { return s.technique == row.name; }))
-            << row.name;
+        EXPECT_TRUE(std::any_of(all->begin(), all->end(), [&](const CostSetting& s) {
+            return s.technique == row.name;
+        })) << row.name;
 }
 
 TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {

@@ -1,8 +1,8 @@
 // Forces in the shape of objects' outlines, as the list of a frame has them.
 #include "core/log.h"
+#include "fields.h"
 #include "objects.h"
 #include "world/forces.h"
-#include "fields.h"
 
 namespace sward::test {
 namespace {

@@ -5,8 +5,8 @@
 #include "metrics/metrics.h"
 #include "project/project_files.h"
 #include "scenes.h"
-#include "world/view_camera.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -1,6 +1,6 @@
 // Frames moved by fractions of a pixel sample it at other places, and so add up to a converged one.
-#include "scenes.h"
 #include "fields.h"
+#include "scenes.h"
 #include "techniques.h"
 
 namespace sward::test {

@@ -1,8 +1,8 @@
 // What a scene lacks is not run, not compiled, not in memory: adding and removing each component and each map leaves
 // plan, programs and bytes as before.
 #include "core/json.h"
-#include "objects.h"
 #include "fields.h"
+#include "objects.h"
 #include "techniques.h"
 
 namespace sward::test {
@@ -145,9 +145,7 @@ TEST(TraceMaps, RemovingEachLeavesTheSceneThatNeverHadIt) {
 // What ends a tier or a kind of shadow without any component or map going.
 TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
     const auto grass = [](Project& p) { return flatField(p, "grass"); };
-    const auto technique = [&](Technique t) {
-        return [&grass, t](Project& p) { grass(p).technique = nameOf(t); };
-    };
+    const auto technique = [&](Technique t) { return [&grass, t](Project& p) { grass(p).technique = nameOf(t); }; };
     std::vector<Removal> removals = {
         {"blades alone", technique(Technique::Geometry)},
         {"slices alone", technique(Technique::Slices)},
@@ -174,10 +172,7 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
         {"nothing blurred far away", [&](Project& p) { grass(p).farBlur = FarBlur::None; }},
         {"nothing darkened far away", [&](Project& p) { grass(p).farDarkening = 0; }},
         {"bare ground beyond tessellated blades",
-         [&](Project& p) {
-             grass(p).technique = nameOf(Technique::Tessellated),
-             grass(p).beyond = Beyond::Nothing;
-         }},
+         [&](Project& p) { grass(p).technique = nameOf(Technique::Tessellated), grass(p).beyond = Beyond::Nothing; }},
         {"water that mirrors the sky alone",
          [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
         {"flowers of which there are none",
@@ -191,9 +186,7 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
 TEST(Trace, NothingOfTessellationIsThereForAnotherTechnique) {
     NoGlErrors errors;
     for (const Technique other : {Technique::Hybrid, Technique::Geometry, Technique::Flat}) {
-        const auto become = [](Project& p, Technique t) {
-            flatField(p, "grass").technique = nameOf(t);
-        };
+        const auto become = [](Project& p, Technique t) { flatField(p, "grass").technique = nameOf(t); };
         Project p = everything();
         become(p, other);
         Trace never;

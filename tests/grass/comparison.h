@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "fields.h"
 #include "frame/renderer.h"
 #include "scene/project.h"
 #include "world/view_camera.h"
-#include "fields.h"
 
 namespace sward::test {
 

@@ -5,8 +5,8 @@
 #include "maps/map_io.h"
 #include "objects.h"
 #include "reference/reference.h"
-#include "world/view_camera.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -5,8 +5,8 @@
 #include "objects.h"
 #include "shared/bindings.h"
 #include "shared/wind.h"
-#include "world/forces.h"
 #include "techniques.h"
+#include "world/forces.h"
 
 namespace sward::test {
 namespace {

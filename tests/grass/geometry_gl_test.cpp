@@ -1,10 +1,10 @@
 #include <numeric>
 
 #include "cost/frame_stats.h"
-#include "scenes.h"
-#include "world/view_camera.h"
 #include "fields.h"
+#include "scenes.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -5,13 +5,13 @@
 #include <regex>
 #include <set>
 
+#include "fields.h"
 #include "gl_calls.h"
 #include "grass/comparison.h"
 #include "scenes.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
@@ -93,8 +93,7 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
             f.species[1].density = {};
             for (int frame = 0; frame < 2; ++frame)
                 EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight()))
-                    << nameOf(technique) << " " << kCullings[static_cast<size_t>(culling)]
-                    << " frame " << frame;
+                    << nameOf(technique) << " " << kCullings[static_cast<size_t>(culling)] << " frame " << frame;
             EXPECT_EQ(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
         }
 }

@@ -1,9 +1,9 @@
 // Known answers: where the shadow of one upright blade begins and ends, seen from straight above.
+#include "fields.h"
 #include "scene/population.h"
 #include "scenes.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -3,15 +3,15 @@
 #include <map>
 
 #include "core/numerics.h"
+#include "fields.h"
 #include "frame/color_image.h"
 #include "grass/comparison.h"
 #include "grass/slice_bake.h"
 #include "grass/slice_textures.h"
 #include "grass/slices.h"
 #include "scenes.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/numerics.h"
-#include "grass/cells.h"
 #include "fields.h"
+#include "grass/cells.h"
 
 namespace sward {
 namespace {

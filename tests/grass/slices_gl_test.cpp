@@ -4,12 +4,12 @@
 #include <thread>
 
 #include "core/file.h"
+#include "fields.h"
 #include "frame/draw_context.h"
 #include "scenes.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
@@ -157,8 +157,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     EXPECT_GT(std::abs(blades), 0.01);
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const double slices = change(technique);
-        EXPECT_GT(slices * blades, 0) << "technique " << nameOf(technique) << ": " << slices
-                                      << ", blades: " << blades;
+        EXPECT_GT(slices * blades, 0) << "technique " << nameOf(technique) << ": " << slices << ", blades: " << blades;
     }
 }
 
@@ -188,9 +187,9 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
             const glm::dvec3 blades = pressedColor(Technique::Geometry, sun, distance);
             for (const Technique technique : {Technique::Slices, Technique::Flat}) {
                 const glm::dvec3 share = pressedColor(technique, sun, distance) / blades;
-                const std::string which = fmt::format(
-                    "{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green",
-                    nameOf(technique), distance, sun.elevationDeg, share.x, share.y);
+                const std::string which =
+                    fmt::format("{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green",
+                                nameOf(technique), distance, sun.elevationDeg, share.x, share.y);
                 std::printf("  %s\n", which.c_str());
                 EXPECT_NEAR(share.y, 1, 0.5) << which;
                 EXPECT_GT(share.y / share.x, 0.8) << which << "; soil is red";

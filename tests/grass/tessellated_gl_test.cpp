@@ -1,10 +1,10 @@
 // The tessellated field: the same blades as geometry's, by stages or strips; levels, thinning, extreme settings.
 #include "cost/frame_stats.h"
+#include "fields.h"
 #include "grass/comparison.h"
 #include "scenes.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
@@ -188,8 +188,7 @@ TEST(Tessellated, EveryViewShowsBlades) {
             grassOf(p).tessellation = way;
             grassOf(bare).maxDistance = 0.1f;
             // Blended blades lie over the ground; others hide it, so that a pixel counts one of both.
-            if (mode == ViewMode::Overdraw)
-                grassOf(p).transparency = grassOf(bare).transparency = Transparency::Blend;
+            if (mode == ViewMode::Overdraw) grassOf(p).transparency = grassOf(bare).transparency = Transparency::Blend;
             ViewSettings s = small();
             s.mode = mode;
             EXPECT_GT(differing(pictureOf(r, p, eyeHeight(), s), pictureOf(r, bare, eyeHeight(), s)), 0.05)
@@ -203,7 +202,9 @@ TEST(Tessellated, IsFiniteForBladesOfNoSizeAndExtremeSettings) {
     const std::function<void(const FlatField&)> extremes[] = {
         [](const FlatField& f) { f.species[0].height = 0; },
         [](const FlatField& f) { f.species[0].width = 0; },
-        [](const FlatField& f) { f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90; },
+        [](const FlatField& f) {
+            f.species[0].bend = 2, f.species[0].leanDeg = 90, f.species[0].leanVariationDeg = 90;
+        },
         [](const FlatField& f) { f.thinning = 1, f.lowerFrom = 0; },
         [](const FlatField& f) { f.maxDistance = 0.1f; },
         [](const FlatField& f) { f.maxDistance = 1e6f, f.species[0].smoothness = 64, f.species[0].bladesPerM2 = 20; },

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/numerics.h"
-#include "grass/cells.h"
 #include "fields.h"
+#include "grass/cells.h"
 
 namespace sward {
 namespace {

@@ -1,11 +1,11 @@
 // Maps that repeat and blades of painted height, as pictures: each held against the same scene said in another way.
 #include <gtest/gtest.h>
 
+#include "fields.h"
 #include "grass/cells.h"
 #include "scenes.h"
-#include "world/ground.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/ground.h"
 
 namespace sward {
 namespace {
@@ -132,8 +132,7 @@ TEST(BladeHeight, HalfTheHeightIsASpeciesOfHalfTheHeight) {
     for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
         Project mapped = fieldOf(technique), low = fieldOf(technique), high = fieldOf(technique);
         for (Project* p : {&mapped, &low, &high})
-            grassIn(*p).beyond = Beyond::Nothing, grassIn(*p).shadowMask = 0,
-            grassIn(*p).groundShadows = false;
+            grassIn(*p).beyond = Beyond::Nothing, grassIn(*p).shadowMask = 0, grassIn(*p).groundShadows = false;
         grassIn(mapped).bladeHeight = field(filled({4, 4, 1, PixelType::F32}, 0.5f), "maps/b.exr");
         grassIn(low).species[0].height *= 0.5f;
         const auto want = drawn(low);

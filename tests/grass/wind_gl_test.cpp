@@ -3,12 +3,12 @@
 
 #include <cmath>
 
+#include "fields.h"
 #include "reference/reference.h"
 #include "scenes.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
@@ -41,8 +41,7 @@ const Way kWays[] = {{"hybrid", Technique::Hybrid},
 Project windy(const Way& way) {
     Project p = lawn();
     FlatField f = grassOf(p);
-    f.technique = nameOf(way.technique), f.tessellation = way.tessellation,
-    f.population = way.population;
+    f.technique = nameOf(way.technique), f.tessellation = way.tessellation, f.population = way.population;
     f.minGeom = 2, f.maxGeom = 4, f.minBTF = 6, f.maxBTF = 9, f.maxDistance = 15;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     f.species.push_back(f.species[0]);

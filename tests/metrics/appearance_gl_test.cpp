@@ -2,13 +2,13 @@
 // field, the same blades moved by 2.5 cm, other blades of the same field, 0.7 of them, the picture blurred by a pixel,
 // and each of its rows at its mean colour.
 #include "core/numerics.h"
+#include "fields.h"
 #include "grass/comparison.h"
 #include "metrics/metrics.h"
 #include "metrics/pictures.h"
 #include "scenes.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

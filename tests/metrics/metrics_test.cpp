@@ -40,8 +40,7 @@ TEST(Metrics, CountAndLocateWhatIsNotFiniteAndLeaveItOut) {
     EXPECT_NEAR(m.appearance.distance, 0.1, 1e-6);
     EXPECT_NEAR(m.ssim, (2 * 0.2 + 1e-4) / (0.25 + 0.16 + 1e-4), 1e-5);
     for (const ErrorMetric metric : {ErrorMetric::Appearance, ErrorMetric::Flip, ErrorMetric::Rmse, ErrorMetric::Ssim})
-        EXPECT_TRUE(std::isnan(errorMap(p, metric)[static_cast<size_t>(30 * 40 + 20)]))
-            << kErrorMetrics[metric];
+        EXPECT_TRUE(std::isnan(errorMap(p, metric)[static_cast<size_t>(30 * 40 + 20)])) << kErrorMetrics[metric];
     EXPECT_EQ(metricsJson(m, p, 67).find("non_finite")->number, 2);
 }
 TEST(Metrics, SaySoWhereNoWindowIsWhole) {

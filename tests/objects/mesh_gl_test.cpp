@@ -1,8 +1,8 @@
 // Objects: drawn where they stand, on the ground, lit by the same light, counted, and gone without a trace.
 #include "objects.h"
+#include "techniques.h"
 #include "world/placement.h"
 #include "world/view_camera.h"
-#include "techniques.h"
 
 namespace sward::test {
 namespace {

@@ -1,8 +1,8 @@
 // Shadows of objects lie where geometry says, on ground, blades and objects, do not swim, and cost nothing at night.
-#include "objects.h"
-#include "world/view_camera.h"
 #include "fields.h"
+#include "objects.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -6,9 +6,9 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "scene/project.h"
+#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
-#include "techniques.h"
 
 namespace sward::test {
 namespace {

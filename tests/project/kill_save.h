@@ -11,8 +11,8 @@
 
 #include "project/project_files.h"
 #include "scene/project.h"
-#include "tests/child.h"
 #include "techniques.h"
+#include "tests/child.h"
 
 namespace sward::test {
 

@@ -5,8 +5,8 @@
 
 #include "project/project_files.h"
 #include "scene/project.h"
-#include "tests/support.h"
 #include "techniques.h"
+#include "tests/support.h"
 
 namespace sward::test {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fields.h"
 #include "maps/map_io.h"
 #include "scenes.h"
 #include "support.h"
-#include "fields.h"
 #include "techniques.h"
 
 namespace sward {

@@ -4,14 +4,14 @@
 #include <chrono>
 
 #include "core/json.h"
-#include "maps/map_io.h"
 #include "grass/hybrid.h"
+#include "maps/map_io.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
 #include "scene/project.h"
+#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
-#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;

@@ -4,14 +4,14 @@
 #include <sys/resource.h>
 
 #include "core/save_folder.h"
+#include "fields.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "scene/project.h"
+#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/project/kill_save.h"
 #include "tests/support.h"
-#include "fields.h"
-#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;

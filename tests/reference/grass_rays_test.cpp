@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/numerics.h"
+#include "fields.h"
 #include "maps/map_io.h"
 #include "objects.h"
 #include "reference/solids.h"
@@ -14,7 +15,6 @@
 #include "support.h"
 #include "world/forces.h"
 #include "world/wind.h"
-#include "fields.h"
 
 namespace sward::test {
 namespace {
@@ -128,9 +128,8 @@ struct BruteForce {
             stand.clumpLean = clumps.x, stand.clumpHeight = clumps.y, stand.clumpLightness = clumps.z;
             stand.tall = share;
             if (const Wind* wind = windOf(p))
-                stand.wind = windLeanAt(
-                                 windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime), gusts,
-                                 in, b.dither) /
+                stand.wind = windLeanAt(windGlobals(*wind, glm::dvec2(x, z) * static_cast<double>(f.cellSize), kTime),
+                                        gusts, in, b.dither) /
                              f.species[0].stiffness;
             glm::vec3 force = forceAt(forcesOf(p, kTime, &outlines), at);
             if (f.forces.present())

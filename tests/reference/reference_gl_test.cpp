@@ -2,12 +2,12 @@
 #include "reference/reference.h"
 
 #include "core/numerics.h"
+#include "fields.h"
 #include "maps/map_io.h"
 #include "scenes.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
@@ -160,8 +160,7 @@ TEST(ReferenceAgreement, LeaningBladesShadeEachOtherAsTheyDoInTruth) {
     for (const Technique technique : {Technique::Geometry, Technique::Tessellated}) {
         const double one = leaningShare(technique, -1), upright = leaningShare(technique, 0),
                      other = leaningShare(technique, 1);
-        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", nameOf(technique), one,
-                    upright, other);
+        std::printf("%s: %.3f, upright %.3f, %.3f of the truth\n", nameOf(technique), one, upright, other);
         EXPECT_NEAR(upright, 1, 0.1);
         EXPECT_NEAR(one / other, 1, 0.2);
     }

@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/numerics.h"
+#include "fields.h"
 #include "maps/map_io.h"
 #include "objects.h"
 #include "reference/grass_rays.h"
@@ -13,9 +14,8 @@
 #include "sky/daylight.h"
 #include "sky/exposure.h"
 #include "support.h"
-#include "world/view_camera.h"
-#include "fields.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

@@ -8,9 +8,9 @@
 #include "core/json.h"
 #include "project/project_files.h"
 #include "scene/project.h"
+#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
-#include "techniques.h"
 
 using namespace sward;
 using namespace sward::test;

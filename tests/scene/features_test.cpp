@@ -5,9 +5,9 @@
 
 #include <set>
 
+#include "grass/grass_fields.h"
 #include "scene/components.h"
 #include "techniques.h"
-#include "grass/grass_fields.h"
 
 namespace sward {
 namespace {

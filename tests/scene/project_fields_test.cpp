@@ -1,14 +1,14 @@
 // Fields and maps by PATH, their values as text, snapshots, imports.
 #include <gtest/gtest.h>
 
+#include "fields.h"
 #include "maps/map_io.h"
 #include "project/import.h"
 #include "project/project_files.h"
 #include "scene/project.h"
+#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/support.h"
-#include "fields.h"
-#include "techniques.h"
 
 namespace fs = std::filesystem;
 using namespace sward;

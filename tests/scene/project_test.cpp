@@ -7,8 +7,8 @@
 
 #include "maps/map_io.h"
 #include "project/project_files.h"
-#include "tests/support.h"
 #include "techniques.h"
+#include "tests/support.h"
 
 namespace fs = std::filesystem;
 using namespace sward;

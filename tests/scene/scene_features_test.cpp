@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
+#include "fields.h"
+#include "grass/grass_fields.h"
 #include "scene/components.h"
 #include "scene/project.h"
-#include "fields.h"
 #include "techniques.h"
-#include "grass/grass_fields.h"
 
 namespace sward {
 namespace {
@@ -41,7 +41,7 @@ TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     grass.species[0].density.map = grass.orientation.map = grass.vegetation.map = grass.ambientOcclusion.map =
         Map({2, 2, 1, PixelType::U8});
     EXPECT_EQ(featuresOfField(), drawn | featureSet(Feature::GrassDensity, Feature::GrassOrientation,
-                                                                   Feature::GrassVegetation, Feature::GrassOcclusion));
+                                                    Feature::GrassVegetation, Feature::GrassOcclusion));
     grass.species[0].translucency = grass.species[0].gloss = 1;
     EXPECT_TRUE((featuresOfField() & featureSet(Feature::Translucency, Feature::Gloss)).count() == 2);
     grass.technique = nameOf(Technique::Flat);
@@ -75,9 +75,11 @@ TEST(SceneFeatures, AddingAndRemovingAComponentLeavesTheFeaturesAsBefore) {
     for (const ComponentRow& row : rows()) {
         const FeatureSet before = sceneFeatures(p.registry, tables());
         row.assign(p.registry, e, nullptr);
-        const FeatureSet onEntity = row.featuresOnEntity ? row.featuresOnEntity(p.registry, e, tables(), false) : FeatureSet();
+        const FeatureSet onEntity =
+            row.featuresOnEntity ? row.featuresOnEntity(p.registry, e, tables(), false) : FeatureSet();
         const bool nowhere = std::string(row.name) == "ForceSource";  // without a Transform it presses nothing
-        EXPECT_EQ(sceneFeatures(p.registry, tables()), nowhere ? FeatureSet() : row.features(row.defaults()) | onEntity) << row.name;
+        EXPECT_EQ(sceneFeatures(p.registry, tables()), nowhere ? FeatureSet() : row.features(row.defaults()) | onEntity)
+            << row.name;
         row.remove(p.registry, e);
         EXPECT_EQ(sceneFeatures(p.registry, tables()), before) << row.name;
         EXPECT_EQ(row.get(p.registry, e), nullptr);

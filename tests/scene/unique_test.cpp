@@ -4,8 +4,8 @@
 
 #include <cstring>
 
-#include "scenes.h"
 #include "fields.h"
+#include "scenes.h"
 
 namespace sward {
 namespace {

@@ -1,6 +1,6 @@
+#include "fields.h"
 #include "scenes.h"
 #include "shared/light.h"
-#include "fields.h"
 #include "techniques.h"
 
 namespace sward::test {

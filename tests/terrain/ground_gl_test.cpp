@@ -1,6 +1,6 @@
 #include "scenes.h"
-#include "world/view_camera.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

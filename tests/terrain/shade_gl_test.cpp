@@ -2,8 +2,8 @@
 #include "terrain/shade.h"
 
 #include "objects.h"
-#include "world/view_camera.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward::test {
 namespace {

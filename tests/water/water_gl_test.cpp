@@ -1,11 +1,11 @@
 // Water against geometry, against the ray-traced truth, and against what it may not cost.
 #include "core/numerics.h"
+#include "fields.h"
 #include "objects.h"
 #include "reference/reference.h"
+#include "techniques.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
-#include "fields.h"
-#include "techniques.h"
 
 namespace sward::test {
 namespace {

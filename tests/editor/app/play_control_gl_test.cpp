@@ -8,8 +8,8 @@
 #include "editor/editor_fixture.h"
 #include "editor/playtest/playtest.h"
 #include "project/project_files.h"
-#include "world/view_camera.h"
 #include "techniques.h"
+#include "world/view_camera.h"
 
 namespace sward {
 namespace {

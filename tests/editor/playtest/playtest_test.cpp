@@ -7,10 +7,10 @@
 
 #include "editor/playtest/played_project.h"
 #include "model/field_walk.h"
+#include "techniques.h"
 #include "world/forces.h"
 #include "world/placement.h"
 #include "world/view_camera.h"
-#include "techniques.h"
 
 namespace sward {
 namespace {
