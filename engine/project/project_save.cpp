@@ -66,7 +66,7 @@ struct Saving {
         {};                      // of what is known to lie on disk; what it lacks is compared with the files
     Project onDisk = Project();  // without texels
     bool readable = false;       // whether there is a sound project on disk
-    bool sameForm = false;       // and its file is of the form that is written now
+    bool sameForm = false;       // and nothing in it stands elsewhere in today's form
     std::vector<SaveFile> files = {};
     std::vector<std::string> removed = {};
 };
@@ -140,9 +140,11 @@ Status addFiles(Saving& s, const fs::path& from) {
 void readOnDisk(Saving& s) {
     const fs::path file = s.p.dir / "project.json";
     Result<Json> json = readJson(file);
-    const Json* format = json ? json->find("format") : nullptr;
-    s.sameForm = format && format->text == fmt::format("{}", kProjectFormat);
-    if (!json || !upgradeProject(*json, file.string(), projectUpgrades())) return;
+    if (!json || !json->isObject()) return;
+    Json before = *json;
+    if (!upgradeProject(*json, file.string(), projectUpgrades())) return;
+    before["format"] = Json(kProjectFormat);
+    s.sameForm = writeJson(before) == writeJson(*json);
     ProjectReader reader;
     reader.rows = s.rows;
     reader.file = file.string();
