@@ -155,7 +155,6 @@ enum CellProgram { kChoose, kList };
 
 void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
     if (!ctx.use(kChoose, {}, &field.view->constants)) return;
-    bindField(field);
     runChoice(s.chosen, field.species[i]->density);
     if (!ctx.use(kList, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
@@ -313,7 +312,6 @@ bool beginPatches(DrawContext& ctx, TessState& state, const Field& field) {
     return true;
 }
 StripPrograms beginStrips(const DrawContext& ctx, const Field& field) {
-    endTransparency();
     bindField(field);
     beginTransparency(ctx, field);
     return {fieldConstants(field.view->of) +
@@ -327,6 +325,7 @@ void draw(DrawContext& ctx) {
     StripPrograms programs;
     eachSpecies(ctx, state.species, Feature::GrassTessellated, [&](const Field& field, size_t i, SpeciesState& s) {
         const bool stages = stagesChosen(field.view->settings<TessellatedBlades>().tessellation, ctx.gpu);
+        if (begun && begun != &field) endTransparency();  // of the field before
         if (begun != &field && stages && !beginPatches(ctx, state, field)) return;
         if (begun != &field && !stages) programs = beginStrips(ctx, field);
         begun = &field;
