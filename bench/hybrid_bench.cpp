@@ -1,13 +1,13 @@
 // The hybrid field's time against all its blades drawn as geometry, and what slices cost to make and to load.
 #include "bench/limits.h"
 #include "core/file.h"
-#include "fields.h"
 #include "frame/color_image.h"
 #include "frame/renderer.h"
 #include "grass/slice_file.h"
 #include "grass/slice_textures.h"
 #include "grass/slices.h"
 #include "techniques.h"
+#include "tests/fields.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
 

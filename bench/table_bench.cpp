@@ -3,11 +3,11 @@
 // against one patch drawn many times
 // (`patch`, the paper's instanced one). What stands beside each other are ratios: the machines have nothing in common.
 #include "bench/limits.h"
-#include "fields.h"
 #include "frame/renderer.h"
 #include "project/project_files.h"
 #include "scene/unique.h"
 #include "techniques.h"
+#include "tests/fields.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
 
@@ -52,7 +52,7 @@ void resize(Project& p, double side) {
 }
 
 // Sparser where all blades of that size could not be stored, for both populations alike.
-void thinToStore(GrassField& f, const Project& p) {
+void thinToStore(const FlatField& f, const Project& p) {
     const float share = static_cast<float>(
         std::min(1.0, 0.95 * static_cast<double>(kMaxUniqueBlades) / std::max(virtualBlades(p), 1.0)));
     for (Species& s : f.species) s.bladesPerM2 *= share;

@@ -3,9 +3,9 @@
 #include <ctime>
 
 #include "bench/limits.h"
-#include "fields.h"
 #include "frame/renderer.h"
 #include "techniques.h"
+#include "tests/fields.h"
 #include "tests/gl_calls.h"
 #include "tests/grass/comparison.h"
 #include "world/view_camera.h"
@@ -96,7 +96,7 @@ void raceAt(int level) {
     f.maxDistance = 1e5f;  // so that nothing is far
     for (int i = 0; i < 7; ++i)
         for (size_t way = 0; way < 2; ++way) {
-            f.tessellation = static_cast<int>(way == 0 ? Tessellation::Stages : Tessellation::Strips);
+            f.tessellation = way == 0 ? Tessellation::Stages : Tessellation::Strips;
             const double took = frameMs(renderers[way], p, overPlain(), s);
             if (i > 0) ms[way].push_back(took);
         }

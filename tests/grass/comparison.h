@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "fields.h"
 #include "frame/renderer.h"
 #include "scene/project.h"
+#include "tests/fields.h"
 #include "world/view_camera.h"
 
 namespace sward::test {
