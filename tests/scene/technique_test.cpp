@@ -33,6 +33,7 @@ TEST(TechniqueTable, NamesLabelsAndColoursAreEachRowsOwn) {
 }
 
 TEST(TechniqueTable, ItsRowsAskForWhatEffectsDraw) {
+    if (tables().effects.empty()) GTEST_SKIP() << "a program that draws nothing";
     for (const TechniqueRow& row : tables().techniques) {
         FlatField f;
         f.technique = row.name;
