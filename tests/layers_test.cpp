@@ -176,7 +176,7 @@ Lines withoutTest(const fs::path& root, const char* folder, size_t* all) {
     return out;
 }
 // What is held; raised as it is reached, never lowered.
-constexpr double kTestedEngine = 0.6, kTestedEditor = 0.27;
+constexpr double kTestedEngine = 0.6, kTestedEditor = 0.6;
 
 void expectTested(const char* folder, double wanted) {
     size_t all = 0;
