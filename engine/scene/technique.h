@@ -73,7 +73,7 @@ struct TechniqueRow {
     std::vector<SettingValues> (*sweep)(const FieldEntity&);  // settings that `cost` tries; null: the field's own alone
     std::span<const char* const> fewBlades;  // values by which it draws blades up to some metres, for `cost` to take
                                              // the time a blade from; none: it does not draw a few
-    std::span<const KnobRow> knobs;                                              // none: `fit` does not turn it
+    std::span<const KnobRow> knobs;          // none: `fit` does not turn it
     SettingValues (*turned)(const FieldEntity&, std::span<const double> knobs);  // values that knobs stand for
 };
 
