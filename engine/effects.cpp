@@ -5,6 +5,7 @@
 #include "grass/forces.h"
 #include "grass/geometry.h"
 #include "grass/ground_shadow.h"
+#include "grass/grown.h"
 #include "grass/mask.h"
 #include "grass/slices.h"
 #include "grass/tessellated.h"

@@ -48,6 +48,7 @@ struct GroundMesh {
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
 
+struct GrownFields;  // grass/grown.h
 struct GrassFields;  // grass/field.h
 struct MaskState;    // grass/mask.h
 struct Force;        // world/forces.h
@@ -64,19 +65,20 @@ struct SharedByViews {
     Ground ground;  // the terrain; null without one
     HeightBounds bounds;
     GLuint heights = 0;  // the height map's texture; 0: flat
+    MaskState* masks = nullptr;
+    GrownFields* grown = nullptr;
+    ForceTarget forceTarget;
 };
 // And what each view has of its own; a frame begins with none of it.
 struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
-    MaskState* masks = nullptr;
     SoilCover soil;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
-    ForceTarget forceTarget;
-    GLuint reflection = 0;         // what the water mirrors; 0: nothing
-    glm::vec2 reflectionScale{0};  // of its texture coordinates, a clip unit
-    LightsGlobals lights{};        // beside the sun, as bound to UBO_LIGHTS
+    GLuint reflection = 0;              // what the water mirrors; 0: nothing
+    glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
+    LightsGlobals lights{};             // beside the sun, as bound to UBO_LIGHTS
 };
 
 // What to draw of a view within the view (ViewRow).

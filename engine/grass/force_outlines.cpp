@@ -76,7 +76,7 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, update}};
+const System kSystems[] = {{"grass/force-outlines/upload", {.reads = {Slot::ForceList}}, update, true}};
 const ProgramRow kPrograms[] = {
     {"grass/force-outlines", "grass/force_outlines.vert.glsl", "grass/force_outlines.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"grass/force-outlines",

@@ -99,7 +99,7 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"grass/forces/list", {.writes = {Slot::ForceList}}, update}};
+const System kSystems[] = {{"grass/forces/list", {.writes = {Slot::ForceList}}, update, true}};
 const ProgramRow kPrograms[] = {{"grass/forces", "grass/forces.vert.glsl", "grass/forces.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"grass/forces",
                          Stage::Simulate,

@@ -19,7 +19,7 @@ struct One {
     std::vector<float> least;
     uint64_t leastOf = 0;  // the patch's key
 };
-struct ShadowState : EffectState {
+struct ShadowView : EffectState {
     PerSpecies<One> species;
 };
 
@@ -34,8 +34,8 @@ std::vector<DrawCommand> commandRanges(const BladeDraws& blades, float share) {
 
 // The blades whose shadows can be seen.
 BladeList shadowList(const DrawContext& ctx, One& one, const Field& field, size_t i, float share) {
-    const FieldSpecies& species = *field.species[i];
-    const BladeDraws& blades = species.draws;
+    const GrownSpecies& species = *field.grown->species[i];
+    const BladeDraws& blades = field.species[i].draws;
     if (one.leastOf != species.drawnKey()) one.least = leastShading(species.drawn()), one.leastOf = species.drawnKey();
     const CellQuery query = drawnQuery(ctx, field, i);
     const float sine = ctx.shared.lights.casting > 0 ? 0 : ctx.globals.sunDirection.y;
@@ -44,7 +44,7 @@ BladeList shadowList(const DrawContext& ctx, One& one, const Field& field, size_
 }
 
 void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
-    const BladeDraws& blades = field.species[i]->draws;
+    const BladeDraws& blades = field.species[i].draws;
     const float share = ctx.settings.detail * blades.shading;
     if (blades.shadowCommands) {
         one = {};
@@ -66,16 +66,16 @@ void makeCommands(DrawContext& ctx, One& one, const Field& field, size_t i) {
 }
 
 void prepare(DrawContext& ctx) {
-    ShadowState& state = ctx.own<ShadowState>();
+    ShadowView& view = ctx.ofView<ShadowView>();
     if (!ctx.shared.grass) return;
-    state.species.keep(*ctx.shared.grass, Feature::GroundShadows);
-    eachSpecies(ctx, state.species, Feature::GroundShadows,
-                [&](const Field& field, size_t i, One& one) { makeCommands(ctx, one, field, i); });
+    view.species.keep(ctx.shared.grass->all, Feature::GroundShadows);
+    eachSpecies(ctx, Feature::GroundShadows,
+                [&](const Field& field, size_t i) { makeCommands(ctx, view.species.at(field.number, i), field, i); });
 }
 
 void drawSpecies(DrawContext& ctx, const FieldSpecies& species, const One& one) {
     const BladeDraws& blades = species.draws;
-    if (species.density) glBindTextureUnit(TEX_DENSITY, species.density);
+    if (species.grown->density) glBindTextureUnit(TEX_DENSITY, species.grown->density);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, blades.buffer);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SPECIES, blades.globals);
     glVertexArrayElementBuffer(blades.mesh, one.listed.id() ? one.listed.id() : blades.indices);
@@ -88,23 +88,24 @@ void drawSpecies(DrawContext& ctx, const FieldSpecies& species, const One& one) 
 }
 
 // The first blade of any field that shades a pixel is the only one that shades it, by each light.
-void drawLight(DrawContext& ctx, ShadowState& state, int light) {
+void drawLight(DrawContext& ctx, ShadowView& view, int light) {
     glStencilMask(1u << light);
     glStencilFunc(GL_EQUAL, kStencilGround, kStencilGround | 1u << light);
     const Field* begun = nullptr;
-    eachSpecies(ctx, state.species, Feature::GroundShadows, [&](const Field& field, size_t i, const One& one) {
+    eachSpecies(ctx, Feature::GroundShadows, [&](const Field& field, size_t i) {
+        const One& one = view.species.at(field.number, i);
         if (begun != &field) {
             if (!ctx.use(0, {}, &field.view->constants)) return;
             bindField(field);
             glUniform1i(0, light);
         }
         begun = &field;
-        if (one.count > 0) drawSpecies(ctx, *field.species[i], one);
+        if (one.count > 0) drawSpecies(ctx, field.species[i], one);
     });
 }
 
 void draw(DrawContext& ctx) {
-    ShadowState& state = ctx.own<ShadowState>();
+    ShadowView& view = ctx.ofView<ShadowView>();
     if (ctx.settings.mode != ViewMode::Final) return;
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
@@ -113,7 +114,7 @@ void draw(DrawContext& ctx) {
     glDepthMask(GL_FALSE);
     const bool sun = has(ctx.plan.features, Feature::Sun) && ctx.globals.sunIsUp > 0 && ctx.globals.sunCasts > 0;
     const int lamps = std::min(ctx.shared.lights.casting, kLights - 1);
-    for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, state, light);
+    for (int light = sun ? 0 : 1; light <= lamps; ++light) drawLight(ctx, view, light);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glStencilMask(0xff);
@@ -149,8 +150,9 @@ const EffectRow& groundShadowEffect() {
                    Feature::CastingLights),
         kSystems,
         kPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowState>(); },
-        "near blades shade the ground"};
+        nullptr,
+        "near blades shade the ground",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShadowView>(); }};
     return row;
 }
 

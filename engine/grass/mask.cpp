@@ -145,7 +145,7 @@ void update(DrawContext& ctx) {
     ctx.shared.masks = &state;
 }
 
-const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, update}};
+const System kSystems[] = {{"grass/mask", {.writes = {Slot::Masks}}, update, true}};
 
 }  // namespace
 

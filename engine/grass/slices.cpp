@@ -24,10 +24,10 @@ constexpr const char* kFarOwner = "grass/far";
 // --- making slices -----------------------------------------------------------------------------------------
 // The ground over which a field's horizontal slices are drawn.
 struct FarGround {
-    Field* field;
+    const Field* field;
     std::vector<TerrainNode> nodes;
 };
-struct FarState : EffectState {
+struct FarView : EffectState {
     Buffer nodes;
     std::vector<FarGround> selected;  // of this frame
 };
@@ -39,22 +39,21 @@ bool slicesAreShaded(const FeatureSet& features) {
     return has(features, Feature::BladeShadows) && has(features, Feature::CastingLights);
 }
 
-void upload(DrawContext& ctx, const Field& f, FieldSpecies& s, uint64_t key, const SliceImages& images) {
-    const bool vertical = has(f.view->own, Feature::GrassSlices);
-    s.slices =
-        uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.view->settings<GrassSlices>().storage);
+void upload(DrawContext& ctx, const GrownField& f, GrownSpecies& s, uint64_t key, const SliceImages& images) {
+    const bool vertical = f.draws(Feature::GrassSlices);
+    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.of->settings<GrassSlices>().storage);
     s.sliceKey = key;
 }
 
 // Which textures the species should have: what they are made from, and how they are stored.
-uint64_t textureKey(const Field& f, uint64_t slices) {
-    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.view->settings<GrassSlices>().storage),
-                              has(f.view->own, Feature::GrassSlices) ? 1u : 0u};
+uint64_t textureKey(const GrownField& f, uint64_t slices) {
+    const uint64_t parts[] = {slices, static_cast<uint64_t>(f.of->settings<GrassSlices>().storage),
+                              f.draws(Feature::GrassSlices) ? 1u : 0u};
     return hashBytes(parts, sizeof(parts));
 }
 
 // Slices that can be shown now. Where one may wait, waits for them.
-std::optional<SliceImages> slicesThere(const DrawContext& ctx, FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
+std::optional<SliceImages> slicesThere(const DrawContext& ctx, GrownSpecies& s, const SliceSpec& spec, uint64_t key) {
     if (!ctx.settings.background) {
         s.bake = {};
         JobControl control;
@@ -65,17 +64,17 @@ std::optional<SliceImages> slicesThere(const DrawContext& ctx, FieldSpecies& s, 
     return loadCachedSlices(cacheDir(), key);
 }
 
-void startBake(FieldSpecies& s, const SliceSpec& spec, uint64_t key) {
+void startBake(GrownSpecies& s, const SliceSpec& spec, uint64_t key) {
     s.bakeOf = key;
     s.bake = Job<SliceImages>("slices of " + spec.species.name, key,
                               [spec](JobControl& c) { return slicesOf(cacheDir(), spec, c); });
 }
 
 // What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
-void ensureSlices(DrawContext& ctx, const Field& f, size_t i) {
-    FieldSpecies& s = *f.species[i];
-    const FieldEntity& of = f.view->of;
-    const bool shaded = slicesAreShaded(f.view->features);
+void ensureSlices(DrawContext& ctx, const GrownField& f, size_t i) {
+    GrownSpecies& s = *f.species[i];
+    const FieldEntity& of = *f.of;
+    const bool shaded = slicesAreShaded(f.features);
     // Most frames ask for what is there: the image's hash stands for its pixels.
     const uint64_t asked = textureKey(f, sliceKey(sliceSpec(of, i, {}, shaded)) ^ s.bladeHash);
     if (s.sliceAsked == asked) return;
@@ -95,14 +94,14 @@ void ensureSlices(DrawContext& ctx, const Field& f, size_t i) {
 }
 
 // --- uniforms ----------------------------------------------------------------------------------------------
-FieldLight fieldLight(const DrawContext& ctx, const Field& f, size_t index) {
+FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index) {
     const Species& s = f.grows().species[index];
-    const FeatureSet& features = f.view->features;
+    const FeatureSet& features = f.features;
     const FrameGlobals& g = ctx.globals;
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
     if (has(features, Feature::Sun) && g.sunIsUp > 0) l.suns.push_back({g.sunDirection, g.sunLight});
-    l.weighting = f.view->settings<GrassSlices>().lightWeights;
+    l.weighting = f.of->settings<GrassSlices>().lightWeights;
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
     l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
@@ -113,7 +112,7 @@ FieldLight fieldLight(const DrawContext& ctx, const Field& f, size_t index) {
     return l;
 }
 
-void updateGains(FieldSpecies& s, const FieldLight& l) {
+void updateGains(GrownSpecies& s, const FieldLight& l) {
     std::vector<float> read{l.sky.x,
                             l.sky.y,
                             l.sky.z,
@@ -146,7 +145,7 @@ void setGains(SliceGlobals& g, bool conserving, const Gains& gains) {
 SliceGlobals globalsOf(const DrawContext& ctx, const Field& field, size_t index) {
     const GrassField& f = field.grows();
     const Species& sp = f.species[index];
-    const FieldSpecies& s = *field.species[index];
+    const GrownSpecies& s = *field.species[index].grown;
     const FieldTiers& tiers = field.view->tiers;
     const auto& images = field.view->settings<GrassSlices>();
     SliceGlobals g{};
@@ -192,7 +191,7 @@ struct SliceDraw {
     std::vector<SliceCell> selected;
     int first[5] = {};  // cells sorted into the four quarters around the eye
 };
-struct SlicesState : EffectState {
+struct SlicesView : EffectState {
     PerSpecies<SliceDraw> species;
 };
 
@@ -238,7 +237,7 @@ void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
 }
 
 void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SliceDraw& s) {
-    const int slices = field.species[i]->slices.slices;
+    const int slices = field.species[i].grown->slices.slices;
     if (s.slices != slices) makeSliceMesh(ctx, s, slices);
     const FieldTiers& tiers = field.view->tiers;
     s.selected = selectSliceCells(patchQuery(ctx, field, i, 1), tiers.slicesFrom, tiers.slicesTo);
@@ -246,12 +245,12 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SliceDraw& s)
 }
 
 void selectSlices(DrawContext& ctx) {
-    SlicesState& state = ctx.own<SlicesState>();
+    SlicesView& view = ctx.ofView<SlicesView>();
     if (!ctx.shared.grass) return;
     const auto start = std::chrono::steady_clock::now();
-    state.species.keep(*ctx.shared.grass, Feature::GrassSlices);
-    eachSpecies(ctx, state.species, Feature::GrassSlices,
-                [&](const Field& field, size_t i, SliceDraw& s) { selectSpecies(ctx, field, i, s); });
+    view.species.keep(ctx.shared.grass->all, Feature::GrassSlices);
+    eachSpecies(ctx, Feature::GrassSlices,
+                [&](const Field& field, size_t i) { selectSpecies(ctx, field, i, view.species.at(field.number, i)); });
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -269,11 +268,12 @@ void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t
 }
 
 void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw& s) {
-    const FieldSpecies& species = *field.species[i];
+    const FieldSpecies& species = field.species[i];
+    const GrownSpecies& grown = *species.grown;
     if (s.selected.empty()) return;
-    if (species.density) glBindTextureUnit(TEX_DENSITY, species.density);
-    filterSlices(ctx, field, species.slices);
-    bindSlices(species, species.slices.reflectance.id(), species.slices.threshold.id(), species.slices.light.id());
+    if (grown.density) glBindTextureUnit(TEX_DENSITY, grown.density);
+    filterSlices(ctx, field, grown.slices);
+    bindSlices(species, grown.slices.reflectance.id(), grown.slices.threshold.id(), grown.slices.light.id());
     glBindVertexArray(s.mesh.id());
     const int each = 12 * s.slices;
     for (int q = 0; q < 4; ++q) {
@@ -288,13 +288,13 @@ void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw
 }
 
 void drawSlices(DrawContext& ctx) {
+    SlicesView& view = ctx.ofView<SlicesView>();
     const Field* begun = nullptr;
-    eachSpecies(ctx, ctx.own<SlicesState>().species, Feature::GrassSlices,
-                [&](const Field& field, size_t i, const SliceDraw& s) {
-                    if (begun != &field && !beginField(ctx, field, 0, fieldConstants(field.view->of))) return;
-                    begun = &field;
-                    drawSpecies(ctx, field, i, s);
-                });
+    eachSpecies(ctx, Feature::GrassSlices, [&](const Field& field, size_t i) {
+        if (begun != &field && !beginField(ctx, field, 0, fieldConstants(field.view->of))) return;
+        begun = &field;
+        drawSpecies(ctx, field, i, view.species.at(field.number, i));
+    });
     endTransparency();
 }
 
@@ -316,18 +316,22 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float 
     return out;
 }
 
-void updateFar(DrawContext& ctx) {
-    FarState& state = ctx.own<FarState>();
+void bakeFar(DrawContext& ctx) {
+    eachGrown(ctx, Feature::GrassFar, [&](GrownField& field, size_t i) {
+        ensureSlices(ctx, field, i);
+        updateGains(*field.species[i], fieldLight(ctx, field, i));
+    });
+}
+
+void selectFar(DrawContext& ctx) {
+    FarView& state = ctx.ofView<FarView>();
     if (!ctx.shared.grass) return;
     if (!state.nodes.id()) state.nodes = makeBuffer(ctx.gpu, kFarOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
     state.selected.clear();
     for (Field* field : fieldsWith(ctx, Feature::GrassFar)) {
         for (size_t i = 0; i < field->species.size(); ++i) {
-            FieldSpecies& s = *field->species[i];
-            ensureSlices(ctx, *field, i);
-            updateGains(s, fieldLight(ctx, *field, i));
             const SliceGlobals g = globalsOf(ctx, *field, i);
-            writeBuffer(ctx.gpu, s.sliceGlobals, kFarOwner, sizeof(g), &g);
+            writeBuffer(ctx.gpu, field->species[i].sliceGlobals, kFarOwner, sizeof(g), &g);
         }
         state.selected.push_back({field, farNodes(ctx, *field, std::numeric_limits<float>::infinity())});
         ctx.stats.macroCells += state.selected.back().nodes.size();
@@ -344,31 +348,31 @@ struct FarSpecies {
     const Field* field;
     size_t species;
     std::span<const TerrainNode> nodes;
-    const FieldSpecies& state() const { return *field->species[species]; }
+    const FieldSpecies& drawn() const { return field->species[species]; }
+    const GrownSpecies& grown() const { return *drawn().grown; }
 };
 
 // From the lowest slice to the highest: they are blended over each other without depth, and eyes are above.
-std::vector<FarSpecies> lowestFirst(const FarState& state) {
+std::vector<FarSpecies> lowestFirst(const FarView& state) {
     std::vector<FarSpecies> order;
     for (const FarGround& ground : state.selected)
         for (size_t i = 0; i < ground.field->species.size(); ++i) order.push_back({ground.field, i, ground.nodes});
     std::stable_sort(order.begin(), order.end(), [](const FarSpecies& a, const FarSpecies& b) {
-        return a.state().slices.top < b.state().slices.top;
+        return a.grown().slices.top < b.grown().slices.top;
     });
     return order;
 }
 
 void drawFarSpecies(DrawContext& ctx, const FarSpecies& far, const Buffer& room) {
-    const FieldSpecies& s = far.state();
+    const GrownSpecies& s = far.grown();
     if (s.density) glBindTextureUnit(TEX_DENSITY, s.density);
-    bindSlices(s, s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
+    bindSlices(far.drawn(), s.slices.farReflectance.id(), s.slices.farThreshold.id(), s.slices.farLight.id());
     ctx.pass->draws += drawNodes(ctx.shared.groundMesh, far.nodes, room);
     ctx.pass->instances += far.nodes.size();
 }
 
 void beginFar(const DrawContext& ctx, const Field& field) {
-    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw,
-               blended = has(field.view->own, Feature::GrassBlended);
+    const bool overdraw = ctx.settings.mode == ViewMode::Overdraw, blended = field.draws(Feature::GrassBlended);
     if (overdraw || blended)
         glEnable(GL_BLEND);
     else
@@ -378,7 +382,7 @@ void beginFar(const DrawContext& ctx, const Field& field) {
 }
 
 void drawFar(DrawContext& ctx) {
-    FarState& state = ctx.own<FarState>();
+    FarView& state = ctx.ofView<FarView>();
     const Field* begun = nullptr;
     for (const FarSpecies& far : lowestFirst(state)) {
         if (far.nodes.empty()) continue;
@@ -388,7 +392,7 @@ void drawFar(DrawContext& ctx) {
             beginFar(ctx, *far.field);
         }
         begun = far.field;
-        const FieldSpecies& s = far.state();
+        const GrownSpecies& s = far.grown();
         for (const Texture* t : {&s.slices.farReflectance, &s.slices.farThreshold, &s.slices.farLight})
             filterFar(t->id(), far.field->view->settings<GrassSlices>().filtering);
         drawFarSpecies(ctx, far, state.nodes);
@@ -420,17 +424,17 @@ void drawFarShadow(DrawContext& ctx) {
     glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
     for (const Field* field : fieldsWith(ctx, Feature::GrassFar))
-        if (has(field->view->own, Feature::GroundShadows)) drawFieldShadow(ctx, *field, state.nodes);
+        if (field->draws(Feature::GroundShadows)) drawFieldShadow(ctx, *field, state.nodes);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
 
 // --- rows --------------------------------------------------------------------------------------------------
 const System kFarSystems[] = {
-    {"grass/far/bake",
-     {.reads = {Slot::Grass, Slot::Masks, Slot::Ground, Slot::GroundNodes, Slot::Sun, Slot::SkyLight},
-      .writes = {Slot::Slices}},
-     updateFar}};
+    {"grass/far/bake", {.reads = {Slot::Grown, Slot::Sun, Slot::SkyLight}, .writes = {Slot::Slices}}, bakeFar, true},
+    {"grass/far/select",
+     {.reads = {Slot::Grass, Slot::Ground, Slot::GroundNodes, Slot::Sun, Slot::Slices}, .writes = {Slot::FarGround}},
+     selectFar}};
 const System kSliceSystems[] = {
     {"grass/slices/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Slices}}, selectSlices}};
 const ProgramRow kFarPrograms[] = {{"grass/far", "grass/far.vert.glsl", "grass/far.frag.glsl", nullptr, fieldVariants}};
@@ -439,7 +443,7 @@ const ProgramRow kSlicePrograms[] = {
 const Pass kFarPasses[] = {{"grass/far",
                             Stage::Far,
                             kViewMain | kViewReflection,
-                            {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows},
+                            {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows},
                              .appends = {Slot::SceneColor, Slot::SceneDepth}},
                             kFarPrograms,
                             drawFar,
@@ -450,14 +454,14 @@ const Pass kFarShadowPasses[] = {
     {"grass/far-shadow",
      Stage::FarShadow,
      kViewMain,
-     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::Forces, Slot::Shadows, Slot::Lamps},
+     {.reads = {Slot::Grass, Slot::GroundNodes, Slot::FarGround, Slot::Forces, Slot::Shadows, Slot::Lamps},
       .appends = {Slot::SceneColor}},
      kFarShadowPrograms,
      drawFarShadow}};
 const Pass kSlicePasses[] = {{"grass/slices",
                               Stage::Slices,
                               kViewMain | kViewReflection,
-                              {.reads = {Slot::Grass, Slot::Slices, Slot::Forces, Slot::Shadows},
+                              {.reads = {Slot::Grass, Slot::Slices, Slot::FarGround, Slot::Forces, Slot::Shadows},
                                .appends = {Slot::SceneColor, Slot::SceneDepth}},
                               kSlicePrograms,
                               drawSlices,
@@ -510,8 +514,9 @@ const EffectRow& farEffect() {
         featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain),
         kFarSystems,
         kFarPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarState>(); },
-        "far grass is one slice over the ground"};
+        nullptr,
+        "far grass is one slice over the ground",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarView>(); }};
     return row;
 }
 const EffectRow& farShadowEffect() {
@@ -530,8 +535,9 @@ const EffectRow& slicesEffect() {
         featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain),
         kSliceSystems,
         kSlicePasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesState>(); },
-        "grass at middle distance is vertical slices"};
+        nullptr,
+        "grass at middle distance is vertical slices",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesView>(); }};
     return row;
 }
 

@@ -26,20 +26,29 @@ constexpr uint32_t kSoftwareVertices = 65535;
 constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
 constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
 
-struct SpeciesState {
+// What all views share of a species: its blades, and room for the vertices of one batch.
+struct Mesh {
     uint64_t key = 0, imageHash = 0;
     float covered = 1;  // mean of the blade image's alpha
     int indicesTo = 0;
-    Buffer blades, cells, list, commands, vertices, indices, globals;
+    Buffer blades, commands, vertices, indices;
     VertexArray strips;
     std::array<uint64_t, 3> described{};  // by what buffers, and the size of a vertex
+};
+struct TessState : EffectState {
+    PerSpecies<Mesh> meshes;
+    VertexArray patches;
+};
+// What a view draws of a species.
+struct Selection {
+    Mesh* mesh = nullptr;
+    Buffer cells, list, globals;
     ChosenCells chosen;
     uint32_t batches = 0, batchVertices = 0, batchPieces = 0;  // at most
     uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
 };
-struct TessState : EffectState {
-    PerSpecies<SpeciesState> species;
-    VertexArray patches;
+struct TessView : EffectState {
+    PerSpecies<Selection> species;
 };
 
 bool stagesChosen(Tessellation way, const Gpu& gpu) {
@@ -73,16 +82,22 @@ TessGlobals globalsOf(const DrawContext& ctx, const TessellatedBlades& f, const 
     return g;
 }
 
-void updateSpecies(DrawContext& ctx, SpeciesState& s, const Field& field, size_t i) {
-    const FieldSpecies& own = *field.species[i];
-    if (s.key != own.drawnKey() || !s.blades.id())
-        s.blades = makeBuffer(ctx.gpu, kOwner, own.drawn().blades.size() * sizeof(Blade), own.drawn().blades.data());
-    s.key = own.drawnKey();
-    if (s.imageHash != own.bladeHash) s.covered = meanAlpha(own.bladeImage);
-    s.imageHash = own.bladeHash;
-    const TessGlobals g =
-        globalsOf(ctx, field.view->settings<TessellatedBlades>(), field.grows().species[i], s.covered);
-    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
+void updateMesh(DrawContext& ctx, Mesh& m, const GrownSpecies& species) {
+    const std::vector<Blade>& blades = species.drawn().blades;
+    if (m.key != species.drawnKey() || !m.blades.id())
+        m.blades = makeBuffer(ctx.gpu, kOwner, blades.size() * sizeof(Blade), blades.data());
+    m.key = species.drawnKey();
+    if (m.imageHash != species.bladeHash) m.covered = meanAlpha(species.bladeImage);
+    m.imageHash = species.bladeHash;
+}
+
+void updateMeshes(DrawContext& ctx) {
+    TessState& state = ctx.own<TessState>();
+    if (!ctx.shared.grown) return;
+    state.meshes.keep(ctx.shared.grown->all, Feature::GrassTessellated);
+    eachGrown(ctx, Feature::GrassTessellated, [&](const GrownField& field, size_t i) {
+        updateMesh(ctx, state.meshes.at(field.number, i), *field.species[i]);
+    });
 }
 
 // --- cells, in pieces, and the batches in which they are drawn ---------------------------------------------
@@ -93,14 +108,14 @@ size_t vertexBytes(const FeatureSet& features) {
 uint32_t pieceBlades(const Gpu& gpu) { return gpu.software ? kSoftwarePiece : kPiece; }
 
 // A row of stages has three vertices.
-void planPoints(const Gpu& gpu, SpeciesState& s, int smoothness) {
+void planPoints(const Gpu& gpu, Selection& s, int smoothness) {
     s.drawPoints = gpu.software ? kSoftwareVertices / (3 * static_cast<uint32_t>(smoothness + 1))
                                 : std::numeric_limits<int32_t>::max();
     s.pointDraws = static_cast<uint32_t>((s.chosen.allBlades + s.drawPoints - 1) / s.drawPoints);
 }
 
 // A batch is what begins within batchVertices; its last piece may end beyond.
-void planBatches(const Gpu& gpu, const FeatureSet& features, SpeciesState& s) {
+void planBatches(const Gpu& gpu, const FeatureSet& features, Selection& s) {
     const uint64_t piece = uint64_t{pieceBlades(gpu)} * 2 * kMostRows;
     const uint64_t most = kBatchBytes / vertexBytes(features) - piece;
     s.batchVertices = static_cast<uint32_t>(std::clamp<uint64_t>(s.chosen.vertices, 1, most));
@@ -122,18 +137,20 @@ CellQuery queryOf(const DrawContext& ctx, const Field& field, size_t i) {
     return q;
 }
 
-void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
+void selectSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
     const auto& f = field.view->settings<TessellatedBlades>();
     const Species& species = field.grows().species[i];
     const float pixels = pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
-    updateSpecies(ctx, s, field, i);
+    s.mesh = &ctx.own<TessState>().meshes.at(field.number, i);
+    const TessGlobals g = globalsOf(ctx, f, species, s.mesh->covered);
+    writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
     const float widest = 1.25f * species.width * mostWidening(f) * ctx.globals.widening;
     const CellQuery query = queryOf(ctx, field, i);
     const bool byGpu = field.view->settings<GrassDrawing>().culling != Culling::Cpu && gpuMayChoose(query);
-    chooseCells(
-        ctx, s.chosen,
-        {query, s.key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels), pieceBlades(ctx.gpu), byGpu},
-        kOwner);
+    chooseCells(ctx, s.chosen,
+                {query, s.mesh->key, ctx.settings.detail, 1, widest * pixels / (0.999f * kPlainPixels),
+                 pieceBlades(ctx.gpu), byGpu},
+                kOwner);
     planBatches(ctx.gpu, field.view->features, s);
     planPoints(ctx.gpu, s, species.smoothness);
     writeBuffer(ctx.gpu, s.cells, kOwner, (s.chosen.pieces + 1) * sizeof(TessCell), nullptr);
@@ -142,20 +159,20 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState&
 }
 
 void select(DrawContext& ctx) {
-    TessState& state = ctx.own<TessState>();
+    TessView& view = ctx.ofView<TessView>();
     if (!ctx.shared.grass) return;
     const auto start = std::chrono::steady_clock::now();
-    state.species.keep(*ctx.shared.grass, Feature::GrassTessellated);
-    eachSpecies(ctx, state.species, Feature::GrassTessellated,
-                [&](const Field& field, size_t i, SpeciesState& s) { selectSpecies(ctx, field, i, s); });
+    view.species.keep(ctx.shared.grass->all, Feature::GrassTessellated);
+    eachSpecies(ctx, Feature::GrassTessellated,
+                [&](const Field& field, size_t i) { selectSpecies(ctx, field, i, view.species.at(field.number, i)); });
     ctx.stats.cpuCullMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 enum CellProgram { kChoose, kList };
 
-void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s) {
+void listSpecies(DrawContext& ctx, const Field& field, size_t i, Selection& s) {
     if (!ctx.use(kChoose, {}, &field.view->constants)) return;
-    runChoice(s.chosen, field.species[i]->density);
+    runChoice(s.chosen, field.grown->species[i]->density);
     if (!ctx.use(kList, {}, &field.view->constants)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_CELLS, s.cells.id());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_LIST, s.list.id());
@@ -166,20 +183,22 @@ void listSpecies(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s
 }
 
 void listCells(DrawContext& ctx) {
-    eachSpecies(ctx, ctx.own<TessState>().species, Feature::GrassTessellated,
-                [&](const Field& field, size_t i, SpeciesState& s) { listSpecies(ctx, field, i, s); });
+    TessView& view = ctx.ofView<TessView>();
+    eachSpecies(ctx, Feature::GrassTessellated,
+                [&](const Field& field, size_t i) { listSpecies(ctx, field, i, view.species.at(field.number, i)); });
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
 // --- drawing ---------------------------------------------------------------------------------------------------------
 
-void bindSpecies(const FieldSpecies& shared, const SpeciesState& s) {
+void bindSpecies(const GrownSpecies& shared, const Selection& s) {
+    const Mesh& m = *s.mesh;
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
     if (shared.density) glBindTextureUnit(TEX_DENSITY, shared.density);
     static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 &&
                   SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
-    const GLuint buffers[] = {s.blades.id(), s.cells.id(), s.vertices.id(), s.commands.id(), s.list.id()};
+    const GLuint buffers[] = {m.blades.id(), s.cells.id(), m.vertices.id(), m.commands.id(), s.list.id()};
     glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 5, buffers);
     static_assert(UBO_TESS == UBO_SPECIES + 1);
     const GLuint globals[] = {shared.globals.id(), s.globals.id()};
@@ -188,7 +207,7 @@ void bindSpecies(const FieldSpecies& shared, const SpeciesState& s) {
 
 enum Program { kStages, kWriter, kStrips, kPlain };
 
-void drawPatches(DrawContext& ctx, const FieldSpecies& shared, const SpeciesState& s) {
+void drawPatches(DrawContext& ctx, const GrownSpecies& shared, const Selection& s) {
     if (s.chosen.pieces == 0) return;
     bindSpecies(shared, s);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.list.id());
@@ -241,22 +260,23 @@ void describeVertices(GLuint mesh, GLuint vertices, size_t stride) {
     }
 }
 
-void prepareStrips(DrawContext& ctx, SpeciesState& s, const FeatureSet& features, int smoothness) {
+void prepareStrips(DrawContext& ctx, Selection& s, const FeatureSet& features, int smoothness) {
+    Mesh& m = *s.mesh;
     const size_t size = vertexBytes(features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
                                                       static_cast<uint64_t>(smoothness + 1);
-    writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
-    writeBuffer(ctx.gpu, s.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
-    if (s.indicesTo != smoothness) {
+    writeBuffer(ctx.gpu, m.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
+    writeBuffer(ctx.gpu, m.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
+    if (m.indicesTo != smoothness) {
         const auto indices = stripIndices(smoothness, pieceBlades(ctx.gpu));
-        s.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
-        s.indicesTo = smoothness;
+        m.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
+        m.indicesTo = smoothness;
     }
-    const std::array<uint64_t, 3> described{s.vertices.id(), s.indices.id(), size};
-    if (s.strips.id() && s.described == described) return;
-    s.described = described;
-    if (!s.strips.id()) s.strips = makeVertexArray(kOwner);
-    describeVertices(s.strips.id(), s.vertices.id(), size);
-    glVertexArrayElementBuffer(s.strips.id(), s.indices.id());
+    const std::array<uint64_t, 3> described{m.vertices.id(), m.indices.id(), size};
+    if (m.strips.id() && m.described == described) return;
+    m.described = described;
+    if (!m.strips.id()) m.strips = makeVertexArray(kOwner);
+    describeVertices(m.strips.id(), m.vertices.id(), size);
+    glVertexArrayElementBuffer(m.strips.id(), m.indices.id());
 }
 
 // What strips are compiled with and for.
@@ -265,17 +285,17 @@ struct StripPrograms {
     const std::string* features;
 };
 
-bool writeStrips(DrawContext& ctx, const SpeciesState& s, uint32_t batch, const StripPrograms& p) {
+bool writeStrips(DrawContext& ctx, const Selection& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
-    glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    glClearNamedBufferData(s.mesh->commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT);  // the next batch writes there
     return true;
 }
 
-void drawStrips(DrawContext& ctx, const SpeciesState& s, const StripPrograms& p) {
+void drawStrips(DrawContext& ctx, const Selection& s, const StripPrograms& p) {
     const auto commands = static_cast<GLsizei>(s.batchPieces);
     if (!ctx.use(kStrips, p.constants, p.features)) return;
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, commands, kCommandBytes);
@@ -286,13 +306,13 @@ void drawStrips(DrawContext& ctx, const SpeciesState& s, const StripPrograms& p)
     ctx.pass->instances += 2 * static_cast<uint64_t>(commands);
 }
 
-void drawBatches(DrawContext& ctx, const Field& field, size_t i, SpeciesState& s, const StripPrograms& p) {
+void drawBatches(DrawContext& ctx, const Field& field, size_t i, Selection& s, const StripPrograms& p) {
     if (s.chosen.pieces == 0) return;
     prepareStrips(ctx, s, field.view->features, field.grows().species[i].smoothness);
-    bindSpecies(*field.species[i], s);
+    bindSpecies(*field.grown->species[i], s);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
-    glBindVertexArray(s.strips.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.mesh->commands.id());
+    glBindVertexArray(s.mesh->strips.id());
     for (uint32_t b = 0; b < s.batches; ++b)
         if (writeStrips(ctx, s, b, p)) drawStrips(ctx, s, p);
 }
@@ -321,16 +341,18 @@ StripPrograms beginStrips(const DrawContext& ctx, const Field& field) {
 
 void draw(DrawContext& ctx) {
     TessState& state = ctx.own<TessState>();
+    TessView& view = ctx.ofView<TessView>();
     const Field* begun = nullptr;
     StripPrograms programs;
-    eachSpecies(ctx, state.species, Feature::GrassTessellated, [&](const Field& field, size_t i, SpeciesState& s) {
+    eachSpecies(ctx, Feature::GrassTessellated, [&](const Field& field, size_t i) {
+        Selection& s = view.species.at(field.number, i);
         const bool stages = stagesChosen(field.view->settings<TessellatedBlades>().tessellation, ctx.gpu);
         if (begun && begun != &field) endTransparency();  // of the field before
         if (begun != &field && stages && !beginPatches(ctx, state, field)) return;
         if (begun != &field && !stages) programs = beginStrips(ctx, field);
         begun = &field;
         if (stages)
-            drawPatches(ctx, *field.species[i], s);
+            drawPatches(ctx, *field.grown->species[i], s);
         else
             drawBatches(ctx, field, i, s, programs);
     });
@@ -348,7 +370,9 @@ std::vector<std::string> stripVariants() {
     return out;
 }
 
-const System kSystems[] = {{"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Ground}}, select}};
+const System kSystems[] = {
+    {"grass/tessellated/meshes", {.reads = {Slot::Grown}, .appends = {Slot::Meshes}}, updateMeshes, true},
+    {"grass/tessellated/select", {.reads = {Slot::Grass, Slot::Meshes, Slot::Ground}}, select}};
 const ProgramRow kPrograms[] = {
     {"grass/tessellated/stages", "grass/tessellated.vert.glsl", "grass/tessellated.frag.glsl", nullptr, fieldVariants,
      "grass/tessellated.tesc.glsl", "grass/tessellated.tese.glsl"},
@@ -384,7 +408,8 @@ const EffectRow& tessellatedEffect() {
         kSystems,
         kPasses,
         [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessState>(); },
-        "blades are tessellated by distance"};
+        "blades are tessellated by distance",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessView>(); }};
     return row;
 }
 

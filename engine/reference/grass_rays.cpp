@@ -2,7 +2,7 @@
 
 #include "core/numerics.h"
 #include "grass/cells.h"
-#include "grass/field.h"
+#include "grass/grown.h"
 #include "reference/ray_field.h"
 #include "scene/field_limits.h"
 #include "scene/technique.h"

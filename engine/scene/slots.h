@@ -17,8 +17,11 @@ enum class Slot : uint8_t {
     Ground,       // heights of the terrain, and what shaders know of it
     GroundNodes,  // the terrain's nodes in view
     Masks,        // how blades shade blades
-    Grass,        // the fields: patches, maps, cover
+    Grown,        // what the fields are made of: patches, maps, textures
+    Meshes,       // blades of species, for all views
+    Grass,        // the fields as a view draws them
     Slices,       // images of blades
+    FarGround,    // where a view draws them, and how bright
     Blades,       // those that are drawn one by one
     BladeCells,   // commands that the GPU makes of cells that it chooses
     ForceList,    // what presses on the grass
