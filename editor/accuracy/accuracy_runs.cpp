@@ -142,11 +142,11 @@ std::vector<std::string> grassEntities(const Document& document) {
 
 Status adoptIn(Document& document, const std::string& entity, const CostSetting& setting) {
     if (Status s = document.setField(entity + ".GrassField.technique", setting.technique); !s) return s;
-    for (const std::string& value : setting.values) {
-        const size_t equals = value.find('=');
-        if (equals == std::string::npos || isViewSetting(value)) continue;
-        const std::string path = settingPath(document.tables(), entity, setting.technique, value.substr(0, equals));
-        if (Status s = document.setField(path, value.substr(equals + 1)); !s) return s;
+    for (const std::string& text : setting.values) {
+        const auto v = settingValue(text);
+        if (!v || isViewSetting(text) || !v->isFor(entity)) continue;
+        const std::string path = settingPath(document.tables(), entity, setting.technique, v->name);
+        if (Status s = document.setField(path, v->value); !s) return s;
     }
     return {};
 }
@@ -209,15 +209,15 @@ CostSetting settingOf(const std::string& technique, const std::string& text) {
 
 bool isPresent(const Document& document, const CostSetting& setting) {
     for (const std::string& entity : grassEntities(document)) {
-        if (techniqueShown(document) != setting.technique) return false;
+        const Project& project = document.project();
+        if (project.registry.get<GrassField>(findEntity(project, entity))->technique != setting.technique) return false;
         for (const std::string& value : setting.values) {
             if (isViewSetting(value) && value != "msaa=4" && value != "detail=1") return false;
-            const size_t equals = value.find('=');
-            if (isViewSetting(value)) continue;
-            const auto field =
-                findField(document.project(), document.tables().components,
-                          settingPath(document.tables(), entity, setting.technique, value.substr(0, equals)));
-            if (!field || fieldText(*field) != value.substr(equals + 1)) return false;
+            const auto v = settingValue(value);
+            if (!v || isViewSetting(value) || !v->isFor(entity)) continue;
+            const auto field = findField(project, document.tables().components,
+                                         settingPath(document.tables(), entity, setting.technique, v->name));
+            if (!field || fieldText(*field) != v->value) return false;
         }
     }
     return true;

@@ -76,7 +76,7 @@ void createButton(Rows& rows, Document& doc, const ConstFieldRef& map, Edits& ed
 }
 
 void modeCombo(const Document& doc, BrushBook& brushes, Messages& messages) {
-    std::vector<std::string> labels{"Look"}, tools{kLookTool};
+    std::vector<std::string> labels{"Look"}, tools{kViewTool};
     for (const BrushRow& row : brushRows()) labels.push_back(row.label), tools.push_back(row.name);
     const auto it = std::find(tools.begin(), tools.end(), brushes.tool);
     int chosen = static_cast<int>(it - tools.begin());
@@ -183,7 +183,7 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
     mapCombo(rows, doc, brushes);
     const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
-    const ui::Disabled looking(brushes.tool == kLookTool);
+    const ui::Disabled looking(brushes.tool == kViewTool);
     settings(rows, brushes, map, yaw);
     return rows.count;
 }

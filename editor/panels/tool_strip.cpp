@@ -63,7 +63,7 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
     const float r = (high.x - low.x) * 0.26f;
-    if (tool == kLookTool) return eye(d, c, r, color);
+    if (tool == kViewTool) return eye(d, c, r, color);
     if (tool == "add" || tool == "subtract") return plus(d, c, r, color, tool == "add");
     if (tool == "set") return level(d, c, r, color);
     if (tool == "smooth") return wave(d, c, r, color);
@@ -95,7 +95,7 @@ void drawToolStrip(const Document& doc, BrushBook& brushes, Messages& messages) 
     const auto tool = [&](const std::string& name, const char* label, const std::string& help) {
         if (toolButton(brushes.tool == name, name, label, help)) selectTool(doc, brushes, messages, name);
     };
-    tool(kLookTool, "Look",
+    tool(kViewTool, "Look",
          "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
     ImGui::Spacing();
     for (const BrushRow& row : brushRows()) tool(row.name, row.label, row.help);

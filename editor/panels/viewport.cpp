@@ -108,7 +108,7 @@ Rect layImage(const Rect& area) {
 }
 
 void drawBrushRing(const Document& document, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes) {
-    if (!hand.ground || brushes.tool == kLookTool || (hand.gesture != Gesture::None && hand.gesture != Gesture::Paint))
+    if (!hand.ground || brushes.tool == kViewTool || (hand.gesture != Gesture::None && hand.gesture != Gesture::Paint))
         return;
     const Ground ground = findGround(document.project());
     if (!ground.terrain) return;

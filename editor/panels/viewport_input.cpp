@@ -57,7 +57,7 @@ void beginGesture(const PaintParts& p, FlyCamera& camera, ViewportHand& hand, co
         hand.gesture = Gesture::Split;
     else if (grabRing(rings, in, p.edits))
         hand.gesture = Gesture::Ring;
-    else if (p.doc.isOpen() && p.brushes.tool != kLookTool && !p.doc.stroking())
+    else if (p.doc.isOpen() && p.brushes.tool != kViewTool && !p.doc.stroking())
         beginPaint(p, camera, hand, in);
 }
 

@@ -138,7 +138,7 @@ void countAtRest(const SceneParts& p, const ViewCamera& camera) {
 
 BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes) {
     const bool painting = hand.gesture == Gesture::Paint || hand.gesture == Gesture::None;
-    if (!hand.ground || brushes.tool == kLookTool || !painting) return {};
+    if (!hand.ground || brushes.tool == kViewTool || !painting) return {};
     const glm::dvec3 origin = findGround(document.project()).origin;
     const BrushSettings& b = currentBrush(brushes);
     return {hand.ground->x - origin.x, hand.ground->z - origin.z, b.radius, b.falloff};

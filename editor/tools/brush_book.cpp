@@ -15,7 +15,7 @@ BrushSettings& currentBrush(BrushBook& book) {
     BrushSettings fresh;
     fresh.radius = 2;
     fresh.strength = 0.5f;
-    if (book.tool != kLookTool) fresh.mode = book.tool;
+    if (book.tool != kViewTool) fresh.mode = book.tool;
     fresh.map = book.map;
     return book.settings.emplace(key, fresh).first->second;
 }

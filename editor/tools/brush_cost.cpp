@@ -24,7 +24,7 @@ std::optional<double> bladesPerM2Of(const ConstFieldRef& map) {
 
 std::optional<double> underBrush(const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground) {
     const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
-    if (!ground || brushes.tool == kLookTool || !map) return {};
+    if (!ground || brushes.tool == kViewTool || !map) return {};
     const std::optional<double> perM2 = bladesPerM2Of(*map);
     const Result<MapScale> scale = mapScale(doc.project(), *map);
     if (!perM2 || !scale) return {};

@@ -37,13 +37,13 @@ std::string toolFor(const BrushBook& book, MapKind kind) {
         case MapKind::Colours:
             return "add";
     }
-    return kLookTool;
+    return kViewTool;
 }
 
 void remember(BrushBook& book, MapKind kind) {
     std::erase(book.recentMaps, book.map);
     book.recentMaps.insert(book.recentMaps.begin(), book.map);
-    if (book.tool != kLookTool) book.lastTool[kind] = book.tool;
+    if (book.tool != kViewTool) book.lastTool[kind] = book.tool;
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ void selectMap(const Document& doc, BrushBook& book, const std::string& path) {
 
 void selectTool(const Document& doc, BrushBook& book, Messages& messages, const std::string& tool) {
     const BrushRow* row = findBrush(tool);
-    if (!row && tool != kLookTool) return;
+    if (!row && tool != kViewTool) return;
     const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (row && (!map || !paints(*row, map->row->map->kind))) {
         const std::string other = mapFor(doc, book, *row);
@@ -82,7 +82,7 @@ void selectTool(const Document& doc, BrushBook& book, Messages& messages, const 
 void toggleLook(const Document& doc, BrushBook& book, Messages& messages) {
     const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     selectTool(doc, book, messages,
-               book.tool != kLookTool ? kLookTool : toolFor(book, map ? map->row->map->kind : MapKind::Amounts));
+               book.tool != kViewTool ? kViewTool : toolFor(book, map ? map->row->map->kind : MapKind::Amounts));
 }
 
 void pickColor(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {

@@ -20,7 +20,7 @@ std::optional<ConstFieldRef> chosenMap(const Document& document, const BrushBook
 // Chooses a map by its PATH, and the tool last used on its kind if the present one does not paint it. A path that is no
 // map of the project chooses the one that keepTargetValid would.
 void selectMap(const Document& document, BrushBook& book, const std::string& path);
-// Chooses a tool by name or kLookTool, and a map that it paints if the present one is none; without any it says so and
+// Chooses a tool by name or kViewTool, and a map that it paints if the present one is none; without any it says so and
 // stays. Unknown names change nothing.
 void selectTool(const Document& document, BrushBook& book, Messages& messages, const std::string& tool);
 // From painting to looking, and back to the tool that painted last.

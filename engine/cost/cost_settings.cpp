@@ -7,11 +7,10 @@ namespace {
 
 // Name and number of a value that more of makes more work; nothing of another value.
 std::optional<std::pair<std::string, double>> amountOf(const std::string& value) {
-    const size_t equals = value.find('=');
-    const std::string name = value.substr(0, equals);
+    const auto v = settingValue(value);
+    if (!v) return {};
     for (const char* n : {"minGeom", "maxGeom", "minBTF", "maxBTF", "detail", "msaa"})
-        if (name == n && equals != std::string::npos)
-            return std::pair(name, value.substr(equals + 1) == "inf" ? 1e30 : std::atof(value.c_str() + equals + 1));
+        if (v->name == n) return std::pair(v->entity + "." + n, v->value == "inf" ? 1e30 : std::atof(v->value.c_str()));
     return {};
 }
 
@@ -34,7 +33,46 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
     return true;
 }
 
+// What a technique's row tries, around each field's own values.
+std::vector<SettingValues> sweptBy(const TechniqueRow& row,
+                                   const std::vector<std::pair<std::string, FieldEntity>>& fields) {
+    if (!row.sweep) return {{}};
+    const size_t settings = row.sweep(fields.front().second).size();
+    std::vector<SettingValues> out;
+    for (size_t i = 0; i < settings; ++i) {
+        std::vector<std::pair<std::string, SettingValues>> each;
+        for (const auto& [name, field] : fields) each.push_back({name, row.sweep(field).at(i)});
+        out.push_back(mergedValues(each));
+    }
+    return out;
+}
+
 }  // namespace
+
+Result<SettingValue> settingValue(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos) return usage("\"" + text + "\" has no '='", "write NAME=VALUE");
+    const size_t dot = text.rfind('.', equals);
+    const std::string entity = dot == std::string::npos ? "" : text.substr(0, dot);
+    const size_t name = entity.empty() ? 0 : dot + 1;
+    return SettingValue{entity, text.substr(name, equals - name), text.substr(equals + 1)};
+}
+
+SettingValues mergedValues(const std::vector<std::pair<std::string, SettingValues>>& byEntity) {
+    SettingValues out;
+    if (byEntity.empty()) return out;
+    const SettingValues& first = byEntity.front().second;
+    for (size_t i = 0; i < first.size(); ++i) {
+        const bool common =
+            std::all_of(byEntity.begin(), byEntity.end(), [&](const auto& e) { return e.second.at(i) == first[i]; });
+        if (common) {
+            out.push_back(first[i]);
+            continue;
+        }
+        for (const auto& [entity, values] : byEntity) out.push_back(entity + "." + values.at(i));
+    }
+    return out;
+}
 
 std::string settingPath(const Tables& tables, const std::string& entity, const std::string& technique,
                         const std::string& name) {
@@ -64,9 +102,7 @@ Result<std::vector<CostSetting>> costSettings(const Project& project, const Tabl
     std::vector<CostSetting> out;
     for (const TechniqueRow& row : tables.techniques) {
         if (!technique.empty() && technique != row.name) continue;
-        const std::vector<SettingValues> values =
-            row.sweep ? row.sweep(fields.front().second) : std::vector<SettingValues>{{}};
-        for (const SettingValues& v : values) out.push_back({row.name, v});
+        for (const SettingValues& v : sweptBy(row, fields)) out.push_back({row.name, v});
     }
     return out;
 }
@@ -87,15 +123,14 @@ Status applySetting(Project& project, const Tables& tables, const CostSetting& s
         if (!field) continue;
         if (!setting.technique.empty())
             if (Status s = setField(project, tables, name + ".GrassField.technique", setting.technique); !s) return s;
-        for (const std::string& value : setting.values) {
-            const size_t equals = value.find('=');
-            if (equals == std::string::npos) return usage("\"" + value + "\" has no '='", "write NAME=VALUE");
-            const std::string what = value.substr(0, equals), to = value.substr(equals + 1);
-            const auto ofView = setView(view, what, to);
+        for (const std::string& text : setting.values) {
+            const auto v = settingValue(text);
+            if (!v) return v.error();
+            const auto ofView = setView(view, v->name, v->value);
             if (!ofView) return ofView.error();
-            if (*ofView) continue;
-            const std::string path = settingPath(tables, name, field->technique, what);
-            if (Status s = setField(project, tables, path, to); !s) return s;
+            if (*ofView || !v->isFor(name)) continue;
+            const std::string path = settingPath(tables, name, field->technique, v->name);
+            if (Status s = setField(project, tables, path, v->value); !s) return s;
         }
     }
     return {};

@@ -9,15 +9,26 @@
 
 namespace sward {
 
-// Values by name: of a field of the technique's settings or of GrassField ("maxGeom=6"), or of the view ("msaa=1",
-// "detail=0.5").
+// One value by name: of a field of the technique's settings or of GrassField ("maxGeom=6"), or of the view ("msaa=1",
+// "detail=0.5"). It is for every entity with grass, or for the one that is named before a dot ("lawn.maxGeom=6").
+struct SettingValue {
+    std::string entity;  // empty: every one
+    std::string name, value;
+    bool isFor(const std::string& e) const { return entity.empty() || entity == e; }
+};
+// Usage error: the text has no '='.
+Result<SettingValue> settingValue(const std::string& text);
+// Settings that each of some entities has in its own way, as one: what all have in common is for every one, the rest
+// for each by its name. Equally many values for each.
+SettingValues mergedValues(const std::vector<std::pair<std::string, SettingValues>>& byEntity);
+
 struct CostSetting {
     std::string technique;  // a row of the table; empty: the fields' own
     std::vector<std::string> values;
     std::string text() const;  // "maxGeom=6 msaa=4"; "as it is" without values
 };
 
-// All settings for a project's grass, around those of its first field by name, in the order of the techniques' table
+// All settings for a project's grass, around those of each of its fields, in the order of the techniques' table
 // (TechniqueRow::sweep); of one technique if it is named. Usage error: no such technique. Unsound: the project has no
 // grass.
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,

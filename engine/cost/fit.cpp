@@ -126,7 +126,9 @@ Knobs asItIs(const TechniqueRow& t) {
     return k;
 }
 std::vector<std::string> valuesOf(const Search& s, const Knobs& k) {
-    return s.technique->turned(fieldsOf(s.project).front().second, k);
+    std::vector<std::pair<std::string, SettingValues>> each;
+    for (const auto& [name, field] : fieldsOf(s.project)) each.push_back({name, s.technique->turned(field, k)});
+    return mergedValues(each);
 }
 // The neighbours: each knob the step's factor up and down, then those that are added to.
 std::vector<Knobs> around(const Search& s, const Knobs& k, double step) {

@@ -73,7 +73,7 @@ struct SharedByViews {
 struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
-    SoilCover soil;
+    SoilGrowth soil;
     std::vector<ShadowCaster> casters;  // of this frame
     uint64_t castersHash = 0;           // equal: the same triangles at the same places
     GLuint reflection = 0;              // what the water mirrors; 0: nothing

@@ -50,32 +50,13 @@ Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tabl
     return m;
 }
 
-// How far each tier of the grass follows what moves it.
-struct Follows {
-    Feature what, tier;
-    const char* how;
-};
-constexpr Follows kFollows[] = {
-    {Feature::Wind, Feature::GrassGeometry, "blades bend and quiver each by itself"},
-    {Feature::Wind, Feature::GrassTessellated, "blades bend and quiver each by itself"},
-    {Feature::Wind, Feature::GrassSlices, "slices lean with the gust"},
-    {Feature::Wind, Feature::GrassFar, "the horizontal slice brightens and darkens with the gust"},
-    {Feature::Forces, Feature::GrassGeometry, "blades are laid down each its own way"},
-    {Feature::Forces, Feature::GrassTessellated, "blades are laid down each its own way"},
-    {Feature::Forces, Feature::GrassSlices, "slices sink and lean"},
-    {Feature::Forces, Feature::GrassFar, "the horizontal slice covers what sunk slices leave, as grass that lies"},
-};
-
 // How far what runs follows a feature; empty: nothing to say.
 std::string noteOn(Feature f, const FramePlan& plan) {
-    const bool slices = has(plan.features, Feature::GrassSlices) || has(plan.features, Feature::GrassFar);
-    if (f == Feature::GrassUnique && slices)
-        return "slices are images of one patch: grass that is drawn by them repeats it";
-    std::string note;
-    for (const Follows& row : kFollows)
-        if (row.what == (f == Feature::ForceMap ? Feature::Forces : f) && has(plan.features, row.tier))
-            note += (note.empty() ? "" : ", ") + std::string(row.how);
-    return note;
+    std::vector<std::string_view> said;
+    for (const Step& s : plan.steps)
+        for (const Follows& row : s.effect->follows)
+            if (row.what == f && std::find(said.begin(), said.end(), row.how) == said.end()) said.push_back(row.how);
+    return fmt::format("{}", fmt::join(said, ", "));
 }
 
 Json names(const std::vector<std::string>& list) {

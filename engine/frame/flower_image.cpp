@@ -1,6 +1,7 @@
 #include "frame/flower_image.h"
 
 #include "core/numerics.h"
+#include "scene/technique.h"
 
 namespace sward {
 namespace {
@@ -87,6 +88,16 @@ FlowerGrid flowerGrid(const Flowers& f) {
     g.expected = static_cast<float>(perM2 * g.side * g.side);
     g.most = static_cast<uint32_t>(std::ceil(g.expected));
     return g;
+}
+
+std::string grassAmong(const Project& p, const std::string& flowers) {
+    std::string among;
+    for (const auto& [name, field] : fieldsOf(p)) {
+        const auto grows = [](const Species& s) { return s.bladesPerM2 > 0; };
+        if (std::none_of(field.grows.species.begin(), field.grows.species.end(), grows)) continue;
+        if (among.empty() || name == flowers) among = name;
+    }
+    return among;
 }
 
 std::vector<std::pair<std::string, const Flowers*>> flowersOf(const Project& p) {

@@ -27,6 +27,10 @@ struct FlowerGrid {
 // The grid of flowers of this density: the same for all who draw or trace them.
 FlowerGrid flowerGrid(const Flowers& f);
 
+// The entity whose field of grass the flowers of an entity stand among, which bends, lowers and shades them: their own
+// entity's, else the first by name. Empty: no grass grows.
+std::string grassAmong(const Project& p, const std::string& flowers);
+
 // Every entity's that has any, in the order of their names.
 std::vector<std::pair<std::string, const Flowers*>> flowersOf(const Project& p);
 

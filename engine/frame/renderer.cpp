@@ -227,9 +227,7 @@ struct Renderer::Impl {
     States states;
     FrameStats stats;
     GpuTimer timer{gpu};
-    std::vector<Map> counted;  // the density maps of virtualCount
-    std::vector<double> countedFactors;
-    double virtualCount = 0;
+    PopulationCount population;
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -357,29 +355,8 @@ struct Renderer::Impl {
         if (labelled) glPopDebugGroup();
     }
 
-    // The population is recounted only when what it is a product of has changed.
-    double population(const Project& project) {
-        std::vector<Map> densities;
-        std::vector<double> factors;
-        for (const auto& [name, e] : project.entities) {
-            if (const Terrain* t = project.registry.get<Terrain>(e)) factors.push_back(t->size.x * t->size.y);
-            if (const GrassField* f = project.registry.get<GrassField>(e))
-                for (const Species& s : f->species) {
-                    densities.push_back(s.density.map);
-                    factors.push_back(s.bladesPerM2);
-                }
-        }
-        const bool same =
-            factors == countedFactors && std::equal(densities.begin(), densities.end(), counted.begin(), counted.end(),
-                                                    [](const Map& a, const Map& b) { return a.sameTiles(b); });
-        if (!same) virtualCount = virtualBlades(project);
-        counted = std::move(densities);
-        countedFactors = std::move(factors);
-        return virtualCount;
-    }
-
     void describe(const Project& project) {
-        stats.bladesVirtual = population(project);
+        stats.bladesVirtual = population.of(project);
         for (size_t f = 0; f < main.plan.features.size(); ++f)
             if (main.plan.features.test(f)) stats.features.push_back(featureName(static_cast<Feature>(f)));
         stats.programs = programs.names();
@@ -390,7 +367,7 @@ struct Renderer::Impl {
     Status check(const Project& project) {
         for (const EffectRow* effect : main.plan.effects)
             if (effect->check)
-                if (Status s = effect->check(project, population(project)); !s) return s;
+                if (Status s = effect->check(project, population.of(project)); !s) return s;
         return {};
     }
 };

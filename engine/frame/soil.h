@@ -8,7 +8,7 @@
 
 namespace sward {
 
-// Which of the maps a field and its species read, by their numbers in SoilCover::maps; -1: none, and then the density,
+// Which of the maps a field and its species read, by their numbers in SoilGrowth::maps; -1: none, and then the density,
 // or the share of height or sky, is 1.
 struct SoilNumbers {
     int height = -1, occlusion = -1;
@@ -19,7 +19,7 @@ std::string soilConstants(const std::vector<SoilNumbers>& fields);
 // Ways in which it differs, for tests that compile every program (ProgramRow::variants).
 std::vector<std::string> soilVariants();
 
-struct SoilCover {
+struct SoilGrowth {
     GLuint globals = 0;        // SoilGlobals
     std::string constants;     // of soilConstants; empty: nothing grows
     std::vector<GLuint> maps;  // textures, bound from TEX_SOIL on

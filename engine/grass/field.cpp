@@ -15,32 +15,32 @@ namespace {
 
 constexpr const char* kOwner = "grass/field";
 
-void writeCover(DrawContext& ctx, Field& field) {
+void writeGlobals(DrawContext& ctx, Field& field) {
     const GrassField& f = field.grows();
     const FieldTiers& tiers = field.view->tiers;
     const FarLook& far = field.view->settings<FarLook>();
-    CoverGlobals cover{};
-    cover.speciesCount = static_cast<int>(field.species.size());
-    cover.minGeom = tiers.blades.min, cover.geomInv = tiers.blades.inv;
-    cover.cellSize = f.cellSize;
-    cover.orientationTiling = f.orientationTiling, cover.vegetationTiling = f.vegetationTiling;
-    cover.occlusionTiling = f.ambientOcclusionTiling, cover.forceTiling = f.forcesTiling;
+    FieldGlobals globals{};
+    globals.speciesCount = static_cast<int>(field.species.size());
+    globals.minGeom = tiers.blades.min, globals.geomInv = tiers.blades.inv;
+    globals.cellSize = f.cellSize;
+    globals.orientationTiling = f.orientationTiling, globals.vegetationTiling = f.vegetationTiling;
+    globals.occlusionTiling = f.ambientOcclusionTiling, globals.forceTiling = f.forcesTiling;
     const Terrain& t = *ctx.shared.ground.terrain;
-    cover.heightTiling = shaderTiling(t, f.bladeHeightTiling);
+    globals.heightTiling = shaderTiling(t, f.bladeHeightTiling);
     const Wind* wind = windOf(ctx.project);
     for (size_t i = 0; i < field.species.size(); ++i)
-        cover.species[i] = {shaderTiling(t, f.species[i].densityTiling),
-                            lightLeft(field.species[i].grown->look, ctx.globals.sunDirection.y),
-                            field.species[i].grown->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
-    cover.shadeFrom = tiers.soil.min, cover.shadeInv = tiers.soil.inv;
-    cover.farDarkening = far.farDarkening, cover.farDarkeningAt = far.farDarkeningDistance;
-    writeBuffer(ctx.gpu, field.cover, kOwner, sizeof(cover), &cover);
+        globals.species[i] = {shaderTiling(t, f.species[i].densityTiling),
+                              lightLeft(field.species[i].grown->look, ctx.globals.sunDirection.y),
+                              field.species[i].grown->look.height, wind ? windStrength(*wind, f.species[i]) : 0};
+    globals.shadeFrom = tiers.soil.min, globals.shadeInv = tiers.soil.inv;
+    globals.farDarkening = far.farDarkening, globals.farDarkeningAt = far.farDarkeningDistance;
+    writeBuffer(ctx.gpu, field.globals, kOwner, sizeof(globals), &globals);
 }
 
 // --- what the ground is told of what grows on it -----------------------------------------------------------
 // A texture among those that the ground reads,
 // as its number; -1: none, or no room (check refuses such scenes).
-int soilMap(SoilCover& soil, GLuint texture) {
+int soilMap(SoilGrowth& soil, GLuint texture) {
     if (!texture) return -1;
     const auto at = std::find(soil.maps.begin(), soil.maps.end(), texture);
     if (at == soil.maps.end() && soil.maps.size() >= MAX_SOIL_MAPS) return -1;
@@ -51,7 +51,7 @@ int soilMap(SoilCover& soil, GLuint texture) {
 
 void publishSoil(DrawContext& ctx, GrassFields& grass) {
     const Terrain& t = *ctx.shared.ground.terrain;
-    SoilCover& soil = ctx.shared.soil;
+    SoilGrowth& soil = ctx.shared.soil;
     soil.maps.clear();
     SoilGlobals g{};
     std::vector<SoilNumbers> numbers;
@@ -90,7 +90,7 @@ void updateField(DrawContext& ctx, Field& field, const GrownField& grown, size_t
         field.species[i].draws = {};
         if (!field.draws(Feature::GrassFar)) field.species[i].sliceGlobals = {};
     }
-    writeCover(ctx, field);
+    writeGlobals(ctx, field);
 }
 
 void update(DrawContext& ctx) {
@@ -119,7 +119,7 @@ void bindField(const Field& f) {
     const GLuint maps[] = {g.bladeHeights, g.orientation, g.vegetation, g.occlusion};
     glBindTextures(TEX_BLADE_HEIGHT, 4, maps);
     if (g.forces) glBindTextureUnit(TEX_FORCE_MAP, g.forces);
-    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_COVER, f.cover.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FIELD, f.globals.id());
 }
 
 std::vector<Field*> fieldsWith(const DrawContext& ctx, Feature f) {

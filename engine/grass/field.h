@@ -48,7 +48,7 @@ struct Field {
     size_t number = 0;              // among GrownFields::all
     std::optional<GrassView> view;  // of the frame that is drawn
     std::vector<FieldSpecies> species;
-    Buffer cover;  // CoverGlobals
+    Buffer globals;  // FieldGlobals
     const GrassField& grows() const { return view->of.grows; }
     bool draws(Feature f) const { return has(view->own, f); }
 };

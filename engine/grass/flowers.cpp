@@ -148,15 +148,30 @@ void update(DrawContext& ctx) {
     for (const auto& [entity, flowers] : all) updateKind(ctx, entity, *flowers, s.kinds[entity]);
 }
 
+// The field among whose grass an entity's flowers stand; null: none.
+const Field* fieldAmong(const DrawContext& ctx, const std::string& entity) {
+    const std::string name = grassAmong(ctx.project, entity);
+    if (!ctx.shared.grass) return nullptr;
+    for (const std::unique_ptr<Field>& field : ctx.shared.grass->all)
+        if (field->grown->name == name) return field.get();
+    return nullptr;
+}
+
+// Makes the program for a field current, whose maps lower, shade and press flowers.
+bool beginAmong(DrawContext& ctx, const Field* field) {
+    if (!ctx.use(0, {}, field ? &field->view->constants : nullptr)) return false;
+    if (field) bindField(*field);
+    return true;
+}
+
 void draw(DrawContext& ctx) {
     FlowersState& s = ctx.own<FlowersState>();
-    // They stand among the first field's grass: its maps lower, shade and press them.
-    const Field* among =
-        ctx.shared.grass && !ctx.shared.grass->all.empty() ? ctx.shared.grass->all.front().get() : nullptr;
-    if (!ctx.use(0, {}, among ? &among->view->constants : nullptr)) return;
-    if (among) bindField(*among);
+    std::optional<const Field*> begun;
     for (const auto& [entity, k] : s.kinds) {
         if (k.drawn == 0) continue;
+        const Field* among = fieldAmong(ctx, entity);
+        if (begun != among && !beginAmong(ctx, among)) return;
+        begun = among;
         if (k.density) glBindTextureUnit(TEX_FLOWERS, k.density);
         glBindTextureUnit(TEX_BLADE, k.texture.id());
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FLOWERS, k.globals.id());

@@ -267,18 +267,22 @@ const Pass kPasses[] = {{"grass/geometry/cells",
                          kPrograms,
                          draw,
                          featureSet(Feature::GrassBlended)}};
+const Follows kFollows[] = {{Feature::Wind, "blades bend and quiver each by itself"},
+                            {Feature::Forces, "blades are laid down each its own way"},
+                            {Feature::ForceMap, "blades are laid down each its own way"}};
 
 }  // namespace
 
 const EffectRow& geometryEffect() {
     static const EffectRow row{
-        "grass/geometry",
-        featureSet(Feature::GrassGeometry, Feature::Grass, Feature::Terrain),
-        kSystems,
-        kPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
-        "blades near the eye are drawn one by one",
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryView>(); }};
+        .name = "grass/geometry",
+        .needs = featureSet(Feature::GrassGeometry, Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .passes = kPasses,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryState>(); },
+        .help = "blades near the eye are drawn one by one",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<GeometryView>(); },
+        .follows = kFollows};
     return row;
 }
 

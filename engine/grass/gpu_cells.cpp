@@ -17,7 +17,7 @@ void addBounds(ChosenCells& c, const CellWish& w, uint32_t cells, uint32_t blade
     c.vertices += static_cast<uint64_t>(cells) * blades * (plain ? 3 : 2 * static_cast<uint64_t>(quads + 1));
 }
 
-uint32_t lookOf(const CellDraw& c, const CellWish& w) {
+uint32_t bitsOf(const CellDraw& c, const CellWish& w) {
     return bladesDrawn(c, w.detail) | static_cast<uint32_t>(c.segments) << CHOSEN_LEVEL |
            static_cast<uint32_t>(c.whole) << CHOSEN_WHOLE | static_cast<uint32_t>(c.seen) << CHOSEN_SEEN |
            (isPlain(c.segments, c.nearest, w) ? 1u : 0u) << CHOSEN_PLAIN;
@@ -27,7 +27,7 @@ void chooseHere(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char*
     std::vector<ChosenCell> chosen;
     c.last = {};
     for (const CellDraw& d : selectCells(w.query)) {
-        chosen.push_back({{d.cellX, d.cellZ}, d.first, lookOf(d, w)});
+        chosen.push_back({{d.cellX, d.cellZ}, d.first, bitsOf(d, w)});
         c.last.cells += d.seen ? 1 : 0;
         c.last.blades += d.seen ? bladesDrawn(d, w.detail) : 0;
         addBounds(c, w, 1, bladesDrawn(d, w.detail), d.segments, isPlain(d.segments, d.nearest, w));

@@ -466,6 +466,17 @@ const Pass kSlicePasses[] = {{"grass/slices",
                               kSlicePrograms,
                               drawSlices,
                               featureSet(Feature::GrassBlended)}};
+constexpr const char* kRepeats = "slices are images of one patch: grass that is drawn by them repeats it";
+constexpr const char* kSinks = "slices sink and lean";
+constexpr const char* kLies = "the horizontal slice covers what sunk slices leave, as grass that lies";
+const Follows kSlicesFollow[] = {{Feature::Wind, "slices lean with the gust"},
+                                 {Feature::Forces, kSinks},
+                                 {Feature::ForceMap, kSinks},
+                                 {Feature::GrassUnique, kRepeats}};
+const Follows kFarFollows[] = {{Feature::Wind, "the horizontal slice brightens and darkens with the gust"},
+                               {Feature::Forces, kLies},
+                               {Feature::ForceMap, kLies},
+                               {Feature::GrassUnique, kRepeats}};
 
 }  // namespace
 
@@ -510,13 +521,13 @@ std::vector<SliceSpec> projectSlices(const Project& project, const Tables& table
 
 const EffectRow& farEffect() {
     static const EffectRow row{
-        "grass/far",
-        featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain),
-        kFarSystems,
-        kFarPasses,
-        nullptr,
-        "far grass is one slice over the ground",
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarView>(); }};
+        .name = "grass/far",
+        .needs = featureSet(Feature::GrassFar, Feature::Grass, Feature::Terrain),
+        .systems = kFarSystems,
+        .passes = kFarPasses,
+        .help = "far grass is one slice over the ground",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<FarView>(); },
+        .follows = kFarFollows};
     return row;
 }
 const EffectRow& farShadowEffect() {
@@ -531,13 +542,13 @@ const EffectRow& farShadowEffect() {
 }
 const EffectRow& slicesEffect() {
     static const EffectRow row{
-        "grass/slices",
-        featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain),
-        kSliceSystems,
-        kSlicePasses,
-        nullptr,
-        "grass at middle distance is vertical slices",
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesView>(); }};
+        .name = "grass/slices",
+        .needs = featureSet(Feature::GrassSlices, Feature::Grass, Feature::Terrain),
+        .systems = kSliceSystems,
+        .passes = kSlicePasses,
+        .help = "grass at middle distance is vertical slices",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<SlicesView>(); },
+        .follows = kSlicesFollow};
     return row;
 }
 

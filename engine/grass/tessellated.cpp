@@ -398,18 +398,22 @@ const Pass kPasses[] = {{"grass/tessellated/cells",
                          kPrograms,
                          draw,
                          featureSet(Feature::GrassBlended)}};
+const Follows kFollows[] = {{Feature::Wind, "blades bend and quiver each by itself"},
+                            {Feature::Forces, "blades are laid down each its own way"},
+                            {Feature::ForceMap, "blades are laid down each its own way"}};
 
 }  // namespace
 
 const EffectRow& tessellatedEffect() {
     static const EffectRow row{
-        "grass/tessellated",
-        featureSet(Feature::GrassTessellated, Feature::Grass, Feature::Terrain),
-        kSystems,
-        kPasses,
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessState>(); },
-        "blades are tessellated by distance",
-        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessView>(); }};
+        .name = "grass/tessellated",
+        .needs = featureSet(Feature::GrassTessellated, Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .passes = kPasses,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessState>(); },
+        .help = "blades are tessellated by distance",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TessView>(); },
+        .follows = kFollows};
     return row;
 }
 

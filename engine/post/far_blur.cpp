@@ -39,20 +39,22 @@ void pass(DrawContext& ctx, GLuint from, GLuint target, int axis) {
     ctx.pass->instances += 1;
 }
 
-// Of the first field by name that blurs: the pass runs only where one does.
-const FarLook& lookOf(const Project& project) {
-    for (const auto& [name, e] : project.entities)
-        if (const FarLook* look = project.registry.get<FarLook>(e); look && look->farBlur != FarBlur::None)
-            return *look;
-    static const FarLook none;
-    return none;
+// One blur is for the whole picture: of the fields that ask for some, the one that does so from the nearest on. The
+// pass runs only where one does.
+FarLook blurOf(const Project& project) {
+    std::optional<FarLook> nearest;
+    project.registry.each<FarLook>([&](Entity, const FarLook& look) {
+        if (look.farBlur != FarBlur::None && (!nearest || look.farBlurDistance < nearest->farBlurDistance))
+            nearest = look;
+    });
+    return nearest.value_or(FarLook{});
 }
 
 void draw(DrawContext& ctx) {
     if (ctx.settings.mode != ViewMode::Final) return;  // false colours are no picture
     BlurView& s = ctx.ofView<BlurView>();
     const ViewTargets& t = ctx.targets;
-    const FarLook& look = lookOf(ctx.project);
+    const FarLook look = blurOf(ctx.project);
     if (!ctx.use(0, constants(t, look.farBlur))) return;
     ensureTarget(ctx, s);
     glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, t.depth.id());

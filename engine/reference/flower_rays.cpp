@@ -196,11 +196,12 @@ Result<FlowerRays> FlowerRays::make(const Project& p, double time, const JobCont
     const auto found = flowersOf(p);
     if (!all->terrain || found.empty()) return FlowerRays(std::move(all));
     Map made;
-    Weather weather{windOf(p), nullptr, {}, forcesOf(p, time), firstOf<GrassField>(p)};
+    Weather weather{windOf(p), nullptr, {}, forcesOf(p, time), nullptr};
     if (weather.wind)
         weather.gusts = &gustsOf(*weather.wind, made), weather.globals = windGlobals(*weather.wind, {0, 0}, time);
     for (const auto& [entity, flowers] : found) {
         const FlowerImage image = flowerImage(p, *flowers);
+        weather.grass = p.registry.get<GrassField>(findEntity(p, grassAmong(p, entity)));
         all->kinds.push_back({flowers, texelGridOf(image.pixels), image.made, image.headShare});
         if (Status s = standAll(*all, weather, static_cast<uint32_t>(all->kinds.size() - 1), control); !s)
             return s.error();

@@ -35,7 +35,7 @@ struct Terrain {
     float heightTiling = 1,
           terrainMapTiling = 1;  // repeats over mapSize; heights are mirrored from repeat to repeat (scene/tiling.h)
     float mapSize = 0;           // metres over which all maps' tilings count, both ways; 0: the whole terrain
-    std::string groundTexture;   // PNG tiled over the ground; empty: soil made by the program
+    std::string groundTexture;   // PNG repeated over the ground; empty: soil made by the program
     float tileSize = 2;          // metres after which it repeats
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
     bool castShadows = false;                    // hills shade what lies behind them

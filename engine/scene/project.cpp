@@ -70,4 +70,19 @@ double virtualBlades(const Project& p) {
     return perM2 * terrainArea(p);
 }
 
+double PopulationCount::of(const Project& p) {
+    std::vector<Map> densities;
+    std::vector<double> factors{terrainArea(p)};
+    p.registry.each<GrassField>([&](Entity, const GrassField& field) {
+        for (const Species& s : field.species) densities.push_back(s.density.map), factors.push_back(s.bladesPerM2);
+    });
+    const bool same =
+        factors == factors_ && std::equal(densities.begin(), densities.end(), densities_.begin(), densities_.end(),
+                                          [](const Map& a, const Map& b) { return a.sameTiles(b); });
+    if (!same) count_ = virtualBlades(p);
+    densities_ = std::move(densities);
+    factors_ = std::move(factors);
+    return count_;
+}
+
 }  // namespace sward

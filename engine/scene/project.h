@@ -58,6 +58,16 @@ std::string entityOf(const Project& p, const C& component) {
 // The population of all fields: sum over species of bladesPerM2 * mean density * area of the terrain (the first by
 // name; none: 0). Reads every texel of the density maps: about 5 ms for 4096 x 4096.
 double virtualBlades(const Project& p);
+// virtualBlades, counted anew only when what it is a product of has changed.
+class PopulationCount {
+  public:
+    double of(const Project& p);
+
+  private:
+    std::vector<Map> densities_;
+    std::vector<double> factors_;
+    double count_ = 0;
+};
 
 // --- entities ------------------------------------------------------------------------------------------------
 // A new entity; fails if the name is taken or is not of [A-Za-z0-9_-]+.

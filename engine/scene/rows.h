@@ -238,6 +238,12 @@ struct ViewRow {
     void (*drawn)(DrawContext&);                  // after that, in the view that shows it
 };
 
+// How far what an effect draws follows something in the scene, in the user's words.
+struct Follows {
+    Feature what;
+    const char* how;
+};
+
 struct EffectRow {
     const char* name;       // "domain/stem"
     FeatureSet needs = {};  // runs if the scene has all of these
@@ -249,6 +255,7 @@ struct EffectRow {
     const ViewRow* within = nullptr;
     // Before anything is drawn: whether it can be. `blades`: of the whole population (virtualBlades).
     Status (*check)(const Project&, double blades) = nullptr;
+    std::span<const Follows> follows = {};
 };
 
 // The tables, as low layers see them; defined in techniques.cpp.

@@ -68,13 +68,15 @@ struct TechniqueRow {
     FieldTiers (*tiers)(const FieldEntity&);
     // Its coarse version, such as water mirrors: what is left of a field's features, and where that draws. Null: as it
     // is.
-    FeatureSet (*coarse)(FeatureSet);
-    FieldTiers (*coarseTiers)(const FieldEntity&);
-    std::vector<SettingValues> (*sweep)(const FieldEntity&);  // settings that `cost` tries; null: the field's own alone
-    std::span<const char* const> fewBlades;  // values by which it draws blades up to some metres, for `cost` to take
-                                             // the time a blade from; none: it does not draw a few
-    std::span<const KnobRow> knobs;          // none: `fit` does not turn it
-    SettingValues (*turned)(const FieldEntity&, std::span<const double> knobs);  // values that knobs stand for
+    FeatureSet (*coarse)(FeatureSet) = nullptr;
+    FieldTiers (*coarseTiers)(const FieldEntity&) = nullptr;
+    std::vector<SettingValues> (*sweep)(const FieldEntity&) =
+        nullptr;                                  // settings that `cost` tries; null: the field's own alone
+    std::span<const char* const> fewBlades = {};  // values by which it draws blades up to some metres, for `cost` to
+                                                  // take the time a blade from; none: it does not draw a few
+    std::span<const KnobRow> knobs = {};          // none: `fit` does not turn it
+    SettingValues (*turned)(const FieldEntity&,
+                            std::span<const double> knobs) = nullptr;  // values that knobs stand for
 };
 
 // The row named so, or null.

@@ -69,7 +69,7 @@ std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
     return s;
 }
 
-void updateTile(DrawContext& ctx, GroundState& s, const Terrain& t) {
+void updateSoil(DrawContext& ctx, GroundState& s, const Terrain& t) {
     if (s.soilOf == t.groundTexture) return;
     s.soilOf = t.groundTexture;
     const Rgba8 pixels = t.groundTexture.empty() ? makeSoil(256) : loadColorImage(ctx.project.dir / t.groundTexture);
@@ -93,7 +93,7 @@ void prepare(DrawContext& ctx) {
     GroundState& s = ctx.own<GroundState>();
     const Terrain& t = *ctx.shared.ground.terrain;
     updateHeightBounds(ctx.shared.bounds, t);
-    updateTile(ctx, s, t);
+    updateSoil(ctx, s, t);
     const bool level = !t.height.present();
     const std::string path = entityOf(ctx.project, t) + ".Terrain.height";
     ctx.shared.heights = level ? 0 : ctx.maps.get("terrain/heights", path, t.height.map);
@@ -104,7 +104,7 @@ void prepare(DrawContext& ctx) {
     g.heightTiling = shaderTiling(t, t.heightTiling);
     g.terrainTiling = shaderTiling(t, t.terrainMapTiling);
     g.soilColor = t.groundColor;
-    g.soilTiles = 1 / t.tileSize;
+    g.soilRepeats = 1 / t.tileSize;
     bindMaps(ctx, s, t);
 }
 

@@ -1,4 +1,4 @@
-// Draws the ground: heights by level of detail without cracks, soil tiles under the terrain map, grass's mean colour
+// Draws the ground: heights by level of detail without cracks, soil under the terrain map, grass's mean colour
 // where blades are not drawn. Level of detail: F. Strugar, "Continuous Distance-Dependent Level of Detail for Rendering
 // Heightmaps", 2009 (CDLOD): quadtree nodes by distance, vertices that morph to the next level's before it begins.
 // Distances are horizontal plus the eye's height above the highest ground, so that both sides of a border agree however

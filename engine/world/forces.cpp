@@ -20,9 +20,10 @@ glm::dvec2 halfLength(const ForceSource& s) {
 // Metres over the ground up to which blades stand.
 double tallestBlade(const Project& p) {
     double most = 0;
-    if (const GrassField* f = firstOf<GrassField>(p))
-        for (const Species& s : f->species)
+    p.registry.each<GrassField>([&](Entity, const GrassField& f) {
+        for (const Species& s : f.species)
             if (s.bladesPerM2 > 0) most = std::max(most, static_cast<double>(s.height * (1 + s.heightVariation)));
+    });
     return most;
 }
 

@@ -45,7 +45,7 @@ int quadsAt(float distance) {
     return chordQuads(cull.sagittaPixels, distance, cull.mostQuads);
 }
 
-uint lookOf(CellBox b, uint count) {
+uint bitsOf(CellBox b, uint count) {
     float nearest = sqrt(boxNearest2(b));
     int quads = quadsAt(nearest);
     bool seen = cull.shadowReach > 0.0 ? visible(b, cull.reach) : true, plain = quads == 1 && nearest > cull.plainFrom;
@@ -65,7 +65,7 @@ void main() {
     CellGrid grid = cullGrid();
     ChosenCell c;
     c.cell = nodeCell(grid, n.cell.x, n.cell.y, int(gl_LocalInvocationIndex));
-    c.first = c.look = 0u;
+    c.first = c.bits = 0u;
     CellBox b = cellBox(grid, c.cell.x, c.cell.y, 1, n.heights.x, n.heights.y);
     bool inField = c.cell.x < cull.cells.x && c.cell.y < cull.cells.y;
     if (inField && boxNearest2(b) < cull.farthest2 && visible(b, cull.reach + cull.shadowReach)) {
@@ -80,7 +80,7 @@ void main() {
         if (d.y > 0.0 && first < last) {
             precise float drawn = float(last - first) * cull.detail;
             c.first = first;
-            c.look = lookOf(b, uint(ceil(drawn)));
+            c.bits = bitsOf(b, uint(ceil(drawn)));
             count(c);
         }
     }

@@ -1,6 +1,6 @@
 // A texel of the horizontal slice (lib/far.glsl), as opaque as the grass is along this slanted ray, less what vertical
 // slices cover (grass/slices.h), and lit as they are.
-#include "lib/cover.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/far.glsl"
 #include "lib/force.glsl"
@@ -76,7 +76,7 @@ BladeStand standHere(vec2 uv) {
     BladeStand s = emptyStand();
     s.paint = paintedLean(uv);
     s.leanAtFull = slices.leanAtFull;
-    s.breeze = windLeanAt(position.xz, -1.0, cover.species[slices.species].gusts);
+    s.breeze = windLeanAt(position.xz, -1.0, field.species[slices.species].gusts);
     s.clumpLean = slices.clumpLean;
     s.clumpLightness = slices.clumpLightness;
     return s;

@@ -21,7 +21,7 @@ out vec4 color;
 void main() {
     float d = length(position);
     vec3 towards = light == 0 ? frame.sunDirection : lampAt(light - 1, position).direction;
-    float here = lodRamp(d, slices.minGeom, slices.geomInv), near = 1.0 - lodRamp(d, cover.shadeFrom, cover.shadeInv);
+    float here = lodRamp(d, slices.minGeom, slices.geomInv), near = 1.0 - lodRamp(d, field.shadeFrom, field.shadeInv);
     vec2 uv = mapPlace(place);
     float grown = fieldDensity(uv), tall = bladeShareSeen(uv), density = sliceDensity(grown, here);
     if (!(density * near > 0.0) || !(towards.y > 0.0)) discard;
@@ -29,7 +29,7 @@ void main() {
     vec4 stored;
     float opacity = farOpacity(repeated(position.xz + towards.xz * (slices.farHeight / high)), density, tall, high, 0.0,
                                laidBy(forceHere(position.xz, uv)), stored);
-    SoilShares soil = soilShares(soilLeft(cover.species[slices.species].shade, grown, tall), near, skyShare(uv));
+    SoilShares soil = soilShares(soilLeft(field.species[slices.species].shade, grown, tall), near, skyShare(uv));
     vec3 takes = shadowShare(light, position, normalize(normal), soil);
     color = vec4(clamp(vec3(1.0) - takes * (opacity * near), vec3(0.0), vec3(1.0)), 1.0);
 }

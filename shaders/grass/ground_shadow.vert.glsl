@@ -34,9 +34,9 @@ void main() {
     if (!exists(s) || s.opacity < b.dither) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
     int kind = species.index;
-    float near = 1.0 - lodRamp(length(s.root), cover.shadeFrom, cover.shadeInv);
+    float near = 1.0 - lodRamp(length(s.root), field.shadeFrom, field.shadeInv);
     SoilShares soil =
-        soilShares(soilLeft(cover.species[kind].shade, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
+        soilShares(soilLeft(field.species[kind].shade, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
     vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
@@ -45,7 +45,7 @@ void main() {
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
     vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
-    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * cover.species[kind].height);
+    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * field.species[kind].height);
     vec2 land = p.xz + shadow.offset;
     vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
     left = vec3(1.0) - takes * shadow.alpha;

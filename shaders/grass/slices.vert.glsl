@@ -1,7 +1,7 @@
 // One corner of one vertical slice of one cell. Quads follow the ground (their ends lie on cells' edges, so that
 // neighbours share them), lean with the paint and with clumps, and are lit per vertex. Boulanger, Pattanaik and
 // Bouatouch 2006, sections 3.1 and 3.3.
-#include "lib/cover.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
@@ -38,7 +38,7 @@ BladeStand standHere(vec2 inCell, vec2 uv, out float press) {
     BladeStand s = emptyStand();
     s.paint = paintedLean(uv);
     s.leanAtFull = slices.leanAtFull;
-    s.breeze = windLeanAt(foot.xz, -1.0, cover.species[slices.species].gusts);
+    s.breeze = windLeanAt(foot.xz, -1.0, field.species[slices.species].gusts);
     if (GRASS_CLUMPS && slices.clumpSize > 0.0)
         s.clump = clumpValues(cell.x, cell.y, inCell, slices.cellSize, slices.clumpSize, slices.seed);
     s.clumpLean = slices.clumpLean;

@@ -1,6 +1,6 @@
 // Blades: whether one exists where it stands (density, distance), how it is posed (mirror, paint, clumps, wind,
 // forces). No fragment shaders. Needs: const bool GRASS_CLUMPS, GRASS_DENSITY, GRASS_HEIGHTS, WIND, FORCES, FORCE_MAP.
-#include "lib/cover.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
@@ -29,7 +29,7 @@ struct Stand {
 float density(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
     ivec2 size = textureSize(densityMap, 0);
-    float tiling = cover.species[species.index].tiling;
+    float tiling = field.species[species.index].tiling;
     BilinearTap t;
     if (tiling > 0.0)
         t = bilinearTapRepeat(uv.x * tiling, uv.y * tiling, size.x, size.y);
@@ -50,7 +50,7 @@ Stand standAt(CellInstance cell, Blade b, float v, float across) {
     s.uv = mapPlace(s.ground);
     s.root = vec3(cell.corner.x + s.inCell.x, groundHeight(s.ground), cell.corner.y + s.inCell.y);
     s.density = density(s.uv);
-    float weight = lodRamp(length(s.root), cover.minGeom, cover.geomInv);
+    float weight = lodRamp(length(s.root), field.minGeom, field.geomInv);
     s.opacity = geometryOpacity(s.density, weight, b.threshold, species.fade);
     return s;
 }
@@ -70,7 +70,7 @@ BladeStand standOf(Blade b, Stand s) {
     p.clumpLean = species.clumpLean;
     p.clumpHeight = species.clumpHeight;
     p.clumpLightness = species.clumpLightness;
-    if (WIND) p.wind = windLeanAt(s.root.xz, b.dither, cover.species[species.index].gusts);
+    if (WIND) p.wind = windLeanAt(s.root.xz, b.dither, field.species[species.index].gusts);
     if (FORCES || FORCE_MAP) {
         vec3 force = forceHere(s.root.xz, s.uv);
         p.push = force.xy;

@@ -2,7 +2,7 @@
 // Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS. hue, lightness: as
 // numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
 #include "lib/blade.glsl"
-#include "lib/cover.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamps.glsl"
@@ -16,7 +16,7 @@
 vec3 bladeColor(float hue, float lightness, float v, vec2 uv) {
     vec3 c = bladeTint(bladeGradient(species.rootColor, species.midColor, species.tipColor, v), hue, lightness);
     if (!GRASS_VEGETATION) return c;
-    vec4 paint = textureLod(vegetationMap, uv * cover.vegetationTiling, 0.0);
+    vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, 0.0);
     return mix(c, paint.rgb, paint.a);
 }
 
@@ -35,10 +35,10 @@ vec2 maskFor(vec3 fromRoot, vec2 facing, vec3 upright, vec3 towards) {
         .xy;
 }
 // As leafLight takes them.
-vec3 bladeLooks() { return vec3(species.translucency, species.gloss, species.roughness); }
+vec3 bladeGloss() { return vec3(species.translucency, species.gloss, species.roughness); }
 vec3 sunOn(Lit p) {
     if (!SUN) return vec3(0.0);
-    return leafLight(p.color, bladeLooks(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) *
+    return leafLight(p.color, bladeGloss(), p.normal, p.toEye, frame.sunDirection, frame.sunLight) *
            sunVisible(p.position, vec3(0.0));
 }
 // Lamps that cast shadows are shaded here, by the vertex: unlike the sun there may be many.
@@ -49,7 +49,7 @@ vec3 lampsOn(Lit p) {
         float share = p.open;
         if (BLADE_SHADOWS && i < castingLamps())
             share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);
-        sum += leafLight(p.color, bladeLooks(), p.normal, p.toEye, l.direction, l.light) * share;
+        sum += leafLight(p.color, bladeGloss(), p.normal, p.toEye, l.direction, l.light) * share;
     }
     return sum;
 }

@@ -13,6 +13,6 @@ CellGrid cullGrid() {
     g.size = cull.cellSize;
     return g;
 }
-uint bladesOf(ChosenCell c) { return c.look & ((1u << CHOSEN_LEVEL) - 1u); }
-uint levelOfCell(ChosenCell c) { return (c.look >> CHOSEN_LEVEL) & 127u; }
-bool isSet(ChosenCell c, int bit) { return (c.look >> bit & 1u) != 0u; }
+uint bladesOf(ChosenCell c) { return c.bits & ((1u << CHOSEN_LEVEL) - 1u); }
+uint levelOfCell(ChosenCell c) { return (c.bits >> CHOSEN_LEVEL) & 127u; }
+bool isSet(ChosenCell c, int bit) { return (c.bits >> bit & 1u) != 0u; }

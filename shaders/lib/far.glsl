@@ -34,7 +34,7 @@ Repeated repeated(vec2 at) {
 // Share of their height that blades have, filtered for the pixel.
 float bladeShareSeen(vec2 uv) {
     if (!GRASS_HEIGHTS) return 1.0;
-    return texture(bladeHeightMap, tiled(uv, cover.heightTiling)).r;
+    return texture(bladeHeightMap, tiled(uv, field.heightTiling)).r;
 }
 
 // How many times the slice's own optical depth lies on a ray of this sine: all blades' less what vertical slices cover.

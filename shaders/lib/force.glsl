@@ -14,6 +14,6 @@ vec3 forceHere(vec2 at, vec2 uv) {
     vec3 sum = vec3(0.0);
     vec2 inMap = (at - force.corner) * force.share;
     if (FORCES && inMap == clamp(inMap, vec2(0.0), vec2(1.0))) sum = textureLod(forcesAround, inMap, 0.0).rga;
-    if (FORCE_MAP) sum += paintedForce(textureLod(forceMap, uv * cover.forceTiling, 0.0));
+    if (FORCE_MAP) sum += paintedForce(textureLod(forceMap, uv * field.forceTiling, 0.0));
     return forceOf(sum);
 }

@@ -1,6 +1,6 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
 // Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING.
-#include "lib/cover.glsl"
+#include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamps.glsl"
@@ -74,13 +74,13 @@ float verticalShare(float sine) {
 // Filtered density of the species at a point of the terrain; uv: of mapPlace.
 float fieldDensity(vec2 uv) {
     if (!GRASS_DENSITY) return 1.0;
-    return texture(densityMap, tiled(uv, cover.species[slices.species].tiling)).r;
+    return texture(densityMap, tiled(uv, field.species[slices.species].tiling)).r;
 }
 
 // Reflectance (as a share of full scale) with the field's colour over it.
 vec3 paintedOver(vec3 reflectance, vec2 uv) {
     if (!GRASS_VEGETATION) return reflectance;
-    vec4 paint = texture(vegetationMap, uv * cover.vegetationTiling);
+    vec4 paint = texture(vegetationMap, uv * field.vegetationTiling);
     return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
 }
 

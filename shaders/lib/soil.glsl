@@ -7,7 +7,7 @@
 #include "numerics/lod.h"
 #include "shared/bindings.h"
 #include "shared/soil.h"
-layout(std140, binding = UBO_SOIL) uniform SoilBlock { SoilGlobals soilCover; };
+layout(std140, binding = UBO_SOIL) uniform SoilBlock { SoilGlobals soilGrowth; };
 layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
 
 #ifndef SOIL_EACH
@@ -17,15 +17,15 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
 #define SOIL_TEXEL(map, at) ((map) < 0 ? 1.0 : texture(soilMap[max(map, 0)], at).r)
 #define SOIL_FINEST(map, at) ((map) < 0 ? 1.0 : textureLod(soilMap[max(map, 0)], at, 0.0).r)
 
-#define SOIL_FIELD(field, heights, occlusion)                                    \
-    left = 1.0;                                                                  \
-    tall = SOIL_TEXEL(heights, tiled(uv, soilCover.fields[field].heightTiling)); \
-    sky = min(sky, SOIL_FINEST(occlusion, uv * soilCover.fields[field].occlusionTiling));
-#define SOIL_SPECIES(number, map)                                           \
-    density = SOIL_TEXEL(map, tiled(uv, soilCover.species[number].tiling)); \
-    left *= soilLeft(soilCover.species[number].shade, density, tall);       \
+#define SOIL_FIELD(field, heights, occlusion)                                     \
+    left = 1.0;                                                                   \
+    tall = SOIL_TEXEL(heights, tiled(uv, soilGrowth.fields[field].heightTiling)); \
+    sky = min(sky, SOIL_FINEST(occlusion, uv * soilGrowth.fields[field].occlusionTiling));
+#define SOIL_SPECIES(number, map)                                            \
+    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling)); \
+    left *= soilLeft(soilGrowth.species[number].shade, density, tall);       \
     grown += density;
-#define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilCover.fields[field], left, distance));
+#define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilGrowth.fields[field], left, distance));
 
 SoilShares soilOf(SoilField f, float left, float distance) {
     return soilShares(left, 1.0 - lodRamp(distance, f.shadeFrom, f.shadeInv), 1.0);

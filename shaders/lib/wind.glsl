@@ -17,7 +17,7 @@ float blowsAt(vec2 at) {
     return windAt(p, dot(at, wind.way), at.y * wind.way.x - at.x * wind.way.y, wind.c1, wind.c2, wind.c3, wind.epsilon);
 }
 // Lean (m per m) at x, z relative to the eye: of a blade of `grain` in [0, 1]; negative: of none in particular.
-// strength: lean of a full gust, wind.strength or, of a species, its gusts in CoverGlobals.
+// strength: lean of a full gust, wind.strength or, of a species, its gusts in FieldGlobals.
 vec2 windLeanAt(vec2 at, float grain, float strength) {
     if (!WIND) return vec2(0.0);
     float own =

@@ -4,7 +4,7 @@
 
 // Uniform buffers
 #define UBO_FRAME 0
-#define UBO_COVER 1
+#define UBO_FIELD 1
 #define UBO_SPECIES 2
 #define UBO_TESS 3
 #define UBO_SLICES 4

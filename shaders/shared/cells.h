@@ -52,7 +52,7 @@ struct NodeOfCells {
 struct ChosenCell {
     ivec2 cell;
     uint first;  // blade of the patch
-    uint look;   // from the lowest bit: 22 bits, how many blades; 7, its greatest level; then the flags below
+    uint bits;   // from the lowest bit: 22 bits, how many blades; 7, its greatest level; then the flags below
 };
 
 #ifdef __cplusplus

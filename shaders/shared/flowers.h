@@ -17,7 +17,7 @@ struct STD140 FlowerGlobals {
     float cellSize;  // m
     float expected;  // flowers a cell
     uint seed;
-    float tiling;     // of the density map as CoverGlobals has it; -1: there is none
+    float tiling;     // of the density map as FieldGlobals has it; -1: there is none
     int made;         // 1: the image is made by the program
     float thinFrom;   // distance from which flowers are left out (m)
     float thinInv;    // lodInverse to where all are

@@ -23,8 +23,8 @@ struct STD140 FrameGlobals {
     float groundBase;
     float groundScale;
     float groundTexel;
-    float soilTiles;  // repeats of the soil's texture a metre
-    vec3 soilColor;   // its mean reflectance
+    float soilRepeats;  // repeats of the soil's texture a metre
+    vec3 soilColor;     // its mean reflectance
     // Light.
     float exposure;     // factor of all light
     vec3 sunDirection;  // towards the sun, unit

@@ -8,8 +8,8 @@ namespace sward {
 #endif
 
 // Of one species, for shaders of all.
-struct STD140 SpeciesCover {
-    float tiling;  // of its density map, as CoverGlobals has tilings
+struct STD140 SpeciesInField {
+    float tiling;  // of its density map, as FieldGlobals has tilings
     float shade;   // share of light left at the soil under full density
     float height;  // mean (m)
     float gusts;   // lean (m per m) of a full gust; 0 in a calm
@@ -17,8 +17,8 @@ struct STD140 SpeciesCover {
 
 // What shaders of all of a field's species read. Tilings: repeats over what a map of tiling 1 covers; 0: the map lies
 // on the terrain once, and its edge texels go on beyond (scene/tiling.h).
-struct STD140 CoverGlobals {
-    SpeciesCover species[MAX_SPECIES];
+struct STD140 FieldGlobals {
+    SpeciesInField species[MAX_SPECIES];
     int speciesCount;
     float minGeom;  // distance where blades begin to give way to slices (m)
     float geomInv;  // 1 / (maxGeom - minGeom), as lodRamp takes it
@@ -50,7 +50,7 @@ struct STD140 SpeciesGlobals {
     int segments;          // of a blade
     uint seed;
     float fade;  // omega of numerics/opacity.h
-    int index;   // of the species in CoverGlobals
+    int index;   // of the species in FieldGlobals
     float translucency;
     float gloss;
     float roughness;   // of the gloss

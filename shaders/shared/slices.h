@@ -38,7 +38,7 @@ struct STD140 SliceGlobals {
     vec3 farAmbient;     // that the horizontal slice receives
     float steepest;      // tangent of the elevation above which vertical slices give way
     uint seed;
-    int species;           // index in CoverGlobals
+    int species;           // index in FieldGlobals
     float farTexels;       // of the horizontal slice, along an axis
     float farHeight;       // of the horizontal slice (m)
     float farDepth;        // its optical depth

@@ -9,7 +9,7 @@
 namespace sward {
 #endif
 
-// Tilings are as in CoverGlobals.
+// Tilings are as in FieldGlobals.
 struct STD140 SoilField {
     float shadeFrom;        // distance from which soil is shaded in the mean (m)
     float shadeInv;         // lodInverse to where it is so alone

@@ -1,4 +1,4 @@
-// Ground colour: tiled soil under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass
+// Ground colour: the soil's image under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass
 // stands on it.
 #include "lib/frame.glsl"
 #include "lib/ground_light.glsl"
@@ -7,7 +7,7 @@
 #include "numerics/light.h"
 #include "shared/bindings.h"
 
-layout(binding = TEX_GROUND) uniform sampler2D tileTexture;
+layout(binding = TEX_GROUND) uniform sampler2D soilTexture;
 layout(binding = TEX_TERRAIN_MAP) uniform sampler2D terrainMap;
 
 in vec3 position;
@@ -16,10 +16,10 @@ in vec3 normal;
 out vec4 color;
 
 vec3 soil(vec2 uv) {
-    vec3 tile = texture(tileTexture, place * frame.soilTiles).rgb * 2.0 * frame.soilColor;
-    if (!TERRAIN_MAP) return tile;
+    vec3 image = texture(soilTexture, place * frame.soilRepeats).rgb * 2.0 * frame.soilColor;
+    if (!TERRAIN_MAP) return image;
     vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling));
-    return soilColor(tile, frame.soilColor, map.rgb, map.a);
+    return soilColor(image, frame.soilColor, map.rgb, map.a);
 }
 
 void main() {

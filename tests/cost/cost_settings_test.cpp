@@ -67,5 +67,35 @@ TEST(CostSettings, WhatDrawsNoLessThanASlowOneIsTakenForSlow) {
         << "what sharpness costs is not known";
 }
 
+TEST(CostSettings, EachFieldIsSweptAroundItsOwnValues) {
+    Project p = grassy();
+    p.registry.add<GrassField>(*addEntity(p, "verge"), {});
+    HybridTiers far;
+    far.minGeom *= 2, far.maxGeom *= 2, far.minBTF *= 2, far.maxBTF *= 2;
+    p.registry.add<HybridTiers>(findEntity(p, "verge"), far);
+    auto all = costSettings(p, tables(), "hybrid");
+    ASSERT_TRUE(all);
+    for (const CostSetting& s : *all) {
+        Project copy = snapshot(p, tables().components);
+        ViewSettings view;
+        ASSERT_TRUE(applySetting(copy, tables(), s, view)) << s.text();
+        const FlatField meadow = flatField(copy, "meadow"), verge = flatField(copy, "verge");
+        EXPECT_NEAR(verge.maxGeom / meadow.maxGeom, 2, 1e-3f) << s.text();
+        EXPECT_EQ(verge.sharpness, meadow.sharpness) << s.text();
+    }
+    EXPECT_EQ(costSettings(p, tables(), "flat")->front().text(), "msaa=1") << "what is common is said once";
+}
+
+TEST(CostSettings, AValueIsForEveryFieldOrForOne) {
+    Project p = grassy();
+    p.registry.add<GrassField>(*addEntity(p, "verge"), {});
+    ViewSettings view;
+    ASSERT_TRUE(applySetting(p, tables(), {"hybrid", {"maxGeom=7", "verge.maxGeom=9"}}, view));
+    EXPECT_EQ(flatField(p, "meadow").maxGeom, 7);
+    EXPECT_EQ(flatField(p, "verge").maxGeom, 9);
+    EXPECT_FALSE(drawsNoLess({"hybrid", {"verge.maxGeom=9"}}, {"hybrid", {"meadow.maxGeom=8"}}));
+    EXPECT_TRUE(drawsNoLess({"hybrid", {"verge.maxGeom=9"}}, {"hybrid", {"verge.maxGeom=8"}}));
+}
+
 }  // namespace
 }  // namespace sward::test

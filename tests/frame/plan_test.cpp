@@ -179,8 +179,8 @@ TEST(PlanTable, ASlotThatIsReadIsFilledAndNoTwoMakeIt) {
 }
 
 // Which slot a member of SharedResources is; `ground` is there before the first step.
-const std::map<std::string, std::string> kSlotOf = {{"soil", "Grass"},
-                                                    {"masks", "Masks"},
+const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
+                                                    {"grown", "Grown"},
                                                     {"groundMesh", "GroundNodes"},
                                                     {"grass", "Grass"},
                                                     {"bounds", "Ground"},
@@ -188,8 +188,6 @@ const std::map<std::string, std::string> kSlotOf = {{"soil", "Grass"},
                                                     {"soil", "Grass"},
                                                     {"casters", "Casters"},
                                                     {"castersHash", "Casters"},
-                                                    {"blades", "Blades"},
-                                                    {"shades", "Masks"},
                                                     {"forceTarget", "ForceList"},
                                                     {"reflection", "Reflection"},
                                                     {"lights", "Lamps"},

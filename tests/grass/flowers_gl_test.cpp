@@ -1,6 +1,7 @@
 // Flowers: how many are drawn, that they cover what the ray-traced truth says, and that nothing sound or unsound breaks
 // them.
 #include "core/numerics.h"
+#include "fields.h"
 #include "frame/flower_image.h"
 #include "maps/map_io.h"
 #include "objects.h"
@@ -98,6 +99,45 @@ TEST(Flowers, GrowWhereTheMapSays) {
         for (int x = 0; x < 64; ++x) stripes.set(x, y, 0, y < 32 ? 1.0f : 0.0f);
     EXPECT_LT(with(field(stripes), 1), all);                                  // the far half is bare
     EXPECT_NEAR((with(field(stripes), 16) - none) / (half - none), 1, 0.15);  // stripes of 0.4 m
+}
+
+// A painted press lays down the flowers of the entity whose field it is painted for, drawn and traced; another field's
+// does not.
+TEST(Flowers, StandAmongTheGrassOfTheirOwnEntity) {
+    NoGlErrors errors;
+    Map press({4, 4, 4, PixelType::U8});
+    for (int i = 0; i < 16; ++i) press.set(i % 4, i / 4, 2, 1), press.set(i % 4, i / 4, 3, 1);
+    enum class Pressed { None, First, Own };
+    const auto scene = [&](Pressed which) {
+        Project p = bed();
+        FlatField grass;
+        grass.technique = nameOf(Technique::Geometry);
+        grass.species[0].bladesPerM2 = 4;
+        grass.species[0].rootColor = grass.species[0].midColor = grass.species[0].tipColor = {0, 0, 0};
+        if (which == Pressed::First) grass.forces = field(press, "maps/press.png");
+        put(p, "among", grass);
+        grass.forces = {};
+        if (which == Pressed::Own) grass.forces = field(press, "maps/press.png");
+        put(p, "bed", grass);
+        return p;
+    };
+    const auto drawnRed = [&](Pressed which) {
+        Project p = scene(which);
+        return meanRed(drawn(p));
+    };
+    const auto tracedRed = [&](Pressed which) {
+        JobControl control;
+        auto of = ReferenceScene::make(scene(which), tables(), 0, control);
+        EXPECT_TRUE(of);
+        ReferenceSettings s;
+        s.width = kWidth, s.height = kHeight, s.samples = 8, s.lighting = ReferenceLighting::Direct;
+        return meanRed(of->trace(over(), s, control)->color);
+    };
+    const double standing = drawnRed(Pressed::None), stands = tracedRed(Pressed::None);
+    EXPECT_NEAR(drawnRed(Pressed::First) / standing, 1, 0.02);
+    EXPECT_NEAR(tracedRed(Pressed::First) / stands, 1, 0.02);
+    EXPECT_GT(std::abs(drawnRed(Pressed::Own) / standing - 1), 0.1);
+    EXPECT_GT(std::abs(tracedRed(Pressed::Own) / stands - 1), 0.1);
 }
 
 TEST(Flowers, ThinOutWithoutPopping) {

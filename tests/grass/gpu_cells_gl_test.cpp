@@ -146,13 +146,13 @@ class Chosen : public ::testing::Test {
         glGetNamedBufferSubData(c.chosen.id(), 0, static_cast<GLsizeiptr>(c.count * sizeof(ChosenCell)), cells.data());
         std::vector<CellDraw> out;
         for (const ChosenCell& cell : cells) {
-            const uint32_t blades = cell.look & ((1u << CHOSEN_LEVEL) - 1);
+            const uint32_t blades = cell.bits & ((1u << CHOSEN_LEVEL) - 1);
             if (blades == 0) continue;
             CellDraw d{};
             d.cellX = cell.cell.x, d.cellZ = cell.cell.y, d.first = cell.first, d.last = cell.first + blades;
-            d.segments = static_cast<int>(cell.look >> CHOSEN_LEVEL & 127),
-            d.whole = static_cast<int>(cell.look >> CHOSEN_WHOLE & 1),
-            d.seen = static_cast<int>(cell.look >> CHOSEN_SEEN & 1);
+            d.segments = static_cast<int>(cell.bits >> CHOSEN_LEVEL & 127),
+            d.whole = static_cast<int>(cell.bits >> CHOSEN_WHOLE & 1),
+            d.seen = static_cast<int>(cell.bits >> CHOSEN_SEEN & 1);
             out.push_back(d);
         }
         return out;

@@ -67,6 +67,9 @@ void fill(const FieldRow& row, void* value, int n) {
         case FieldType::String:
             if (!row.isFile) *static_cast<std::string*>(value) = fmt::format("name \"{}\" \u00e4\n", n);
             break;
+        case FieldType::Name:
+            *static_cast<std::string*>(value) = row.options.back();
+            break;
         case FieldType::Enum:
             setEnumIndex(value, static_cast<int>(row.options.size()) - 1);
             break;

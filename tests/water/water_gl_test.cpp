@@ -1,6 +1,7 @@
 // Water against geometry, against the ray-traced truth, and against what it may not cost.
 #include "core/numerics.h"
 #include "fields.h"
+#include "gl_calls.h"
 #include "objects.h"
 #include "reference/reference.h"
 #include "techniques.h"
@@ -189,6 +190,58 @@ TEST(Water, TheMirroredViewDrawsGrassCoarsely) {
     EXPECT_TRUE(holds(names, "grass/geometry"));
     f.technique = nameOf(Technique::Tessellated);
     EXPECT_TRUE(holds(passesOf(r, p, eyeHeight()), "mirrored grass/tessellated"));
+}
+
+TEST(Water, MirrorsEveryFieldOfGrassAndLeavesTheMainViewAsItIs) {
+    NoGlErrors errors;
+    Project p = lawn();
+    FlatField f = flatField(p, "grass");
+    f.technique = nameOf(Technique::Geometry);
+    FlatField other;
+    other.technique = nameOf(Technique::Hybrid);
+    other.sliceWidth = other.sliceHeight = other.farSize = 32;
+    other.species[0].rootColor = other.species[0].midColor = other.species[0].tipColor = {0.4f, 0.02f, 0.02f};
+    put(p, "other", other);
+    put<Water>(p, "lake", {.level = 0.05f, .reflection = 1});
+    Renderer r(gpu(), tables());
+    const auto names = passesOf(r, p, eyeHeight());
+    EXPECT_TRUE(holds(names, "mirrored grass/geometry"));
+    EXPECT_TRUE(holds(names, "mirrored grass/slices"));
+    // What is mirrored of the second field is red.
+    const auto red = [&](Project& of) {
+        double sum = 0;
+        const std::vector<float> image = drawn(of, {{10, 1.2, 19}, {10, 0, 12}, 50, 0});
+        for (size_t i = 0; i < image.size(); i += 3) sum += static_cast<double>(image[i] - image[i + 1]);
+        return sum;
+    };
+    const double both = red(p);
+    p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0;
+    const double unmirrored = red(p);
+    p.registry.get<Water>(findEntity(p, "lake"))->reflection = 1;
+    removeEntity(p, "other");
+    const double first = red(p);
+    p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0;
+    EXPECT_GT(std::abs((both - unmirrored) - (first - red(p))), 1) << "the mirror shows the second field";
+}
+
+// The mirrored view keeps cells and commands of its own: what the main one draws is made once.
+TEST(Water, GrassInTheMirrorMakesNothingOfTheMainViewAnew) {
+    NoGlErrors errors;
+    Project p = lawn();
+    FlatField f = flatField(p, "grass");
+    f.sliceWidth = f.sliceHeight = f.farSize = 32;
+    FlatField other;
+    other.technique = nameOf(Technique::Geometry);  // whose blades are mirrored, as the first field's are not
+    put(p, "other", other);
+    put<Water>(p, "lake", {.level = 0.05f});
+    Renderer r(gpu(), tables());
+    passesOf(r, p, eyeHeight());
+    passesOf(r, p, eyeHeight());  // libepoxy has found every function by then
+    CountGlCalls count;
+    passesOf(r, p, eyeHeight());
+    EXPECT_EQ(glCalls.byName["glCreateBuffers"], 0u) << glCallsByName();
+    EXPECT_EQ(glCalls.byName["glCreateVertexArrays"], 0u);
+    EXPECT_EQ(glCalls.textureUploads, 0u);
 }
 
 TEST(Water, NoValueOfAnyFieldMakesAPictureThatIsNoNumber) {

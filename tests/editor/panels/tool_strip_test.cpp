@@ -33,16 +33,16 @@ TEST_F(ToolStrip, AToolBringsAMapThatItPaints) {
     EXPECT_EQ(brushes.tool, "comb");
     EXPECT_EQ(brushes.map, "lawn.GrassField.orientation");
     click("Panel/Look");
-    EXPECT_EQ(brushes.tool, kLookTool);
+    EXPECT_EQ(brushes.tool, kViewTool);
     EXPECT_EQ(brushes.map, "lawn.GrassField.orientation");
 }
 
 TEST_F(ToolStrip, WithoutAMapAToolSaysSoAndStays) {
     ASSERT_TRUE(doc.removeEntity("lawn"));
     ASSERT_TRUE(doc.removeEntity("ground"));
-    brushes.tool = kLookTool;
+    brushes.tool = kViewTool;
     click("Panel/Comb");
-    EXPECT_EQ(brushes.tool, kLookTool);
+    EXPECT_EQ(brushes.tool, kViewTool);
     EXPECT_NE(messages.status.find("the project has no map that it paints"), std::string::npos) << messages.status;
 }
 

@@ -79,7 +79,7 @@ TEST_F(HandInViewport, TheLeftButtonPaintsOneStroke) {
 }
 
 TEST_F(HandInViewport, WithTheLookToolNothingIsPainted) {
-    brushes.tool = kLookTool;
+    brushes.tool = kViewTool;
     move(250, 200), button(0, true);
     frames(2);
     EXPECT_EQ(hand.gesture, Gesture::None);

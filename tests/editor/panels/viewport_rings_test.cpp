@@ -16,9 +16,9 @@ class TierRings : public test::PanelStage {
 };
 
 TEST_F(TierRings, TheChosenFieldComesBeforeTheSelectedAndThatBeforeTheFirst) {
-    for (const char* name : {"a", "z"}) {
-        ASSERT_TRUE(doc.addEntity(name));
-        ASSERT_TRUE(doc.addComponent(name, "GrassField"));
+    for (const char* entity : {"a", "z"}) {
+        ASSERT_TRUE(doc.addEntity(entity));
+        ASSERT_TRUE(doc.addComponent(entity, "GrassField"));
     }
     EXPECT_EQ(tierEntity(doc, "", ""), "a");
     EXPECT_EQ(tierEntity(doc, "", "z"), "z");

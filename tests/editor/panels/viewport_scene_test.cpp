@@ -25,7 +25,7 @@ TEST(ViewportDecal, LiesUnderThePointerWithTheBrushsSizeWhereItPaints) {
     hand.gesture = Gesture::Orbit;
     EXPECT_EQ(decalOf(doc, hand, brushes).radius, 0) << "the hand turns the view";
     hand.gesture = Gesture::Paint;
-    brushes.tool = kLookTool;
+    brushes.tool = kViewTool;
     EXPECT_EQ(decalOf(doc, hand, brushes).radius, 0) << "looking paints nothing";
 }
 

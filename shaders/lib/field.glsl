@@ -10,13 +10,13 @@ layout(binding = TEX_VEGETATION) uniform sampler2D vegetationMap;
 
 // What grass at a distance keeps of its light.
 float darkened(float distance) {
-    return FAR_DARKENING ? farLight(distance, cover.farDarkening, cover.farDarkeningAt) : 1.0;
+    return FAR_DARKENING ? farLight(distance, field.farDarkening, field.farDarkeningAt) : 1.0;
 }
 
 // Painted direction (x, z), its length the strength in [0, 1]; 0 where nothing is painted. In fragments, the mean over
 // the pixel.
 vec2 paintedLean(vec2 uv) {
     if (!GRASS_ORIENTATION) return vec2(0.0);
-    vec2 texel = texture(orientationMap, uv * cover.orientationTiling).rg;
+    vec2 texel = texture(orientationMap, uv * field.orientationTiling).rg;
     return paintOf(texel.x, texel.y);
 }
