@@ -1,10 +1,10 @@
 // A blade's level: equations 4 and 5 of Jahrmann and Wimmer 2013, decided in the vertex stage; 0 draws nothing.
 layout(vertices = 1) out;
 
-in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladeTint[];
+in vec4 bladeRoot[], bladeControl[], bladeTip[], bladeFacing[], bladePaint[];
 in vec3 bladeUpright[];
 flat in uint bladeGrain[];
-out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemTint[];
+out vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
 out vec3 stemUpright[];
 flat out uint stemGrain[];
 
@@ -13,7 +13,7 @@ void main() {
     stemControl[gl_InvocationID] = bladeControl[gl_InvocationID];
     stemTip[gl_InvocationID] = bladeTip[gl_InvocationID];
     stemFacing[gl_InvocationID] = bladeFacing[gl_InvocationID];
-    stemTint[gl_InvocationID] = bladeTint[gl_InvocationID];
+    stemPaint[gl_InvocationID] = bladePaint[gl_InvocationID];
     stemUpright[gl_InvocationID] = bladeUpright[gl_InvocationID];
     stemGrain[gl_InvocationID] = bladeGrain[gl_InvocationID];
     float along = bladeRoot[gl_InvocationID].w, across = min(along, 1.0);

@@ -9,7 +9,7 @@
 
 layout(quads, equal_spacing, ccw) in;
 
-in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemTint[];
+in vec4 stemRoot[], stemControl[], stemTip[], stemFacing[], stemPaint[];
 in vec3 stemUpright[];
 flat in uint stemGrain[];
 centroid out vec4 lit;  // as in geometry.vert.glsl
@@ -25,12 +25,12 @@ TessBlade patchBlade() {
     t.pose.facing = stemFacing[0].xy;
     t.pose.upright = stemUpright[0];
     t.root = stemRoot[0].xyz;
-    t.uv = stemTint[0].zw;
+    t.uv = stemPaint[0].zw;
     t.width = stemControl[0].w;
     t.opacity = stemTip[0].w;
     t.density = stemFacing[0].w;
-    t.hue = stemTint[0].x;
-    t.lightness = stemTint[0].y;
+    t.hue = stemPaint[0].x;
+    t.lightness = stemPaint[0].y;
     t.grain = stemGrain[0];
     t.level = int(stemRoot[0].w);
     t.plain = stemFacing[0].z > 0.5;

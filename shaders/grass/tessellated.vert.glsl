@@ -9,14 +9,14 @@ out vec4 bladeControl;  // w: width
 out vec4 bladeTip;      // w: opacity
 out vec4 bladeFacing;   // z: 1 if it is a plain triangle; w: density
 out vec3 bladeUpright;  // of its pose
-out vec4 bladeTint;     // hue, lightness; where on the terrain
+out vec4 bladePaint;    // hue, lightness; where on the terrain
 flat out uint bladeGrain;
 
 void main() {
     uint slot = uint(gl_VertexID);
     TessCell c = cells[cellOf(slot)];
     TessBlade t = tessBlade(c, c.first + slot - c.slot);
-    bladeRoot = bladeControl = bladeTip = bladeFacing = bladeTint = vec4(0.0);
+    bladeRoot = bladeControl = bladeTip = bladeFacing = bladePaint = vec4(0.0);
     bladeUpright = vec3(0.0);
     bladeGrain = 0u;
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
@@ -26,6 +26,6 @@ void main() {
     bladeTip = vec4(t.pose.tip, t.opacity);
     bladeFacing = vec4(t.pose.facing, t.plain ? 1.0 : 0.0, t.density);
     bladeUpright = t.pose.upright;
-    bladeTint = vec4(t.hue, t.lightness, t.uv);
+    bladePaint = vec4(t.hue, t.lightness, t.uv);
     bladeGrain = t.grain;
 }
