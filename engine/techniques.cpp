@@ -3,6 +3,7 @@
 #include "grass/drawing.h"
 #include "grass/grass_fields.h"
 #include "grass/hybrid.h"
+#include "grass/raytraced_settings.h"
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
 #include "scene/components.h"
@@ -22,6 +23,7 @@ struct Store {
     Store() {
         for (const TechniqueRow& row : hybridTechniques()) techniques.push_back(row);
         techniques.push_back(tessellatedTechnique());
+        techniques.push_back(raytracedTechnique());
         describe();
     }
     void describe() {
@@ -30,7 +32,7 @@ struct Store {
         const std::span<const ComponentRow> shared = sharedComponentRows();
         components.assign(shared.begin(), shared.end());
         for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
-                                        tessellatedBladesRow(), grassDrawingRow(), farLookRow()})
+                                        tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

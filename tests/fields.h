@@ -6,6 +6,7 @@
 #include "grass/cells.h"
 #include "grass/drawing.h"
 #include "grass/hybrid.h"
+#include "grass/raytraced_settings.h"
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
 #include "scene/project.h"
@@ -14,8 +15,8 @@
 namespace sward::test {
 
 // The techniques that are built in.
-enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated };
-inline constexpr const char* kTechniqueNames[] = {"hybrid", "geometry", "slices", "flat", "tessellated"};
+enum class Technique { Hybrid, Geometry, Slices, Flat, Tessellated, Raytraced };
+inline constexpr const char* kTechniqueNames[] = {"hybrid", "geometry", "slices", "flat", "tessellated", "raytraced"};
 inline const char* nameOf(Technique t) { return kTechniqueNames[static_cast<int>(t)]; }
 
 // The component of an entity, added where it has none.
@@ -36,6 +37,7 @@ struct FlatField {
     GrassSlices& sliced;
     GrassDrawing& drawing;
     TessellatedBlades& tessellated;
+    RaytracedGrass& raytraced;
     FarLook& far;
 
     FlatField(Registry& r, Entity e)
@@ -46,6 +48,7 @@ struct FlatField {
           sliced(having<GrassSlices>(r, e)),
           drawing(having<GrassDrawing>(r, e)),
           tessellated(having<TessellatedBlades>(r, e)),
+          raytraced(having<RaytracedGrass>(r, e)),
           far(having<FarLook>(r, e)) {}
     FlatField() : FlatField(std::make_shared<Registry>()) {}
     explicit FlatField(std::shared_ptr<Registry> r) : FlatField(*r, r->create()) { alone = std::move(r); }
@@ -112,6 +115,7 @@ inline FlatField put(Project& p, const std::string& entity, const FlatField& fie
     p.registry.add(e, GrassSlices(field.sliced));
     p.registry.add(e, GrassDrawing(field.drawing));
     p.registry.add(e, TessellatedBlades(field.tessellated));
+    p.registry.add(e, RaytracedGrass(field.raytraced));
     p.registry.add(e, FarLook(field.far));
     return {p.registry, e};
 }

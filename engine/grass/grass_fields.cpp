@@ -125,7 +125,8 @@ FeatureSet populationFeatures(const GrassField& g) {
 FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     const auto& drawing = field.settings<GrassDrawing>();
     const auto& far = field.settings<FarLook>();
-    const bool stands = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassSlices);
+    const bool stands =
+        has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassSlices) || has(drawn, Feature::GrassRaytraced);
     const bool blades = has(drawn, Feature::GrassGeometry) || has(drawn, Feature::GrassTessellated);
     FeatureSet s;
     if (drawing.transparency != Transparency::Coverage) s |= featureSet(Feature::GrassBlended);

@@ -42,7 +42,8 @@ FeatureSet hybridFeatures(const FieldEntity& field) {
     FeatureSet s;
     if (t.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
     if (std::isinf(t.minGeom)) return s;
-    if (t.maxBTF > t.minGeom) s |= featureSet(Feature::GrassSlices);
+    if (t.maxBTF > t.minGeom)
+        s |= featureSet(t.middleTier == MiddleTier::Raytraced ? Feature::GrassRaytraced : Feature::GrassSlices);
     return s | featureSet(Feature::GrassFar);
 }
 // What all four have in common.
@@ -63,13 +64,12 @@ FieldTiers hybridTiers(const FieldEntity& field) {
     tiers.soil = fadeRange(std::max(t.minBTF, t.maxGeom), std::max(t.maxBTF, t.maxGeom));
     return tiers;
 }
-// Vertical slices stand for what else is drawn blade by blade.
-FeatureSet withoutBlades(FeatureSet s) {
-    return has(s, Feature::GrassSlices) ? s & ~featureSet(Feature::GrassGeometry) : s;
-}
+bool hasMiddle(const FeatureSet& s) { return has(s, Feature::GrassSlices) || has(s, Feature::GrassRaytraced); }
+// The middle tier stands for what else is drawn blade by blade.
+FeatureSet withoutBlades(FeatureSet s) { return hasMiddle(s) ? s & ~featureSet(Feature::GrassGeometry) : s; }
 FieldTiers hybridCoarseTiers(const FieldEntity& field) {
     FieldTiers tiers = hybridTiers(field);
-    if (!has(hybridFeatures(field), Feature::GrassSlices)) return tiers;
+    if (!hasMiddle(hybridFeatures(field))) return tiers;
     tiers.images = fadeRange(0, 0);
     tiers.slicesFrom = tiers.flatFrom = -1;
     return tiers;
@@ -111,6 +111,7 @@ std::vector<SettingValues> hybridSweep(const FieldEntity& field) {
     for (const double near : {0.25, 0.5, 0.7071, 1.0, 1.4142, 2.0})
         for (const double far : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, far, "msaa=4"));
     for (const double near : {0.5, 1.0, 2.0}) out.push_back(scaledTiers(own, near, 1, "msaa=1"));
+    for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({"middleTier=raytraced", msaa});
     for (const char* one : {"sharpness=0", "sharpness=1", "sharpness=2", "filtering=trilinear", "sliceCover=published",
                             "lightWeights=published", "transparency=both", "storage=compressed"})
         out.push_back({one, "msaa=4"});
@@ -156,6 +157,7 @@ SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) 
 }
 
 constexpr const char* kFewBlades[] = {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"};
+constexpr const char* kHybridSettings[] = {"HybridTiers", "RaytracedGrass", "GrassSlices", "GrassDrawing", "FarLook"};
 constexpr const char* kAllSettings[] = {"HybridTiers", "GrassSlices", "GrassDrawing", "FarLook"};
 constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
 
@@ -170,6 +172,8 @@ ComponentRow hybridTiersRow() {
         distance("minBTF", offsetof(HybridTiers, minBTF), kDistance, "up to here every vertical slice is drawn"),
         distance("maxBTF", offsetof(HybridTiers, maxBTF), kDistance,
                  "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
+        choice("middleTier", &HybridTiers::middleTier, offsetof(HybridTiers, middleTier), kMiddleTiers,
+               "what is drawn between: vertical slices as quads, or rays through them, pixel by pixel"),
     };
     ComponentRow row = settingsRow<HybridTiers>(
         "HybridTiers", "From where to where grass is blades, slices, and one slice over the ground.", kFields,
@@ -184,7 +188,7 @@ std::span<const TechniqueRow> hybridTechniques() {
          .label = "Hybrid",
          .help = "blades near the eye, slices of them farther away, one slice over the ground beyond (Boulanger 2006)",
          .color = 0x009e73,
-         .settings = kAllSettings,
+         .settings = kHybridSettings,
          .features = hybridFeatures,
          .tiers = hybridTiers,
          .coarse = withoutBlades,

@@ -4,9 +4,14 @@
 #pragma once
 #include <span>
 
+#include "core/enum_names.h"
 #include "scene/technique.h"
 
 namespace sward {
+
+// What is drawn at middle distance: vertical slices as quads, or rays through them, pixel by pixel (grass/raytraced.h).
+enum class MiddleTier { Slices, Raytraced };
+inline constexpr auto kMiddleTiers = enumNames<MiddleTier>("slices", "raytraced");
 
 // Distances from the eye, metres.
 struct HybridTiers {
@@ -14,6 +19,7 @@ struct HybridTiers {
     float maxGeom = 12;  // ... and gone from here; infinite: never fades
     float minBTF = 25;   // vertical slices are all there up to here ...
     float maxBTF = 40;   // ... and gone from here
+    MiddleTier middleTier = MiddleTier::Slices;
 };
 
 // The field table of HybridTiers; repairs distances that are swapped or equal.

@@ -40,7 +40,7 @@ bool slicesAreShaded(const FeatureSet& features) {
 }
 
 void upload(DrawContext& ctx, const GrownField& f, GrownSpecies& s, uint64_t key, const SliceImages& images) {
-    const bool vertical = f.draws(Feature::GrassSlices);
+    const bool vertical = showsVertical(f);
     s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.of->settings<GrassSlices>().storage);
     s.sliceKey = key;
 }
@@ -48,7 +48,7 @@ void upload(DrawContext& ctx, const GrownField& f, GrownSpecies& s, uint64_t key
 // Which textures the species should have: what they are made from, and how they are stored.
 uint64_t textureKey(const GrownField& f, uint64_t slices) {
     const uint64_t parts[] = {slices, static_cast<uint64_t>(f.of->settings<GrassSlices>().storage),
-                              f.draws(Feature::GrassSlices) ? 1u : 0u};
+                              showsVertical(f) ? 1u : 0u};
     return hashBytes(parts, sizeof(parts));
 }
 
@@ -268,12 +268,8 @@ void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t
 }
 
 void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw& s) {
-    const FieldSpecies& species = field.species[i];
-    const GrownSpecies& grown = *species.grown;
     if (s.selected.empty()) return;
-    if (grown.density) glBindTextureUnit(TEX_DENSITY, grown.density);
-    filterSlices(ctx, field, grown.slices);
-    bindSlices(species, grown.slices.reflectance.id(), grown.slices.threshold.id(), grown.slices.light.id());
+    bindVerticalSlices(ctx, field, i);
     glBindVertexArray(s.mesh.id());
     const int each = 12 * s.slices;
     for (int q = 0; q < 4; ++q) {
@@ -479,6 +475,18 @@ const Follows kFarFollows[] = {{Feature::Wind, "the horizontal slice brightens a
                                {Feature::GrassUnique, kRepeats}};
 
 }  // namespace
+
+void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i) {
+    const FieldSpecies& species = field.species[i];
+    const GrownSpecies& grown = *species.grown;
+    if (grown.density) glBindTextureUnit(TEX_DENSITY, grown.density);
+    filterSlices(ctx, field, grown.slices);
+    bindSlices(species, grown.slices.reflectance.id(), grown.slices.threshold.id(), grown.slices.light.id());
+}
+
+bool showsVertical(const GrownField& field) {
+    return field.draws(Feature::GrassSlices) || field.draws(Feature::GrassRaytraced);
+}
 
 SliceSpec sliceSpec(const FieldEntity& field, size_t species, const Rgba8& blade, bool shaded, bool draft) {
     const auto& images = field.settings<GrassSlices>();

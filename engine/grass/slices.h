@@ -19,9 +19,17 @@
 
 namespace sward {
 
+struct Field;       // grass/field.h
+struct GrownField;  // grass/grown.h
+
 const EffectRow& slicesEffect();     // vertical
 const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
 const EffectRow& farShadowEffect();  // of the horizontal one on the ground
+
+// Binds the images of the vertical slices of a field's species, filtered for this view, and its density map.
+void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t species);
+// Whether a field's vertical slices are drawn or traced, so that their images are there.
+bool showsVertical(const GrownField& field);
 
 // What the slices of a field's species (by its number) are made from. shaded: with the blades' shadows on each other;
 // draft: an eighth of the resolution, made while one waits.

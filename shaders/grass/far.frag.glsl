@@ -104,9 +104,9 @@ void main() {
     BladeStand stand = standHere(uv);
     vec2 lean = leanOf(stand, vec2(0.0)).lean;
     // Vertical slices that lean cover less of what lies below: as much as they are lowered.
-    float vertical = GRASS_SLICES ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
-                                        (1.0 - lodRamp(d, slices.minBTF, slices.btfInv))
-                                  : 0.0;
+    float vertical = GRASS_SLICES || GRASS_RAYTRACED ? sqrt(1.0 - min(dot(lean, lean), 0.9)) * verticalShare(toEye.y) *
+                                                           (1.0 - lodRamp(d, slices.minBTF, slices.btfInv))
+                                                     : 0.0;
     vec4 stored;
     vec2 laid = laidSeen(toEye, vertical);
     float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);

@@ -54,13 +54,6 @@ BladeStand standHere(vec2 inCell, vec2 uv, out float press) {
     return s;
 }
 
-// The sun as a slice sees it, in the patch's own axes.
-vec4 sunImages(int axis, float side) {
-    if (!LIGHT_COSINE) return imagesOf(slices.sunWeights, vec4(side, mirror, float(axis)));
-    vec3 l = frame.sunDirection * vec3(mirror.x, 1.0, mirror.y);
-    return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
-}
-
 // In slices, within ]-0.15, 0.15[: moves each end of a slice by a number of the cells' edge that it lies on, which the
 // neighbour shares. Without it the slices' straight tops, all at one distance, show as a weave.
 float jitter(int axis, int k, int end) {
@@ -96,7 +89,7 @@ void main() {
 
     brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.free, press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
-    images = sunImages(axis, axes.x);
+    images = sunImages(axis, axes.x, mirror);
     gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
     ambient = brighter * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));

@@ -1,5 +1,6 @@
 // What vertical and horizontal slices share: their images, light from tabulated directions, gains by view.
-// Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING.
+// Needs: const bool GRASS_DENSITY, GRASS_VEGETATION, FORCES, FORCE_MAP, TRANSLUCENCY, CONSERVING,
+// LIGHT_COSINE.
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
@@ -77,10 +78,29 @@ float fieldDensity(vec2 uv) {
     return texture(densityMap, tiled(uv, field.species[slices.species].tiling)).r;
 }
 
+// Level of detail of a map that is read at `uv * tiling`, for a pixel that is `metres` wide.
+float mapLevel(ivec2 size, float tiling, float metres) {
+    vec2 texels = vec2(size) * frame.mapShare * (max(tiling, 1.0) * metres);
+    return max(log2(max(max(texels.x, texels.y), 1e-6)), 0.0);
+}
+// The same for a pixel so wide, where neighbouring pixels look at other places altogether.
+float fieldDensityOver(vec2 uv, float metres) {
+    if (!GRASS_DENSITY) return 1.0;
+    float tiling = field.species[slices.species].tiling;
+    return textureLod(densityMap, tiled(uv, tiling), mapLevel(textureSize(densityMap, 0), tiling, metres)).r;
+}
+
 // Reflectance (as a share of full scale) with the field's colour over it.
 vec3 paintedOver(vec3 reflectance, vec2 uv) {
     if (!GRASS_VEGETATION) return reflectance;
     vec4 paint = texture(vegetationMap, uv * field.vegetationTiling);
+    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+}
+
+vec3 paintedOver(vec3 reflectance, vec2 uv, float metres) {
+    if (!GRASS_VEGETATION) return reflectance;
+    float level = mapLevel(textureSize(vegetationMap, 0), field.vegetationTiling, metres);
+    vec4 paint = textureLod(vegetationMap, uv * field.vegetationTiling, level);
     return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
 }
 
@@ -116,6 +136,14 @@ vec4 imagesOf(vec4 w, vec4 axes) {
     vec2 along = axes.w < 0.5 ? x : z, across = axes.w < 0.5 ? z : x;
     return vec4(axes.x > 0.0 ? along.x : along.y, across, w.y);
 }
+// The sun as a slice sees it, in the patch's own axes. axis: 0 for slices across x, 1 across z; side of it that is
+// seen; mirror of its cell.
+vec4 sunImages(int axis, float side, vec2 mirror) {
+    if (!LIGHT_COSINE) return imagesOf(slices.sunWeights, vec4(side, mirror, float(axis)));
+    vec3 l = frame.sunDirection * vec3(mirror.x, 1.0, mirror.y);
+    return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
+}
+
 // Light of all lamps on the images of a vertical slice at a point.
 void lampsOnImages(vec3 at, vec4 axes, inout vec4 sum[3]) {
     for (int i = 0; i < lampCount(); ++i) {

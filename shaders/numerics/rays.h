@@ -1,7 +1,6 @@
 // Rays through the slices of a grass shell (Habel, Wimmer, Jeschke 2007, eq 2): in tangent space (u, v, w) slices stand
 // at u = k/nu and v = k/nv, the shell is w in [-h, 0], w is up. Integers step from slice to slice, so that nothing
 // drifts, and a slice through the entry is seen from both sides.
-// On the GPU only the formula suite runs this (shaders/formulas).
 
 #ifndef __cplusplus
 #include "numerics/basics.h"

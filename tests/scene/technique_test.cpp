@@ -77,6 +77,7 @@ TEST(TechniqueTable, NoSourceOutsideTheStemsListsOrAsksForTechniques) {
         }
         std::set<std::string> inFile;
         for (const std::string& line : linesOf(root / file)) {
+            if (line.find("enumNames<") != std::string::npos) continue;  // the values of a field
             const std::vector<std::string> named = namedIn(line.substr(0, line.find("//")));
             inFile.insert(named.begin(), named.end());
             if (!named.empty()) EXPECT_FALSE(std::regex_search(line, branch)) << file << ": " << line;
@@ -84,7 +85,7 @@ TEST(TechniqueTable, NoSourceOutsideTheStemsListsOrAsksForTechniques) {
         EXPECT_LT(inFile.size(), 2u) << file << " lists techniques";
     }
     EXPECT_GT(files, 200u);
-    EXPECT_EQ(stems, 2u) << "files of rows";
+    EXPECT_EQ(stems, 3u) << "files of rows";
 }
 
 }  // namespace

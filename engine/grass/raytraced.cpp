@@ -1,0 +1,167 @@
+#include "grass/raytraced.h"
+
+#include "frame/draw_context.h"
+#include "grass/field.h"
+#include "grass/raytraced_settings.h"
+#include "grass/slices.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/raytraced";
+
+// The ground over which a field is traced, nearest first.
+struct Carrier {
+    const Field* field;
+    std::vector<TerrainNode> nodes;
+    bool inside = false;  // the eye is in the shell
+};
+struct RayView : EffectState {
+    Buffer nodes;
+    VertexArray screen;
+    std::vector<Carrier> carriers;  // of this frame
+};
+
+// Least and greatest distance of a node from the eye, over the ground.
+struct Reach {
+    float least, most;
+};
+Reach reachOf(const TerrainNode& n) {
+    const glm::vec2 low = n.corner, high = low + glm::vec2(16 * n.spacing);
+    return {glm::length(glm::max(glm::max(low, -high), glm::vec2(0))),
+            glm::length(glm::max(glm::abs(low), glm::abs(high)))};
+}
+
+// Those over which a field's rays begin between two distances, or come to slices there.
+std::vector<TerrainNode> nodesBetween(const DrawContext& ctx, float near, float far) {
+    const float above = std::max(std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.low),
+                                 std::abs(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high));
+    std::vector<TerrainNode> out;
+    for (const TerrainNode& n : ctx.shared.groundMesh.nodes)
+        if (const Reach r = reachOf(n); r.least < far && std::hypot(r.most, above) > near) out.push_back(n);
+    std::stable_sort(out.begin(), out.end(),
+                     [](const TerrainNode& a, const TerrainNode& b) { return reachOf(a).least < reachOf(b).least; });
+    return out;
+}
+
+// Whether the eye is over the terrain and lower than the grass may reach.
+bool eyeInside(const DrawContext& ctx, const Field& field) {
+    const Terrain& t = *ctx.shared.ground.terrain;
+    if (!(ctx.eye.x >= 0 && ctx.eye.z >= 0 && ctx.eye.x <= t.size.x && ctx.eye.z <= t.size.y)) return false;
+    float top = 0;
+    for (const FieldSpecies& s : field.species) top = std::max(top, s.grown->slices.top);
+    const double above = ctx.eye.y - terrainHeight(t, ctx.eye.x, ctx.eye.z);
+    return above >= 0 && above < static_cast<double>(top);
+}
+
+// Rays go on for a while behind where they come in: nodes that lie a little nearer than the first slices have some.
+constexpr float kAhead = 4;  // metres
+
+Carrier carrierOf(const DrawContext& ctx, const Field& field) {
+    const FieldTiers& tiers = field.view->tiers;
+    return {&field, nodesBetween(ctx, tiers.slicesFrom - kAhead, tiers.slicesTo),
+            tiers.slicesFrom <= 0 && eyeInside(ctx, field)};
+}
+
+void select(DrawContext& ctx) {
+    RayView& view = ctx.ofView<RayView>();
+    view.carriers.clear();
+    if (!ctx.shared.grass) return;
+    if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    if (!view.screen.id()) view.screen = makeVertexArray(kOwner);
+    for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced)) view.carriers.push_back(carrierOf(ctx, *field));
+}
+
+std::string constantsOf(const Field& field, bool inside) {
+    const auto& own = field.view->settings<RaytracedGrass>();
+    return fieldConstants(field.view->of) +
+           fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(own.rest));
+}
+
+bool begin(DrawContext& ctx, const Field& field, bool inside) {
+    if (!beginField(ctx, field, inside ? 1 : 0, constantsOf(field, inside))) return false;
+    const auto& own = field.view->settings<RaytracedGrass>();
+    glUniform1i(0, own.steps);
+    glUniform1f(1, own.cutOff);
+    glUniform1f(2, own.depthAt);
+    glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    return true;
+}
+
+void drawOver(DrawContext& ctx, const Carrier& c, const Buffer& room) {
+    if (c.nodes.empty() || !begin(ctx, *c.field, false)) return;
+    for (size_t i = 0; i < c.field->species.size(); ++i) {
+        bindVerticalSlices(ctx, *c.field, i);
+        ctx.pass->draws += drawNodes(ctx.shared.groundMesh, c.nodes, room);
+        ctx.pass->instances += c.nodes.size();
+    }
+}
+
+void drawInside(DrawContext& ctx, const Carrier& c, const VertexArray& screen) {
+    if (!c.inside || !begin(ctx, *c.field, true)) return;
+    glBindVertexArray(screen.id());
+    for (size_t i = 0; i < c.field->species.size(); ++i) {
+        bindVerticalSlices(ctx, *c.field, i);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        ctx.pass->draws += 1;
+        ctx.pass->instances += 1;
+    }
+}
+
+void draw(DrawContext& ctx) {
+    RayView& view = ctx.ofView<RayView>();
+    for (const Carrier& c : view.carriers) {
+        drawInside(ctx, c, view.screen);
+        drawOver(ctx, c, view.nodes);
+    }
+    endTransparency();
+}
+
+// All ways in which its programs differ.
+std::vector<std::string> variants(bool inside) {
+    std::vector<std::string> out;
+    const auto add = [&](const std::string& field, RayRest rest) {
+        out.push_back(field +
+                      fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(rest)));
+    };
+    for (const std::string& field : fieldVariants()) add(field, RayRest::Mean);
+    for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing}) add(fieldConstants(GrassDrawing{}, {}), rest);
+    return out;
+}
+
+const System kSystems[] = {
+    {"grass/raytraced/select", {.reads = {Slot::Grass, Slot::Ground, Slot::GroundNodes, Slot::Slices}}, select}};
+const ProgramRow kPrograms[] = {{"grass/raytraced", "grass/raytraced.vert.glsl", "grass/raytraced.frag.glsl", nullptr,
+                                 [] { return variants(false); }},
+                                {"grass/raytraced/inside", "grass/raytraced.vert.glsl", "grass/raytraced.frag.glsl",
+                                 nullptr, [] { return variants(true); }}};
+const Pass kPasses[] = {{"grass/raytraced",
+                         Stage::Slices,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::GroundNodes, Slot::Slices, Slot::FarGround, Slot::Forces,
+                                    Slot::Shadows, Slot::Lamps},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)}};
+const Follows kFollows[] = {
+    {Feature::Wind, "rays lean against the gust, so that slices lean with it"},
+    {Feature::Forces, "the shell sinks and leans"},
+    {Feature::ForceMap, "the shell sinks and leans"},
+    {Feature::GrassUnique, "slices are images of one patch: grass that is drawn by them repeats it"}};
+
+}  // namespace
+
+const EffectRow& raytracedEffect() {
+    static const EffectRow row{
+        .name = "grass/raytraced",
+        .needs = featureSet(Feature::GrassRaytraced, Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .passes = kPasses,
+        .help = "rays are traced through slices, pixel by pixel",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<RayView>(); },
+        .follows = kFollows};
+    return row;
+}
+
+}  // namespace sward

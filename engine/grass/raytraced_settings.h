@@ -1,0 +1,29 @@
+// The technique "raytraced": rays through the vertical slices, pixel by pixel, at a cost that follows pixels instead of
+// blades. Source: Habel, Wimmer and Jeschke 2007; H-1 to H-9. Does not: draw (grass/raytraced.h).
+#pragma once
+#include <span>
+
+#include "core/enum_names.h"
+#include "scene/technique.h"
+
+namespace sward {
+
+// What stands for the slices that a ray has not come to when its steps are over: what they would send in the mean; the
+// next slice, as if it were opaque (the paper's filling); or nothing, so that the ground shows.
+enum class RayRest { Mean, Opaque, Nothing };
+inline constexpr auto kRayRests = enumNames<RayRest>("mean", "opaque", "nothing");
+
+struct RaytracedGrass {
+    int steps = 8;         // slices that a ray looks at, at most
+    float cutOff = 0.98f;  // opacity at which a ray ends
+    float depthAt = 0.5f;  // share of its opacity at which a ray's depth is taken (section 3, visibility)
+    RayRest rest = RayRest::Mean;
+    float maxDistance = 60;  // metres from which the horizontal slice alone is drawn; infinite: never
+};
+
+// The field table of RaytracedGrass.
+ComponentRow raytracedGrassRow();
+// "raytraced".
+TechniqueRow raytracedTechnique();
+
+}  // namespace sward

@@ -1,0 +1,50 @@
+// How a place on a vertical slice is lit: what it stores of its blades, by the light here (Boulanger, Pattanaik and
+// Bouatouch 2006, section 3.3). Fragment shaders only. Needs: what lib/slices.glsl and lib/shadow.glsl need; const int
+// STORAGE; const bool LIGHT_COSINE, SUN, LAMPS.
+#include "lib/shadow.glsl"
+#include "lib/slices.glsl"
+
+// A place on a slice.
+struct SliceSpot {
+    vec3 texel;        // across (it repeats), up, layer
+    vec3 at;           // relative to the eye
+    vec4 images;       // of the sun (sunImages)
+    float lightLayer;  // 0 in front of the slice, twice the slices' number behind it
+    vec3 gain;         // of light from the sun
+    vec3 brighter;     // of any light
+    vec3 ambient;
+    vec4 lamp[3];  // red, green, blue: lamps' light on the images
+    float fine;    // level of detail of what is lit
+};
+
+// Lamps on the images: facing, side +, side -, above.
+vec3 lampsSend(SliceSpot s, vec3 reflectance, vec4 lit, float above) {
+    if (!LAMPS) return vec3(0.0);
+    vec4 numbers = vec4(lit.xzw, above);
+    return reflectance * s.brighter * vec3(dot(s.lamp[0], numbers), dot(s.lamp[1], numbers), dot(s.lamp[2], numbers));
+}
+
+// What it sends to the eye. open: share of ambient light that reaches it; stored: the texel's thresholds and light from
+// above.
+vec3 sliceRadiance(SliceSpot s, vec3 reflectance, float open, vec4 stored) {
+    bool front = !(s.lightLayer > 0.0);
+    float visible = sunVisible(s.at, vec3(0.0));
+    float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
+    vec3 light = s.ambient * reflectance * open;
+    if (STORAGE == FULL_STORAGE) {
+        float layers = float(textureSize(sliceReflectance, 0).z), first = s.texel.z + (front ? 0.0 : 5.0 * layers);
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 4; ++i) {  // facing, side +, side -, above: images 0, 2, 3, 4
+            float image = i == 0 ? 0.0 : float(i + 1);
+            vec3 weight = vec3(s.images[i]) * s.gain * visible;
+            if (LAMPS) weight += s.brighter * vec3(s.lamp[0][i], s.lamp[1][i], s.lamp[2][i]);
+            sum += weight * textureLod(sliceLight, vec3(s.texel.xy, first + image * layers), s.fine).rgb;
+        }
+        return light + sum;
+    }
+    vec4 lit = textureLod(sliceLight, vec3(s.texel.xy, s.texel.z + s.lightLayer), s.fine);
+    vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), s.images.xyz)
+                            : vec2(dot(s.images, vec4(lit.xzw, above)),
+                                   dot(s.images, vec4(0.0, lit.wz, below)) + (1.0 - dot(s.images, vec4(1.0))) * lit.x);
+    return light + leavesSend(reflectance, sun) * s.gain * visible + lampsSend(s, reflectance, lit, above);
+}

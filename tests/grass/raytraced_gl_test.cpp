@@ -1,0 +1,254 @@
+// Grass by rays through slices: against blades and against the same slices as quads, in the views that break rays, and
+// by what it costs.
+#include "grass/raytraced.h"
+
+#include <random>
+
+#include "fields.h"
+#include "objects.h"
+#include "scenes.h"
+#include "support.h"
+#include "techniques.h"
+#include "world/view_camera.h"
+
+namespace sward::test {
+namespace {
+
+// A dense lawn with small slices, soil that is not green.
+Project meadow(Technique technique) {
+    Project p = lawn();
+    FlatField f = flatField(p);
+    f.technique = nameOf(technique);
+    f.species[0].bladesPerM2 = 3000;
+    f.sliceWidth = f.farSize = 64, f.sliceHeight = 32;
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
+    return p;
+}
+ViewSettings sized(int width = 160, int height = 120, int msaa = 4) {
+    ViewSettings s;
+    s.width = width, s.height = height, s.msaa = msaa;
+    return s;
+}
+ViewCamera grazing() { return {{10, 1.2, 1}, {10, 0, 6}, 45, 0}; }
+ViewCamera steep() { return {{10, 2.5, 1}, {10, 0, 4}, 40, 0}; }
+
+std::vector<float> picture(Renderer& r, const Project& p, const ViewCamera& camera,
+                           const ViewSettings& settings = sized()) {
+    const Status drawn = r.draw(p, camera, settings);
+    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
+    return r.readLinear();
+}
+std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = sized()) {
+    Renderer r(gpu(), tables());
+    return picture(r, p, camera, settings);
+}
+double brightness(const std::vector<float>& pixels) {
+    double sum = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3)
+        sum += 0.2126 * static_cast<double>(pixels[i]) + 0.7152 * static_cast<double>(pixels[i + 1]) +
+               0.0722 * static_cast<double>(pixels[i + 2]);
+    return 3 * sum / static_cast<double>(pixels.size());
+}
+// Share of pixels in which green beats the soil's red.
+double covered(const std::vector<float>& pixels) {
+    size_t n = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
+    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
+}
+bool isFinite(const std::vector<float>& pixels) {
+    return std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
+}
+const PassStats& passOf(const Renderer& r, const std::string& name) {
+    for (const PassStats& pass : r.stats().passes)
+        if (pass.name == name) return pass;
+    static const PassStats none;
+    ADD_FAILURE() << name << " was not drawn";
+    return none;
+}
+
+TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
+    NoGlErrors errors;
+    for (const ViewCamera& camera : {grazing(), steep()}) {
+        const auto blades = picture(meadow(Technique::Geometry), camera),
+                   slices = picture(meadow(Technique::Slices), camera);
+        Project p = meadow(Technique::Raytraced);
+        flatField(p).raytraced.steps = 16;
+        const auto rays = picture(p, camera);
+        std::printf("covered: blades %.3f slices %.3f rays %.3f; bright: %.4f %.4f %.4f\n", covered(blades),
+                    covered(slices), covered(rays), brightness(blades), brightness(slices), brightness(rays));
+        EXPECT_NEAR(covered(rays), covered(blades), 0.12);
+        EXPECT_NEAR(brightness(rays), brightness(blades), 0.25 * brightness(blades));
+        EXPECT_LE(std::abs(brightness(rays) - brightness(blades)),
+                  std::abs(brightness(slices) - brightness(blades)) + 0.05 * brightness(blades))
+            << "no farther off than the same slices as quads";
+    }
+}
+
+// The mean of what is beyond the last step keeps the picture of few steps near that of many; nothing keeps it less.
+TEST(Raytraced, FewStepsAreAsBrightAsManyBecauseTheRestIsFilled) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Raytraced);
+    FlatField f = flatField(p);
+    f.raytraced.steps = 48;
+    const auto whole = picture(p, grazing());
+    f.raytraced.steps = 2;
+    const auto filled = picture(p, grazing());
+    EXPECT_NEAR(covered(filled), covered(whole), 0.05);
+    EXPECT_NEAR(brightness(filled), brightness(whole), 0.12 * brightness(whole));
+    f.raytraced.rest = RayRest::Nothing;
+    const auto open = picture(p, grazing());
+    std::printf("bright: 48 steps %.4f, 2 filled %.4f, 2 open %.4f\n", brightness(whole), brightness(filled),
+                brightness(open));
+    EXPECT_GT(std::abs(brightness(open) - brightness(whole)), 2 * std::abs(brightness(filled) - brightness(whole)))
+        << "the filling is what does it";
+}
+
+TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Hybrid);
+    FlatField f = flatField(p);
+    f.minGeom = 2, f.maxGeom = 4, f.minBTF = 8, f.maxBTF = 12;
+    Renderer r(gpu(), tables());
+    const double slices = brightness(picture(r, p, grazing()));
+    f.hybrid.middleTier = MiddleTier::Raytraced;
+    const auto rays = picture(r, p, grazing());
+    EXPECT_NEAR(brightness(rays), slices, 0.1 * slices);
+    EXPECT_GT(passOf(r, "grass/raytraced").draws, 0u);
+    for (const PassStats& pass : r.stats().passes) EXPECT_NE(pass.name, "grass/slices");
+}
+
+// H-1 to H-5: along an axis, straight down, from on a slice, from inside the shell, and any way at all.
+TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Raytraced);
+    put<Wind>(p, "wind");
+    Renderer r(gpu(), tables());
+    const ViewSettings s = sized(64, 48, 1);
+    const auto sound = [&](const ViewCamera& c) {
+        const auto image = picture(r, p, c, s);
+        EXPECT_TRUE(isFinite(image)) << c.eye.x << " " << c.eye.y << " " << c.eye.z;
+        return image;
+    };
+    for (const double y : {0.02, 0.075, 0.149, 0.15, 1.0})
+        for (const glm::dvec3& way : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1),
+                                      glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(0, 1, 0)})
+            for (const double x : {10.0, 10.025, 10.5}) sound({{x, y, 10.025}, glm::dvec3(x, y, 10.025) + way, 60, 0});
+    std::mt19937 random(7);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 eye(22 * unit() - 1, 0.4 * unit() * unit(), 22 * unit() - 1);
+        sound({eye, eye + glm::dvec3(2 * unit() - 1, 1.2 * unit() - 1, 2 * unit() - 1),
+               20 + 80 * static_cast<float>(unit()), 0});
+    }
+    // A column that looks along x shows the lawn as its neighbours do.
+    const auto along = picture(r, p, {{2, 1, 10}, {12, 0, 10}, 50, 0}, sized(65, 48));
+    double middle = 0, beside = 0;
+    for (size_t y = 30; y < 48; ++y)
+        for (size_t x : {30u, 31u, 32u, 33u, 34u})
+            (x == 32 ? middle : beside) += static_cast<double>(along[3 * (y * 65 + x) + 1]);
+    EXPECT_NEAR(middle / (beside / 4), 1, 0.15);
+}
+
+TEST(Raytraced, AnEyeInTheGrassSeesGrass) {
+    NoGlErrors errors;
+    const Project p = meadow(Technique::Raytraced);
+    const auto image = picture(p, {{10, 0.06, 10}, {14, 0.05, 11}, 60, 0});
+    const size_t pixels = image.size() / 3;
+    size_t green = 0;
+    for (size_t i = pixels / 2; i < pixels; ++i) green += image[3 * i + 1] > image[3 * i];
+    EXPECT_GT(static_cast<double>(green) / (static_cast<double>(pixels) / 2), 0.9);
+}
+
+// A red ball half sunk in the grass: what stands before it hides it, what stands behind does not.
+TEST(Raytraced, HidesWhatStandsBehindIt) {
+    NoGlErrors errors;
+    const TempDir folder;
+    const auto red = [&](Technique technique, double z) {
+        Project p = meadow(technique);
+        p.dir = folder.path;
+        putObject(p, "post", {{.size = {0.3, 0.2, 0.3}, .color = {0.9f, 0, 0}}}, {10, 0, z});
+        const auto image = picture(p, {{10, 0.5, 6}, {10, 0.05, 10}, 30, 0});
+        double n = 0;
+        for (size_t i = 0; i < image.size(); i += 3) n += image[i] > 3 * image[i + 1];
+        return n;
+    };
+    const double bare = red(Technique::Flat, 9), blades = red(Technique::Geometry, 9),
+                 rays = red(Technique::Raytraced, 9);
+    std::printf("pixels of the post: over flat grass %.0f, among blades %.0f, among rays %.0f\n", bare, blades, rays);
+    EXPECT_GT(rays, 0);
+    EXPECT_LT(rays, 0.9 * bare);
+    EXPECT_NEAR(rays, blades, 0.15 * bare);
+}
+
+TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    ViewSettings s = sized();
+    s.measure = true;
+    std::vector<uint64_t> fragments;
+    for (const int slices : {4, 16, 64}) {
+        Project p = meadow(Technique::Raytraced);
+        flatField(p).slices = slices;
+        flatField(p).sliceWidth = 32, flatField(p).sliceHeight = 16;
+        picture(r, p, grazing(), s);
+        fragments.push_back(passOf(r, "grass/raytraced").fragments);
+    }
+    EXPECT_EQ(fragments[0], fragments[1]);
+    EXPECT_EQ(fragments[0], fragments[2]);
+}
+
+TEST(Raytraced, LeansWithTheWindAndStillDoesAfterAMonth) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Raytraced);
+    put<Wind>(p, "wind", {.strength = 0.8f});
+    Renderer r(gpu(), tables());
+    const auto at = [&](double time) {
+        ViewSettings s = sized();
+        s.time = time;
+        return picture(r, p, grazing(), s);
+    };
+    const double month = 30 * 86400.0;
+    EXPECT_NE(at(0), at(0.5));
+    EXPECT_NE(at(month), at(month + 1.0 / 60));
+    EXPECT_TRUE(isFinite(at(month)));
+    EXPECT_EQ(at(0.5), at(0.5));
+}
+
+TEST(Raytraced, EverySettingAtItsEndsMakesASoundPicture) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    for (const int steps : {1, 64})
+        for (const float share : {0.0f, 1.0f})
+            for (const RayRest rest : {RayRest::Mean, RayRest::Opaque, RayRest::Nothing}) {
+                Project p = meadow(Technique::Raytraced);
+                FlatField f = flatField(p);
+                f.raytraced = {.steps = steps,
+                               .cutOff = 0.5f + 0.5f * share,
+                               .depthAt = share,
+                               .rest = rest,
+                               .maxDistance = share > 0 ? std::numeric_limits<float>::infinity() : 0.1f};
+                EXPECT_TRUE(isFinite(picture(r, p, grazing(), sized(64, 48))));
+            }
+}
+
+TEST(Raytraced, OnASlopeCoversAsOnTheLevel) {
+    NoGlErrors errors;
+    const auto hill = [](Technique technique) {
+        Project p = meadow(technique);
+        Map m({64, 64, 1, PixelType::F32});
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x)
+                m.set(x, y, 0, 0.4f * std::sin(0.3f * static_cast<float>(x)) + 0.05f * static_cast<float>(y));
+        p.registry.get<Terrain>(findEntity(p, "ground"))->height = field(m);
+        return p;
+    };
+    const ViewCamera camera{{10, 4, 1}, {10, 0.5, 5}, 40, 0};
+    const double flat =
+        covered(picture(meadow(Technique::Raytraced), camera)) / covered(picture(meadow(Technique::Geometry), camera));
+    const double hilly =
+        covered(picture(hill(Technique::Raytraced), camera)) / covered(picture(hill(Technique::Geometry), camera));
+    EXPECT_NEAR(hilly, flat, 0.15);
+}
+
+}  // namespace
+}  // namespace sward::test
