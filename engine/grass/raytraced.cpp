@@ -91,7 +91,7 @@ bool begin(DrawContext& ctx, const Field& field, bool inside) {
 void drawOver(DrawContext& ctx, const Carrier& c, const Buffer& room) {
     if (c.nodes.empty() || !begin(ctx, *c.field, false)) return;
     for (size_t i = 0; i < c.field->species.size(); ++i) {
-        bindVerticalSlices(ctx, *c.field, i);
+        bindVerticalSlices(ctx, *c.field, i, SliceLevels::One);
         ctx.pass->draws += drawNodes(ctx.shared.groundMesh, c.nodes, room);
         ctx.pass->instances += c.nodes.size();
     }
@@ -101,7 +101,7 @@ void drawInside(DrawContext& ctx, const Carrier& c, const VertexArray& screen) {
     if (!c.inside || !begin(ctx, *c.field, true)) return;
     glBindVertexArray(screen.id());
     for (size_t i = 0; i < c.field->species.size(); ++i) {
-        bindVerticalSlices(ctx, *c.field, i);
+        bindVerticalSlices(ctx, *c.field, i, SliceLevels::One);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         ctx.pass->draws += 1;
         ctx.pass->instances += 1;

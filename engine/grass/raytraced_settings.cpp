@@ -23,7 +23,7 @@ FieldTiers tiers(const FieldEntity& field) {
 
 std::vector<SettingValues> sweep(const FieldEntity&) {
     std::vector<SettingValues> out;
-    for (const char* steps : {"steps=2", "steps=4", "steps=8", "steps=16"})
+    for (const char* steps : {"steps=4", "steps=8", "steps=16", "steps=32"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({steps, msaa});
     for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published"}) out.push_back({one, "msaa=4"});
     return out;
@@ -45,7 +45,7 @@ constexpr const char* kSettings[] = {"RaytracedGrass", "GrassSlices", "GrassDraw
 
 ComponentRow raytracedGrassRow() {
     static constexpr FieldRow kFields[] = {
-        whole("steps", offsetof(RaytracedGrass, steps), "", {1, 64, 2, 32}, "slices that a ray looks at, at most"),
+        whole("steps", offsetof(RaytracedGrass, steps), "", {1, 64, 4, 48}, "slices that a ray crosses, at most"),
         real("cutOff", offsetof(RaytracedGrass, cutOff), "", {0.5, 1, 0.8, 1}, "opacity at which a ray ends"),
         real("depthAt", offsetof(RaytracedGrass, depthAt), "", kShare,
              "share of its opacity at which a ray's depth is taken, which decides what hides it"),

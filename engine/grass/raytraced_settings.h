@@ -14,7 +14,7 @@ enum class RayRest { Mean, Opaque, Nothing };
 inline constexpr auto kRayRests = enumNames<RayRest>("mean", "opaque", "nothing");
 
 struct RaytracedGrass {
-    int steps = 8;         // slices that a ray looks at, at most
+    int steps = 24;        // slices that a ray crosses, at most
     float cutOff = 0.98f;  // opacity at which a ray ends
     float depthAt = 0.5f;  // share of its opacity at which a ray's depth is taken (section 3, visibility)
     RayRest rest = RayRest::Mean;

@@ -255,21 +255,23 @@ void selectSlices(DrawContext& ctx) {
 }
 
 // Where texels are smaller than pixels even for the nearest slices, one is as good as four, and costs a third.
-void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t) {
+void filterSlices(const DrawContext& ctx, const Field& f, const SliceTextures& t, SliceLevels levels) {
     const float texels = std::min(static_cast<float>(t.reflectance.width) / f.grows().cellSize,
                                   static_cast<float>(t.reflectance.height) / std::max(t.top, 1e-3f));
     const float nearest = std::max(f.view->tiers.slicesFrom, 0.0f);
     const bool small = texels * nearest > pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings));
     for (const Texture* s : {&t.reflectance, &t.threshold, &t.light}) {
         glTextureParameteri(s->id(), GL_TEXTURE_MIN_FILTER,
-                            small ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+                            small                        ? GL_NEAREST_MIPMAP_NEAREST
+                            : levels == SliceLevels::One ? GL_LINEAR_MIPMAP_NEAREST
+                                                         : GL_LINEAR_MIPMAP_LINEAR);
         glTextureParameteri(s->id(), GL_TEXTURE_MAG_FILTER, small ? GL_NEAREST : GL_LINEAR);
     }
 }
 
 void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw& s) {
     if (s.selected.empty()) return;
-    bindVerticalSlices(ctx, field, i);
+    bindVerticalSlices(ctx, field, i, SliceLevels::Blended);
     glBindVertexArray(s.mesh.id());
     const int each = 12 * s.slices;
     for (int q = 0; q < 4; ++q) {
@@ -476,11 +478,11 @@ const Follows kFarFollows[] = {{Feature::Wind, "the horizontal slice brightens a
 
 }  // namespace
 
-void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i) {
+void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i, SliceLevels levels) {
     const FieldSpecies& species = field.species[i];
     const GrownSpecies& grown = *species.grown;
     if (grown.density) glBindTextureUnit(TEX_DENSITY, grown.density);
-    filterSlices(ctx, field, grown.slices);
+    filterSlices(ctx, field, grown.slices, levels);
     bindSlices(species, grown.slices.reflectance.id(), grown.slices.threshold.id(), grown.slices.light.id());
 }
 

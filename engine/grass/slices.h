@@ -26,8 +26,10 @@ const EffectRow& slicesEffect();     // vertical
 const EffectRow& farEffect();        // horizontal; makes and holds the slices of both
 const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 
+// How images are read between two levels of detail: blended, or by the nearer one, for who chooses that at random.
+enum class SliceLevels { Blended, One };
 // Binds the images of the vertical slices of a field's species, filtered for this view, and its density map.
-void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t species);
+void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t species, SliceLevels levels);
 // Whether a field's vertical slices are drawn or traced, so that their images are there.
 bool showsVertical(const GrownField& field);
 

@@ -104,7 +104,8 @@ Met metAt(SliceHit hit, Shell shell) {
     CellVersion v = cellVersion(int(slices.eyeCell.x) + cell.x, int(slices.eyeCell.y) + cell.y, slices.seed);
     vec2 signs = axis == 0 ? v.mirror : v.mirror.yx, begin = axis == 0 ? v.shift : v.shift.yx;
     float seen = (axis == 0 ? -shell.way.x : -shell.way.z) * signs.x;
-    int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
+    int layer = (signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5);  // repeats after n
+    if (layer >= n) layer -= n;
     float in_ = along - whole;
     Met m;
     m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y,
@@ -164,37 +165,43 @@ float levelAt(float pixel, float facing) {
     return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
 }
 
-// What slices from `hit` on would show up to the shell's end.
-void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit) {
+// What slices from `hit` on would show up to the shell's end. Which of them is looked at, and where, is random: looked
+// at where the ray goes on, coarse texels would show as blocks.
+void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain) {
     if (REST == REST_NOTHING || hit.family > kRayV) return;
     int axis = hit.family;
     vec2 speed = abs(ray.direction.xy) * float(slices.slices);
     float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
     Met m = metAt(hit, shell);
-    m.texel.y = clamp(1.0 + (ray.entry.z + ray.direction.z * middle) / shell.height, 0.0, 1.0);
+    uint r = hash2(grain, 79u);
+    m.texel = vec3(hashUnit(r), clamp(1.0 + (ray.entry.z + ray.direction.z * middle) / shell.height, 0.0, 1.0),
+                   float(axis * slices.slices + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
     vec4 stored;
     float pixel = pixelAt(length(shell.start) + hit.t), alpha = opacityOf(m, shell, kCoarse, pixel, stored);
     if (!(alpha > 0.0)) return;
-    float shown = 1.0 + left * dot(speed, shell.turned);
+    float slicesPerMetre = dot(speed, shell.turned), shown = 1.0 + left * slicesPerMetre;
     float all = REST == REST_OPAQUE ? 1.0 : correctionPow(alpha, min(shown, 64.0));
-    add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, hit.t);
+    // As deep as light comes in the mean.
+    float t = hit.t + min(left, 1.0 / max(alpha * slicesPerMetre, 1e-3));
+    add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, t);
 }
 
-Sum traced(Shell shell, SliceRay ray) {
+Sum traced(Shell shell, SliceRay ray, uint grain) {
     Sum sum = Sum(vec3(0.0), 1.0, -1.0);
-    float from = length(shell.start);
+    // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
+    float pixel = pixelAt(max(length(shell.start), slices.cellSize)), last = 0.0;
+    vec2 levels = vec2(levelAt(pixel, abs(shell.way.x)), levelAt(pixel, abs(shell.way.z)));
+    levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
     SliceHit hit = sliceHit(ray);
-    float last = 0.0;
     for (int i = 0; i < steps && hit.family >= 0 && hit.family <= kRayV; ++i) {
         float turned = shell.turned[hit.family];
         if (turned > 0.004) {
-            float facing = abs(hit.family == 0 ? shell.way.x : shell.way.z), pixel = pixelAt(from + hit.t),
-                  level = levelAt(pixel, facing);
+            float level = levels[hit.family];
             Met m = metAt(hit, shell);
             vec4 stored;
             float alpha = opacityOf(m, shell, level, pixel, stored) * turned;
             if (alpha > 0.004) {
-                float fine = max(level - 1.5, 0.0);
+                float fine = max(level - 1.0, 0.0);
                 add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, hit.family, fine, pixel, stored), alpha,
                     hit.t);
                 last = hit.t;
@@ -204,7 +211,7 @@ Sum traced(Shell shell, SliceRay ray) {
         if (sum.through <= 1.0 - cutOff) break;
         hit = sliceHit(ray);
     }
-    if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit);
+    if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit, grain);
     if (sum.depth < 0.0) sum.depth = last;
     return sum;
 }
@@ -218,12 +225,24 @@ uint grainAt(vec2 c, float distance) {
     return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(cell.x, cell.y, uint(level)), 78u);
 }
 
+// Whether nothing of the species grows as far as a ray may come through the shell.
+bool bareAhead(vec2 ground, vec3 way) {
+    if (!GRASS_DENSITY || field.species[slices.species].tiling < 0.0) return false;
+    float steep = max(-way.y, 1e-3),
+          reach = min(slices.top * length(way.xz) / steep, float(steps) * slices.cellSize / float(slices.slices));
+    float room = 2.0 * reach + 2.0 * slices.top;
+    return !(fieldDensityOver(mapPlace(ground + 0.5 * reach * way.xz), room) > 0.0);
+}
+
 void main() {
     float far = max(length(position), 1e-4);
     vec3 way = position / far;
     // Where the ray is when it enters, over which ground.
     vec3 start = INSIDE ? vec3(0.0) : position;
     vec2 ground = INSIDE ? frame.eye.xz : place, uv = mapPlace(ground);
+    gl_SampleMask[0] = -1;
+    gl_FragDepth = gl_FragCoord.z;
+    if (bareAhead(ground, way)) discard;
     float above = INSIDE ? -groundHeight(ground) : slices.top;
     vec3 foot = start - vec3(0.0, above, 0.0);
     float press;
@@ -232,8 +251,6 @@ void main() {
     float height = max(slices.top * p.scale * sunk(press) * upright, 1e-4);
     float sinks = way.y - dot(slopeHere(ground), way.xz);
     float ahead = max((above - height) / max(-sinks, 1e-6), 0.0);
-    gl_SampleMask[0] = -1;
-    gl_FragDepth = gl_FragCoord.z;
     if (above > height && !(sinks < 0.0)) discard;
     vec2 shear = p.lean / upright;
     vec3 entry =
@@ -253,9 +270,10 @@ void main() {
     shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shell.brighter * slices.ambient * skyShare(uv);
 
-    Sum sum = traced(shell, sliceRay(entry, direction, slices.slices, slices.slices, height));
+    uint grain = grainAt(toCells(shell.start.xz), far);
+    Sum sum = traced(shell, sliceRay(entry, direction, slices.slices, slices.slices, height), grain);
     float opacity = 1.0 - sum.through;
-    float alpha = coveredAlpha(TRANSPARENCY, opacity, grainAt(toCells(shell.start.xz), far));
+    float alpha = coveredAlpha(TRANSPARENCY, opacity, grain);
     if (!(alpha > 0.0)) discard;
     vec3 light = sum.light / max(opacity, 1e-4);
     float hazed = hazeShare(length(shell.start));
