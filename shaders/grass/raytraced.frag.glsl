@@ -8,6 +8,7 @@
 #include "lib/frame.glsl"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
+#include "lib/shadow.glsl"
 #include "lib/slice_light.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
@@ -43,6 +44,7 @@ struct Shell {
     float height;  // of the shell here, metres
     vec2 turned;   // share of the slices across x and across z that shows
     vec3 gain, brighter, ambient;
+    float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
 };
 
 // What has come together along a ray.
@@ -139,7 +141,7 @@ vec3 lightOf(Met m, Shell shell, vec3 at, int axis, float fine, float pixel, vec
     leaf.rgb = paintedOver(leaf.rgb, mapPlace(m.root.xz + frame.eye.xz), pixel);
     SliceSpot s;
     s.texel = m.texel;
-    s.at = at;
+    s.visible = shell.visible;
     s.images = sunImages(axis, m.side, m.mirror);
     s.lightLayer = m.lightLayer;
     s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
@@ -271,6 +273,7 @@ void main() {
     shell.ambient = shell.brighter * slices.ambient * skyShare(uv);
 
     uint grain = grainAt(toCells(shell.start.xz), far);
+    shell.visible = sunVisible(shell.start, vec3(0.0));
     Sum sum = traced(shell, sliceRay(entry, direction, slices.slices, slices.slices, height), grain);
     float opacity = 1.0 - sum.through;
     float alpha = coveredAlpha(TRANSPARENCY, opacity, grain);

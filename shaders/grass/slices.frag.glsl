@@ -1,6 +1,7 @@
 // A texel of a vertical slice: whether its blade is drawn here (density, distance, family), and how it is lit:
 // reflectance times the light of each image (Boulanger, Pattanaik and Bouatouch 2006, sections 3.3, 3.4, 4.2).
 #include "lib/frame.glsl"
+#include "lib/shadow.glsl"
 #include "lib/slice_light.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
@@ -32,12 +33,13 @@ uint grain(float level) {
 SliceSpot spotHere() {
     SliceSpot s;
     s.texel = texel;
-    s.at = foot + vec3(0.0, texel.y * slices.top, 0.0);
+    vec3 at = foot + vec3(0.0, texel.y * slices.top, 0.0);
+    s.visible = sunVisible(at, vec3(0.0));
     s.images = images;
     s.lightLayer = lightLayer;
     s.gain = gain, s.brighter = brighter, s.ambient = ambient;
     s.lamp = lamp;
-    if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(s.at, axes, s.lamp);
+    if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(at, axes, s.lamp);
     s.fine = fine;
     return s;
 }

@@ -1,13 +1,12 @@
 // How a place on a vertical slice is lit: what it stores of its blades, by the light here (Boulanger, Pattanaik and
-// Bouatouch 2006, section 3.3). Fragment shaders only. Needs: what lib/slices.glsl and lib/shadow.glsl need; const int
+// Bouatouch 2006, section 3.3). Fragment shaders only. Needs: what lib/slices.glsl needs; const int
 // STORAGE; const bool LIGHT_COSINE, SUN, LAMPS.
-#include "lib/shadow.glsl"
 #include "lib/slices.glsl"
 
 // A place on a slice.
 struct SliceSpot {
     vec3 texel;        // across (it repeats), up, layer
-    vec3 at;           // relative to the eye
+    float visible;     // share of the sun that is seen from there
     vec4 images;       // of the sun (sunImages)
     float lightLayer;  // 0 in front of the slice, twice the slices' number behind it
     vec3 gain;         // of light from the sun
@@ -28,7 +27,6 @@ vec3 lampsSend(SliceSpot s, vec3 reflectance, vec4 lit, float above) {
 // above.
 vec3 sliceRadiance(SliceSpot s, vec3 reflectance, float open, vec4 stored) {
     bool front = !(s.lightLayer > 0.0);
-    float visible = sunVisible(s.at, vec3(0.0));
     float above = front ? stored.z : stored.w, below = front ? stored.w : stored.z;
     vec3 light = s.ambient * reflectance * open;
     if (STORAGE == FULL_STORAGE) {
@@ -36,7 +34,7 @@ vec3 sliceRadiance(SliceSpot s, vec3 reflectance, float open, vec4 stored) {
         vec3 sum = vec3(0.0);
         for (int i = 0; i < 4; ++i) {  // facing, side +, side -, above: images 0, 2, 3, 4
             float image = i == 0 ? 0.0 : float(i + 1);
-            vec3 weight = vec3(s.images[i]) * s.gain * visible;
+            vec3 weight = vec3(s.images[i]) * s.gain * s.visible;
             if (LAMPS) weight += s.brighter * vec3(s.lamp[0][i], s.lamp[1][i], s.lamp[2][i]);
             sum += weight * textureLod(sliceLight, vec3(s.texel.xy, first + image * layers), s.fine).rgb;
         }
@@ -46,5 +44,5 @@ vec3 sliceRadiance(SliceSpot s, vec3 reflectance, float open, vec4 stored) {
     vec2 sun = LIGHT_COSINE ? cosineOf(vec3(lit.x, lit.z, above), vec3(0.0, lit.w, below), s.images.xyz)
                             : vec2(dot(s.images, vec4(lit.xzw, above)),
                                    dot(s.images, vec4(0.0, lit.wz, below)) + (1.0 - dot(s.images, vec4(1.0))) * lit.x);
-    return light + leavesSend(reflectance, sun) * s.gain * visible + lampsSend(s, reflectance, lit, above);
+    return light + leavesSend(reflectance, sun) * s.gain * s.visible + lampsSend(s, reflectance, lit, above);
 }
