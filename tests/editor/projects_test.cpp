@@ -1,6 +1,7 @@
 // The sample projects and test scenes: their make.lua runs without a window and keeps what it promises.
 #include <gtest/gtest.h>
 
+#include "grass/slice_settings.h"
 #include "model/bakes.h"
 #include "project/project_files.h"
 #include "script/script.h"
@@ -217,6 +218,22 @@ TEST(SampleProjects, MakingAProjectAgainGivesTheSameMaps) {
     ASSERT_TRUE(again) << again.error().text();
     EXPECT_EQ(hashes(*first), hashes(*again));
     EXPECT_EQ(hashes(*first).size(), 7u);
+}
+
+TEST(SampleProjects, LawnHasEightByEightPatchesOfSixteenAndOfThirtyTwoSlicesAndIsRayTraced) {
+    TempDir dir;
+    Result<Project> made = make(dir, "projects/lawn");
+    ASSERT_TRUE(made) << made.error().text();
+    Project& p = *made;
+    for (const auto& [entity, slices] : {std::pair{"grass", 16}, {"turf", 32}}) {
+        const GrassField& field = the<GrassField>(p, entity);
+        EXPECT_EQ(field.technique, "raytraced");
+        EXPECT_EQ(the<Terrain>(p, "ground").size.x / static_cast<double>(field.cellSize), 8);
+        EXPECT_EQ(the<GrassSlices>(p, entity).slices, slices);
+    }
+    EXPECT_EQ(mapOf(p, "species[turf].density").sample(4.7 / 8, 4.5 / 8), 1) << "the bed of turf";
+    EXPECT_EQ(mapOf(p, "species[meadow].density").sample(4.7 / 8, 4.5 / 8), 0) << "where no other grass grows";
+    expectCameras(p);
 }
 
 }  // namespace
