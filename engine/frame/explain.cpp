@@ -53,9 +53,11 @@ Made madeBy(Feature f, const FramePlan& plan, const Project& project, const Tabl
 // How far what runs follows a feature; empty: nothing to say.
 std::string noteOn(Feature f, const FramePlan& plan) {
     std::vector<std::string_view> said;
-    for (const Step& s : plan.steps)
+    for (const Step& s : plan.steps) {
+        if (!s.pass) continue;  // passes run from near to far
         for (const Follows& row : s.effect->follows)
             if (row.what == f && std::find(said.begin(), said.end(), row.how) == said.end()) said.push_back(row.how);
+    }
     return fmt::format("{}", fmt::join(said, ", "));
 }
 
