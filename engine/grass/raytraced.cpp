@@ -72,15 +72,16 @@ void select(DrawContext& ctx) {
     for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced)) view.carriers.push_back(carrierOf(ctx, *field));
 }
 
-std::string constantsOf(const Field& field, bool inside) {
-    const auto& own = field.view->settings<RaytracedGrass>();
-    return fieldConstants(field.view->of) +
-           fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(own.rest));
+std::string rayConstants(bool inside, RayRest rest) {
+    return fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(rest));
 }
 
+enum Program { kOver, kInside };
+
 bool begin(DrawContext& ctx, const Field& field, bool inside) {
-    if (!beginField(ctx, field, inside ? 1 : 0, constantsOf(field, inside))) return false;
     const auto& own = field.view->settings<RaytracedGrass>();
+    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, own.rest);
+    if (!beginField(ctx, field, inside ? kInside : kOver, constants)) return false;
     glUniform1i(0, own.steps);
     glUniform1f(1, own.cutOff);
     glUniform1f(2, own.depthAt);
@@ -120,12 +121,9 @@ void draw(DrawContext& ctx) {
 // All ways in which its programs differ.
 std::vector<std::string> variants(bool inside) {
     std::vector<std::string> out;
-    const auto add = [&](const std::string& field, RayRest rest) {
-        out.push_back(field +
-                      fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(rest)));
-    };
-    for (const std::string& field : fieldVariants()) add(field, RayRest::Mean);
-    for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing}) add(fieldConstants(GrassDrawing{}, {}), rest);
+    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(inside, RayRest::Mean));
+    for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
+        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(inside, rest));
     return out;
 }
 

@@ -26,14 +26,12 @@ constexpr uint32_t kSoftwareVertices = 65535;
 constexpr uint32_t kCommandBytes = 20, kPlainCommandBytes = 16;
 constexpr size_t kBatchBytes = 128u << 20;  // of vertices that are there at once
 
-// What all views share of a species: its blades, and room for the vertices of one batch.
+// What all views share of a species: its blades, and how the rows of strips are joined.
 struct Mesh {
     uint64_t key = 0, imageHash = 0;
     float covered = 1;  // mean of the blade image's alpha
     int indicesTo = 0;
-    Buffer blades, commands, vertices, indices;
-    VertexArray strips;
-    std::array<uint64_t, 3> described{};  // by what buffers, and the size of a vertex
+    Buffer blades, indices;
 };
 struct TessState : EffectState {
     PerSpecies<Mesh> meshes;
@@ -43,6 +41,9 @@ struct TessState : EffectState {
 struct Selection {
     Mesh* mesh = nullptr;
     Buffer cells, list, globals;
+    Buffer commands, vertices;  // room for one batch
+    VertexArray strips;
+    std::array<uint64_t, 3> described{};  // by what buffers, and the size of a vertex
     ChosenCells chosen;
     uint32_t batches = 0, batchVertices = 0, batchPieces = 0;  // at most
     uint32_t drawPoints = 1, pointDraws = 0;                   // of stages: blades of a draw at most, and draws
@@ -192,13 +193,12 @@ void listCells(DrawContext& ctx) {
 // --- drawing ---------------------------------------------------------------------------------------------------------
 
 void bindSpecies(const GrownSpecies& shared, const Selection& s) {
-    const Mesh& m = *s.mesh;
     glBindTextureUnit(TEX_BLADE, shared.bladeTexture.id());
     if (shared.shade.texture) glBindTextureUnit(TEX_MASK, shared.shade.texture);
     if (shared.density) glBindTextureUnit(TEX_DENSITY, shared.density);
     static_assert(SSBO_CELLS == SSBO_BLADES + 1 && SSBO_VERTICES == SSBO_BLADES + 2 &&
                   SSBO_COMMANDS == SSBO_BLADES + 3 && SSBO_LIST == SSBO_BLADES + 4);
-    const GLuint buffers[] = {m.blades.id(), s.cells.id(), m.vertices.id(), m.commands.id(), s.list.id()};
+    const GLuint buffers[] = {s.mesh->blades.id(), s.cells.id(), s.vertices.id(), s.commands.id(), s.list.id()};
     glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, SSBO_BLADES, 5, buffers);
     static_assert(UBO_TESS == UBO_SPECIES + 1);
     const GLuint globals[] = {shared.globals.id(), s.globals.id()};
@@ -264,19 +264,19 @@ void prepareStrips(DrawContext& ctx, Selection& s, const FeatureSet& features, i
     Mesh& m = *s.mesh;
     const size_t size = vertexBytes(features), over = std::min<uint64_t>(s.chosen.blades, pieceBlades(ctx.gpu)) * 2 *
                                                       static_cast<uint64_t>(smoothness + 1);
-    writeBuffer(ctx.gpu, m.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
-    writeBuffer(ctx.gpu, m.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
+    writeBuffer(ctx.gpu, s.vertices, kOwner, (s.batchVertices + over) * size, nullptr);
+    writeBuffer(ctx.gpu, s.commands, kOwner, s.batchPieces * (kCommandBytes + kPlainCommandBytes), nullptr);
     if (m.indicesTo != smoothness) {
         const auto indices = stripIndices(smoothness, pieceBlades(ctx.gpu));
         m.indices = makeBuffer(ctx.gpu, kOwner, indices.size() * 4, indices.data());
         m.indicesTo = smoothness;
     }
-    const std::array<uint64_t, 3> described{m.vertices.id(), m.indices.id(), size};
-    if (m.strips.id() && m.described == described) return;
-    m.described = described;
-    if (!m.strips.id()) m.strips = makeVertexArray(kOwner);
-    describeVertices(m.strips.id(), m.vertices.id(), size);
-    glVertexArrayElementBuffer(m.strips.id(), m.indices.id());
+    const std::array<uint64_t, 3> described{s.vertices.id(), m.indices.id(), size};
+    if (s.strips.id() && s.described == described) return;
+    s.described = described;
+    if (!s.strips.id()) s.strips = makeVertexArray(kOwner);
+    describeVertices(s.strips.id(), s.vertices.id(), size);
+    glVertexArrayElementBuffer(s.strips.id(), m.indices.id());
 }
 
 // What strips are compiled with and for.
@@ -288,7 +288,7 @@ struct StripPrograms {
 bool writeStrips(DrawContext& ctx, const Selection& s, uint32_t batch, const StripPrograms& p) {
     if (!ctx.use(kWriter, p.constants, p.features)) return false;
     glUniform4ui(0, batch, batch * s.batchVertices, s.batchPieces, pieceBlades(ctx.gpu));
-    glClearNamedBufferData(s.mesh->commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    glClearNamedBufferData(s.commands.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     glDispatchComputeIndirect(static_cast<GLintptr>((LIST_BATCHES + 4 * batch) * sizeof(uint32_t)));
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_BUFFER_UPDATE_BARRIER_BIT);  // the next batch writes there
@@ -311,8 +311,8 @@ void drawBatches(DrawContext& ctx, const Field& field, size_t i, Selection& s, c
     prepareStrips(ctx, s, field.view->features, field.grows().species[i].smoothness);
     bindSpecies(*field.grown->species[i], s);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, s.list.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.mesh->commands.id());
-    glBindVertexArray(s.mesh->strips.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, s.commands.id());
+    glBindVertexArray(s.strips.id());
     for (uint32_t b = 0; b < s.batches; ++b)
         if (writeStrips(ctx, s, b, p)) drawStrips(ctx, s, p);
 }

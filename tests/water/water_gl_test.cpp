@@ -233,6 +233,11 @@ TEST(Water, GrassInTheMirrorMakesNothingOfTheMainViewAnew) {
     FlatField other;
     other.technique = nameOf(Technique::Geometry);  // whose blades are mirrored, as the first field's are not
     put(p, "other", other);
+    other.technique = nameOf(Technique::Tessellated);
+    put(p, "third", other);
+    other.technique = nameOf(Technique::Raytraced);
+    other.sliceWidth = other.sliceHeight = other.farSize = 32;
+    put(p, "fourth", other);
     put<Water>(p, "lake", {.level = 0.05f});
     Renderer r(gpu(), tables());
     passesOf(r, p, eyeHeight());
