@@ -3,9 +3,9 @@
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/far.glsl"
+#include "lib/far_light.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
-#include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slices.glsl"
@@ -20,41 +20,6 @@
 in vec3 position;
 in vec2 place;
 out vec4 color;
-
-// Five weights as weights of a cell's images: x+, x-, z+, z-.
-vec4 farImages(Repeated r, vec4 w) {
-    float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
-    return vec4(r.mirror.x > 0.0 ? w.xw : w.wx, r.mirror.y > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z));
-}
-
-vec3 lampsSend(Repeated r, vec3 reflectance, vec4 lit, vec2 above) {
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, position);
-        vec4 w = lampWeights(l.direction) * lampFade(l.direction), images = farImages(r, w);
-        sum += l.light * reflectance * (dot(images, lit) + w.y * above.x);
-    }
-    return sum;
-}
-
-vec3 radiance(Repeated r, vec4 leaf, vec2 above, vec2 uv) {
-    vec3 light = slices.farAmbient * skyShare(uv) * leaf.rgb * leaf.a;
-    if (!SUN && !LAMPS) return light;
-    vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * sunVisible(position, vec3(0.0)) : vec3(0.0);
-    vec4 w = slices.sunWeights, images = farImages(r, w);
-    if (STORAGE == FULL_STORAGE) {
-        vec3 sum = vec3(0.0);
-        for (int i = 0; i < 5; ++i)
-            sum += (i < 4 ? images[i] : w.y) * textureGrad(sliceLight, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
-        return light + sun * sum;
-    }
-    vec4 lit = textureGrad(sliceLight, r.texel, r.dx, r.dy);
-    vec3 towards = frame.sunDirection * vec3(r.mirror.x, 1.0, r.mirror.y);
-    vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)
-                             : vec2(dot(lit, images) + above.x * w.y, dot(lit.yxwz, images) + above.y * w.y);
-    light += leavesSend(leaf.rgb, send) * sun;
-    return LAMPS ? light + lampsSend(r, leaf.rgb, lit, above) : light;
-}
 
 // A random number fixed to the ground, its grains about a pixel.
 uint grain(Repeated r) {
@@ -109,7 +74,7 @@ void main() {
                                                      : 0.0;
     vec4 stored;
     vec2 laid = laidSeen(toEye, vertical);
-    float alpha = farOpacity(r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);
+    float alpha = farOpacity(sliceThreshold, r, density, bladeShareSeen(uv), toEye.y, vertical, laid.x, stored);
     // Where pixels are covered by samples, soil shows between blades as it does between near ones, not as a veil.
     // Else it is blended: it lies alone, and needs no order.
     gl_SampleMask[0] = -1;
@@ -121,7 +86,9 @@ void main() {
     stand.clump = clumpsHere(r, pixel);
     BladeLean l = leanOf(stand, vec2(0.0));
     vec3 gain = slices.reflectScale * darkened(d) * l.lighter * sliceGain(toEye, l.lean, laid.y, true);
-    vec3 light = clamp(radiance(r, leaf, stored.zw, uv) * gain, vec3(0.0), vec3(kBrightest));
+    FarLit lit =
+        FarLit(levelSun(), kLevel, position, slices.farAmbient * skyShare(uv), sunVisible(position, vec3(0.0)));
+    vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit) * gain, vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 1.0, 0.5);

@@ -1,7 +1,5 @@
-// A ray through a shell of vertical slices, front to back, from where it enters (Habel, Wimmer and Jeschke 2007,
-// sections 3 and 4; H-1 to H-8). Coordinates of the ray: x and z in cells of the field, from the cell that the eye is
-// over; height in metres below the shell's top. The place's lean and slope are taken off the ray, so that slices stand
-// upright on level ground. Needs: const bool INSIDE; const int REST.
+// A ray through the slices over the terrain (lib/slice_rays.glsl). Cells count from that which the eye is over.
+// Needs: const bool INSIDE; const int REST.
 #include "lib/density.glsl"
 #include "lib/field.glsl"
 #include "lib/force.glsl"
@@ -9,50 +7,18 @@
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
-#include "lib/slice_light.glsl"
+#include "lib/slice_rays.glsl"
 #include "lib/slices.glsl"
-#include "lib/transparency.glsl"
 #include "lib/wind.glsl"
 #include "numerics/clump.h"
-#include "numerics/correction.h"
-#include "numerics/hash.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
-#include "numerics/population.h"
-#include "numerics/rays.h"
 #include "numerics/stand.h"
-
-const int REST_MEAN = 0, REST_OPAQUE = 1, REST_NOTHING = 2;
-const float kCoarse = 4.0;   // level of detail that stands for slices in the mean
-const float kNear = 0.05;    // metres: the near plane
-const float kTurned = 0.15;  // a slice that is seen edge on is filtered as one turned by so much
-
-layout(location = 0) uniform int steps;
-layout(location = 1) uniform float cutOff;
-layout(location = 2) uniform float depthAt;
-layout(location = 3) uniform float pixelsPerMetre;  // at one metre
 
 in vec3 position;
 in vec2 place;
 out vec4 color;
 layout(depth_less) out float gl_FragDepth;
-
-// What is the same along a ray.
-struct Shell {
-    vec3 way;      // unit, from the eye
-    vec3 start;    // where it begins in the shell, relative to the eye
-    float height;  // of the shell here, metres
-    vec2 turned;   // share of the slices across x and across z that shows
-    vec3 gain, brighter, ambient;
-    float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
-};
-
-// What has come together along a ray.
-struct Sum {
-    vec3 light;  // times its opacity
-    float through;
-    float depth;  // metres from the start to where depthAt of the opacity was reached
-};
 
 BladeStand standHere(vec3 foot, vec2 at, vec2 uv, out float press) {
     BladeStand s = emptyStand();
@@ -88,143 +54,25 @@ vec2 slopeHere(vec2 ground) {
     return -n.xz / max(n.y, 0.05);
 }
 
-// A slice where a ray meets it.
-struct Met {
-    vec3 texel;
-    float lightLayer;
-    vec2 mirror;
-    float side;
-    vec3 root;  // the ground below, relative to the eye
-};
-Met metAt(SliceHit hit, Shell shell) {
-    int n = slices.slices, axis = hit.family;
-    float half_ = 0.5 / float(n);
-    vec2 c = hit.position.xy + vec2(half_);
-    int across = int(floor(float(hit.k) / float(n))), k = hit.k - n * across;
-    float along = axis == 0 ? c.y : c.x, whole = floor(along);
-    ivec2 cell = axis == 0 ? ivec2(across, int(whole)) : ivec2(int(whole), across);
-    CellVersion v = cellVersion(int(slices.eyeCell.x) + cell.x, int(slices.eyeCell.y) + cell.y, slices.seed);
-    vec2 signs = axis == 0 ? v.mirror : v.mirror.yx, begin = axis == 0 ? v.shift : v.shift.yx;
-    float seen = (axis == 0 ? -shell.way.x : -shell.way.z) * signs.x;
-    int layer = (signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5);  // repeats after n
-    if (layer >= n) layer -= n;
-    float in_ = along - whole;
-    Met m;
-    m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y,
-                   clamp(1.0 + hit.position.z / shell.height, 0.0, 1.0), float(axis * n + layer));
-    m.side = seen > 0.0 ? 1.0 : -1.0;
-    m.lightLayer = seen > 0.0 ? 0.0 : float(2 * n);
-    m.mirror = v.mirror;
-    float here = (float(hit.k) + 0.5) / float(n);
-    vec2 root = fromCells(axis == 0 ? vec2(here, along) : vec2(along, here));
-    float above = shell.height + hit.position.z;
-    m.root = vec3(root.x, shell.start.y + shell.way.y * hit.t - above, root.y);
-    return m;
-}
-
 bool onTerrain(vec2 ground) { return ground == clamp(ground, vec2(0.0), frame.terrainSize); }
 
-// What a slice there stores, and its opacity before shares of families.
-float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored) {
-    stored = vec4(0.0);
-    vec2 ground = m.root.xz + frame.eye.xz;
+// The ground below, relative to the eye.
+vec3 rootOf(Met m, Shell shell) {
+    vec2 root = fromCells(m.at);
+    return vec3(root.x, shell.start.y + shell.way.y * m.t - m.above, root.y);
+}
+
+float grownAt(Met m, Shell shell, float pixel) {
+    vec3 root = rootOf(m, shell);
+    vec2 ground = root.xz + frame.eye.xz;
     if (!onTerrain(ground)) return 0.0;
-    stored = textureLod(sliceThreshold, m.texel, level);
-    float far = length(m.root), density = sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
-                                                       lodRamp(far, slices.minGeom, slices.geomInv));
-    density *= 1.0 - lodRamp(far, slices.minBTF, slices.btfInv);
-    return texelOpacity(stored.x, stored.y, density, slices.fade, level);
+    float far = length(root), density = sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
+                                                     lodRamp(far, slices.minGeom, slices.geomInv));
+    return density * (1.0 - lodRamp(far, slices.minBTF, slices.btfInv));
 }
-
-vec3 lightOf(Met m, Shell shell, vec3 at, int axis, float fine, float pixel, vec4 stored) {
-    vec4 leaf = textureLod(sliceReflectance, m.texel, fine);
-    leaf.rgb = paintedOver(leaf.rgb, mapPlace(m.root.xz + frame.eye.xz), pixel);
-    SliceSpot s;
-    s.texel = m.texel;
-    s.visible = shell.visible;
-    s.images = sunImages(axis, m.side, m.mirror);
-    s.lightLayer = m.lightLayer;
-    s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
-    for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
-    if (LAMPS) lampsOnImages(at, vec4(m.side, m.mirror, float(axis)), s.lamp);
-    s.fine = fine;
-    return clamp(sliceRadiance(s, leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
-}
-
-void add(inout Sum sum, vec3 light, float alpha, float t) {
-    float a = clamp(alpha, 0.0, 1.0);
-    if (sum.through > 1.0 - depthAt && sum.through * (1.0 - a) <= 1.0 - depthAt) sum.depth = t;
-    sum.light += sum.through * a * light;
-    sum.through *= 1.0 - a;
-}
-
-// Width of a pixel so far off, metres.
-float pixelAt(float distance) { return distance / pixelsPerMetre; }
-
-float levelAt(float pixel, float facing) {
-    vec2 texels =
-        vec2(textureSize(sliceThreshold, 0).xy) * pixel / vec2(slices.cellSize * max(facing, kTurned), slices.top);
-    return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
-}
-
-// What slices from `hit` on would show up to the shell's end. Which of them is looked at, and where, is random: looked
-// at where the ray goes on, coarse texels would show as blocks.
-void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain) {
-    if (REST == REST_NOTHING || hit.family > kRayV) return;
-    int axis = hit.family;
-    vec2 speed = abs(ray.direction.xy) * float(slices.slices);
-    float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
-    Met m = metAt(hit, shell);
-    uint r = hash2(grain, 79u);
-    m.texel = vec3(hashUnit(r), clamp(1.0 + (ray.entry.z + ray.direction.z * middle) / shell.height, 0.0, 1.0),
-                   float(axis * slices.slices + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
-    vec4 stored;
-    float pixel = pixelAt(length(shell.start) + hit.t), alpha = opacityOf(m, shell, kCoarse, pixel, stored);
-    if (!(alpha > 0.0)) return;
-    float slicesPerMetre = dot(speed, shell.turned), shown = 1.0 + left * slicesPerMetre;
-    float all = REST == REST_OPAQUE ? 1.0 : correctionPow(alpha, min(shown, 64.0));
-    // As deep as light comes in the mean.
-    float t = hit.t + min(left, 1.0 / max(alpha * slicesPerMetre, 1e-3));
-    add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, t);
-}
-
-Sum traced(Shell shell, SliceRay ray, uint grain) {
-    Sum sum = Sum(vec3(0.0), 1.0, -1.0);
-    // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
-    float pixel = pixelAt(max(length(shell.start), slices.cellSize)), last = 0.0;
-    vec2 levels = vec2(levelAt(pixel, abs(shell.way.x)), levelAt(pixel, abs(shell.way.z)));
-    levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
-    SliceHit hit = sliceHit(ray);
-    for (int i = 0; i < steps && hit.family >= 0 && hit.family <= kRayV; ++i) {
-        float turned = shell.turned[hit.family];
-        if (turned > 0.004) {
-            float level = levels[hit.family];
-            Met m = metAt(hit, shell);
-            vec4 stored;
-            float alpha = opacityOf(m, shell, level, pixel, stored) * turned;
-            if (alpha > 0.004) {
-                float fine = max(level - 1.0, 0.0);
-                add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, hit.family, fine, pixel, stored), alpha,
-                    hit.t);
-                last = hit.t;
-            }
-        }
-        ray = sliceAfter(ray, hit);
-        if (sum.through <= 1.0 - cutOff) break;
-        hit = sliceHit(ray);
-    }
-    if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit, grain);
-    if (sum.depth < 0.0) sum.depth = last;
-    return sum;
-}
-
-// A random number fixed to the place: its grains are about a pixel.
-uint grainAt(vec2 c, float distance) {
-    float size = float(textureSize(sliceThreshold, 0).x), pixel = distance / (pixelsPerMetre * slices.cellSize);
-    float level = clamp(floor(log2(max(pixel * size, 1e-6))), 0.0, 16.0);
-    vec2 whole = floor(c);
-    ivec2 cell = ivec2(slices.eyeCell) + ivec2(whole), at = ivec2((c - whole) * size * exp2(-level));
-    return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(cell.x, cell.y, uint(level)), 78u);
+float sunAt(Met m, Shell shell) { return shell.visible; }
+vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) {
+    return paintedOver(reflectance, mapPlace(fromCells(m.at) + frame.eye.xz), pixel);
 }
 
 // Whether nothing of the species grows as far as a ray may come through the shell.
@@ -264,9 +112,12 @@ void main() {
     vec3 toEye = -way;
     far = INSIDE ? slices.cellSize : far;
     Shell shell;
-    shell.way = way;
+    shell.way = way, shell.seen = way;
     shell.start = start + way * ahead;
     shell.height = height;
+    shell.bend = 0.0;
+    shell.toField = kLevel;
+    shell.sun = levelSun();
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
     shell.brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(toEye, p.free, press, false);
     shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
@@ -275,16 +126,8 @@ void main() {
     uint grain = grainAt(toCells(shell.start.xz), far);
     shell.visible = sunVisible(shell.start, vec3(0.0));
     Sum sum = traced(shell, sliceRay(entry, direction, slices.slices, slices.slices, height), grain);
-    float opacity = 1.0 - sum.through;
-    float alpha = coveredAlpha(TRANSPARENCY, opacity, grain);
-    if (!(alpha > 0.0)) discard;
-    vec3 light = sum.light / max(opacity, 1e-4);
-    float hazed = hazeShare(length(shell.start));
-    color = vec4(light * (1.0 - hazed) + horizonColor(shell.start.xz) * hazed, alpha);
-    vec4 clip = frame.viewProj * vec4(shell.start + way * sum.depth, 1.0);
-    gl_FragDepth = hitDepth(clip, gl_FragCoord.z, kNear);
-    if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.5, 0.1, 0.8);
-    if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 0.5, 1.0);
-    if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
-    if (viewMode() == VIEW_DENSITY) color.rgb = vec3(0.1, 0.65, 0.15);
+    color = shownOf(sum, shell, grain);
+    if (!(color.a > 0.0)) discard;
+    if (viewMode() == VIEW_OVERDRAW) color.a = 0.0;
+    gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
 }

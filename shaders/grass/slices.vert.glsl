@@ -89,13 +89,13 @@ void main() {
 
     brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.free, press, false);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
-    images = sunImages(axis, axes.x, mirror);
+    images = sunImages(levelSun(), axis, axes.x, mirror);
     gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
     ambient = brighter * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));
     haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
-    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, lamp);
+    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, kLevel, lamp);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -15,9 +15,8 @@ struct Repeated {
     vec2 inCell;  // metres
     vec2 mirror;
 };
-// at: x, z relative to the eye.
-Repeated repeated(vec2 at) {
-    vec2 c = at / slices.cellSize + slices.inCell;
+// c: x, z in cells from slices.eyeCell; dx, dy: by how much a pixel to the right and one up are farther.
+Repeated repeatedAt(vec2 c, vec2 dx, vec2 dy) {
     vec2 whole = floor(c);
     Repeated r;
     r.cell = ivec2(slices.eyeCell) + ivec2(whole);
@@ -26,9 +25,14 @@ Repeated repeated(vec2 at) {
     vec2 local = c - whole;
     r.inCell = local * slices.cellSize;
     r.texel = vec3(placeInPatch(local, v.mirror, v.shift) + 1.0, 0.0);
-    r.dx = dFdx(c) * r.mirror * slices.sharpness;
-    r.dy = dFdy(c) * r.mirror * slices.sharpness;
+    r.dx = dx * r.mirror * slices.sharpness;
+    r.dy = dy * r.mirror * slices.sharpness;
     return r;
+}
+// at: x, z relative to the eye.
+Repeated repeated(vec2 at) {
+    vec2 c = at / slices.cellSize + slices.inCell;
+    return repeatedAt(c, dFdx(c), dFdy(c));
 }
 
 // Share of their height that blades have, filtered for the pixel.
@@ -52,13 +56,14 @@ float depthFactor(float sine, float vertical, float laid) {
 // their height that blades have: a ray crosses so much less of them. vertical: share of the vertical slices that are
 // drawn. laid: how much of the grass lies (laidBy): as far about as it was high. stored: the texel's thresholds and
 // light from above.
-float farOpacity(Repeated r, float density, float tall, float sine, float vertical, float laid, out vec4 stored) {
+float farOpacity(sampler2DArray thresholds, Repeated r, float density, float tall, float sine, float vertical,
+                 float laid, out vec4 stored) {
     // The mean over what the ray crosses of the grass, or over the pixel if that is wider: only means can be corrected
     // for the slant. Colour and light are taken as sharp as is wanted.
     float y = clamp(sine, 0.03, 1.0), crossed = CONSERVING ? slices.meanHeight * max(sqrt(1.0 - y * y) / y, laid) : 0.0;
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness, wide = max(pixel, crossed);
     float level = clamp(log2(wide * slices.farTexels), 0.0, 16.0);
-    stored = textureLod(sliceThreshold, r.texel, level);
+    stored = textureLod(thresholds, r.texel, level);
     return correctionPow(texelOpacity(stored.x, stored.y, density, slices.fade, level),
                          depthFactor(sine, vertical, laid) * tall);
 }

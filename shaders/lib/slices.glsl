@@ -136,19 +136,28 @@ vec4 imagesOf(vec4 w, vec4 axes) {
     vec2 along = axes.w < 0.5 ? x : z, across = axes.w < 0.5 ? z : x;
     return vec4(axes.x > 0.0 ? along.x : along.y, across, w.y);
 }
-// The sun as a slice sees it, in the patch's own axes. axis: 0 for slices across x, 1 across z; side of it that is
-// seen; mirror of its cell.
-vec4 sunImages(int axis, float side, vec2 mirror) {
-    if (!LIGHT_COSINE) return imagesOf(slices.sunWeights, vec4(side, mirror, float(axis)));
-    vec3 l = frame.sunDirection * vec3(mirror.x, 1.0, mirror.y);
+// The sun as a slice sees it, in the patch's own axes. sun: towards it, and its five weights (x+, y, z+, x-), in the
+// field's axes; axis: 0 for slices across x, 1 across z; side of it that is seen; mirror of its cell.
+struct SunSeen {
+    vec3 towards;
+    vec4 weights;
+};
+vec4 sunImages(SunSeen sun, int axis, float side, vec2 mirror) {
+    if (!LIGHT_COSINE) return imagesOf(sun.weights, vec4(side, mirror, float(axis)));
+    vec3 l = sun.towards * vec3(mirror.x, 1.0, mirror.y);
     return axis == 0 ? vec4(l.x * side, l.z, l.y, 0.0) : vec4(l.z * side, l.x, l.y, 0.0);
 }
 
-// Light of all lamps on the images of a vertical slice at a point.
-void lampsOnImages(vec3 at, vec4 axes, inout vec4 sum[3]) {
+// Over level ground a field's axes are the world's.
+const mat3 kLevel = mat3(1.0);
+SunSeen levelSun() { return SunSeen(frame.sunDirection, slices.sunWeights); }
+
+// Light of all lamps on the images of a vertical slice at a point. toField: from the world's axes to the field's.
+void lampsOnImages(vec3 at, vec4 axes, mat3 toField, inout vec4 sum[3]) {
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
-        vec4 w = imagesOf(lampWeights(l.direction), axes) * lampFade(l.direction);
+        vec3 direction = toField * l.direction;
+        vec4 w = imagesOf(lampWeights(direction), axes) * lampFade(direction);
         for (int c = 0; c < 3; ++c) sum[c] += l.light[c] * w;
     }
 }

@@ -1,0 +1,54 @@
+// How a place on the horizontal slice is lit: what it stores of its blades, by the light here (Boulanger, Pattanaik and
+// Bouatouch 2006, sections 3.3 and 4.1). Fragment shaders only. Needs: what lib/far.glsl needs; const int STORAGE;
+// const bool LIGHT_COSINE, SUN, LAMPS.
+#include "lib/far.glsl"
+#include "lib/frame.glsl"
+#include "lib/lamps.glsl"
+#include "lib/slices.glsl"
+
+// The light in which the slice lies.
+struct FarLit {
+    SunSeen sun;
+    mat3 toField;  // from the world's axes to the field's
+    vec3 at;       // relative to the eye
+    vec3 ambient;
+    float visible;  // share of the sun that is seen from there
+};
+
+// Five weights as weights of a cell's images: x+, x-, z+, z-.
+vec4 farImages(Repeated r, vec4 w) {
+    float zNeg = 1.0 - (w.x + w.y + w.z + w.w);
+    return vec4(r.mirror.x > 0.0 ? w.xw : w.wx, r.mirror.y > 0.0 ? vec2(w.z, zNeg) : vec2(zNeg, w.z));
+}
+
+vec3 farLampsSend(Repeated r, vec3 reflectance, vec4 lit, vec2 above, FarLit here) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, here.at);
+        vec3 direction = here.toField * l.direction;
+        vec4 w = lampWeights(direction) * lampFade(direction), images = farImages(r, w);
+        sum += l.light * reflectance * (dot(images, lit) + w.y * above.x);
+    }
+    return sum;
+}
+
+// What it sends to the eye, before gains. lightImages: the slice's; leaf: reflectance, and share of ambient light that
+// reaches it; above: what it stores of light from above.
+vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, FarLit here) {
+    vec3 light = here.ambient * leaf.rgb * leaf.a;
+    if (!SUN && !LAMPS) return light;
+    vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * here.visible : vec3(0.0);
+    vec4 w = here.sun.weights, images = farImages(r, w);
+    if (STORAGE == FULL_STORAGE) {
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 5; ++i)
+            sum += (i < 4 ? images[i] : w.y) * textureGrad(lightImages, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
+        return light + sun * sum;
+    }
+    vec4 lit = textureGrad(lightImages, r.texel, r.dx, r.dy);
+    vec3 towards = here.sun.towards * vec3(r.mirror.x, 1.0, r.mirror.y);
+    vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)
+                             : vec2(dot(lit, images) + above.x * w.y, dot(lit.yxwz, images) + above.y * w.y);
+    light += leavesSend(leaf.rgb, send) * sun;
+    return LAMPS ? light + farLampsSend(r, leaf.rgb, lit, above, here) : light;
+}

@@ -1,0 +1,209 @@
+// A ray through a shell of vertical slices, front to back, from where it enters (Habel, Wimmer and Jeschke 2007,
+// sections 3 and 4; H-1 to H-8), over level ground or over a mesh. Coordinates of the ray: x and z in cells of the
+// field; height in metres below the shell's top. The place's lean and slope are taken off the ray, so that slices stand
+// upright on level ground. Fragment shaders only. Needs: const int REST; what lib/slices.glsl needs.
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
+#include "lib/slice_light.glsl"
+#include "lib/slices.glsl"
+#include "lib/transparency.glsl"
+#include "numerics/correction.h"
+#include "numerics/hash.h"
+#include "numerics/opacity.h"
+#include "numerics/population.h"
+#include "numerics/rays.h"
+
+const int REST_MEAN = 0, REST_OPAQUE = 1, REST_NOTHING = 2;
+const float kCoarse = 4.0;   // level of detail that stands for slices in the mean
+const float kNear = 0.05;    // metres: the near plane
+const float kTurned = 0.15;  // a slice that is seen edge on is filtered as one turned by so much
+
+layout(location = 0) uniform int steps;
+layout(location = 1) uniform float cutOff;
+layout(location = 2) uniform float depthAt;
+layout(location = 3) uniform float pixelsPerMetre;  // at one metre
+
+// What is the same along a ray.
+struct Shell {
+    vec3 way;      // unit, from the eye
+    vec3 seen;     // that in the field's axes
+    vec3 start;    // where it begins in the shell, relative to the eye
+    float height;  // of the shell here, metres
+    float bend;    // curvature of the ground along the ray, 1/m: 0 where it is level
+    vec2 turned;   // share of the slices across x and across z that shows
+    mat3 toField;  // from the world's axes to the field's
+    SunSeen sun;
+    vec3 gain, brighter, ambient;
+    float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
+};
+
+// What has come together along a ray.
+struct Sum {
+    vec3 light;  // times its opacity
+    float through;
+    float depth;  // metres from the start to where depthAt of the opacity was reached
+};
+
+// A slice where a ray meets it.
+struct Met {
+    vec3 texel;
+    float lightLayer;
+    vec2 mirror;
+    float side;
+    vec2 at;      // x, z in cells from slices.eyeCell
+    float above;  // metres over the ground
+    float t;      // metres from the start
+};
+
+// What grows there, as texelOpacity takes it; share of the sun that is seen from there; and the field's colour over the
+// reflectance: by whoever traces.
+float grownAt(Met m, Shell shell, float pixel);
+float sunAt(Met m, Shell shell);
+vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel);
+
+// How far the ray is below the shell's top.
+float heightAt(SliceRay ray, Shell shell, float t) {
+    return ray.entry.z + ray.direction.z * t + 0.5 * shell.bend * t * t;
+}
+
+Met metAt(SliceHit hit, Shell shell) {
+    int n = slices.slices, axis = hit.family;
+    float half_ = 0.5 / float(n), height = hit.position.z + 0.5 * shell.bend * hit.t * hit.t;
+    vec2 c = hit.position.xy + vec2(half_);
+    int across = int(floor(float(hit.k) / float(n))), k = hit.k - n * across;
+    float along = axis == 0 ? c.y : c.x, whole = floor(along);
+    ivec2 cell = axis == 0 ? ivec2(across, int(whole)) : ivec2(int(whole), across);
+    CellVersion v = cellVersion(int(slices.eyeCell.x) + cell.x, int(slices.eyeCell.y) + cell.y, slices.seed);
+    vec2 signs = axis == 0 ? v.mirror : v.mirror.yx, begin = axis == 0 ? v.shift : v.shift.yx;
+    float seen = (axis == 0 ? -shell.seen.x : -shell.seen.z) * signs.x;
+    int layer = (signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5);  // repeats after n
+    if (layer >= n) layer -= n;
+    float in_ = along - whole;
+    Met m;
+    m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y, clamp(1.0 + height / shell.height, 0.0, 1.0),
+                   float(axis * n + layer));
+    m.side = seen > 0.0 ? 1.0 : -1.0;
+    m.lightLayer = seen > 0.0 ? 0.0 : float(2 * n);
+    m.mirror = v.mirror;
+    float here = (float(hit.k) + 0.5) / float(n);
+    m.at = axis == 0 ? vec2(here, along) : vec2(along, here);
+    m.above = shell.height + height;
+    m.t = hit.t;
+    return m;
+}
+
+// What a slice there stores, and its opacity before shares of families.
+float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored) {
+    stored = vec4(0.0);
+    float density = grownAt(m, shell, pixel);
+    if (!(density > 0.0)) return 0.0;
+    stored = textureLod(sliceThreshold, m.texel, level);
+    return texelOpacity(stored.x, stored.y, density, slices.fade, level);
+}
+
+vec3 lightOf(Met m, Shell shell, vec3 at, int axis, float fine, float pixel, vec4 stored) {
+    vec4 leaf = textureLod(sliceReflectance, m.texel, fine);
+    leaf.rgb = paintedAt(leaf.rgb, m, shell, pixel);
+    SliceSpot s;
+    s.texel = m.texel;
+    s.visible = sunAt(m, shell);
+    s.images = sunImages(shell.sun, axis, m.side, m.mirror);
+    s.lightLayer = m.lightLayer;
+    s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
+    for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
+    if (LAMPS) lampsOnImages(at, vec4(m.side, m.mirror, float(axis)), shell.toField, s.lamp);
+    s.fine = fine;
+    return clamp(sliceRadiance(s, leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
+}
+
+void add(inout Sum sum, vec3 light, float alpha, float t) {
+    float a = clamp(alpha, 0.0, 1.0);
+    if (sum.through > 1.0 - depthAt && sum.through * (1.0 - a) <= 1.0 - depthAt) sum.depth = t;
+    sum.light += sum.through * a * light;
+    sum.through *= 1.0 - a;
+}
+
+// Width of a pixel so far off, metres.
+float pixelAt(float distance) { return distance / pixelsPerMetre; }
+
+float levelAt(float pixel, float facing) {
+    vec2 texels =
+        vec2(textureSize(sliceThreshold, 0).xy) * pixel / vec2(slices.cellSize * max(facing, kTurned), slices.top);
+    return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
+}
+
+// What slices from `hit` on would show up to the shell's end. Which of them is looked at, and where, is random: looked
+// at where the ray goes on, coarse texels would show as blocks.
+void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain) {
+    if (REST == REST_NOTHING || hit.family > kRayV) return;
+    int axis = hit.family;
+    vec2 speed = abs(ray.direction.xy) * float(slices.slices);
+    float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
+    Met m = metAt(hit, shell);
+    uint r = hash2(grain, 79u);
+    m.texel = vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
+                   float(axis * slices.slices + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
+    vec4 stored;
+    float pixel = pixelAt(length(shell.start) + hit.t), alpha = opacityOf(m, shell, kCoarse, pixel, stored);
+    if (!(alpha > 0.0)) return;
+    float slicesPerMetre = dot(speed, shell.turned), shown = 1.0 + left * slicesPerMetre;
+    float all = REST == REST_OPAQUE ? 1.0 : correctionPow(alpha, min(shown, 64.0));
+    // As deep as light comes in the mean.
+    float t = hit.t + min(left, 1.0 / max(alpha * slicesPerMetre, 1e-3));
+    add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, t);
+}
+
+Sum traced(Shell shell, SliceRay ray, uint grain) {
+    Sum sum = Sum(vec3(0.0), 1.0, -1.0);
+    // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
+    float pixel = pixelAt(max(length(shell.start), slices.cellSize)), last = 0.0;
+    vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
+    levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
+    SliceHit hit = sliceHit(ray);
+    for (int i = 0; i < steps && hit.family >= 0 && hit.family <= kRayV; ++i) {
+        float turned = shell.turned[hit.family];
+        if (turned > 0.004) {
+            float level = levels[hit.family];
+            Met m = metAt(hit, shell);
+            vec4 stored;
+            float alpha = opacityOf(m, shell, level, pixel, stored) * turned;
+            if (alpha > 0.004) {
+                float fine = max(level - 1.0, 0.0);
+                add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, hit.family, fine, pixel, stored), alpha,
+                    hit.t);
+                last = hit.t;
+            }
+        }
+        ray = sliceAfter(ray, hit);
+        if (sum.through <= 1.0 - cutOff) break;
+        hit = sliceHit(ray);
+    }
+    if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit, grain);
+    if (sum.depth < 0.0) sum.depth = last;
+    return sum;
+}
+
+// A random number fixed to the place: its grains are about a pixel.
+uint grainAt(vec2 c, float distance) {
+    float size = float(textureSize(sliceThreshold, 0).x), pixel = distance / (pixelsPerMetre * slices.cellSize);
+    float level = clamp(floor(log2(max(pixel * size, 1e-6))), 0.0, 16.0);
+    vec2 whole = floor(c);
+    ivec2 cell = ivec2(slices.eyeCell) + ivec2(whole), at = ivec2((c - whole) * size * exp2(-level));
+    return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(cell.x, cell.y, uint(level)), 78u);
+}
+
+// Colour and alpha of what a ray saw; alpha 0: nothing of the pixel.
+vec4 shownOf(Sum sum, Shell shell, uint grain) {
+    float opacity = 1.0 - sum.through, alpha = coveredAlpha(TRANSPARENCY, opacity, grain);
+    vec3 light = sum.light / max(opacity, 1e-4);
+    float hazed = hazeShare(length(shell.start));
+    if (viewMode() == VIEW_TIERS) return vec4(0.5, 0.1, 0.8, alpha);
+    if (viewMode() == VIEW_NORMALS) return vec4(0.5, 0.5, 1.0, alpha);
+    if (viewMode() == VIEW_OVERDRAW) return vec4(1.0 / 32.0, 0.0, 0.0, alpha);
+    if (viewMode() == VIEW_DENSITY) return vec4(0.1, 0.65, 0.15, alpha);
+    return vec4(light * (1.0 - hazed) + horizonColor(shell.start.xz) * hazed, alpha);
+}
+// Depth of the pixel; carrier: the carrier's.
+float depthOf(Sum sum, Shell shell, float carrier) {
+    return hitDepth(frame.viewProj * vec4(shell.start + shell.way * sum.depth, 1.0), carrier, kNear);
+}
