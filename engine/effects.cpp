@@ -7,6 +7,7 @@
 #include "grass/ground_shadow.h"
 #include "grass/grown.h"
 #include "grass/mask.h"
+#include "grass/mesh_grass.h"
 #include "grass/raytraced.h"
 #include "grass/slices.h"
 #include "grass/tessellated.h"
@@ -33,9 +34,9 @@ std::span<const EffectRow> effectRows() {
         meshEffect(),    shadowEffect(),                                                                   // objects
         forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
         uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
-        slicesEffect(),  raytracedEffect(),     tessellatedEffect(),  flowersEffect(),  // grass
-        waterEffect(),   reflectionEffect(),                                            // water
-        farBlurEffect(), tonemapEffect(),       mapOverlayEffect(),   decalEffect(),    // the screen
+        slicesEffect(),  raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass
+        waterEffect(),   reflectionEffect(),                                                                 // water
+        farBlurEffect(), tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
     };
     return kRows;
 }

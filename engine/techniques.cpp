@@ -3,6 +3,7 @@
 #include "grass/drawing.h"
 #include "grass/grass_fields.h"
 #include "grass/hybrid.h"
+#include "grass/mesh_grass_settings.h"
 #include "grass/raytraced_settings.h"
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
@@ -31,8 +32,9 @@ struct Store {
         for (const TechniqueRow& row : techniques) names.push_back(row.name);
         const std::span<const ComponentRow> shared = sharedComponentRows();
         components.assign(shared.begin(), shared.end());
-        for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
-                                        tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow()})
+        for (const ComponentRow& row :
+             {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
+              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

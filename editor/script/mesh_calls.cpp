@@ -49,7 +49,10 @@ Solid solidAt(lua_State* L, int index) {
     s.leaf = static_cast<float>(options.number("leaf", s.leaf));
     s.rough = static_cast<float>(options.number("rough", s.rough));
     s.seed = static_cast<uint32_t>(wholeOption(L, options, "seed", 0, 0, 1'000'000'000));
+    s.unwrap = options.flag("unwrap", false);
     options.finish();
+    if (s.unwrap && s.kind != SolidKind::Box && s.kind != SolidKind::Ball)
+        raise(L, "unwrap is for a box or a ball: other shapes have no texture coordinates");
     if (!(s.size.x > 0 || s.kind == SolidKind::Cylinder) || !(s.size.y > 0) || s.size.z < 0)
         raise(L, "size must be above 0");
     if (!(s.leaf > 0 && s.leaf < 100 && s.rough >= 0 && s.rough <= 1))

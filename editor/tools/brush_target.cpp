@@ -51,7 +51,8 @@ void remember(BrushBook& book, MapKind kind) {
 std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
     if (!doc.isOpen()) return {};
     std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
-    std::erase_if(maps, [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights; });
+    std::erase_if(maps,
+                  [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights || f.row->map->onMesh; });
     return maps;
 }
 

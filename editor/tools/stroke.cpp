@@ -28,6 +28,7 @@ double milliseconds() {
 }  // namespace
 
 Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
+    if (map.row->map->onMesh) return MapScale{1, 1, true, false, 1, 1};  // in texture coordinates
     const Terrain* terrain = terrainOf(p, map.entity);
     if (!terrain) return usage("there is no terrain for " + map.path + " to lie on", "add an entity with a Terrain");
     const float factor = mapTiling(map);

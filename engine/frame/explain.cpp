@@ -15,11 +15,14 @@ struct Made {
     int64_t bytes = 0;
 };
 
-// Owners in the ledger: effects by name, and maps by the feature that asks for them ("grass-density" holds
-// "grass/density").
+// Owners in the ledger, each with what is kept below its name: effects by name, and maps by the feature that asks for
+// them ("grass-density" holds "grass/density").
 int64_t bytesOf(const Gpu& gpu, const std::string& owner) {
-    const auto it = gpu.ledger.find(owner);
-    return it == gpu.ledger.end() ? 0 : it->second;
+    const std::string below = owner + "/";
+    int64_t bytes = 0;
+    for (const auto& [name, held] : gpu.ledger)
+        if (name == owner || name.starts_with(below)) bytes += held;
+    return bytes;
 }
 std::string ownerOf(Feature f) {
     std::string name = featureName(f);
@@ -81,7 +84,8 @@ struct DrawnField {
 std::vector<DrawnField> drawnFields(const Project& project, const Tables& tables) {
     std::vector<DrawnField> out;
     for (const auto& [name, field] : fieldsOf(project))
-        if (const TechniqueRow* row = findTechnique(tables.techniques, field.grows.technique))
+        if (const TechniqueRow* row = findTechnique(tables.techniques, field.grows.technique);
+            row && field.grows.onTerrain)
             out.push_back({name, row});
     return out;
 }

@@ -94,6 +94,7 @@ std::string grassAmong(const Project& p, const std::string& flowers) {
     std::string among;
     for (const auto& [name, field] : fieldsOf(p)) {
         const auto grows = [](const Species& s) { return s.bladesPerM2 > 0; };
+        if (!field.grows.onTerrain) continue;
         if (std::none_of(field.grows.species.begin(), field.grows.species.end(), grows)) continue;
         if (among.empty() || name == flowers) among = name;
     }

@@ -58,11 +58,12 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
     size_t species = 0;
     for (size_t i = 0; i < std::min<size_t>(grass.all.size(), MAX_FIELDS); ++i) {
         const Field& field = *grass.all[i];
+        if (!field.grows().onTerrain) continue;
         const GrassField& f = field.grows();
         // Where its blades shade no ground, the mean does from the eye on.
         const bool drawn = field.draws(Feature::GroundShadows);
         const FadeRange from = drawn ? field.view->tiers.soil : fadeRange(0, 0);
-        g.fields[i] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
+        g.fields[numbers.size()] = {from.min, from.inv, shaderTiling(t, f.bladeHeightTiling), f.ambientOcclusionTiling};
         numbers.push_back({soilMap(soil, field.grown->bladeHeights), soilMap(soil, field.grown->occlusion), {}});
         for (size_t k = 0; k < field.species.size() && species < MAX_SOIL_SPECIES; ++k, ++species) {
             const GrownSpecies& s = *field.grown->species[k];

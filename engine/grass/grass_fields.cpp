@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grass/drawing.h"
+#include "grass/mesh_grass_settings.h"
 #include "scene/field_rows.h"
 
 namespace sward {
@@ -101,6 +102,8 @@ constexpr FieldRow kFields[] = {
     kBladeHeightTiling,
     choice("population", &GrassField::population, offsetof(GrassField, population), kPopulations,
            "patch: one cell's blades repeated in every cell; unique: every blade its own, for small scenes"),
+    flag("onTerrain", offsetof(GrassField, onTerrain),
+         "it grows over the terrain; off: on those objects alone whose MeshGrass names it"),
 };
 
 // What grows, whoever draws it.
@@ -138,6 +141,14 @@ FeatureSet settingsFeatures(const FieldEntity& field, const FeatureSet& drawn) {
     return s;
 }
 
+// What a field asks for that grows on meshes alone: its maps lie on the terrain, and are not read.
+FeatureSet meshFeatures(const FieldEntity& field) {
+    FeatureSet s = featureSet(Feature::Grass, Feature::GrassOnMeshes);
+    s |= populationFeatures(field.grows) & featureSet(Feature::GrassClumps, Feature::Translucency, Feature::Gloss);
+    if (field.settings<GrassDrawing>().shadowMask > 0) s |= featureSet(Feature::BladeShadows);
+    return s | (settingsFeatures(field, {}) & featureSet(Feature::GrassBlended));
+}
+
 // A blade that has no height or no width is not seen.
 void checkField(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {
     const GrassField& field = *registry.get<GrassField>(e);
@@ -161,11 +172,13 @@ FeatureSet featuresOnEntity(const Registry& registry, Entity e, const Tables& ta
 FeatureSet fieldFeatures(std::span<const TechniqueRow> techniques, const FieldEntity& field, bool coarse) {
     const auto grows = [](const Species& s) { return s.bladesPerM2 > 0; };
     if (std::none_of(field.grows.species.begin(), field.grows.species.end(), grows)) return {};
+    const FeatureSet onMeshes = growsOnMeshes(field) ? meshFeatures(field) : FeatureSet{};
+    if (!field.grows.onTerrain) return onMeshes;
     const TechniqueRow* row = findTechnique(techniques, field.grows.technique);
     const FeatureSet drawn = row ? row->features(field) : FeatureSet{};
     const FeatureSet all = populationFeatures(field.grows) | drawn | settingsFeatures(field, drawn);
-    if (!coarse) return all;
-    return (row && row->coarse ? row->coarse(all) : all) & ~featureSet(Feature::GroundShadows);
+    if (!coarse) return all | onMeshes;
+    return ((row && row->coarse ? row->coarse(all) : all) & ~featureSet(Feature::GroundShadows)) | onMeshes;
 }
 
 const ListRow& speciesList() { return kSpeciesList; }

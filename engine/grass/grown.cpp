@@ -106,14 +106,15 @@ void updateSpecies(DrawContext& ctx, GrownField& field, size_t i) {
     s.shade = shadeOf(ctx, field.name, i);
     updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
     writeGlobals(ctx, s, field, i);
-    if (!field.draws(Feature::GrassFar)) s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {};
+    if (!field.draws(Feature::GrassFar) && !field.draws(Feature::GrassOnMeshes))
+        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {};
 }
 
 void updateField(DrawContext& ctx, GrownField& field) {
     field.species.resize(field.grows().species.size());
     for (auto& s : field.species)
         if (!s) s = std::make_unique<GrownSpecies>();
-    publishMaps(ctx, field);
+    if (field.grows().onTerrain) publishMaps(ctx, field);
     for (size_t i = 0; i < field.species.size(); ++i) updateSpecies(ctx, field, i);
 }
 

@@ -142,40 +142,6 @@ void setGains(SliceGlobals& g, bool conserving, const Gains& gains) {
     }
 }
 
-SliceGlobals globalsOf(const DrawContext& ctx, const Field& field, size_t index) {
-    const GrassField& f = field.grows();
-    const Species& sp = f.species[index];
-    const GrownSpecies& s = *field.species[index].grown;
-    const FieldTiers& tiers = field.view->tiers;
-    const auto& images = field.view->settings<GrassSlices>();
-    SliceGlobals g{};
-    const glm::dvec2 eye = glm::dvec2(ctx.eye.x, ctx.eye.z) / double(f.cellSize), cell = glm::floor(eye);
-    g.minGeom = tiers.images.min, g.geomInv = tiers.images.inv;
-    g.minBTF = tiers.flat.min, g.btfInv = tiers.flat.inv;
-    setGains(g, images.sliceCover == SliceCover::Conserving, s.gains);
-    g.cellSize = f.cellSize;
-    g.top = s.slices.top;
-    g.slices = s.slices.slices;
-    g.reflectScale = s.slices.reflectScale;
-    g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
-    g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth;
-    g.eyeCell = cell, g.inCell = eye - cell;
-    g.fade = field.view->settings<GrassDrawing>().fade;
-    g.seed = static_cast<uint32_t>(f.seed);
-    g.species = static_cast<int>(index);
-    g.farTexels = static_cast<float>(s.slices.farReflectance.width);
-    g.sunWeights = imageWeights(ctx.globals.sunDirection, images.lightWeights);
-    g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
-    g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
-    const glm::vec3 clumps = clumpStrengths(sp);
-    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
-    g.leanAtFull = leanAtFull(sp);
-    g.translucency = sp.translucency;
-    g.meanHeight = s.look.height / f.cellSize;
-    g.sharpness = std::exp2(-images.sharpness);
-    return g;
-}
-
 void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLuint light) {
     glBindTextureUnit(TEX_SLICE_REFLECTANCE, reflectance);
     glBindTextureUnit(TEX_SLICE_THRESHOLD, threshold);
@@ -314,12 +280,7 @@ std::vector<TerrainNode> farNodes(const DrawContext& ctx, const Field& f, float 
     return out;
 }
 
-void bakeFar(DrawContext& ctx) {
-    eachGrown(ctx, Feature::GrassFar, [&](GrownField& field, size_t i) {
-        ensureSlices(ctx, field, i);
-        updateGains(*field.species[i], fieldLight(ctx, field, i));
-    });
-}
+void bakeFar(DrawContext& ctx) { makeSlices(ctx, Feature::GrassFar); }
 
 void selectFar(DrawContext& ctx) {
     FarView& state = ctx.ofView<FarView>();
@@ -328,7 +289,7 @@ void selectFar(DrawContext& ctx) {
     state.selected.clear();
     for (Field* field : fieldsWith(ctx, Feature::GrassFar)) {
         for (size_t i = 0; i < field->species.size(); ++i) {
-            const SliceGlobals g = globalsOf(ctx, *field, i);
+            const SliceGlobals g = sliceGlobalsOf(ctx, *field, i);
             writeBuffer(ctx.gpu, field->species[i].sliceGlobals, kFarOwner, sizeof(g), &g);
         }
         state.selected.push_back({field, farNodes(ctx, *field, std::numeric_limits<float>::infinity())});
@@ -486,8 +447,50 @@ void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t i, Sl
     bindSlices(species, grown.slices.reflectance.id(), grown.slices.threshold.id(), grown.slices.light.id());
 }
 
+SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t index) {
+    const GrassField& f = field.grows();
+    const Species& sp = f.species[index];
+    const GrownSpecies& s = *field.species[index].grown;
+    const FieldTiers& tiers = field.view->tiers;
+    const auto& images = field.view->settings<GrassSlices>();
+    SliceGlobals g{};
+    const glm::dvec2 eye = glm::dvec2(ctx.eye.x, ctx.eye.z) / double(f.cellSize), cell = glm::floor(eye);
+    g.minGeom = tiers.images.min, g.geomInv = tiers.images.inv;
+    g.minBTF = tiers.flat.min, g.btfInv = tiers.flat.inv;
+    setGains(g, images.sliceCover == SliceCover::Conserving, s.gains);
+    g.cellSize = f.cellSize;
+    g.top = s.slices.top;
+    g.slices = s.slices.slices;
+    g.reflectScale = s.slices.reflectScale;
+    g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
+    g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth;
+    g.eyeCell = cell, g.inCell = eye - cell;
+    g.fade = field.view->settings<GrassDrawing>().fade;
+    g.seed = static_cast<uint32_t>(f.seed);
+    g.species = static_cast<int>(index);
+    g.farTexels = static_cast<float>(s.slices.farReflectance.width);
+    g.sunWeights = imageWeights(ctx.globals.sunDirection, images.lightWeights);
+    g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
+    g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
+    const glm::vec3 clumps = clumpStrengths(sp);
+    g.clumpSize = sp.clumpSize, g.clumpLean = clumps.x, g.clumpHeight = clumps.y, g.clumpLightness = clumps.z;
+    g.leanAtFull = leanAtFull(sp);
+    g.translucency = sp.translucency;
+    g.meanHeight = s.look.height / f.cellSize;
+    g.sharpness = std::exp2(-images.sharpness);
+    return g;
+}
+
+void makeSlices(DrawContext& ctx, Feature feature) {
+    eachGrown(ctx, feature, [&](GrownField& field, size_t i) {
+        ensureSlices(ctx, field, i);
+        updateGains(*field.species[i], fieldLight(ctx, field, i));
+    });
+}
+
 bool showsVertical(const GrownField& field) {
-    return field.draws(Feature::GrassSlices) || field.draws(Feature::GrassRaytraced);
+    return field.draws(Feature::GrassSlices) || field.draws(Feature::GrassRaytraced) ||
+           field.draws(Feature::GrassOnMeshes);
 }
 
 SliceSpec sliceSpec(const FieldEntity& field, size_t species, const Rgba8& blade, bool shaded, bool draft) {
@@ -521,7 +524,7 @@ std::vector<SliceSpec> projectSlices(const Project& project, const Tables& table
     const bool lit = has(sceneFeatures(project.registry, tables), Feature::CastingLights);
     for (const auto& [name, field] : fieldsOf(project)) {
         const FeatureSet own = fieldFeatures(tables.techniques, field);
-        if (!has(own, Feature::GrassFar)) continue;
+        if (!has(own, Feature::GrassFar) && !has(own, Feature::GrassOnMeshes)) continue;
         for (size_t i = 0; i < field.grows.species.size(); ++i)
             out.push_back(sliceSpec(field, i, bladeImage(project, field.grows.species[i]),
                                     lit && has(own, Feature::BladeShadows)));

@@ -16,6 +16,7 @@
 #include "grass/slice_bake.h"
 #include "scene/project.h"
 #include "scene/technique.h"
+#include "shared/slices.h"
 
 namespace sward {
 
@@ -30,6 +31,10 @@ const EffectRow& farShadowEffect();  // of the horizontal one on the ground
 enum class SliceLevels { Blended, One };
 // Binds the images of the vertical slices of a field's species, filtered for this view, and its density map.
 void bindVerticalSlices(const DrawContext& ctx, const Field& field, size_t species, SliceLevels levels);
+// Brings images and gains up to date of all species of fields that are drawn by a feature.
+void makeSlices(DrawContext& ctx, Feature feature);
+// What shaders know of a species' slices over level ground, seen from this view.
+SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t species);
 // Whether a field's vertical slices are drawn or traced, so that their images are there.
 bool showsVertical(const GrownField& field);
 

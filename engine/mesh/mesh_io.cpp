@@ -540,12 +540,17 @@ int addAccessor(tinygltf::Model& m, const void* data, size_t bytes, size_t count
     return static_cast<int>(m.accessors.size()) - 1;
 }
 
-template <class F>
-int addVectors(tinygltf::Model& m, const Mesh& mesh, F&& of) {
-    std::vector<glm::vec3> values;
-    for (const MeshVertex& v : mesh.vertices) values.push_back(of(v));
-    return addAccessor(m, values.data(), values.size() * sizeof(glm::vec3), values.size(),
-                       TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+template <class V>
+int addVectors(tinygltf::Model& m, const Mesh& mesh, V MeshVertex::*of) {
+    std::vector<V> values;
+    for (const MeshVertex& v : mesh.vertices) values.push_back(v.*of);
+    return addAccessor(m, values.data(), values.size() * sizeof(V), values.size(), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                       std::is_same_v<V, glm::vec3> ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC2,
+                       TINYGLTF_TARGET_ARRAY_BUFFER);
+}
+bool isUnwrapped(const Mesh& mesh) {
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [](const MeshVertex& v) { return v.uv != glm::vec2(0); });
 }
 
 tinygltf::Material materialFor(const MeshPart& part) {
@@ -564,15 +569,17 @@ Result<std::string> encodeGlb(const Mesh& mesh) {
     m.asset.generator = "Sward";
     m.buffers.resize(1);
     m.meshes.resize(1);
-    const int positions = addVectors(m, mesh, [](const MeshVertex& v) { return v.position; });
+    const int positions = addVectors(m, mesh, &MeshVertex::position);
     auto& accessor = m.accessors[static_cast<size_t>(positions)];
     accessor.minValues = {mesh.low.x, mesh.low.y, mesh.low.z};
     accessor.maxValues = {mesh.high.x, mesh.high.y, mesh.high.z};
-    const int normals = addVectors(m, mesh, [](const MeshVertex& v) { return v.normal; });
+    const int normals = addVectors(m, mesh, &MeshVertex::normal);
+    const int uvs = isUnwrapped(mesh) ? addVectors(m, mesh, &MeshVertex::uv) : -1;
     for (const MeshPart& part : mesh.parts) {
         tinygltf::Primitive p;
         p.mode = TINYGLTF_MODE_TRIANGLES;
         p.attributes = {{"POSITION", positions}, {"NORMAL", normals}};
+        if (uvs >= 0) p.attributes["TEXCOORD_0"] = uvs;
         p.indices =
             addAccessor(m, &mesh.indices[part.first], part.count * 4, part.count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
                         TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);

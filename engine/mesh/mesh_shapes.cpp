@@ -17,23 +17,33 @@ constexpr float kTurn = 6.2831853f;
 struct Piece {
     std::vector<MeshVertex> vertices;
     std::vector<uint32_t> indices;
-    uint32_t add(const glm::vec3& p, const glm::vec3& n) {
-        vertices.push_back({p, n, glm::vec2(0)});
+    uint32_t add(const glm::vec3& p, const glm::vec3& n, const glm::vec2& uv = glm::vec2(0)) {
+        vertices.push_back({p, n, uv});
         return static_cast<uint32_t>(vertices.size()) - 1;
     }
     void quad(uint32_t a, uint32_t b, uint32_t c, uint32_t d) { indices.insert(indices.end(), {a, b, c, a, c, d}); }
 };
 
+// Six faces each have a square of the texture coordinates, three in a row, with a border that belongs to nobody.
+// face: twice the axis it is across, and 1 for the positive side; at: in [0, 1] within its square.
+glm::vec2 inChart(int face, const glm::vec2& at) {
+    return (glm::vec2(static_cast<float>(face % 3), static_cast<float>(face / 3)) + 0.02f + 0.96f * at) / 3.0f;
+}
+
 void box(Piece& out, const Solid& s) {
     const glm::vec3 half(s.size.x / 2, s.size.y / 2, s.size.z / 2);
+    const float most = std::max({s.size.x, s.size.y, s.size.z});
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {-1.0f, 1.0f}) {
             glm::vec3 n(0), u(0), v(0);
             n[axis] = side;
             u[(axis + 1) % 3] = side;
             v[(axis + 2) % 3] = 1;
+            const int face = 2 * axis + (side > 0);
+            const glm::vec2 share(s.size[(axis + 2) % 3] / most, s.size[(axis + 1) % 3] / most);
             const auto corner = [&](float a, float b) {
-                return out.add((n + u * a + v * b) * half + glm::vec3(0, half.y, 0), n);
+                const glm::vec2 uv = s.unwrap ? inChart(face, 0.5f + 0.5f * glm::vec2(b, a) * share) : glm::vec2(0);
+                return out.add((n + u * a + v * b) * half + glm::vec3(0, half.y, 0), n, uv);
             };
             const uint32_t a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
             out.quad(a, b, c, d);
@@ -101,6 +111,30 @@ void smoothNormals(Piece& out) {
         v.normal = glm::length(v.normal) > 0 ? glm::normalize(v.normal) : glm::vec3(0, 1, 0);
 }
 
+// Gives each of the ball's six faces vertices and a square of its own. cuts: squares along half a face's side, each of
+// which is two steps of i and j wide.
+void unwrapBall(Piece& ball, int cuts) {
+    Piece out;
+    const size_t perFace = ball.indices.size() / 6;
+    for (size_t first = 0; first < ball.indices.size(); first += perFace) {
+        const int face = static_cast<int>(first / perFace);
+        std::map<uint32_t, uint32_t> known;
+        for (size_t k = 0; k < perFace; ++k) {
+            const size_t square = k / 6, corner = k % 6;
+            const float i = static_cast<float>(square / static_cast<size_t>(cuts)) +
+                            (corner == 1 || corner == 2 || corner == 4),
+                        j = static_cast<float>(square % static_cast<size_t>(cuts)) +
+                            (corner == 2 || corner == 4 || corner == 5);
+            const MeshVertex& v = ball.vertices[ball.indices[first + k]];
+            const auto [it, fresh] =
+                known.try_emplace(ball.indices[first + k], static_cast<uint32_t>(out.vertices.size()));
+            if (fresh) out.add(v.position, v.normal, inChart(face, glm::vec2(j, i) / static_cast<float>(cuts)));
+            out.indices.push_back(it->second);
+        }
+    }
+    ball = std::move(out);
+}
+
 // Six faces of a cube, each cut into squares, blown up to a ball: vertices on the edges are shared.
 void ball(Piece& out, const Solid& s) {
     constexpr int kCuts = 12;
@@ -127,6 +161,7 @@ void ball(Piece& out, const Solid& s) {
                     out.quad(corner(i, j), corner(i + 2, j), corner(i + 2, j + 2), corner(i, j + 2));
                 }
     smoothNormals(out);
+    if (s.unwrap) unwrapBall(out, kCuts);
 }
 
 glm::vec3 anyDirection(uint32_t h) {
@@ -169,7 +204,7 @@ void place(Piece& to, const Piece& made, const Solid& s) {
     m = glm::rotate(m, r.x, glm::vec3(1, 0, 0));
     const uint32_t base = static_cast<uint32_t>(to.vertices.size());
     for (const MeshVertex& v : made.vertices)
-        to.add(glm::vec3(m * glm::vec4(v.position, 1)), glm::vec3(m * glm::vec4(v.normal, 0)));
+        to.add(glm::vec3(m * glm::vec4(v.position, 1)), glm::vec3(m * glm::vec4(v.normal, 0)), v.uv);
     for (const uint32_t i : made.indices) to.indices.push_back(base + i);
 }
 

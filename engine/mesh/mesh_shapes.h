@@ -29,6 +29,7 @@ struct Solid {
     float leaf = 0.15f;     // Leaves: metres
     float rough = 0;        // Ball: share of its size that dents are deep; 0: smooth
     uint32_t seed = 0;      // Ball, Leaves
+    bool unwrap = false;    // Box, Ball: texture coordinates, a square for each of six faces; else all are 0
 };
 // One mesh with a part for each colour, in the order in which they first occur; leaves have three tints.
 Mesh makeMesh(std::span<const Solid> solids);

@@ -60,9 +60,11 @@ const Json* valueBelow(const Json* component, const std::string& field) {
 
 void checkComponent(const SceneToCheck& s, const std::string& name, Entity e, const ComponentRow& row,
                     CheckReport& report) {
-    if (!row.check || !row.get(s.project.registry, e)) return;
+    if (!row.get(s.project.registry, e)) return;
     std::vector<ComponentFault> faults;
-    row.check(s.project.registry, e, name + "." + row.name, faults);
+    if (row.check) row.check(s.project.registry, e, name + "." + row.name, faults);
+    if (row.checkFiles && report.refused.empty())
+        row.checkFiles(s.project, e, name + "." + row.name, report.refused, faults);
     for (ComponentFault& f : faults) {
         const Json* at = valueBelow(valueOf(s.root, name, row.name, ""), f.field);
         (f.withoutIt ? report.repaired : report.noticed).push_back({placeOf(s, at), std::move(f.message)});

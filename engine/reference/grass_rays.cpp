@@ -148,6 +148,7 @@ void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
 // The kinds of one field, their Embree devices with them.
 Status addKinds(RayField& f, const Project& p, const JobControl& control) {
     for (const Species& s : f.grass->species) {
+        if (!f.grass->onTerrain) continue;
         if (control.cancelled()) return failed("cancelled");
         auto kind = std::make_unique<Kind>();
         kind->species = &s;

@@ -6,6 +6,7 @@
 #include "grass/drawing.h"
 #include "reference/flower_rays.h"
 #include "reference/grass_rays.h"
+#include "reference/mesh_blades.h"
 #include "reference/solids.h"
 #include "reference/water_rays.h"
 #include "scene/technique.h"
@@ -48,6 +49,7 @@ struct ReferenceScene::Impl {
     double time = 0;
     std::optional<Solids> solids;
     std::optional<GrassRays> grass;
+    std::optional<MeshBlades> meshBlades;
     std::optional<FlowerRays> flowers;
 };
 
@@ -124,6 +126,10 @@ std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
         solid = flower;
         ray.far = flower->t;
     }
+    if (std::optional<Surface> blade = v.scene.meshBlades->closest(ray)) {
+        solid = blade;
+        ray.far = blade->t;
+    }
     std::optional<Surface> blade = v.scene.grass->closest(ray, memory);
     return blade ? blade : solid;
 }
@@ -139,9 +145,11 @@ bool lit(const View& v, const Surface& s, const glm::vec3& towards, double far, 
     if (v.scene.solids->blocks(ray)) return false;
     if (v.settings.lighting == ReferenceLighting::Full && s.met != Met::Flower && v.scene.flowers->blocks(ray))
         return false;
+    const bool leaves = v.settings.lighting == ReferenceLighting::Full || s.met == Met::Object || s.onMesh;
+    if (leaves && v.scene.meshBlades->blocks(ray)) return false;
     FieldBits by = kAllFields;
     if (v.settings.lighting != ReferenceLighting::Full) {
-        const bool masked = s.met == Met::Blade && (v.masked >> s.field & 1);
+        const bool masked = s.met == Met::Blade && !s.onMesh && (v.masked >> s.field & 1);
         by = masked ? kAllFields : s.met == Met::Ground ? v.shading : 0;
     }
     return by == 0 || !v.scene.grass->blocks(ray, memory, by);
@@ -200,7 +208,7 @@ float skyShare(const View& v, const Surface& s) {
     float least = 1;
     for (size_t i = 0; i < v.fields.size(); ++i) {
         const GrassField& f = *v.fields[i];
-        if (!f.ambientOcclusion.present() || (s.met == Met::Blade && s.field != i)) continue;
+        if (!f.ambientOcclusion.present() || (s.met == Met::Blade && (s.field != i || s.onMesh))) continue;
         least = std::min(
             least, paintedAt(f.ambientOcclusion.map, s.place, static_cast<double>(f.ambientOcclusionTiling), false).x);
     }
@@ -414,6 +422,9 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     auto grass = GrassRays::make(impl->project, time, control);
     if (!grass) return grass.error();
     impl->grass.emplace(std::move(*grass));
+    auto meshBlades = MeshBlades::make(impl->project, time, control);
+    if (!meshBlades) return meshBlades.error();
+    impl->meshBlades.emplace(std::move(*meshBlades));
     auto flowers = FlowerRays::make(impl->project, time, control);
     if (!flowers) return flowers.error();
     impl->flowers.emplace(std::move(*flowers));

@@ -74,8 +74,8 @@ struct Species {
 enum class Population { Patch, Unique };
 inline constexpr auto kPopulations = enumNames<Population>("patch", "unique");
 
-// Grass over the whole terrain: what grows, and the name of how it is drawn (scene/technique.h). The technique's
-// settings are components beside it. Tilings are repeats over Terrain.mapSize.
+// Grass, over the whole terrain or on meshes alone: what grows, and the name of how it is drawn (scene/technique.h).
+// The technique's settings are components beside it. Tilings are repeats over Terrain.mapSize.
 struct GrassField {
     std::string technique = "hybrid";
     std::vector<Species> species{1};
@@ -89,6 +89,7 @@ struct GrassField {
     float orientationTiling = 1, vegetationTiling = 1, ambientOcclusionTiling = 1, forcesTiling = 1,
           bladeHeightTiling = 1;
     Population population = Population::Patch;
+    bool onTerrain = true;  // else it grows on meshes alone (grass/mesh_grass_settings.h)
 };
 
 // Against sparkling far away (Jahrmann and Wimmer 2013, section 6.4): a blur of 7 pixels whose weights are equal, or a

@@ -11,6 +11,7 @@ static_assert(kMaxFields == MAX_FIELDS && kMaxSpecies == MAX_SPECIES && kMaxScen
               kMaxSoilMaps == MAX_SOIL_MAPS);
 
 size_t soilMaps(const GrassField& f) {
+    if (!f.onTerrain) return 0;
     const auto drawn = [](const Species& s) { return s.density.present(); };
     return static_cast<size_t>(std::count_if(f.species.begin(), f.species.end(), drawn)) + f.bladeHeight.present() +
            f.ambientOcclusion.present();

@@ -37,6 +37,7 @@ struct MapRow {
     const FieldRow* packedWith = nullptr;
     const char* least = "0 bare";  // what the overlay's legend calls its ends; of colours, where they are clear
     const char* most = "1 full";
+    bool onMesh = false;  // it lies on a mesh's texture coordinates, not on the terrain: brushes do not reach it
 };
 
 }  // namespace sward

@@ -65,7 +65,9 @@ double virtualBlades(const Project& p) {
     double perM2 = 0;
     p.registry.each<GrassField>([&](Entity, const GrassField& field) {
         for (const Species& s : field.species)
-            perM2 += double(s.bladesPerM2) * (s.density.present() && s.bladesPerM2 > 0 ? s.density.map.mean() : 1.0);
+            if (field.onTerrain)
+                perM2 +=
+                    double(s.bladesPerM2) * (s.density.present() && s.bladesPerM2 > 0 ? s.density.map.mean() : 1.0);
     });
     return perM2 * terrainArea(p);
 }
@@ -74,7 +76,8 @@ double PopulationCount::of(const Project& p) {
     std::vector<Map> densities;
     std::vector<double> factors{terrainArea(p)};
     p.registry.each<GrassField>([&](Entity, const GrassField& field) {
-        for (const Species& s : field.species) densities.push_back(s.density.map), factors.push_back(s.bladesPerM2);
+        for (const Species& s : field.species)
+            if (field.onTerrain) densities.push_back(s.density.map), factors.push_back(s.bladesPerM2);
     });
     const bool same =
         factors == factors_ && std::equal(densities.begin(), densities.end(), densities_.begin(), densities_.end(),

@@ -63,6 +63,7 @@ struct FieldRow {
 };
 
 struct Tables;
+struct Project;
 
 // What a component's `check` finds: allowed, but surely not meant.
 struct ComponentFault {
@@ -89,6 +90,10 @@ struct ComponentRow {
     std::vector<std::string> (*repair)(void* component) = nullptr;
     // Adds what `sward check` is to say of an entity's component, whose PATH is given. Null: nothing.
     void (*check)(const Registry&, Entity, const std::string& path, std::vector<ComponentFault>&) = nullptr;
+    // Adds what `sward check` is to say of the files that the component needs, once they can be read: what drawing and
+    // tracing refuse, and what is surely not meant. Null: nothing.
+    void (*checkFiles)(const Project&, Entity, const std::string& path, std::vector<Error>& refused,
+                       std::vector<ComponentFault>&) = nullptr;
     // The component beside which it holds settings: where it is absent, its defaults hold, and where all its fields
     // have them, it is not saved. Null: it stands for itself.
     const char* settingsOf = nullptr;
@@ -185,7 +190,6 @@ enum class Stage {
 // Which views a pass takes part in: a set of bits.
 enum ViewBits : unsigned { kViewMain = 1, kViewReflection = 2 };
 
-struct Project;
 struct DrawContext;  // frame/draw_context.h
 struct ViewRequest;  // frame/draw_context.h
 // What an effect keeps while its features are there: for the project (EffectRow::makeState), or for one of its views

@@ -62,6 +62,30 @@ FN SliceRay sliceRay(vec3 entry, vec3 direction, int nu, int nv, real h) {
     return r;
 }
 
+// How far a ray goes through a shell over ground that bends away under it, or up before it: its height is z + dz t +
+// bend t^2 / 2, in [-h, 0] while it is inside. Every root is a quotient by a sum, so that no curvature, however small,
+// cancels (H-5); a ray that never leaves ends at kRayNever.
+struct ShellEnd {
+    real t;
+    bool ground;
+};
+FN ShellEnd shellEnd(real z, real dz, real bend, real h) {
+    real down = max(z + h, real(0.0));
+    real up = max(-z, real(0.0));
+    real low = dz * dz - 2.0f * bend * down;
+    real high = dz * dz + 2.0f * bend * up;
+    real toGround = low < 0.0f ? real(0.0) : sqrt(low) - dz;
+    real tGround = toGround > kTiny ? 2.0f * down / toGround : kRayNever;
+    real root = high < 0.0f ? real(0.0) : sqrt(high);
+    real tTop = kRayNever;
+    if (dz > kTiny && high >= 0.0f) tTop = 2.0f * up / (dz + root);
+    if (!(dz > kTiny) && bend > kTiny) tTop = (root - dz) / bend;
+    ShellEnd e;
+    e.ground = tGround <= tTop;
+    e.t = min(min(tGround, tTop), kRayNever);
+    return e;
+}
+
 // The ray's next hit: ties go to u, then v, then the ground.
 FN SliceHit sliceHit(SliceRay r) {
     SliceHit hit;

@@ -2,6 +2,7 @@
 // plan, programs and bytes as before.
 #include "core/json.h"
 #include "fields.h"
+#include "grass/mesh_grass_settings.h"
 #include "objects.h"
 #include "techniques.h"
 
@@ -58,7 +59,11 @@ Project everything() {
     t.terrainMap = field(filled({32, 32, 4, PixelType::U8}, 0.3f));
     t.castShadows = true;
     p.dir = objectsFolder();
-    putObject(p, "cube", {{}}, {6, 0, 6});
+    putObject(p, "cube", {{.unwrap = true}}, {6, 0, 6});
+    put(p, "cube",
+        MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0.9f)),
+                  .vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.5f)),
+                  .orientation = field(filled({16, 16, 2, PixelType::U16}, 0.7f))});
     put<ForceSource>(p, "cube").shape = ForceShape::Outline;
     f.species[0].translucency = 0.5f;
     f.species[0].gloss = 1;

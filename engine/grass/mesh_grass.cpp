@@ -1,0 +1,325 @@
+#include "grass/mesh_grass.h"
+
+#include "core/log.h"
+#include "frame/draw_context.h"
+#include "grass/field.h"
+#include "grass/mesh_grass_settings.h"
+#include "grass/raytraced_settings.h"
+#include "grass/slices.h"
+#include "mesh/mesh_io.h"
+#include "world/placement.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "grass/mesh-grass";
+
+// A mesh as a carrier, on the GPU.
+struct GpuCarrier {
+    std::string version = "?";  // of the file, as it was read
+    MeshCarrier shape;          // its vertices and indices are the GPU's
+    Buffer vertices, indices;
+    VertexArray mesh;
+    size_t indexCount = 0;  // 0: nothing can grow there
+    glm::vec3 centre{0};
+    float radius = 0;
+};
+struct CarrierState : EffectState {
+    std::map<std::string, GpuCarrier> carriers;  // by file
+};
+
+// A mesh that carries grass, where this view has it.
+struct Shell {
+    GrassyMesh of;
+    const GpuCarrier* carrier = nullptr;
+    const Field* field = nullptr;
+    glm::vec4 rows[3] = {};  // from the mesh to positions relative to the eye
+    bool seen = false;
+    float scale = 1, uvLength = 1, distance = 0;
+    GLuint density = 0, vegetation = 0, orientation = 0;
+    std::string features = {};  // featureConstants of what its program is compiled for
+};
+struct ShellView : EffectState {
+    std::vector<Shell> shells;   // nearest first
+    PerSpecies<Buffer> globals;  // SliceGlobals in the patch's own cells
+};
+
+void describe(GpuCarrier& c) {
+    const GLuint mesh = c.mesh.id();
+    glVertexArrayVertexBuffer(mesh, 0, c.vertices.id(), 0, sizeof(CarrierVertex));
+    glVertexArrayElementBuffer(mesh, c.indices.id());
+    const std::pair<int, size_t> attributes[] = {
+        {3, offsetof(CarrierVertex, position)}, {3, offsetof(CarrierVertex, normal)},
+        {2, offsetof(CarrierVertex, uv)},       {3, offsetof(CarrierVertex, alongU)},
+        {3, offsetof(CarrierVertex, alongV)},   {3, offsetof(CarrierVertex, bend)},
+        {1, offsetof(CarrierVertex, lift)}};
+    for (GLuint i = 0; i < std::size(attributes); ++i) {
+        glEnableVertexArrayAttrib(mesh, i);
+        glVertexArrayAttribBinding(mesh, i, 0);
+        glVertexArrayAttribFormat(mesh, i, attributes[i].first, GL_FLOAT, GL_FALSE,
+                                  static_cast<GLuint>(attributes[i].second));
+    }
+}
+
+GpuCarrier uploadCarrier(Gpu& gpu, const Mesh& mesh) {
+    GpuCarrier out;
+    out.shape = carrierOf(mesh);
+    if (out.shape.indices.empty()) return out;
+    out.vertices =
+        makeBuffer(gpu, kOwner, out.shape.vertices.size() * sizeof(CarrierVertex), out.shape.vertices.data());
+    out.indices = makeBuffer(gpu, kOwner, out.shape.indices.size() * 4, out.shape.indices.data());
+    out.indexCount = out.shape.indices.size();
+    out.shape.vertices = {}, out.shape.indices = {};
+    out.mesh = makeVertexArray(kOwner);
+    out.centre = (mesh.low + mesh.high) * 0.5f;
+    out.radius = glm::length(mesh.high - mesh.low) * 0.5f;
+    describe(out);
+    return out;
+}
+
+// Read again when the file changed. What cannot carry grass is told once.
+const GpuCarrier& carrierIn(DrawContext& ctx, CarrierState& s, const GrassyMesh& on, const std::string& file) {
+    GpuCarrier& c = s.carriers[file];
+    std::string version = fileVersion(ctx.project.dir, file);
+    if (c.version == version) return c;
+    const Result<Mesh> mesh = readMesh(ctx.project.dir, file);
+    c = mesh ? uploadCarrier(ctx.gpu, *mesh) : GpuCarrier{};
+    c.version = std::move(version);
+    if (mesh && !c.indexCount) logWarning(noTextureCoordinates(on.name, file).text() + "; its grass is not drawn");
+    if (mesh && c.indexCount && c.shape.unmapped > 0)
+        logWarning(on.name + ".MeshGrass: " + unmappedTriangles(file, c.shape));
+    return c;
+}
+
+const Field* fieldNamed(const DrawContext& ctx, const std::string& name) {
+    for (const std::unique_ptr<Field>& field : ctx.shared.grass->all)
+        if (field->grown->name == name) return field.get();
+    return nullptr;
+}
+
+void place(const DrawContext& ctx, Shell& shell, const PlacedMesh& placed) {
+    shell.scale = placed.mesh->scale;
+    const glm::dvec3 at = placed.at - ctx.camera.eye;
+    for (int r = 0; r < 3; ++r)
+        shell.rows[r] = glm::vec4(glm::vec3(placed.turn[0][r], placed.turn[1][r], placed.turn[2][r]) * shell.scale,
+                                  static_cast<float>(at[r]));
+}
+
+float tallest(const Field& field) {
+    float top = 0;
+    for (const FieldSpecies& s : field.species) top = std::max(top, s.grown->slices.top);
+    return top;
+}
+
+bool isSeen(const DrawContext& ctx, Shell& shell) {
+    const glm::vec4 c(shell.carrier->centre, 1);
+    const glm::vec3 centre(glm::dot(shell.rows[0], c), glm::dot(shell.rows[1], c), glm::dot(shell.rows[2], c));
+    const float radius = shell.carrier->radius * shell.scale + tallest(*shell.field);
+    shell.distance = glm::length(centre);
+    return ctx.frustum.touches(centre - radius, centre + radius);
+}
+
+// The mesh's own maps, and a program for those that it has.
+void giveMaps(DrawContext& ctx, Shell& shell) {
+    const MeshGrass& g = *shell.of.grows;
+    const auto texture = [&](const MapField& m, const char* name, bool srgb) {
+        return m.present() ? ctx.maps.get(fmt::format("{}/{}", kOwner, name), shell.of.name + ".MeshGrass." + name,
+                                          m.map, srgb, true)
+                           : 0;
+    };
+    shell.density = texture(g.density, "density", false);
+    shell.vegetation = texture(g.vegetation, "vegetation", true);
+    shell.orientation = texture(g.orientation, "orientation", false);
+    FeatureSet own = shell.field->view->own & featureSet(Feature::Grass, Feature::GrassOnMeshes, Feature::GrassClumps,
+                                                         Feature::Translucency, Feature::Gloss, Feature::GrassBlended,
+                                                         Feature::BladeShadows, Feature::FarDarkening);
+    if (shell.density) own |= featureSet(Feature::GrassDensity);
+    if (shell.vegetation) own |= featureSet(Feature::GrassVegetation);
+    if (shell.orientation) own |= featureSet(Feature::GrassOrientation);
+    shell.features = featureConstants(featuresFor(ctx, own));
+}
+
+void writeGlobals(DrawContext& ctx, ShellView& view) {
+    view.globals.keep(ctx.shared.grass->all, Feature::GrassOnMeshes);
+    eachSpecies(ctx, Feature::GrassOnMeshes, [&](const Field& field, size_t i) {
+        SliceGlobals g = sliceGlobalsOf(ctx, field, i);
+        g.eyeCell = g.inCell = glm::vec2(0);
+        writeBuffer(ctx.gpu, view.globals.at(field.number, i), kOwner, sizeof(g), &g);
+    });
+}
+
+void select(DrawContext& ctx) {
+    CarrierState& state = ctx.own<CarrierState>();
+    ShellView& view = ctx.ofView<ShellView>();
+    view.shells.clear();
+    if (!ctx.shared.grass) return;
+    std::set<std::string> used;
+    for (const GrassyMesh& on : grassyMeshes(ctx.project)) {
+        const PlacedMesh placed = placeMesh(ctx.project, on.entity);
+        used.insert(placed.mesh->file);
+        Shell shell{
+            .of = on, .carrier = &carrierIn(ctx, state, on, placed.mesh->file), .field = fieldNamed(ctx, on.field)};
+        if (!shell.carrier->indexCount || !shell.field) continue;
+        place(ctx, shell, placed);
+        giveMaps(ctx, shell);
+        shell.uvLength =
+            static_cast<float>(uvLengthOf(*on.grows, shell.carrier->shape, static_cast<double>(shell.scale)));
+        shell.seen = isSeen(ctx, shell);
+        view.shells.push_back(std::move(shell));
+    }
+    std::erase_if(state.carriers, [&](const auto& c) { return !used.contains(c.first); });
+    std::stable_sort(view.shells.begin(), view.shells.end(),
+                     [](const Shell& a, const Shell& b) { return a.distance < b.distance; });
+    writeGlobals(ctx, view);
+}
+
+void bindMaps(const Shell& shell) {
+    for (const auto& [unit, texture] : {std::pair<GLuint, GLuint>{TEX_DENSITY, shell.density},
+                                        {TEX_VEGETATION, shell.vegetation},
+                                        {TEX_ORIENTATION, shell.orientation}})
+        if (texture) glBindTextureUnit(unit, texture);
+}
+
+void setPlace(const Shell& shell) {
+    glUniform4fv(10, 3, &shell.rows[0].x);
+    glUniform1f(13, shell.scale);
+    glBindVertexArray(shell.carrier->mesh.id());
+}
+
+void drawIndices(DrawContext& ctx, size_t from, size_t to) {
+    if (from == to) return;
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(to - from), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(4 * from));
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
+}
+
+void bindFar(const SliceTextures& slices) {
+    glBindTextureUnit(TEX_FAR_REFLECTANCE, slices.farReflectance.id());
+    glBindTextureUnit(TEX_FAR_THRESHOLD, slices.farThreshold.id());
+    glBindTextureUnit(TEX_FAR_LIGHT, slices.farLight.id());
+}
+
+std::string rayConstants(RayRest rest) { return fmt::format("const int REST = {};\n", static_cast<int>(rest)); }
+
+bool begin(DrawContext& ctx, const Shell& shell) {
+    const auto& rays = shell.field->view->settings<RaytracedGrass>();
+    endTransparency();
+    if (!ctx.use(0, fieldConstants(shell.field->view->of) + rayConstants(rays.rest), &shell.features)) return false;
+    bindField(*shell.field);
+    bindMaps(shell);
+    beginTransparency(ctx, *shell.field);
+    glUniform1i(0, rays.steps);
+    glUniform1f(1, rays.cutOff);
+    glUniform1f(2, rays.depthAt);
+    glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    glUniform1f(4, shell.uvLength);
+    setPlace(shell);
+    return true;
+}
+
+// The lifted surface from both sides: in dents narrower than the grass is high it is turned over, and where it looks
+// away rays end at once.
+void drawShell(DrawContext& ctx, const GpuCarrier& carrier) {
+    drawIndices(ctx, 0, carrier.shape.surface);
+    glEnable(GL_CULL_FACE);
+    drawIndices(ctx, carrier.shape.surface, carrier.indexCount);
+    glDisable(GL_CULL_FACE);
+}
+
+void draw(DrawContext& ctx) {
+    ShellView& view = ctx.ofView<ShellView>();
+    for (const Shell& shell : view.shells) {
+        if (!begin(ctx, shell)) break;  // also while it is not seen: no halt when it comes into view
+        for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
+            bindVerticalSlices(ctx, *shell.field, i, SliceLevels::One);
+            bindFar(shell.field->species[i].grown->slices);
+            if (shell.density) glBindTextureUnit(TEX_DENSITY, shell.density);
+            glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
+            drawShell(ctx, *shell.carrier);
+        }
+    }
+    endTransparency();
+}
+
+// The surface itself lies exactly where the mesh was drawn.
+void shade(DrawContext& ctx) {
+    ShellView& view = ctx.ofView<ShellView>();
+    if (ctx.settings.mode != ViewMode::Final) return;
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1, 4);
+    for (const Shell& shell : view.shells) {
+        if (!ctx.use(0, {}, &shell.features)) break;
+        bindField(*shell.field);
+        bindMaps(shell);
+        setPlace(shell);
+        for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
+            glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
+            drawIndices(ctx, 0, shell.carrier->shape.surface);
+        }
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+void bake(DrawContext& ctx) { makeSlices(ctx, Feature::GrassOnMeshes); }
+
+std::vector<std::string> variants() {
+    std::vector<std::string> out;
+    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(RayRest::Mean));
+    for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
+        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(rest));
+    return out;
+}
+
+const System kSystems[] = {
+    {"grass/mesh-grass/bake",
+     {.reads = {Slot::Grown, Slot::Sun, Slot::SkyLight}, .appends = {Slot::Slices}},
+     bake,
+     true},
+    {"grass/mesh-grass/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Slices}}, select}};
+const ProgramRow kPrograms[] = {
+    {"grass/mesh-grass", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl", nullptr, variants}};
+const ProgramRow kShadePrograms[] = {
+    {"grass/mesh-grass/shade", "grass/mesh_shade.vert.glsl", "grass/mesh_shade.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"grass/mesh-grass",
+                         Stage::Slices,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows, Slot::Lamps},
+                          .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw,
+                         featureSet(Feature::GrassBlended)},
+                        {"grass/mesh-grass/shade",
+                         Stage::GroundShadow,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Grass, Slot::Slices, Slot::Shadows}, .appends = {Slot::SceneColor}},
+                         kShadePrograms,
+                         shade}};
+const Follows kFollows[] = {
+    {Feature::GrassOnMeshes, "rays through slices, whatever technique draws the field over the terrain"},
+    {Feature::Wind, "rays lean against the gust where it blows along the surface"},
+    {Feature::Forces, "grass on meshes is not pressed"},
+    {Feature::ForceMap, "grass on meshes is not pressed"},
+    {Feature::GrassUnique, "slices are images of one patch: grass that is drawn by them repeats it"}};
+
+}  // namespace
+
+const EffectRow& meshGrassEffect() {
+    static const EffectRow row{
+        .name = kOwner,
+        .needs = featureSet(Feature::GrassOnMeshes, Feature::Objects, Feature::Grass, Feature::Terrain),
+        .systems = kSystems,
+        .passes = kPasses,
+        .makeState = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<CarrierState>(); },
+        .help = "grass grows on objects",
+        .makeView = [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<ShellView>(); },
+        .follows = kFollows};
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,429 @@
+#include "reference/mesh_blades.h"
+
+#include <array>
+
+#include "core/numerics.h"
+#include "grass/grown.h"
+#include "grass/mesh_grass_settings.h"
+#include "mesh/carrier.h"
+#include "mesh/mesh_io.h"
+#include "reference/embree.h"
+#include "scene/population.h"
+#include "world/ground.h"
+#include "world/placement.h"
+#include "world/wind.h"
+
+namespace sward {
+namespace {
+
+constexpr int kBins = 16;                  // a side, of a cell's blades
+constexpr size_t kMostPairs = 50'000'000;  // of triangles and the cells that they touch
+
+// The carrier's axes at a blade's root, in the world: a blade stands in them as it would on level ground.
+struct Axes {
+    glm::vec3 tangent, normal, bitangent;
+    glm::vec3 inside(const glm::vec3& v) const {
+        return {glm::dot(v, tangent), glm::dot(v, normal), glm::dot(v, bitangent)};
+    }
+    glm::vec3 outside(const glm::vec3& v) const { return tangent * v.x + normal * v.y + bitangent * v.z; }
+};
+struct PlantedBlade {
+    glm::vec3 root;  // relative to the mesh's origin
+    Axes axes;
+    glm::vec3 control, tip;
+    glm::vec2 facing, uv;
+    float width, lighter;
+    uint32_t kind, blade;  // of the kind's patch
+};
+
+// One species on a mesh.
+struct MeshKind {
+    const Species* species;
+    Patch patch;
+    TexelGrid image;
+    float leanAtFull;
+    glm::vec3 clumps;
+    WindGlobals wind{};  // about the mesh's origin, as strong as the species feels it
+};
+
+// A carrier where it stands.
+struct Planting {
+    const MeshCarrier& carrier;
+    const GrassyMesh& on;
+    const GrassField& field;
+    glm::dmat3 turn;  // with the scale
+    double uvLength;  // metres that one unit of texture coordinates is
+    const Wind* wind;
+    const Map* gusts;
+};
+
+glm::dvec2 inPatch(const Planting& p, uint32_t vertex) {
+    return glm::dvec2(p.carrier.vertices[vertex].uv) * p.uvLength;
+}
+
+// A triangle in a cell of the patch that it touches.
+struct CellPart {
+    int x, z;
+    uint32_t triangle;
+    auto cell() const { return std::pair(x, z); }
+};
+Result<std::vector<CellPart>> cellsOf(const Planting& p) {
+    std::vector<CellPart> out;
+    const double size = static_cast<double>(p.field.cellSize);
+    for (size_t i = 0; i < p.carrier.surface; i += 3) {
+        glm::dvec2 low(1e30), high(-1e30);
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::dvec2 at = inPatch(p, p.carrier.indices[i + k]) / size;
+            low = glm::min(low, at), high = glm::max(high, at);
+        }
+        low = glm::floor(low), high = glm::floor(high);
+        const glm::dvec2 cells = high - low + 1.0;
+        if (!(glm::max(glm::abs(low), glm::abs(high)).x < 1e9) || !(glm::max(glm::abs(low), glm::abs(high)).y < 1e9) ||
+            static_cast<double>(out.size()) + cells.x * cells.y > static_cast<double>(kMostPairs))
+            return unsound(p.on.name + ".MeshGrass: its texture coordinates run over too many cells of the grass",
+                           "give uvLength a smaller value, or the field larger cells");
+        for (int z = static_cast<int>(low.y); z <= static_cast<int>(high.y); ++z)
+            for (int x = static_cast<int>(low.x); x <= static_cast<int>(high.x); ++x)
+                out.push_back({x, z, static_cast<uint32_t>(i)});
+    }
+    std::sort(out.begin(), out.end(), [](const CellPart& a, const CellPart& b) {
+        return std::pair(a.cell(), a.triangle) < std::pair(b.cell(), b.triangle);
+    });
+    return out;
+}
+
+// Where in a cell the patch's blades stand, sorted into squares.
+struct CellRoots {
+    std::vector<glm::vec2> roots;  // metres, by blade
+    std::array<std::vector<uint32_t>, kBins * kBins> bins;
+};
+int binOf(float at, float size) { return std::clamp(static_cast<int>(at / size * kBins), 0, kBins - 1); }
+CellRoots rootsIn(const Patch& patch, const f32::CellVersion& version, float size) {
+    CellRoots r;
+    for (const Blade& b : patch.blades) {
+        const glm::vec2 at = f32::rootInCell(b.root, version.mirror, version.shift, size);
+        r.bins[static_cast<size_t>(binOf(at.y, size) * kBins + binOf(at.x, size))].push_back(
+            static_cast<uint32_t>(r.roots.size()));
+        r.roots.push_back(at);
+    }
+    return r;
+}
+
+// Weights of a triangle's corners at a place of the patch.
+struct Corners {
+    std::array<glm::dvec2, 3> at;
+    double area2;
+    glm::dvec3 weights(const glm::dvec2& p) const {
+        const auto part = [&](const glm::dvec2& a, const glm::dvec2& b) {
+            return ((a.x - p.x) * (b.y - p.y) - (a.y - p.y) * (b.x - p.x)) / area2;
+        };
+        return {part(at[1], at[2]), part(at[2], at[0]), part(at[0], at[1])};
+    }
+};
+
+f32::BladeStand standOn(const Planting& p, const MeshKind& kind, const Blade& b, const CellPart& cell,
+                        const glm::vec2& inCell, const PlantedBlade& planted) {
+    f32::BladeStand s = f32::emptyStand();
+    if (p.on.grows->orientation.present()) {
+        const glm::vec4 t = paintedAt(p.on.grows->orientation.map, glm::dvec2(planted.uv), 1, false);
+        s.paint = f32::paintOf(t.x, t.y), s.leanAtFull = kind.leanAtFull;
+    }
+    if (kind.clumps != glm::vec3(0))
+        s.clump = f32::clumpValues(cell.x, cell.z, inCell, p.field.cellSize, kind.species->clumpSize,
+                                   static_cast<uint32_t>(p.field.seed));
+    s.clumpLean = kind.clumps.x, s.clumpHeight = kind.clumps.y, s.clumpLightness = kind.clumps.z;
+    if (p.wind) {
+        const glm::vec2 lean = windLeanAt(kind.wind, *p.gusts, {planted.root.x, planted.root.z}, b.dither);
+        const glm::vec3 own = planted.axes.inside({lean.x, 0, lean.y});
+        s.wind = {own.x, own.z};
+    }
+    return s;
+}
+
+// The blade, if it stands on the triangle and the density lets it.
+std::optional<PlantedBlade> plant(const Planting& p, const MeshKind& kind, const Corners& corners, const CellPart& cell,
+                                  const f32::CellVersion& version, uint32_t blade, const glm::vec2& inCell) {
+    const double size = static_cast<double>(p.field.cellSize);
+    const glm::dvec3 w = corners.weights(glm::dvec2(cell.x, cell.z) * size + glm::dvec2(inCell));
+    if (!(w.x >= 0 && w.y >= 0 && w.z >= 0)) return std::nullopt;
+    const auto mixed = [&](glm::vec3 CarrierVertex::*member) {
+        const auto at = [&](size_t k) {
+            return glm::dvec3(p.carrier.vertices[p.carrier.indices[cell.triangle + k]].*member);
+        };
+        return at(0) * w.x + at(1) * w.y + at(2) * w.z;
+    };
+    const Blade& b = kind.patch.blades[blade];
+    PlantedBlade out{};
+    out.uv = glm::vec2((glm::dvec2(cell.x, cell.z) * size + glm::dvec2(inCell)) / p.uvLength);
+    const MapField& density = p.on.grows->density;
+    if (density.present() && paintedAt(density.map, glm::dvec2(out.uv), 1, false).x < b.threshold) return std::nullopt;
+    const glm::dvec3 normal = mixed(&CarrierVertex::normal);
+    const glm::vec3 n(glm::normalize(p.turn * normal));
+    const CarrierFrame f = carrierFrame(n, glm::vec3(p.turn * mixed(&CarrierVertex::alongU)),
+                                        glm::vec3(p.turn * mixed(&CarrierVertex::alongV)));
+    out.axes = {f.tangent, n, f.bitangent};
+    out.root = glm::vec3(p.turn * mixed(&CarrierVertex::position));
+    const f32::BladeLean lean = f32::leanOf(standOn(p, kind, b, cell, inCell, out), b.facing * version.mirror);
+    const f32::BladePose pose = f32::poseBlade(b.control, b.tip, b.facing, version.mirror, lean.lean, lean.scale);
+    out.control = pose.control, out.tip = pose.tip, out.facing = pose.facing;
+    out.width = b.width, out.lighter = lean.lighter, out.blade = blade;
+    return out;
+}
+
+void plantCell(const Planting& p, const MeshKind& kind, std::span<const CellPart> parts,
+               std::vector<PlantedBlade>& out) {
+    const float size = p.field.cellSize;
+    const CellPart& first = parts.front();
+    const f32::CellVersion version = f32::cellVersion(first.x, first.z, static_cast<uint32_t>(p.field.seed));
+    const CellRoots roots = rootsIn(kind.patch, version, size);
+    const glm::dvec2 corner = glm::dvec2(first.x, first.z) * static_cast<double>(size);
+    for (const CellPart& part : parts) {
+        Corners c{};
+        glm::vec2 low(1e30f), high(-1e30f);
+        for (size_t k = 0; k < 3; ++k) {
+            c.at[k] = inPatch(p, p.carrier.indices[part.triangle + k]);
+            low = glm::min(low, glm::vec2(c.at[k] - corner)), high = glm::max(high, glm::vec2(c.at[k] - corner));
+        }
+        c.area2 = (c.at[1].x - c.at[0].x) * (c.at[2].y - c.at[0].y) - (c.at[1].y - c.at[0].y) * (c.at[2].x - c.at[0].x);
+        for (int z = binOf(low.y, size); z <= binOf(high.y, size); ++z)
+            for (int x = binOf(low.x, size); x <= binOf(high.x, size); ++x)
+                for (const uint32_t blade : roots.bins[static_cast<size_t>(z * kBins + x)])
+                    if (const auto planted = plant(p, kind, c, part, version, blade, roots.roots[blade]))
+                        out.push_back(*planted);
+    }
+}
+
+}  // namespace
+
+// The blades of one mesh, and Embree's boxes around them.
+struct MeshShell {
+    glm::dvec3 at{0};  // the mesh's origin
+    uint32_t field = 0;
+    const MeshGrass* grows = nullptr;
+    std::vector<MeshKind> kinds;
+    std::vector<PlantedBlade> blades;
+    DevicePtr device;
+    ScenePtr scene;
+};
+
+namespace {
+
+// A ray at one shell, as Embree's callbacks see it. First member: Embree's.
+struct ShellQuery {
+    RayContext context;
+    const MeshShell* shell;
+    glm::vec3 origin, way;  // relative to the mesh's origin
+    uint32_t grain;
+    uint32_t blade = 0;  // of the closest hit
+    f32::RibbonHit hit{};
+};
+
+// The nearest place in ]near, far[ where the ray meets the blade, and its image's opacity there lets it.
+std::optional<f32::RibbonHit> bladeMet(const ShellQuery& q, uint32_t blade, float near, float far) {
+    const PlantedBlade& b = q.shell->blades[blade];
+    const glm::vec3 o = b.axes.inside(q.origin - b.root), way = b.axes.inside(q.way);
+    const glm::vec2 at = f32::ribbonMeetings(o, way, b.control, b.tip, b.facing);
+    std::optional<f32::RibbonHit> found;
+    for (const float v : {at.x, at.y}) {
+        if (!(v >= 0 && v <= 1)) continue;
+        const f32::RibbonHit h = f32::ribbonAt(o, way, b.control, b.tip, b.facing, b.width, v);
+        if (!(h.t > near && h.t < far) || std::abs(h.across) > 0.5f) continue;
+        const TexelGrid& image = q.shell->kinds[b.kind].image;
+        const float opacity = image.at(static_cast<double>(h.across) + 0.5, static_cast<double>(v), false).w;
+        if (opacity <= f32::hashUnit(f32::hash3(q.grain, blade, b.kind))) continue;
+        found = h;
+        far = h.t;
+    }
+    return found;
+}
+
+void meetClosest(const RTCIntersectFunctionNArguments* a) {
+    if (!a->valid[0]) return;
+    ShellQuery& q = *reinterpret_cast<ShellQuery*>(a->context);
+    RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
+    const auto met = bladeMet(q, a->primID, r.ray.tnear, r.ray.tfar);
+    if (!met) return;
+    q.blade = a->primID;
+    q.hit = *met;
+    r.ray.tfar = met->t;
+    r.hit.geomID = a->geomID, r.hit.primID = a->primID;
+}
+void meetAny(const RTCOccludedFunctionNArguments* a) {
+    if (!a->valid[0]) return;
+    const ShellQuery& q = *reinterpret_cast<const ShellQuery*>(a->context);
+    RTCRay& r = *reinterpret_cast<RTCRay*>(a->ray);
+    if (bladeMet(q, a->primID, r.tnear, r.tfar)) r.tfar = -std::numeric_limits<float>::infinity();
+}
+
+// The curve lies in the hull of root, control and tip.
+void boundsOf(const RTCBoundsFunctionArguments* a) {
+    const PlantedBlade& b = static_cast<const MeshShell*>(a->geometryUserPtr)->blades[a->primID];
+    const glm::vec3 control = b.root + b.axes.outside(b.control), tip = b.root + b.axes.outside(b.tip);
+    const float side = 0.5f * b.width + 1e-5f;
+    const glm::vec3 low = glm::min(b.root, glm::min(control, tip)) - side,
+                    high = glm::max(b.root, glm::max(control, tip)) + side;
+    *a->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
+}
+
+Status makeScene(MeshShell& s) {
+    s.device.reset(rtcNewDevice(nullptr));
+    if (!s.device)
+        return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                      "close other programs");
+    s.scene.reset(rtcNewScene(s.device.get()));
+    RTCGeometry g = rtcNewGeometry(s.device.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(s.blades.size()));
+    rtcSetGeometryUserData(g, &s);
+    rtcSetGeometryBoundsFunction(
+        g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
+    rtcSetGeometryIntersectFunction(g, meetClosest);
+    rtcSetGeometryOccludedFunction(g, meetAny);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(s.scene.get(), g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(s.scene.get());
+    return {};
+}
+
+MeshKind kindOf(const Project& p, const Species& s, const GrassField& field) {
+    return {&s, makePatch(s, field.cellSize, static_cast<uint32_t>(field.seed)), texelGridOf(bladeImage(p, s)),
+            leanAtFull(s), clumpStrengths(s)};
+}
+
+// Blades that stand on a mesh at a density of 1.
+double bladesAsked(const Planting& p) {
+    double perM2 = 0;
+    for (const Species& s : p.field.species) perM2 += static_cast<double>(s.bladesPerM2);
+    return perM2 * p.carrier.uvArea * p.uvLength * p.uvLength;
+}
+
+Status growOn(MeshShell& s, const Project& project, const Planting& p, double time, const JobControl& control) {
+    const auto cells = cellsOf(p);
+    if (!cells) return cells.error();
+    for (const Species& species : p.field.species) {
+        MeshKind kind = kindOf(project, species, p.field);
+        if (kind.patch.blades.empty()) continue;
+        if (p.wind)
+            kind.wind = windGlobals(*p.wind, {s.at.x, s.at.z}, time),
+            kind.wind.strength = windStrength(*p.wind, species);
+        const size_t before = s.blades.size();
+        for (size_t i = 0, end = 0; i < cells->size(); i = end) {
+            if (control.cancelled()) return failed("cancelled");
+            while (end < cells->size() && (*cells)[end].cell() == (*cells)[i].cell()) ++end;
+            plantCell(p, kind, std::span(*cells).subspan(i, end - i), s.blades);
+        }
+        for (size_t i = before; i < s.blades.size(); ++i) s.blades[i].kind = static_cast<uint32_t>(s.kinds.size());
+        s.kinds.push_back(std::move(kind));
+    }
+    return makeScene(s);
+}
+
+Surface surfaceOf(const MeshShell& shell, const Ray& ray, const ShellQuery& q, double t) {
+    const PlantedBlade& b = shell.blades[q.blade];
+    const MeshKind& kind = shell.kinds[b.kind];
+    const Species& species = *kind.species;
+    const Blade& own = kind.patch.blades[b.blade];
+    const float v = q.hit.v;
+    Surface s;
+    s.met = Met::Blade;
+    s.onMesh = true;
+    s.t = t;
+    s.at = ray.origin + ray.way * t;
+    s.normal = b.axes.outside(f32::bladeFrameFacing(b.control, b.tip, b.facing, v).normal);
+    if (glm::dot(glm::dvec3(s.normal), ray.way) > 0) s.normal = -s.normal;
+    s.face = s.normal;
+    s.color = f32::bladeTint(f32::bladeGradient(species.rootColor, species.midColor, species.tipColor, v), own.hue,
+                             own.lightness * b.lighter);
+    if (shell.grows->vegetation.present()) {
+        const glm::vec4 paint = paintedAt(shell.grows->vegetation.map, glm::dvec2(b.uv), 1, true);
+        s.color = glm::mix(s.color, glm::vec3(paint), paint.w);
+    }
+    s.looks = {species.translucency, species.gloss, species.roughness};
+    s.tint = 2.0f * glm::vec3(kind.image.at(static_cast<double>(q.hit.across) + 0.5, static_cast<double>(v), false));
+    s.open = glm::mix(species.rootOcclusion, 1.0f, v);
+    s.field = shell.field;
+    return s;
+}
+
+ShellQuery queryOf(const MeshShell& shell, const Ray& ray) {
+    return {{}, &shell, glm::vec3(ray.origin + ray.way * ray.near - shell.at), glm::vec3(ray.way), ray.grain};
+}
+float lengthOf(const Ray& ray) { return static_cast<float>(std::min(ray.far - ray.near, 1e30)); }
+
+}  // namespace
+
+MeshBlades::MeshBlades() = default;
+MeshBlades::MeshBlades(MeshBlades&&) noexcept = default;
+MeshBlades& MeshBlades::operator=(MeshBlades&&) noexcept = default;
+MeshBlades::~MeshBlades() = default;
+
+Result<MeshBlades> MeshBlades::make(const Project& p, double time, const JobControl& control) {
+    MeshBlades out;
+    const Ground ground = findGround(p);
+    const Wind* wind = windOf(p);
+    Map made;
+    const Map* gusts = wind ? &gustsOf(*wind, made) : nullptr;
+    std::map<std::string, MeshCarrier> carriers;
+    std::map<std::string, std::pair<uint32_t, const GrassField*>> fields;
+    for (const auto& [name, field] : fieldsOf(p)) fields[name] = {static_cast<uint32_t>(fields.size()), &field.grows};
+    double asked = 0;
+    for (const GrassyMesh& on : grassyMeshes(p)) {
+        const PlacedMesh placed = placeMesh(p, on.entity);
+        const std::string& file = placed.mesh->file;
+        if (!carriers.contains(file)) {
+            const Result<Mesh> mesh = readMesh(p.dir, file);
+            if (!mesh) return mesh.error();
+            carriers[file] = carrierOf(*mesh);
+        }
+        const MeshCarrier& carrier = carriers[file];
+        if (carrier.surface == 0) return noTextureCoordinates(on.name, file);
+        const double scale = static_cast<double>(placed.mesh->scale);
+        const auto& [number, field] = fields.at(on.field);
+        const Planting planting{carrier, on,   *field, placed.turn * scale, uvLengthOf(*on.grows, carrier, scale),
+                                wind,    gusts};
+        asked += bladesAsked(planting);
+        if (asked > kMaxMeshBlades)
+            return unsound(
+                fmt::format("{}.MeshGrass: with it {:.1f} million blades stand on meshes; the truth traces {:.0f} "
+                            "million",
+                            on.name, asked / 1e6, kMaxMeshBlades / 1e6),
+                "lower bladesPerM2, or the objects' sizes");
+        auto shell = std::make_unique<MeshShell>();
+        shell->at = placed.at - ground.origin;
+        shell->field = number;
+        shell->grows = on.grows;
+        if (Status s = growOn(*shell, p, planting, time, control); !s) return s.error();
+        out.shells_.push_back(std::move(shell));
+    }
+    return out;
+}
+
+std::optional<Surface> MeshBlades::closest(const Ray& ray) const {
+    Ray left = ray;
+    std::optional<Surface> found;
+    for (const auto& shell : shells_) {
+        ShellQuery q = queryOf(*shell, left);
+        RTCRayHit hit{embreeRay(q.origin, q.way, 0, lengthOf(left)), {}};
+        closestHit(shell->scene.get(), q.context, hit);
+        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+        left.far = left.near + static_cast<double>(hit.ray.tfar);
+        found = surfaceOf(*shell, ray, q, left.far);
+    }
+    return found;
+}
+
+bool MeshBlades::blocks(const Ray& ray) const {
+    for (const auto& shell : shells_) {
+        ShellQuery q = queryOf(*shell, ray);
+        if (anyHit(shell->scene.get(), q.context, embreeRay(q.origin, q.way, 0, lengthOf(ray)))) return true;
+    }
+    return false;
+}
+
+size_t MeshBlades::count() const {
+    size_t n = 0;
+    for (const auto& shell : shells_) n += shell->blades.size();
+    return n;
+}
+
+}  // namespace sward

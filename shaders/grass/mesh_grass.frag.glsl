@@ -1,0 +1,176 @@
+// A ray through the slices over a mesh (lib/slice_rays.glsl), in the frame that the surface has where the ray comes in;
+// from there on the surface is taken to bend as it does there. Below the vertical slices lies the horizontal one. Maps
+// lie on the mesh's texture coordinates. Needs: const int REST.
+#include "lib/density.glsl"
+#include "lib/far_light.glsl"
+#include "lib/field.glsl"
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "lib/slice_rays.glsl"
+#include "lib/slices.glsl"
+#include "lib/wind.glsl"
+#include "numerics/clump.h"
+#include "numerics/stand.h"
+
+layout(binding = TEX_FAR_REFLECTANCE) uniform sampler2DArray flatReflectance;
+layout(binding = TEX_FAR_THRESHOLD) uniform sampler2DArray flatThreshold;
+layout(binding = TEX_FAR_LIGHT) uniform sampler2DArray flatLight;
+layout(location = 4) uniform float uvLength;  // metres that one unit of texture coordinates is
+
+in vec3 position;
+in vec3 normal;
+in vec2 uv;
+in vec3 alongU;
+in vec3 alongV;
+in vec3 bend;
+in float lift;
+out vec4 color;
+layout(depth_less) out float gl_FragDepth;
+
+const float kMostBent = 4.0;  // the least radius that is followed, in heights of the shell, is 1 / kMostBent
+
+float mapLevelOn(ivec2 size, float pixel) {
+    vec2 texels = vec2(size) * (pixel / uvLength);
+    return max(log2(max(max(texels.x, texels.y), 1e-6)), 0.0);
+}
+vec2 uvOf(vec2 cells) { return cells * (slices.cellSize / uvLength); }
+float densityOn(vec2 cells, float pixel) {
+    if (!GRASS_DENSITY) return 1.0;
+    return textureLod(densityMap, uvOf(cells), mapLevelOn(textureSize(densityMap, 0), pixel)).r;
+}
+vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel) {
+    if (!GRASS_VEGETATION) return reflectance;
+    vec4 paint = textureLod(vegetationMap, uvOf(cells), mapLevelOn(textureSize(vegetationMap, 0), pixel));
+    return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
+}
+float grownAt(Met m, Shell shell, float pixel) { return densityOn(m.at, pixel); }
+// Curvature of the surface along a direction in the field's axes, 1/m, of a unit of length.
+float bendAlong(vec3 d) {
+    float most = kMostBent / slices.top;
+    return clamp(bend.x * d.x * d.x + 2.0 * bend.y * d.x * d.z + bend.z * d.z * d.z, -most, most);
+}
+
+// A sun that stands lower than the surface's horizon is hidden by the surface itself, unless one looks over its bend
+// from high enough.
+float pastHorizon(Shell shell, float above) {
+    vec3 l = shell.sun.towards;
+    float k = max(bendAlong(l), 0.0);
+    return smoothstep(-0.05, 0.05, l.y + sqrt(2.0 * k * max(above, 0.0)));
+}
+float sunAt(Met m, Shell shell) { return shell.visible * pastHorizon(shell, m.above); }
+vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel) { return paintedOn(reflectance, m.at, pixel); }
+
+// From the world's axes to the field's, square to each other: x along u, z along v, y the normal (H-6).
+mat3 fieldAxes(vec3 n, vec3 u, vec3 v) {
+    TangentFrame f = tangentFrame(n);
+    vec3 t = unitOr(u, 1e-12, f.tangent), b = cross(t, n);
+    if (dot(b, v) < 0.0) b = -b;
+    return transpose(mat3(t, n, b));
+}
+
+BladeStand standHere(vec3 foot, vec2 cells, mat3 toField) {
+    BladeStand s = emptyStand();
+    s.paint = GRASS_ORIENTATION ? paintOf(texture(orientationMap, uv).r, texture(orientationMap, uv).g) : vec2(0.0);
+    s.leanAtFull = slices.leanAtFull;
+    vec2 blown = windLeanAt(foot.xz, -1.0, field.species[slices.species].gusts);
+    s.breeze = (toField * vec3(blown.x, 0.0, blown.y)).xz;
+    vec2 whole = floor(cells);
+    if (GRASS_CLUMPS && slices.clumpSize > 0.0)
+        s.clump = clumpValues(int(whole.x), int(whole.y), (cells - whole) * slices.cellSize, slices.cellSize,
+                              slices.clumpSize, slices.seed);
+    s.clumpLean = slices.clumpLean;
+    s.clumpHeight = slices.clumpHeight;
+    s.clumpLightness = slices.clumpLightness;
+    return s;
+}
+
+// The horizontal slice, where the ray comes down to it, below all vertical ones.
+void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, vec3 open) {
+    float y = -shell.seen.y;
+    ShellEnd e =
+        shellEnd(ray.entry.z, ray.direction.z, shell.bend, shell.height * (1.0 - slices.farHeight / slices.top));
+    if (!e.ground || !(e.t < kRayNever) || !(y > 0.0)) return;
+    float pixel = pixelAt(length(shell.start) + e.t), cells = pixel / slices.cellSize;
+    vec2 c = ray.entry.xy + vec2(0.5 / float(slices.slices)) + ray.direction.xy * e.t;
+    Repeated r = repeatedAt(c, vec2(cells, 0.0), vec2(0.0, cells / max(y, kTurned)));
+    float vertical = sqrt(1.0 - min(dot(p.lean, p.lean), 0.9)) * verticalShare(y), density = densityOn(c, pixel);
+    if (!(density > 0.0)) return;
+    vec4 stored;
+    float alpha = farOpacity(flatThreshold, r, density, 1.0, y, vertical, 0.0, stored);
+    if (!(alpha > 0.004)) return;
+    vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
+    leaf.rgb = paintedOn(leaf.rgb, c, pixel);
+    FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, slices.farAmbient * open,
+                        shell.visible * pastHorizon(shell, slices.farHeight));
+    vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit) * gain, vec3(0.0), vec3(kBrightest));
+    add(sum, light, alpha, e.t);
+}
+
+// At its outline a mesh's triangles lie inside the surface that bends around them: what is left of a ray that comes
+// down on that so flatly is closed by the grass before it, or one would look through between both.
+void closeOutline(inout Sum sum, SliceRay ray, float bend, float height) {
+    float sine = abs(ray.direction.z + bend * ray.end), flat_ = 1.25 * sqrt(max(bend * height, 0.0)),
+          open = sum.through;
+    if (!ray.ground || !(open < 0.99) || !(sine < flat_)) return;
+    sum.through *= smoothstep(0.5 * flat_, flat_, sine);
+    sum.light *= (1.0 - sum.through) / (1.0 - open);
+}
+
+void main() {
+    vec3 n = normalize(normal), way = position / max(length(position), 1e-4);
+    gl_SampleMask[0] = -1;
+    gl_FragDepth = gl_FragCoord.z;
+    vec3 u = (alongU - n * dot(n, alongU)) * (uvLength / slices.cellSize),
+         v = (alongV - n * dot(n, alongV)) * (uvLength / slices.cellSize);
+    mat3 toField = fieldAxes(n, u, v);
+    vec3 seen = toField * way, t = toField * u, b = toField * v;
+    // Cells along u and v, a metre along the tangent and the bitangent.
+    mat2 cellsAlong = mat2(vec2(t.x, b.x), vec2(t.z, b.z));
+    vec2 cells = uv * (uvLength / slices.cellSize);
+    float above = lift * slices.top;
+    BladeLean p = leanOf(standHere(position - n * above, cells, toField), vec2(0.0));
+    float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
+    float height = max(slices.top * p.scale * upright, 1e-4), k = bendAlong(seen);
+    k /= max(1.0 + k * above, 0.25);  // a lifted surface bends less
+
+    // Down to where the grass here begins.
+    float over = above - height, falls = seen.y * seen.y - 2.0 * k * over;
+    if (over > 0.0 && !(seen.y < 0.0 && falls >= 0.0)) discard;
+    float ahead = over > 0.0 ? 2.0 * over / (sqrt(falls) - seen.y) : 0.0, sinks = seen.y + k * ahead;
+    vec2 shear = cellsAlong * (p.lean / upright), rate = cellsAlong * seen.xz;
+    vec3 entry =
+        vec3(cells + rate * ahead - shear * min(above, height) - vec2(0.5 / float(slices.slices)), min(over, 0.0));
+    SliceRay ray = sliceRay(entry, vec3(rate - shear * sinks, sinks), slices.slices, slices.slices, height);
+    ShellEnd leaves = shellEnd(entry.z, sinks, k, height);
+    ray.end = leaves.t;
+    ray.ground = leaves.ground;
+
+    vec3 toEye = -seen;
+    float level = max(length(seen.xz), 1e-4), far = length(position);
+    Shell shell;
+    shell.way = way, shell.seen = seen;
+    shell.start = position + way * ahead;
+    shell.height = height;
+    shell.bend = k;
+    shell.toField = toField;
+    vec3 sun = toField * frame.sunDirection;
+    shell.sun = SunSeen(sun, lampWeights(sun));
+    shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
+    vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
+    vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
+    shell.brighter = plain * sliceGain(toEye, p.free, 0.0, false);
+    shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    shell.ambient = shell.brighter * slices.ambient * open;
+    shell.visible = sunVisible(shell.start, n);
+
+    uint grain = grainAt(cells + rate * ahead, far);
+    Sum sum = traced(shell, ray, grain);
+    addFlat(sum, shell, ray, p, plain * sliceGain(toEye, p.free, 0.0, true), open);
+    closeOutline(sum, ray, k, height);
+    color = shownOf(sum, shell, grain);
+    if (!(color.a > 0.0)) discard;
+    // The surface bulges where the ray's is taken to go on evenly: no grass sinks into it deeper than it is high.
+    sum.depth = min(sum.depth, height);
+    gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
+}

@@ -1,0 +1,235 @@
+// Grass on meshes: against its ray-traced truth, against the terrain's, in the views that break rays, and what is said
+// of what it cannot do.
+#include "grass/mesh_grass.h"
+
+#include <random>
+
+#include "core/log.h"
+#include "fields.h"
+#include "grass/mesh_grass_settings.h"
+#include "objects.h"
+#include "project/project_files.h"
+#include "reference/reference.h"
+#include "scenes.h"
+#include "support.h"
+
+namespace sward::test {
+namespace {
+
+// Soil, and a field of green blades that grows where it is told.
+Project meadow(const TempDir& dir) {
+    Project p = lawn();
+    p.dir = dir.path;
+    FlatField f = flatField(p);
+    f.technique = nameOf(Technique::Raytraced);
+    f.species[0].bladesPerM2 = 5000, f.species[0].height = 0.08f, f.species[0].width = 0.006f;
+    f.sliceWidth = f.farSize = 128, f.sliceHeight = 32, f.slices = 10;
+    p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
+    p.registry.remove<Fog>(findEntity(p, "haze"));
+    return p;
+}
+Project onMesh(const TempDir& dir, Solid solid, const glm::dvec3& at = {10, 0, 10}) {
+    Project p = meadow(dir);
+    flatField(p).grows.onTerrain = false;
+    solid.color = {0.2f, 0.05f, 0.05f};
+    putObject(p, "rock", {solid}, at);
+    put<MeshGrass>(p, "rock");
+    return p;
+}
+const Solid kBall{.kind = SolidKind::Ball, .size = {0.5f, 0.5f, 0.5f}, .at = {0, 0.6f, 0}, .unwrap = true};
+const Solid kPlate{.size = {20, 0.02f, 20}, .unwrap = true};
+
+ViewSettings sized(int width = 160, int height = 120, int msaa = 4) {
+    ViewSettings s;
+    s.width = width, s.height = height, s.msaa = msaa;
+    return s;
+}
+ViewCamera atBall() { return {{10, 1.1, 8}, {10, 0.6, 10}, 45, 0}; }
+
+std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = sized()) {
+    Renderer r(gpu(), tables());
+    const Status drawn = r.draw(p, camera, settings);
+    EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
+    return r.readLinear();
+}
+std::vector<float> truth(const Project& p, const ViewCamera& camera) {
+    JobControl control;
+    const auto scene = ReferenceScene::make(p, tables(), 0, control);
+    EXPECT_TRUE(scene) << scene.error().text();
+    ReferenceSettings settings;
+    settings.width = 160, settings.height = 120, settings.samples = 8;
+    return scene->trace(camera, settings, control)->color;
+}
+double brightness(const std::vector<float>& pixels) {
+    double sum = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3)
+        sum += 0.2126 * static_cast<double>(pixels[i]) + 0.7152 * static_cast<double>(pixels[i + 1]) +
+               0.0722 * static_cast<double>(pixels[i + 2]);
+    return 3 * sum / static_cast<double>(pixels.size());
+}
+// Share of pixels in which green beats the soil's red.
+double covered(const std::vector<float>& pixels) {
+    size_t n = 0;
+    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
+    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
+}
+
+TEST(MeshGrass, OnAPlateIsWhatTheTerrainsIs) {
+    NoGlErrors errors;
+    const TempDir dir;
+    for (const ViewCamera& camera :
+         {ViewCamera{{10, 0.6, 8.4}, {10, 0.05, 10}, 40, 0}, ViewCamera{{10, 2, 9}, {10, 0, 10}, 40, 0}}) {
+        const auto ground = picture(meadow(dir), camera), plate = picture(onMesh(dir, kPlate), camera);
+        std::printf("covered: terrain %.3f plate %.3f; bright: %.4f %.4f\n", covered(ground), covered(plate),
+                    brightness(ground), brightness(plate));
+        EXPECT_NEAR(covered(plate), covered(ground), 0.06);
+        EXPECT_NEAR(brightness(plate), brightness(ground), 0.1 * brightness(ground));
+    }
+}
+
+TEST(MeshGrass, OnABallCoversAndShinesAsItsTruth) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = onMesh(dir, kBall);
+    Project bald = snapshot(p, tables().components);
+    bald.registry.remove<MeshGrass>(findEntity(bald, "rock"));
+    for (const ViewCamera& camera : {atBall(), ViewCamera{{11.5, 0.7, 11.2}, {10, 0.6, 10}, 45, 0}}) {
+        const auto rays = picture(p, camera), traced = truth(p, camera), none = picture(bald, camera);
+        std::printf("covered: truth %.3f rays %.3f none %.3f; bright: %.4f %.4f %.4f\n", covered(traced), covered(rays),
+                    covered(none), brightness(traced), brightness(rays), brightness(none));
+        EXPECT_GT(covered(traced) - covered(none), 0.05) << "the ball is seen";
+        EXPECT_NEAR(covered(rays), covered(traced), 0.06);
+        EXPECT_NEAR(brightness(rays), brightness(traced), 0.12 * brightness(traced));
+    }
+}
+
+// Beyond the ball's own outline nothing but grass can be green before the sky.
+TEST(MeshGrass, StandsOutAgainstTheSkyAtTheOutline) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, kBall, {10, 5, 10});
+    p.registry.get<StaticMesh>(findEntity(p, "rock"))->onGround = false;
+    const ViewCamera camera{{10, 5, 8}, {10, 5.6, 10}, 45, 0};
+    Project bald = snapshot(p, tables().components);
+    bald.registry.remove<MeshGrass>(findEntity(bald, "rock"));
+    const auto rays = picture(p, camera), none = picture(bald, camera), traced = truth(p, camera);
+    // Pixels that show sky without the grass, and no sky with it.
+    const auto standing = [&](const std::vector<float>& with) {
+        size_t n = 0;
+        for (size_t i = 0; i < with.size(); i += 3)
+            n += none[i + 2] > 1.2f * none[i + 1] * 0.8f && none[i + 2] > 0.15f && with[i + 2] < 0.6f * none[i + 2];
+        return static_cast<double>(n);
+    };
+    std::printf("pixels of grass before the sky: truth %.0f rays %.0f\n", standing(traced), standing(rays));
+    EXPECT_GT(standing(traced), 300);
+    EXPECT_NEAR(standing(rays) / standing(traced), 1, 0.35);
+}
+
+TEST(MeshGrass, FollowsTheMapsOfItsMesh) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = onMesh(dir, kPlate);
+    const ViewCamera camera{{10, 0.8, 8.6}, {10, 0.05, 10}, 40, 0};
+    const double all = covered(picture(p, camera));
+    put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0))});
+    const double bare = covered(picture(p, camera));
+    put(p, "rock", MeshGrass{.density = field(filled({16, 16, 1, PixelType::U8}, 0.4f))});
+    const double some = covered(picture(p, camera));
+    EXPECT_LT(bare, 0.02);
+    EXPECT_GT(some, bare + 0.15);
+    EXPECT_LT(some, all - 0.05);
+    // Red opaque paint: no green is left.
+    Map red({16, 16, 4, PixelType::U8});
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) red.set(x, y, 0, 0.7f), red.set(x, y, 3, 1);
+    put(p, "rock", MeshGrass{.vegetation = field(red)});
+    EXPECT_LT(covered(picture(p, camera)), 0.02);
+    // Leaning grass is another picture.
+    Project lean = onMesh(dir, kPlate);
+    flatField(lean).species[0].leanDeg = 45;
+    const auto upright = picture(lean, camera);
+    put(lean, "rock", MeshGrass{.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.9f))});
+    EXPECT_NE(picture(lean, camera), upright);
+}
+
+// Views along axes, straight down, from within the shell, from behind, at the poles and the seams.
+TEST(MeshGrass, HasNoPixelThatIsNoNumberFromAnywhere) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = onMesh(dir, kBall);
+    Renderer r(gpu(), tables());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    int wrong = 0;
+    for (int i = 0; i < 150; ++i) {
+        glm::dvec3 out(unit(random), unit(random), unit(random));
+        if (i < 12) out = glm::dvec3(0), out[i / 4] = i % 2 ? 1 : -1;
+        out = glm::normalize(out + glm::dvec3(1e-9));
+        const glm::dvec3 middle(10, 0.6, 10);
+        const double far = i % 3 == 0 ? 0.52 : i % 3 == 1 ? 0.6 : 1.5;
+        ViewCamera camera{middle + out * far, i % 5 == 4 ? middle + out * 3.0 : middle, 60, 0};
+        if (i % 7 == 6) camera.target = camera.eye + glm::dvec3(1, 0, 0);
+        const Status drawn = r.draw(p, camera, sized(64, 48, 1));
+        ASSERT_TRUE(drawn);
+        const auto pixels = r.readLinear();
+        wrong += !std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
+    const TempDir dir;
+    Project p = meadow(dir);
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    const auto before = gpu().ledger;
+    putObject(p, "rock", {kBall}, {10, 0, 10});
+    put<MeshGrass>(p, "rock");
+    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    for (const char* owner : {"grass/slices", "grass/far"})
+        EXPECT_EQ(gpu().ledger.at(owner), before.at(owner)) << owner;
+    EXPECT_GT(gpu().ledger.at("grass/mesh-grass"), 0);
+}
+
+TEST(MeshGrass, SaysWhatItFollowsAndThatNoTechniqueChangesIt) {
+    const TempDir dir;
+    Project p = onMesh(dir, kBall);
+    put<Wind>(p, "wind");
+    put<ForceSource>(p, "stone");
+    put(p, "stone", Transform{{10, 0, 8}});
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    const std::string told = r.explain(p, false);
+    EXPECT_NE(told.find("whatever technique draws the field over the terrain"), std::string::npos) << told;
+    EXPECT_NE(told.find("grass on meshes is not pressed"), std::string::npos) << told;
+    EXPECT_EQ(told.find("grass/far:"), std::string::npos) << "nothing grows on the terrain";
+    for (const char* technique : kTechniqueNames) {
+        flatField(p).technique = technique;
+        EXPECT_EQ(picture(p, atBall(), sized(64, 48, 1)).size(), 64u * 48 * 3);
+    }
+}
+
+TEST(MeshGrass, OnAMeshWithoutTextureCoordinatesIsRefusedByCheckAndToldOnceWhenDrawn) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Solid ball = kBall;
+    ball.unwrap = false;
+    Project p = onMesh(dir, ball);
+    ASSERT_TRUE(saveProject(p, tables().components));
+    const CheckReport report = checkProject(dir.path, tables().components);
+    ASSERT_EQ(report.refused.size(), 1u);
+    EXPECT_NE(report.refused[0].text().find("rock.glb has no texture coordinates"), std::string::npos);
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    ASSERT_TRUE(r.draw(p, atBall(), sized()));
+    // Half of it: a part that is unwrapped beside one that is not.
+    putObject(p, "rock", {kBall, {.size = {0.2f, 1.4f, 0.2f}}}, {10, 0, 10});
+    ASSERT_TRUE(saveProject(p, tables().components));
+    const CheckReport half = checkProject(dir.path, tables().components);
+    EXPECT_TRUE(half.refused.empty());
+    ASSERT_EQ(half.noticed.size(), 1u);
+    EXPECT_NE(half.noticed[0].message.find("12 of rock.glb's triangles"), std::string::npos) << half.noticed[0].message;
+}
+
+}  // namespace
+}  // namespace sward::test
