@@ -18,7 +18,8 @@ Error noMemory() { return failed("there is no memory for a script"); }
 
 Result<std::string> readScript(const fs::path& file) {
     std::error_code fault;
-    if (!fs::is_regular_file(file, fault)) return usage("there is no such script", "name a Lua file").at(file);
+    if (!fs::exists(file, fault)) return usage("there is no such script", "name a Lua file").at(file);
+    if (const Status s = checkRegular(file); !s) return usage(s.error().message, "name a Lua file").at(file);
     if (fs::file_size(file, fault) > kMostScriptBytes) return unsound("a script of more than 16 MiB").at(file);
     std::ifstream in(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -37,6 +37,19 @@ int writeAll(int fd, std::string_view bytes) {
     return 0;
 }
 
+Error unreadable(const fs::path& file, int errorNumber) {
+    Error e = fileError("cannot be read", file, errorNumber);
+    e.code = ExitCode::Unsound;
+    return e;
+}
+
+const char* kindOf(mode_t mode) {
+    if (S_ISDIR(mode)) return "a folder";
+    if (S_ISFIFO(mode)) return "a FIFO (a named pipe)";
+    if (S_ISSOCK(mode)) return "a socket";
+    return "a device";
+}
+
 fs::path homeDir() {
     if (const char* home = std::getenv("HOME"); home && home[0] == '/') return home;
     const passwd* user = getpwuid(getuid());
@@ -64,19 +77,28 @@ Error fileError(const std::string& verb, const fs::path& file, int errorNumber) 
     return failed(fmt::format("{}: {}", verb, std::generic_category().message(errorNumber)), remedy).at(file);
 }
 
+Status checkRegular(const fs::path& file) {
+    struct stat info {};
+    if (::stat(file.c_str(), &info) != 0) return unreadable(file, errno);
+    if (S_ISREG(info.st_mode)) return {};
+    return unsound(fmt::format("is {}, not a file", kindOf(info.st_mode)), "name a file").at(file);
+}
+
+Status checkLength(uint64_t bytes, uint64_t limit) {
+    if (bytes <= limit) return {};
+    return unsound(fmt::format("has {} bytes; the limit is {}", bytes, limit), "make it smaller");
+}
+
 Result<std::string> readFile(const fs::path& file, uint64_t limit) {
-    const auto refuse = [&](int number) {
-        Error e = fileError("cannot be read", file, number);
-        e.code = ExitCode::Unsound;
-        return e;
-    };
+    const auto refuse = [&](int number) { return unreadable(file, number); };
+    if (Status s = checkRegular(file); !s) return s.error();                       // opening a device may do something
     const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));  // a FIFO must not hang the program
     if (in.fd < 0) return refuse(errno);
     struct stat info {};
     if (::fstat(in.fd, &info) != 0) return refuse(errno);
-    if (!S_ISREG(info.st_mode)) return unsound("is not a file").at(file);
+    if (!S_ISREG(info.st_mode)) return unsound(fmt::format("is {}, not a file", kindOf(info.st_mode))).at(file);
     const auto size = static_cast<uint64_t>(info.st_size);
-    if (size > limit) return unsound(fmt::format("has {} bytes; the limit is {}", size, limit)).at(file);
+    if (Status s = checkLength(size, limit); !s) return s.error().at(file);
     std::string bytes(size, '\0');
     size_t have = 0;
     while (have < bytes.size()) {
@@ -88,6 +110,13 @@ Result<std::string> readFile(const fs::path& file, uint64_t limit) {
     }
     bytes.resize(have);
     return bytes;
+}
+
+FileStamp stampOf(const fs::path& file) {
+    struct stat info {};
+    if (::stat(file.c_str(), &info) != 0) return {};
+    return {static_cast<uint64_t>(info.st_ino), static_cast<uint64_t>(info.st_size),
+            static_cast<int64_t>(info.st_mtim.tv_sec) * 1'000'000'000 + info.st_mtim.tv_nsec};
 }
 
 Status writeFileSynced(const fs::path& file, std::string_view bytes) {

@@ -10,9 +10,22 @@
 
 namespace sward {
 
+// Unsound error that says what it is, if the path leads to anything but a file of bytes or to nothing: a folder, a
+// FIFO, a socket, a device. Opens nothing.
+Status checkRegular(const std::filesystem::path& file);
+// Unsound error that names both, if there are more bytes than the limit.
+Status checkLength(uint64_t bytes, uint64_t limit);
 // The whole file. Unsound error if it cannot be read, is no regular file, or has more than `limit` bytes
 // (nothing is read then).
 Result<std::string> readFile(const std::filesystem::path& file, uint64_t limit);
+
+// Tells a file from one that took its place: a save always makes a new one. All zero if there is none.
+struct FileStamp {
+    uint64_t number = 0, bytes = 0;  // of the file in its file system; its length
+    int64_t changedNs = 0;           // when its bytes last changed
+    bool operator==(const FileStamp&) const = default;
+};
+FileStamp stampOf(const std::filesystem::path& file);
 
 // Writes beside the file, flushes to the disk, renames over it, and flushes the folder: at any instant the file is
 // as before or as after. On failure the old file stays and nothing is left beside it.

@@ -65,13 +65,8 @@ Result<ImageHead> exrHead(const std::filesystem::path& file, const std::string& 
 }  // namespace
 
 Result<ImageHead> readImageHead(const std::filesystem::path& file) {
+    if (Status s = checkRegular(file); !s) return s.error();
     std::error_code fault;
-    const auto status = std::filesystem::status(file, fault);
-    if (fault || !std::filesystem::is_regular_file(status)) {
-        Error e = fileError("cannot be read", file, fault ? fault.value() : EISDIR);
-        e.code = ExitCode::Unsound;
-        return e;
-    }
     std::ifstream in(file, std::ios::binary);
     std::string head(kHeadBytes, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -63,8 +63,7 @@ Result<Map> readPixels(const fs::path& file, const MapWish& wish) {
     if (Status s = checkWish(file, own, wish); !s) return s.error();
     MapInfo info = own;
     if (wish.channels != 0) info.channels = wish.channels;
-    if (Status s = checkLimits(file, info.width, info.height, info.channels, pixelBytes(info.type)); !s)
-        return s.error();
+    if (Status s = checkMapLimits(file, info); !s) return s.error();
     Map map(info);
     std::vector<std::byte> band, widened;
     for (int y = 0; y < info.height; y += kTileSize) {
@@ -278,6 +277,10 @@ Result<Image> readImage(const fs::path& file, bool keepNonFinite) {
     for (float& v : image.pixels)
         if (!keepNonFinite && !std::isfinite(v)) v = 0;
     return image;
+}
+
+Status checkMapLimits(const fs::path& file, const MapInfo& info) {
+    return checkLimits(file, info.width, info.height, info.channels, pixelBytes(info.type));
 }
 
 Status checkImage(const fs::path& file) {

@@ -30,6 +30,8 @@ struct MapWish {
 // Cost: 4096 x 4096 heights about 0.5 s on two cores.
 Result<Map> readMap(const std::filesystem::path& file, const MapWish& wish,
                     std::vector<std::string>* repaired = nullptr);
+// What readMap would refuse of a map of this size; `file` is named in the error.
+Status checkMapLimits(const std::filesystem::path& file, const MapInfo& info);
 // The range that the sidecar of an R16 file states; nothing if it states none, is unsound, or the file is no R16.
 std::optional<std::pair<double, double>> sidecarRange(const std::filesystem::path& file);
 // Format by extension: .png, .exr (writes float), .tif, .tiff, .r16. With a range integer maps become floats lo to hi

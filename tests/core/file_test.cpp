@@ -36,9 +36,19 @@ TEST(Files, ReadingRefusesWhatIsTooLargeMissingOrNoFile) {
     EXPECT_EQ(large.error().message, "has 5 bytes; the limit is 4");
     EXPECT_EQ(large.error().code, ExitCode::Unsound);
     EXPECT_EQ(readFile(dir / "none", 4).error().remedy, "check the path");
-    EXPECT_EQ(readFile(dir.path, 4).error().message, "is not a file");
+}
+
+TEST(Files, WhatIsNoFileIsCalledWhatItIs) {
+    TempDir dir;
+    EXPECT_EQ(readFile(dir.path, 4).error().message, "is a folder, not a file");
     ASSERT_EQ(mkfifo((dir / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(readFile(dir / "pipe", 4).error().message, "is not a file") << "and does not wait for a writer";
+    EXPECT_EQ(readFile(dir / "pipe", 4).error().message, "is a FIFO (a named pipe), not a file")
+        << "and does not wait for a writer";
+    EXPECT_EQ(checkRegular("/dev/null").error().message, "is a device, not a file");
+    EXPECT_EQ(checkRegular(dir / "pipe").error().code, ExitCode::Unsound);
+    writeText(dir / "f", "");
+    fs::create_symlink(dir / "f", dir / "link");
+    EXPECT_TRUE(checkRegular(dir / "link"));
 }
 
 TEST(Files, WritingReplacesTheWholeFileAndLeavesNothingBeside) {

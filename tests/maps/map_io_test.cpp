@@ -3,6 +3,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -194,8 +195,22 @@ TEST(MapFiles, WhatIsNoImageIsRefusedByName) {
     EXPECT_EQ(refusal(dir / "empty.exr", {}).message, "is empty");
     writeText(dir / "letter.png", "Dear Sir or Madam");
     EXPECT_EQ(refusal(dir / "letter.png", {}).message, "is no PNG, EXR or TIFF image, or is damaged");
+}
+
+TEST(MapFiles, WhatIsNoFileIsCalledWhatItIs) {
+    TempDir dir;
+    ASSERT_EQ(mkfifo((dir / "pipe.png").c_str(), 0600), 0);
     fs::create_directory(dir / "folder.png");
-    EXPECT_NE(refusal(dir / "folder.png", {}).message.find("cannot be read"), std::string::npos);
+    EXPECT_EQ(readMap(dir / "pipe.png", {}).error().message, "is a FIFO (a named pipe), not a file");
+    EXPECT_EQ(readMap(dir / "folder.png", {}).error().message, "is a folder, not a file");
+    EXPECT_EQ(checkImage(dir / "pipe.png").error().code, ExitCode::Unsound);
+}
+
+TEST(MapFiles, LimitsAreKnownBeforeAMapIsWritten) {
+    EXPECT_TRUE(checkMapLimits("h.exr", {kMaxMapSide, kMaxMapSide, 1, PixelType::F32}));
+    const Status heavy = checkMapLimits("h.exr", {kMaxMapSide, kMaxMapSide, 2, PixelType::F32});
+    ASSERT_FALSE(heavy);
+    EXPECT_EQ(heavy.error().message, "takes 2048 MiB; the limit is 1024");
 }
 
 TEST(MapFiles, SizesBeyondTheLimitAreRefusedFromTheHeader) {
