@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/file.h"
+#include "core/utf8.h"
 
 namespace sward {
 namespace {
@@ -128,11 +129,15 @@ class Builder {
         value.keyColumn = keyPlace_.column;
         return &(parent.object[key_] = std::move(value));
     }
+    bool isOneTooMany() { return ++values_ > kMaxJsonValues; }
+    bool failTooMany() { return fail(fmt::format("more than {} values", kMaxJsonValues), {}, "make it smaller"); }
     bool put(Json value) {
+        if (isOneTooMany()) return failTooMany();
         put_(std::move(value));
         return true;
     }
     bool open(Json value) {
+        if (isOneTooMany()) return failTooMany();
         if (stack_.size() >= size_t(kMaxJsonDepth))
             return fail(fmt::format("more than {} levels of nesting", kMaxJsonDepth));
         stack_.push_back(put_(std::move(value)));
@@ -159,16 +164,30 @@ class Builder {
     const char* scanned_ = nullptr;
     const char* lineStart_ = nullptr;
     int line_ = 1;
+    size_t values_ = 0;
     std::vector<Json*> stack_;  // open objects and arrays; a parent does not grow while a child is open
     std::string key_;
     Place keyPlace_;
 };
 
+// The parser takes a NUL byte for the end of the text, and would leave what follows unread.
+Status checkBytes(std::string_view text, const std::string& file) {
+    const auto refuse = [&](const char* what, size_t offset, const char* remedy) {
+        const Place place = placeOf(text, offset);
+        return unsound(what, remedy).at(file, place.line, place.column);
+    };
+    if (const size_t nul = text.find('\0'); nul != std::string_view::npos)
+        return refuse("holds a NUL byte", nul, "remove it, or take the file from a copy");
+    if (const auto foreign = notUtf8At(text))
+        return refuse("holds a byte that is not UTF-8", *foreign, "save the file in UTF-8");
+    return {};
+}
+
 }  // namespace
 
 Result<Json> parseJson(std::string_view text, const std::string& file) {
-    if (text.size() > kMaxJsonBytes)
-        return unsound(fmt::format("{} bytes of JSON; the limit is {}", text.size(), kMaxJsonBytes)).at(file);
+    if (Status s = checkLength(text.size(), kMaxJsonBytes); !s) return s.error().at(file);
+    if (Status s = checkBytes(text, file); !s) return s.error();
     Builder builder(text, file);
     const CountingIterator begin{text.data(), &builder.furthest}, end{text.data() + text.size(), nullptr};
     if (!nlohmann::json::sax_parse(begin, end, &builder)) return builder.error;

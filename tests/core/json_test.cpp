@@ -83,6 +83,28 @@ TEST(Json, FaultsNameFileLineAndColumn) {
     }
 }
 
+TEST(Json, ANulByteIsRefusedAtItsPlaceWhereverItStands) {
+    const std::string nul(1, '\0');
+    struct Case {
+        std::string text;
+        int line, column;
+    };
+    const Case cases[] = {{"{\"a\": 1}\n" + nul + "{\"b\": 2}", 2, 1},
+                          {"{\"a\": 1}" + nul, 1, 9},
+                          {"{\n \"a" + nul + "\": 1}", 2, 4},
+                          {nul, 1, 1},
+                          {"[1," + nul + " 2]", 1, 4}};
+    for (const Case& c : cases) {
+        const Error e = faultOf(c.text);
+        EXPECT_EQ(e.message, "holds a NUL byte");
+        EXPECT_EQ(e.code, ExitCode::Unsound);
+        EXPECT_EQ(e.line, c.line);
+        EXPECT_EQ(e.column, c.column);
+        EXPECT_FALSE(e.remedy.empty());
+    }
+    EXPECT_EQ(parsed("\"a\\u0000b\"").text, std::string("a\0b", 3)) << "written out it is a character as others";
+}
+
 TEST(Json, DepthAndSizeAreLimited) {
     parsed(std::string(kMaxJsonDepth, '[') + std::string(kMaxJsonDepth, ']'));
     EXPECT_NE(
