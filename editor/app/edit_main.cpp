@@ -12,6 +12,8 @@
 namespace sward {
 namespace {
 
+constexpr double kSaveWaitSeconds = 2;  // the window stands still meanwhile
+
 int exitOf(const Error& error) {
     logError(error.text());
     return static_cast<int>(error.code);
@@ -26,6 +28,7 @@ int editMain(const std::filesystem::path& project) {
     auto gpu = adoptCurrentGpu();
     if (!gpu) return exitOf(gpu.error());
     Document document(tables());
+    document.setSaveWait(kSaveWaitSeconds);
     if (!project.empty())
         if (const Status opened = document.open(project); !opened) return exitOf(opened.error());
     EditorApp app(document, **gpu, std::move(*window), true);

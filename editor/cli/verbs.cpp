@@ -23,7 +23,8 @@ int checkVerb(const std::string& dir, bool strict) {
     for (const Fault& f : r.noticed) std::printf("noticed: %s: %s\n", f.where.c_str(), f.message.c_str());
     if (!r.refused.empty() || (strict && !r.repaired.empty())) {
         std::printf("%s: %zu refused, %zu repaired\n", dir.c_str(), r.refused.size(), r.repaired.size());
-        return static_cast<int>(ExitCode::Unsound);
+        const bool busy = !r.refused.empty() && r.refused.front().code == ExitCode::Failed;  // it is being saved
+        return static_cast<int>(busy ? ExitCode::Failed : ExitCode::Unsound);
     }
     std::printf("%s: sound%s\n", dir.c_str(),
                 r.repaired.empty() ? "" : fmt::format(", {} repaired", r.repaired.size()).c_str());

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/log.h"
+#include "core/utf8.h"
 #include "model/field_walk.h"
 #include "model/history.h"
 #include "model/new_map.h"
@@ -24,7 +25,7 @@ Error notOpen() { return failed("no project is open", "open or create one first"
 
 std::string folderName(const fs::path& dir) {
     const fs::path clean = fs::absolute(dir).lexically_normal();
-    return (clean.has_filename() ? clean : clean.parent_path()).filename().string();
+    return utf8Text((clean.has_filename() ? clean : clean.parent_path()).filename().string());
 }
 
 }  // namespace
@@ -41,6 +42,7 @@ struct Document::Impl {
         bool value = false;
     } dirtyAt;
 
+    double saveWaitSeconds = kLockWaitSeconds;
     int groupDepth = 0;
     UndoStep group;
 
@@ -117,7 +119,10 @@ Result<std::vector<std::string>> Document::save() {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     Project& p = *impl_->project;
-    auto written = saveProject(p, impl_->rows(), &impl_->saved);
+    SaveWay way;
+    way.waitSeconds = impl_->saveWaitSeconds;
+    way.stamps = &p.stamps;
+    auto written = saveProject(p, impl_->rows(), &impl_->saved, way);
     if (!written) return written;
     p.repairedMaps.clear();
     impl_->saved = snapshot(p, impl_->rows());
@@ -143,7 +148,7 @@ Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
     if (!written) {
         p.dir = oldDir;
         p.name = oldName;
-        if (!existed) fs::remove_all(dir, fault);
+        if (!existed) fs::remove(dir, fault);  // what another put there meanwhile stays
     }
     return written;
 }
@@ -171,6 +176,8 @@ Status Document::takeOver(const fs::path& dir, const std::string& label) {
     impl_->record(label, std::move(changes));
     return {};
 }
+
+void Document::setSaveWait(double seconds) { impl_->saveWaitSeconds = seconds; }
 
 bool Document::isOpen() const { return impl_->project.has_value(); }
 

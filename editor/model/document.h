@@ -39,6 +39,9 @@ class Document {
     // A new project in a folder that is empty or is not there yet, and opens it.
     Status create(const std::filesystem::path& dir);
     Result<std::vector<std::string>> save();  // the files written
+    // How long save waits for another program that saves or reads the project, before it fails; kLockWaitSeconds at
+    // first.
+    void setSaveWait(double seconds);
     // Into another folder, which the project is in from then on.
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
     // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.

@@ -1,15 +1,12 @@
 #include "core/save_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <chrono>
 #include <set>
 #include <thread>
 
 #include "core/file.h"
+#include "core/json.h"
 #include "core/log.h"
 
 namespace fs = std::filesystem;
@@ -19,7 +16,9 @@ namespace {
 
 // In the save folder: the files to delete after the moves, one path a line.
 constexpr const char* kRemovedList = ".removed";
-constexpr uint64_t kMaxRemovedList = 1 << 20;
+// No list is longer: each of its files was named in a project.json.
+constexpr uint64_t kMaxRemovedList = kMaxJsonBytes;
+constexpr double kSilentWaitSeconds = 1;
 
 // A link in its place is none of ours: following it would move someone else's files.
 bool isOwnFolder(const fs::path& path) {
@@ -61,72 +60,58 @@ Status removeListed(const fs::path& dir) {
     return {};
 }
 
-Status writeFiles(const fs::path& temp, const std::vector<SaveFile>& files, const std::vector<std::string>& removed) {
+// What fails on the way names the place that it was meant for, not the one where nobody will find it.
+Error meantFor(const fs::path& place, Error fault) {
+    if (fault.file.find(kSaveTempFolder) != std::string::npos) fault.file = place.string();
+    return fault;
+}
+
+Status writeFiles(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed) {
+    const fs::path temp = dir / kSaveTempFolder;
     std::set<fs::path> folders{temp};
     std::error_code fault;
     fs::create_directory(temp, fault);
-    if (fault) return fileError("cannot be saved to", temp.parent_path(), fault.value());
+    if (fault) return fileError("cannot be saved to", dir, fault.value());
     for (const SaveFile& file : files) {
         const fs::path place = temp / file.path;
         fs::create_directories(place.parent_path(), fault);
-        if (fault) return fileError("cannot be made", place.parent_path(), fault.value());
+        if (fault) return fileError("cannot be made", (dir / file.path).parent_path(), fault.value());
         for (fs::path folder = place.parent_path(); folder != temp; folder = folder.parent_path())
             folders.insert(folder);
-        if (Status s = file.write(place); !s) return s;
+        if (Status s = file.write(place); !s) return meantFor(dir / file.path, s.error());
     }
     std::string list;
     for (const std::string& path : removed) list += path + "\n";
     if (!list.empty())
-        if (Status s = writeFileSynced(temp / kRemovedList, list); !s) return s;
+        if (Status s = writeFileSynced(temp / kRemovedList, list); !s) return meantFor(dir, s.error());
     for (const fs::path& folder : folders)
-        if (Status s = syncPath(folder); !s) return s;
+        if (Status s = syncPath(folder); !s) return meantFor(dir, s.error());
     return {};
 }
 
-}  // namespace
-
-FolderLock::FolderLock(const fs::path& dir, Kind kind) : fd_(::open(dir.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (fd_ < 0) return;
-    const int operation = (kind == Kind::Shared ? LOCK_SH : LOCK_EX) | LOCK_NB;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    while (::flock(fd_, operation) != 0 && (errno == EWOULDBLOCK || errno == EINTR) &&
-           std::chrono::steady_clock::now() < end)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-}
-FolderLock::~FolderLock() {
-    if (fd_ >= 0) ::close(fd_);
-}
-
-Result<fs::path> currentFile(const fs::path& dir, const std::string& relative) {
-    const Result<fs::path> plain = resolveInside(dir, relative);
-    if (!plain || !isOwnFolder(dir / kSaveFolder)) return plain;
-    const Result<fs::path> saved = resolveInside(dir, std::string(kSaveFolder) + "/" + relative);
-    std::error_code ignored;
-    return saved && fs::exists(*saved, ignored) ? saved : plain;
-}
-
-Status commitSave(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed) {
-    const fs::path temp = dir / kSaveTempFolder;
-    std::error_code fault;
-    fs::remove_all(temp, fault);
-    if (fault) return fileError("cannot be removed", temp, fault.value());
-    Status done = writeFiles(temp, files, removed);
-    if (done) {
-        fs::rename(temp, dir / kSaveFolder, fault);
-        if (fault) done = fileError("cannot be saved to", dir, fault.value());
+// Tries again until it is not Busy; what is Absent is done without. `what` they do that are waited for, and where.
+Status waitFor(const std::function<LockTry()>& tryLock, const fs::path& dir, const fs::path& locked, const char* what,
+               double seconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const auto waited = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    bool said = false;
+    while (tryLock() == LockTry::Busy) {
+        if (waited() >= seconds)
+            return failed(fmt::format("is being {} by {}; {:g} s were waited", what, lockHolder(locked), seconds),
+                          "nothing was changed; try again when it is done, or end it if it hangs")
+                .at(dir);
+        if (!said && waited() >= kSilentWaitSeconds) {
+            said = true;
+            logWarning(fmt::format("{}: is being {} by {}; waiting for it, up to {:g} s", dir.string(), what,
+                                   lockHolder(locked), seconds));
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
-    if (!done) {
-        fs::remove_all(temp, fault);
-        return done;
-    }
-    // From here on the new state is what every reader sees.
-    Status moved = syncPath(dir);
-    if (moved) moved = finishSave(dir);
-    if (!moved) logWarning(moved.error().text() + "; saved, and the next save or load moves the files into place");
     return {};
 }
 
-Status finishSave(const fs::path& dir) {
+Status moveAll(const fs::path& dir) {
     const fs::path pending = dir / kSaveFolder;
     if (!isOwnFolder(pending)) return {};
     std::error_code fault;
@@ -142,6 +127,68 @@ Status finishSave(const fs::path& dir) {
     fs::remove_all(pending, fault);
     if (fault) return fileError("cannot be removed", pending, fault.value());
     return syncPath(dir);
+}
+
+// The rename that makes the new state current, and the moves.
+Status makeCurrent(const fs::path& dir, double waitSeconds) {
+    const Result<FileLock> lock = lockFolder(dir, LockKind::Exclusive, waitSeconds);
+    if (!lock) return lock.error();
+    std::error_code fault;
+    fs::rename(dir / kSaveTempFolder, dir / kSaveFolder, fault);
+    if (fault) return fileError("cannot be saved to", dir, fault.value());
+    // From here on the new state is what every reader sees.
+    Status moved = syncPath(dir);
+    if (moved) moved = moveAll(dir);
+    if (!moved) logWarning(moved.error().text() + "; saved, and the next save or load moves the files into place");
+    return {};
+}
+
+}  // namespace
+
+Result<SaveLock> SaveLock::take(const fs::path& dir, double waitSeconds) {
+    SaveLock save;
+    save.file_ = dir / kSaveLockFile;
+    const auto tryLock = [&] { return save.lock_.tryFile(save.file_); };
+    if (Status s = waitFor(tryLock, dir, save.file_, "saved", waitSeconds); !s) return s.error();
+    return save;
+}
+SaveLock::~SaveLock() {
+    std::error_code ignored;
+    if (lock_.held()) fs::remove(file_, ignored);
+}
+
+Result<FileLock> lockFolder(const fs::path& dir, LockKind kind, double waitSeconds) {
+    FileLock lock;
+    const auto tryLock = [&] { return lock.tryFolder(dir, kind); };
+    const char* what = kind == LockKind::Shared ? "saved" : "read";
+    if (Status s = waitFor(tryLock, dir, dir, what, waitSeconds); !s) return s.error();
+    return lock;
+}
+
+Result<fs::path> currentFile(const fs::path& dir, const std::string& relative) {
+    const Result<fs::path> plain = resolveInside(dir, relative);
+    if (!plain || !isOwnFolder(dir / kSaveFolder)) return plain;
+    const Result<fs::path> saved = resolveInside(dir, std::string(kSaveFolder) + "/" + relative);
+    std::error_code ignored;
+    return saved && fs::exists(*saved, ignored) ? saved : plain;
+}
+
+Status commitSave(const fs::path& dir, const std::vector<SaveFile>& files, const std::vector<std::string>& removed,
+                  double waitSeconds) {
+    const fs::path temp = dir / kSaveTempFolder;
+    std::error_code fault;
+    fs::remove_all(temp, fault);
+    if (fault) return fileError("cannot be removed", temp, fault.value());
+    Status done = writeFiles(dir, files, removed);
+    if (done) done = makeCurrent(dir, waitSeconds);
+    if (!done) fs::remove_all(temp, fault);
+    return done;
+}
+
+Status finishSave(const fs::path& dir, double waitSeconds) {
+    if (!isOwnFolder(dir / kSaveFolder)) return {};
+    const Result<FileLock> lock = lockFolder(dir, LockKind::Exclusive, waitSeconds);
+    return lock ? moveAll(dir) : Status(lock.error());
 }
 
 }  // namespace sward

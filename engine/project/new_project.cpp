@@ -1,3 +1,4 @@
+#include "core/utf8.h"
 #include "project/project_files.h"
 
 namespace fs = std::filesystem;
@@ -9,7 +10,7 @@ namespace {
 Project emptyProject(const fs::path& dir) {
     Project p;
     p.dir = dir;
-    p.name = dir.has_filename() ? dir.filename().string() : dir.parent_path().filename().string();
+    p.name = utf8Text(dir.has_filename() ? dir.filename().string() : dir.parent_path().filename().string());
     Map density({256, 256, 1, PixelType::U16});
     const std::vector<uint16_t> row(256, 65535);
     for (int y = 0; y < 256; ++y) density.writeRows(y, 1, row.data());
@@ -30,15 +31,13 @@ Project emptyProject(const fs::path& dir) {
 
 Result<Project> newProject(const fs::path& dir, std::span<const ComponentRow> rows) {
     std::error_code fault;
-    const bool existed = fs::exists(dir, fault);
-    if (existed && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
+    if (fs::exists(dir, fault) && (!fs::is_directory(dir, fault) || !fs::is_empty(dir, fault)))
         return failed("exists and is not an empty folder", "name a new or an empty folder").at(dir);
     Project p = emptyProject(dir);
-    if (auto saved = saveProject(p, rows); !saved) {
-        if (!existed) fs::remove_all(dir, fault);
-        return saved.error();
-    }
-    return p;
+    SaveWay way;
+    way.stamps = &p.stamps;
+    const auto saved = saveProject(p, rows, nullptr, way);
+    return saved ? Result<Project>(std::move(p)) : saved.error();
 }
 
 }  // namespace sward

@@ -2,10 +2,12 @@
 // What load does not know (components, fields) it keeps and saves. Does not: know any component but by its field table.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/save_folder.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -31,14 +33,22 @@ struct CheckReport {
 };
 // Reads as loadProject does; changes no file.
 CheckReport checkProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);
+// How to save.
+struct SaveWay {
+    double waitSeconds = kLockWaitSeconds;  // for another that saves or reads the project
+    bool copy = false;  // of unsaved work: may break what only `check` refuses, and name files that cannot be read
+    std::map<std::string, FileStamp>* stamps = nullptr;  // gets Project::stamps as saving leaves them
+};
 // Saves atomically to p.dir: new files, fsync, one rename (save_folder.h). Maps whose texels equal those of `saved`
-// (or, without it, of the file) are not rewritten; nothing at all is written if nothing changed. Returns the files
-// written, relative to the folder, sorted. If `saved` lies in another folder ("save as"), image files that p names are
-// copied from there. Fields that share a file but no longer their texels get files of their own. Maps that the folder's
-// project.json named and p does not are deleted after the commit.
-// Fails, with the old project on disk unchanged: disk full, read-only folder, a value out of its range.
+// are not rewritten while their files are still those that `saved` knows (Project::stamps), nor those whose texels
+// equal the file's; nothing at all is written if nothing changed. Returns the files written, relative to the folder,
+// sorted. If `saved` lies in another folder ("save as"), image files that p names are copied from there. Fields that
+// share a file but no longer their texels get files of their own. Maps that the folder's project.json named and p does
+// not are deleted after the commit. Afterwards the folder holds p, whoever else saved there since p was loaded; that is
+// said. Fails, with the old project on disk unchanged: disk full, read-only folder, another that does not get done
+// saving, a value out of its range, and whatever load or check would refuse of what would be written (checkReadable).
 Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
-                                             const Project* saved = nullptr);
+                                             const Project* saved = nullptr, const SaveWay& way = {});
 // A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
 // Fails if dir exists and is not empty; leaves nothing behind then.
 Result<Project> newProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);

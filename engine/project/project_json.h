@@ -38,6 +38,14 @@ struct ProjectReader {
 // The whole tree. `files` gives the file of each map field by the field's address, where it is not the field's own.
 Json projectJson(const Project& p, std::span<const ComponentRow> rows,
                  const std::map<const void*, std::string>& files = {});
+// What load or check would refuse of a project, asked of the reader itself before anything is written: its text (bytes,
+// UTF-8, depth), lists and paths, and, unless it is a `copy` of unsaved work, what a scene may hold
+// (scene/field_limits.h). Failed error, naming project.json, the field, what it has and what it may have. Reads `text`
+// (writeJson of `tree`) as load does: 60 ns a byte.
+Status checkReadable(const Project& p, std::span<const ComponentRow> rows, const Json& tree, const std::string& text,
+                     bool copy);
+// An image or object that a field names, as load wants it: Unsound error as readMesh and checkImage give it.
+Status checkNamedFile(const std::filesystem::path& dir, const FieldRow& row, const std::string& name);
 // The first value that the tables do not allow (out of range, not finite), or nothing.
 Status checkValues(const Project& p, std::span<const ComponentRow> rows);
 

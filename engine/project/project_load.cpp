@@ -2,6 +2,7 @@
 #include "core/jobs.h"
 #include "core/log.h"
 #include "core/save_folder.h"
+#include "core/utf8.h"
 #include "maps/map_io.h"
 #include "mesh/mesh_io.h"
 #include "project/project_files.h"
@@ -20,6 +21,7 @@ struct MapLoad {
     std::vector<FieldRef> fields;
     Result<Map> map = Map();
     std::vector<std::string> repaired;
+    FileStamp stamp = {};
 };
 
 struct Loading {
@@ -45,6 +47,7 @@ void readProjectJson(Loading& l) {
     const Result<fs::path> file = currentFile(l.dir, "project.json");
     if (!file) return refuse(file.error());
     l.reader.file = (l.dir / "project.json").string();
+    l.reader.project.stamps["project.json"] = stampOf(*file);
     const Result<std::string> text = readFile(*file, kMaxJsonBytes);
     if (!text) {
         Error e = text.error();
@@ -57,7 +60,8 @@ void readProjectJson(Loading& l) {
     l.soundJson = true;
     l.reader.read(*json);
     l.root = std::move(*json);
-    if (l.reader.project.name.empty()) l.reader.project.name = fs::absolute(l.dir, ignored).filename().string();
+    if (l.reader.project.name.empty())
+        l.reader.project.name = utf8Text(fs::absolute(l.dir, ignored).filename().string());
 }
 
 bool sameWish(const MapWish& a, const MapWish& b) { return a.channels == b.channels && a.isHeight == b.isHeight; }
@@ -85,6 +89,7 @@ void readOne(const Loading& l, MapLoad& load) {
         return;
     }
     const Result<fs::path> file = currentFile(l.dir, load.file);
+    if (file) load.stamp = stampOf(*file);
     load.map = file ? readMap(*file, load.wish, &load.repaired) : Result<Map>(file.error());
 }
 
@@ -101,6 +106,7 @@ void takeOne(Loading& l, MapLoad& load) {
     for (const FieldRef& f : load.fields) static_cast<MapField*>(f.value)->map = *load.map;
     for (const std::string& said : load.repaired)
         l.reader.repaired.push_back({(l.dir / load.file).string(), path + ": " + said});
+    l.reader.project.stamps[load.file] = load.stamp;
     if (!load.repaired.empty()) l.reader.project.repairedMaps.insert(load.file);
 }
 
@@ -115,22 +121,13 @@ void loadMaps(Loading& l) {
     }
 }
 
-Status checkFile(const fs::path& dir, const FieldRow& row, const std::string& name) {
-    if (row.isMesh) {
-        const Result<Mesh> mesh = readMesh(dir, name);
-        return mesh ? Status() : Status(mesh.error());
-    }
-    const Result<fs::path> file = currentFile(dir, name);
-    return file ? checkImage(*file) : Status(file.error());
-}
-
 // The renderer reads the images and objects that fields name; what it could not read is refused here, once a file.
 void checkFiles(Loading& l) {
     std::set<std::string> seen;
     for (const ConstFieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
         const std::string& name = *static_cast<const std::string*>(f.value);
         if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second) continue;
-        const Status s = checkFile(l.dir, *f.row, name);
+        const Status s = checkNamedFile(l.dir, *f.row, name);
         if (s) continue;
         Error e = s.error();
         e.message = f.path + ": " + e.message;
@@ -144,12 +141,12 @@ Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool eve
     Loading l;
     l.dir = projectFolder(given);
     l.reader.rows = rows;
-    std::error_code ignored;
-    if (fs::exists(l.dir / kSaveFolder, ignored)) {
-        const FolderLock lock(l.dir, FolderLock::Kind::Exclusive);
-        if (Status s = finishSave(l.dir); !s) logInfo(s.error().text() + "; read as it is");
+    if (Status s = finishSave(l.dir, 0); !s) logInfo(s.error().text() + "; read as it is");
+    const Result<FileLock> lock = lockFolder(l.dir, LockKind::Shared);
+    if (!lock) {
+        l.reader.refused.push_back(lock.error());
+        return l;
     }
-    const FolderLock lock(l.dir, FolderLock::Kind::Shared);
     readProjectJson(l);
     l.reader.project.dir = l.dir;
     if (!l.reader.refused.empty() && !(everything && l.soundJson)) return l;
@@ -159,6 +156,15 @@ Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool eve
 }
 
 }  // namespace
+
+Status checkNamedFile(const fs::path& dir, const FieldRow& row, const std::string& name) {
+    if (row.isMesh) {
+        const Result<Mesh> mesh = readMesh(dir, name);
+        return mesh ? Status() : Status(mesh.error());
+    }
+    const Result<fs::path> file = currentFile(dir, name);
+    return file ? checkImage(*file) : Status(file.error());
+}
 
 Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, LoadReport* report) {
     Loading l = load(dir, rows, false);

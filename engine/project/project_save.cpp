@@ -1,4 +1,5 @@
 #include "core/file.h"
+#include "core/log.h"
 #include "core/save_folder.h"
 #include "maps/map_io.h"
 #include "mesh/mesh_io.h"
@@ -67,15 +68,27 @@ struct Saving {
     Project onDisk = Project();  // without texels
     bool readable = false;       // whether there is a sound project on disk
     bool sameForm = false;       // and nothing in it stands elsewhere in today's form
+    std::map<std::string, FileStamp> known = {};  // of files on disk, when savedPlan was what they hold
     std::vector<SaveFile> files = {};
     std::vector<std::string> removed = {};
 };
+
+FileStamp stampNow(const Project& p, const std::string& name) {
+    const Result<fs::path> file = currentFile(p.dir, name);
+    return file ? stampOf(*file) : FileStamp();
+}
+
+// Whether the file is the one that was loaded or saved here, and not another's since.
+bool isKnown(const Saving& s, const std::string& name) {
+    const auto it = s.known.find(name);
+    return it != s.known.end() && it->second == stampNow(s.p, name);
+}
 
 bool mapChanged(const Saving& s, const PlannedMap& planned) {
     const fs::path file = s.p.dir / planned.file;
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return true;
-    if (!s.p.repairedMaps.contains(planned.file))
+    if (!s.p.repairedMaps.contains(planned.file) && isKnown(s, planned.file))
         for (const PlannedMap& before : s.savedPlan)
             if (before.file == planned.file) return !equalTexels(*before.map, *planned.map);
     return !fileHolds(file, planned);
@@ -175,8 +188,21 @@ void addRemoved(Saving& s) {
     }
 }
 
-Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
-    if (Status ok = finishSave(s.p.dir); !ok) return ok.error();
+std::map<std::string, FileStamp> stampsNow(const Saving& s) {
+    std::map<std::string, FileStamp> stamps{{"project.json", stampNow(s.p, "project.json")}};
+    for (const PlannedMap& planned : s.plan) stamps[planned.file] = stampNow(s.p, planned.file);
+    return stamps;
+}
+
+// Another saved between; its project is replaced whole, and nobody shall wonder where it went.
+void sayWhatIsReplaced(const Saving& s) {
+    if (std::any_of(s.known.begin(), s.known.end(), [&](const auto& file) { return !isKnown(s, file.first); }))
+        logWarning(fmt::format("{}: another program saved it since it was opened here; this save replaces that state",
+                               s.p.dir.string()));
+}
+
+Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from, const SaveWay& way) {
+    if (Status ok = finishSave(s.p.dir, way.waitSeconds); !ok) return ok.error();
     readOnDisk(s);
     if (Status ok = addMaps(s); !ok) return ok.error();
     if (!from.empty())
@@ -186,14 +212,17 @@ Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from) {
     std::vector<std::string> written;
     for (const SaveFile& f : s.files) written.push_back(f.path);
     std::sort(written.begin(), written.end());
-    if (written.empty()) return written;
-    if (Status ok = commitSave(s.p.dir, s.files, s.removed); !ok) return ok.error();
+    if (!written.empty()) {
+        sayWhatIsReplaced(s);
+        if (Status ok = commitSave(s.p.dir, s.files, s.removed, way.waitSeconds); !ok) return ok.error();
+    }
+    if (way.stamps) *way.stamps = stampsNow(s);
     return written;
 }
 
 }  // namespace
 
-Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved) {
+Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved, const SaveWay& way) {
     if (p.dir.empty()) return failed("the project has no folder yet", "save it to a new folder");
     if (Status ok = checkValues(p, rows); !ok) return ok.error();
     std::error_code fault;
@@ -202,9 +231,12 @@ Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const 
     if (fault) return fileError("cannot be made", p.dir, fault.value());
     const bool sameFolder = saved && saved->dir == p.dir;
     Saving s{.p = p, .rows = rows, .plan = planMaps(p, rows)};
-    if (sameFolder) s.savedPlan = planMaps(*saved, rows);
-    const FolderLock lock(p.dir, FolderLock::Kind::Exclusive);
-    auto result = saveLocked(s, saved && !sameFolder ? saved->dir : fs::path());
+    if (sameFolder) s.savedPlan = planMaps(*saved, rows), s.known = saved->stamps;
+    auto result = [&]() -> Result<std::vector<std::string>> {
+        const Result<SaveLock> lock = SaveLock::take(p.dir, way.waitSeconds);
+        if (!lock) return lock.error();
+        return saveLocked(s, saved && !sameFolder ? saved->dir : fs::path(), way);
+    }();
     if (!result && !existed) fs::remove(p.dir, fault);
     return result;
 }

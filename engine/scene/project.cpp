@@ -53,6 +53,7 @@ Project snapshot(const Project& p, std::span<const ComponentRow> rows) {
     copy.unknown = p.unknown;
     copy.imports = p.imports;
     copy.repairedMaps = p.repairedMaps;
+    copy.stamps = p.stamps;
     for (const auto& [name, entity] : p.entities) {
         const Entity twin = makeEntity(copy, name);
         for (const ComponentRow& row : rows)

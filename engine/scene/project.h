@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/file.h"
 #include "ecs/registry.h"
 #include "scene/components.h"
 #include "scene/rows.h"
@@ -37,6 +38,7 @@ struct Project {
     std::map<std::string, std::string> unknown;
     std::map<std::string, MapImport> imports;  // by the map's PATH
     std::set<std::string> repairedMaps;        // files whose texels load repaired; saving writes them
+    std::map<std::string, FileStamp> stamps;   // of project.json and map files, as load found or saving left them
 };
 
 // The component of a kind that the first entity by name holds; null if none does.

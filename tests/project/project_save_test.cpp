@@ -126,6 +126,7 @@ TEST(Saving, AReadOnlyProjectLoadsAndSavingItFailsWithoutATrace) {
     const std::string said = runChild("save-unprivileged", {(dir / "p").string()});
     EXPECT_NE(said.find("Permission denied"), std::string::npos) << said;
     EXPECT_NE(said.find("check who may read and write it"), std::string::npos) << said;
+    EXPECT_EQ(said.find(".sward"), std::string::npos) << said;
     makeWritable(dir / "p");
     EXPECT_EQ(contents(dir / "p"), before);
 }
@@ -137,6 +138,8 @@ TEST(Saving, AFullDiskFailsWithoutATrace) {
     for (const int limit : {0, 100, 300, 700}) {
         const std::string said = runChild("save-with-limit", {(dir / "p").string(), std::to_string(limit)});
         EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+        EXPECT_TRUE(said.starts_with((dir / "p/").string())) << said;
+        EXPECT_EQ(said.find(".sward"), std::string::npos) << "the file's own place is named: " << said;
         EXPECT_EQ(contents(dir / "p"), before) << "limit " << limit;
     }
 }
