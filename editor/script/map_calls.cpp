@@ -2,6 +2,7 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "core/utf8.h"
 #include "maps/map_repair.h"
 #include "project/packed_map.h"
 #include "scene/map_fields.h"
@@ -221,7 +222,7 @@ int importBoth(lua_State* L, State& state, const ConstFieldRef& density, const s
             state.document().setField(fieldBeside(height, *height.row->map->tiling).path, fmt::format("{}", tiling)));
     group.keep();
     for (const ConstFieldRef* f : {&density, &height})
-        state.document().rememberImport(f->path, {file.filename().string(), flip, {}});
+        state.document().rememberImport(f->path, {utf8Text(file.filename().string()), flip, {}});
     return 0;
 }
 

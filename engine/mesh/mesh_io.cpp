@@ -1,6 +1,6 @@
-// tinygltf costs two seconds to compile: it is included here and nowhere else. What it hands over is not trusted: every
-// offset, count and type is held against the bytes there are.
-// Index: before tinygltf sees the file · accessors · triangles · materials and images · nodes · reading · writing.
+// tinygltf costs two seconds to compile: it is included here and in mesh_write.cpp alone. What it hands over is not
+// trusted: every offset, count and type is held against the bytes there are.
+// Index: before tinygltf sees the file · accessors · triangles · materials and images · nodes · reading.
 #include "mesh/mesh_io.h"
 
 #include <stb/stb_image.h>
@@ -9,7 +9,6 @@
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
-#include <sstream>
 
 #include "core/file.h"
 #include "core/json.h"
@@ -21,6 +20,7 @@ namespace sward {
 namespace {
 
 constexpr size_t kMaxBuffers = 16, kMaxImages = 64;
+constexpr size_t kMaxVerticesRead = 12 * kMaxMeshTriangles;  // of all parts, each with all that its accessor holds
 constexpr float kMaxCoordinate = 1e6f;
 
 // An error without a file: readMesh knows it.
@@ -400,12 +400,13 @@ Status addPrimitive(Reading& r, const tinygltf::Primitive& p, const Placed& at) 
     bool hasNormals = false;
     Result<std::vector<MeshVertex>> vertices = verticesOf(r.model, p, at, hasNormals);
     if (!vertices) return vertices.error();
-    if ((r.verticesRead += vertices->size()) > 12 * kMaxMeshTriangles)
-        return refused("has too many vertices", "make the object simpler");
+    if ((r.verticesRead += vertices->size()) > kMaxVerticesRead)
+        return refused(fmt::format("its parts take {} vertices or more together; the limit is {}", r.verticesRead,
+                                   kMaxVerticesRead),
+                       "make the object simpler, or of fewer parts");
     Result<std::vector<uint32_t>> order = trianglesOf(r.model, p, vertices->size());
     if (!order) return order.error();
-    if ((r.mesh.indices.size() + order->size()) / 3 > kMaxMeshTriangles)
-        return refused(fmt::format("has more than {} triangles", kMaxMeshTriangles), "make the object simpler");
+    if (Status s = checkMeshTriangles((r.mesh.indices.size() + order->size()) / 3); !s) return s;
     if (at.mirrors())
         for (size_t i = 0; i + 2 < order->size(); i += 3) std::swap((*order)[i + 1], (*order)[i + 2]);
     hasNormals ? compact(*vertices, *order) : flatten(*vertices, *order);
@@ -476,26 +477,7 @@ Result<Mesh> readFrom(const fs::path& root, const std::string& file) {
     const Result<fs::path> place = currentFile(root, file);
     if (!place) return place.error();
     const Result<std::string> bytes = readFile(*place, kMaxMeshBytes);
-    if (!bytes) return bytes.error();
-    if (bytes->empty()) return refused("is empty");
-    const Result<std::string> text = jsonText(*bytes);
-    if (!text) return text.error();
-    const Result<Json> json = parseJson(*text, file);
-    if (!json) return json.error();
-    if (Status s = checkHead(*json); !s) return s.error();
-    Reading r;
-    Files files{root, {file}, {}};
-    if (Status s = parse(r.model, *bytes, fs::path(file).parent_path().generic_string(), files); !s) return s.error();
-    const Result<std::vector<int>> roots = rootNodes(r.model);
-    if (!roots) return roots.error();
-    r.visited.resize(r.model.nodes.size());
-    for (const int node : *roots)
-        if (Status s = addNodes(r, node); !s) return s.error();
-    if (r.mesh.indices.empty())
-        return refused("has no mesh with triangles in its scene", "export the object's meshes with it");
-    r.mesh.files = std::move(files.read);
-    updateBounds(r.mesh);
-    return std::move(r.mesh);
+    return bytes ? readMeshBytes(*bytes, root, file) : bytes.error();
 }
 
 }  // namespace
@@ -508,96 +490,40 @@ void updateBounds(Mesh& mesh) {
     }
 }
 
+Status checkMeshTriangles(size_t count) {
+    if (count <= kMaxMeshTriangles) return {};
+    return refused(fmt::format("has more than {} triangles: {} at least", kMaxMeshTriangles, count),
+                   "make the object simpler");
+}
+
+Result<Mesh> readMeshBytes(const std::string& bytes, const fs::path& root, const std::string& file) {
+    if (bytes.empty()) return refused("is empty");
+    const Result<std::string> text = jsonText(bytes);
+    if (!text) return text.error();
+    const Result<Json> json = parseJson(*text, file);
+    if (!json) return json.error();
+    if (Status s = checkHead(*json); !s) return s.error();
+    Reading r;
+    Files files{root, {file}, {}};
+    if (Status s = parse(r.model, bytes, fs::path(file).parent_path().generic_string(), files); !s) return s.error();
+    const Result<std::vector<int>> roots = rootNodes(r.model);
+    if (!roots) return roots.error();
+    r.visited.resize(r.model.nodes.size());
+    for (const int node : *roots)
+        if (Status s = addNodes(r, node); !s) return s.error();
+    if (r.mesh.indices.empty())
+        return refused("has no mesh with triangles in its scene", "export the object's meshes with it");
+    r.mesh.files = std::move(files.read);
+    updateBounds(r.mesh);
+    return std::move(r.mesh);
+}
+
 Result<Mesh> readMesh(const fs::path& root, const std::string& file) {
     Result<Mesh> mesh = readFrom(root, file);
     if (mesh) return mesh;
     Error e = mesh.error();
     e.file = (root / file).string();
     return e;
-}
-
-// --- writing -----------------------------------------------------------------------------------------------------
-namespace {
-
-// Adds bytes to the one buffer; the number of their accessor.
-int addAccessor(tinygltf::Model& m, const void* data, size_t bytes, size_t count, int componentType, int type,
-                int target) {
-    auto& buffer = m.buffers[0].data;
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = buffer.size();
-    view.byteLength = bytes;
-    view.target = target;
-    buffer.insert(buffer.end(), static_cast<const unsigned char*>(data),
-                  static_cast<const unsigned char*>(data) + bytes);
-    m.bufferViews.push_back(view);
-    tinygltf::Accessor accessor;
-    accessor.bufferView = static_cast<int>(m.bufferViews.size()) - 1;
-    accessor.componentType = componentType;
-    accessor.type = type;
-    accessor.count = count;
-    m.accessors.push_back(accessor);
-    return static_cast<int>(m.accessors.size()) - 1;
-}
-
-template <class V>
-int addVectors(tinygltf::Model& m, const Mesh& mesh, V MeshVertex::*of) {
-    std::vector<V> values;
-    for (const MeshVertex& v : mesh.vertices) values.push_back(v.*of);
-    return addAccessor(m, values.data(), values.size() * sizeof(V), values.size(), TINYGLTF_COMPONENT_TYPE_FLOAT,
-                       std::is_same_v<V, glm::vec3> ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC2,
-                       TINYGLTF_TARGET_ARRAY_BUFFER);
-}
-bool isUnwrapped(const Mesh& mesh) {
-    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
-                       [](const MeshVertex& v) { return v.uv != glm::vec2(0); });
-}
-
-tinygltf::Material materialFor(const MeshPart& part) {
-    tinygltf::Material m;
-    m.doubleSided = true;
-    m.pbrMetallicRoughness.metallicFactor = 0;
-    m.pbrMetallicRoughness.baseColorFactor = {part.color.x, part.color.y, part.color.z, 1};
-    return m;
-}
-
-}  // namespace
-
-Result<std::string> encodeGlb(const Mesh& mesh) {
-    tinygltf::Model m;
-    m.asset.version = "2.0";
-    m.asset.generator = "Sward";
-    m.buffers.resize(1);
-    m.meshes.resize(1);
-    const int positions = addVectors(m, mesh, &MeshVertex::position);
-    auto& accessor = m.accessors[static_cast<size_t>(positions)];
-    accessor.minValues = {mesh.low.x, mesh.low.y, mesh.low.z};
-    accessor.maxValues = {mesh.high.x, mesh.high.y, mesh.high.z};
-    const int normals = addVectors(m, mesh, &MeshVertex::normal);
-    const int uvs = isUnwrapped(mesh) ? addVectors(m, mesh, &MeshVertex::uv) : -1;
-    for (const MeshPart& part : mesh.parts) {
-        tinygltf::Primitive p;
-        p.mode = TINYGLTF_MODE_TRIANGLES;
-        p.attributes = {{"POSITION", positions}, {"NORMAL", normals}};
-        if (uvs >= 0) p.attributes["TEXCOORD_0"] = uvs;
-        p.indices =
-            addAccessor(m, &mesh.indices[part.first], part.count * 4, part.count, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                        TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-        p.material = static_cast<int>(m.materials.size());
-        m.materials.push_back(materialFor(part));
-        m.meshes[0].primitives.push_back(p);
-    }
-    tinygltf::Node node;
-    node.mesh = 0;
-    m.nodes.push_back(node);
-    tinygltf::Scene scene;
-    scene.nodes = {0};
-    m.scenes.push_back(scene);
-    m.defaultScene = 0;
-    std::ostringstream out;
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&m, out, false, true))
-        return failed("the object cannot be encoded");
-    return out.str();
 }
 
 }  // namespace sward

@@ -1,5 +1,6 @@
 #include "project/import.h"
 
+#include "core/utf8.h"
 #include "maps/map_io.h"
 #include "scene/map_fields.h"
 
@@ -11,7 +12,7 @@ Result<MapImport> settle(const Project& p, const ConstFieldRef& map, const std::
                          const ImportOptions& options) {
     const auto it = p.imports.find(map.path);
     MapImport out = it == p.imports.end() ? MapImport() : it->second;
-    out.file = file.filename().string();
+    out.file = utf8Text(file.filename().string());
     if (options.flip) out.flip = *options.flip;
     if (options.range) out.range = options.range;
     if (out.range &&

@@ -1,5 +1,6 @@
 #include "project/packed_map.h"
 
+#include "core/utf8.h"
 #include "maps/map_io.h"
 #include "maps/map_repair.h"
 #include "scene/map_fields.h"
@@ -58,7 +59,7 @@ void put(Project& p, const FieldRef& field, Map map, const std::filesystem::path
     MapField& to = *static_cast<MapField*>(field.value);
     to.file = mapFileFor(field, map.info().type);
     to.map = std::move(map);
-    p.imports[field.path] = {file.filename().string(), flip, {}};
+    p.imports[field.path] = {utf8Text(file.filename().string()), flip, {}};
 }
 
 // As asked for, else as remembered.

@@ -46,7 +46,8 @@ struct SaveWay {
 // share a file but no longer their texels get files of their own. Maps that the folder's project.json named and p does
 // not are deleted after the commit. Afterwards the folder holds p, whoever else saved there since p was loaded; that is
 // said. Fails, with the old project on disk unchanged: disk full, read-only folder, another that does not get done
-// saving, a value out of its range, and whatever load or check would refuse of what would be written (checkReadable).
+// saving, a value out of its range, and whatever load or check would refuse of what would be written (checkReadable) or
+// of images and objects that are named anew; one that is not there is only warned of.
 Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
                                              const Project* saved = nullptr, const SaveWay& way = {});
 // A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.

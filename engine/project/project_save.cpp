@@ -103,6 +103,8 @@ Status checkMap(const PlannedMap& planned) {
     if (info.channels != row.channels)
         return refuse(fmt::format("has {} channels, not {}", info.channels, row.channels),
                       "make a map with the right number of channels");
+    if (Status fits = checkMapLimits(planned.file, info); !fits)
+        return refuse(fits.error().message, fits.error().remedy);
     if (row.role == MapRole::Heights && info.type == PixelType::U8)
         return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
     if (const auto inside = resolveInside(".", planned.file); !inside)
@@ -167,16 +169,51 @@ void readOnDisk(Saving& s) {
     s.onDisk = std::move(reader.project);
 }
 
+// What load would refuse of a file is refused, unless the project on disk names it as well: then it is as it was. One
+// that is not there yet may come, and work is not held up for it; that is said.
+Status checkNewFile(const Saving& s, const ConstFieldRef& f, const fs::path& from) {
+    const std::string& name = *static_cast<const std::string*>(f.value);
+    const auto isIn = [&](const fs::path& dir) {
+        const Result<fs::path> file = currentFile(dir, name);
+        std::error_code ignored;
+        return file && fs::exists(*file, ignored);
+    };
+    const bool isHere = isIn(s.p.dir);
+    if (!isHere && (from.empty() || !isIn(from))) {
+        logWarning(fmt::format("{}: {}: is not there, and the project opens only once it is", (s.p.dir / name).string(),
+                               f.path));
+        return {};
+    }
+    const Status sound = checkNamedFile(isHere ? s.p.dir : from, *f.row, name);
+    if (sound) return {};
+    const Error& e = sound.error();
+    return failed(f.path + ": cannot be saved: " + e.message,
+                  e.remedy.empty() ? "name another file, or none" : e.remedy)
+        .at((s.p.dir / name).string());
+}
+
+Status checkNewFiles(const Saving& s, const fs::path& from) {
+    std::set<std::string> before;
+    for (const ConstFieldRef& f : allFiles(s.onDisk, s.rows)) before.insert(*static_cast<const std::string*>(f.value));
+    for (const ConstFieldRef& f : allFiles(s.p, s.rows))
+        if (before.insert(*static_cast<const std::string*>(f.value)).second)
+            if (Status ok = checkNewFile(s, f, from); !ok) return ok;
+    return {};
+}
+
 // Adds project.json if it says anything else than the one on disk, whatever its layout, or that is of an older form.
-void addProjectJson(Saving& s) {
+Status addProjectJson(Saving& s, bool copy) {
     std::map<const void*, std::string> names;
     for (const PlannedMap& planned : s.plan) names[planned.field.value] = planned.file;
-    const std::string text = writeJson(projectJson(s.p, s.rows, names));
+    const Json tree = projectJson(s.p, s.rows, names);
+    const std::string text = writeJson(tree);
     if (s.readable && s.sameForm) {
         if (s.onDisk.name.empty()) s.onDisk.name = s.p.name;  // it was taken from the folder
-        if (writeJson(projectJson(s.onDisk, s.rows)) == text) return;
+        if (writeJson(projectJson(s.onDisk, s.rows)) == text) return {};
     }
+    if (Status ok = checkReadable(s.p, s.rows, tree, text, copy); !ok) return ok;
     s.files.push_back({"project.json", [text](const fs::path& to) { return writeFileSynced(to, text); }});
+    return {};
 }
 
 void addRemoved(Saving& s) {
@@ -204,10 +241,11 @@ void sayWhatIsReplaced(const Saving& s) {
 Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from, const SaveWay& way) {
     if (Status ok = finishSave(s.p.dir, way.waitSeconds); !ok) return ok.error();
     readOnDisk(s);
+    if (Status ok = addProjectJson(s, way.copy); !ok) return ok.error();
+    if (Status ok = way.copy ? Status() : checkNewFiles(s, from); !ok) return ok.error();
     if (Status ok = addMaps(s); !ok) return ok.error();
     if (!from.empty())
         if (Status ok = addFiles(s, from); !ok) return ok.error();
-    addProjectJson(s);
     addRemoved(s);
     std::vector<std::string> written;
     for (const SaveFile& f : s.files) written.push_back(f.path);

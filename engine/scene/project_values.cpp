@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "core/json.h"
+#include "core/utf8.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -97,6 +98,9 @@ Status setBool(const FieldRef& f, const std::string& text) {
 }
 
 Status setString(const FieldRef& f, const std::string& text) {
+    if (const auto at = notUtf8At(text))
+        return refused(f, fmt::format("\"{}\" is not UTF-8 from byte {} on", utf8Text(text), *at + 1),
+                       "write it in UTF-8, or give the file another name");
     if (f.row->isFile && !text.empty())
         if (const auto inside = resolveInside(".", text); !inside)
             return refused(f, inside.error().message, inside.error().remedy);

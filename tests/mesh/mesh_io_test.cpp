@@ -274,6 +274,26 @@ TEST(MeshIo, MoreTrianglesThanTheLimitAreRefusedHoweverTheyComeAbout) {
     EXPECT_NE(twice.error().text().find("more than 2000000 triangles"), std::string::npos) << twice.error().text();
 }
 
+// What mesh.write makes is never beyond what can be read.
+TEST(MeshIo, NoMoreIsWrittenThanIsRead) {
+    Mesh mesh;
+    mesh.vertices.resize(3);
+    for (size_t i = 0; i < 3; ++i) mesh.vertices[i] = {glm::vec3(i == 1, 0, i == 2), {0, 1, 0}, {}};
+    mesh.indices = {0, 2, 1};
+    mesh.parts = {{0, 3, glm::vec3(1), -1, 0}};
+    updateBounds(mesh);
+    EXPECT_TRUE(encodeGlb(mesh));
+    mesh.indices.resize(3 * (kMaxMeshTriangles + 1));
+    const auto large = encodeGlb(mesh);
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().code, ExitCode::Failed);
+    EXPECT_NE(large.error().text().find("more than 2000000 triangles: 2000001"), std::string::npos)
+        << large.error().text();
+    mesh.indices = {0, 2, 1};
+    mesh.vertices[1].position.x = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(encodeGlb(mesh));
+}
+
 // Deterministic damage of every kind: the reader refuses, or reads something sound.
 void expectNoCrash(const fs::path& dir, const std::string& file, const std::string& good, int rounds) {
     std::mt19937 random(7);
