@@ -1,8 +1,6 @@
 #include "model/autosave.h"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -40,20 +38,46 @@ bool complete(const fs::path& copy) {
     return file && fs::is_regular_file(*file, fault);
 }
 
-// True while a program other than this one, which wrote its number there, still runs.
-bool heldByAnother(const fs::path& folder) {
-    const Result<std::string> text = readFile(folder / "pid", 32);
-    const long pid = text ? std::strtol(text->c_str(), nullptr, 10) : 0;
-    return pid > 0 && pid != getpid() && kill(static_cast<pid_t>(pid), 0) == 0;
+// The same without those that were not written to their end.
+std::vector<fs::path> completeIn(const fs::path& folder) {
+    std::vector<fs::path> found = numbered(folder);
+    std::erase_if(found, [](const fs::path& copy) { return !complete(copy); });
+    return found;
+}
+
+fs::path lockOf(const fs::path& folder) { return folder / "lock"; }
+
+// Whether somebody who lives makes copies there. Looking must not make the folder.
+bool isHeld(const fs::path& folder) {
+    std::error_code ignored;
+    FileLock lock;
+    return fs::exists(lockOf(folder), ignored) && lock.tryFile(lockOf(folder)) == LockTry::Busy;
+}
+
+// The folder goes while its lock is held, so that nobody takes what is being removed.
+void removePlace(AutosavePlace& place) {
+    std::error_code ignored;
+    if (!place.folder.empty()) fs::remove_all(place.folder, ignored);
+    place = {};
 }
 
 void begin(Autosave& a, const Document& doc, double now) {
     a.since = now;
     a.revision = doc.revision();
-    a.mine = true;
+    if (a.mine.folder.empty())
+        if (auto place = takeAutosavePlace(a.of)) a.mine = std::move(*place);
+    if (a.mine.folder.empty()) {
+        logWarning(
+            fmt::format("{}: unsaved work is not copied: its {} folders hold work that others left or do now; "
+                        "open the project again, and recover it or throw it away",
+                        autosaveFolder(a.of).string(), kAutosaveFolders));
+        return;
+    }
     const std::span<const ComponentRow> rows = doc.tables().components;
     auto copy = std::make_shared<Project>(snapshot(doc.project(), rows));
-    a.job = Job<fs::path>("autosave", a.revision, [copy, rows](JobControl&) { return writeAutosave(*copy, rows); });
+    a.job = Job<fs::path>("autosave", a.revision, [copy, rows, folder = a.mine.folder](JobControl&) {
+        return writeAutosave(*copy, rows, folder);
+    });
 }
 
 void report(Autosave& a) {
@@ -66,32 +90,47 @@ void report(Autosave& a) {
 }
 
 void follow(Autosave& a, const Document& doc, double now) {
-    if (a.mine) forgetAutosaves(a.of);
+    removePlace(a.mine);
     a.of = doc.project().dir;
     a.since = now;
-    a.mine = false;
     a.found = autosavesOf(a.of);
     a.opening = !a.found.empty();
 }
 
 }  // namespace
 
-fs::path autosaveFolder(const fs::path& dir) {
+fs::path autosaveFolder(const fs::path& dir, int number) {
     const fs::path whole = dir.empty() ? dir : fs::absolute(dir).lexically_normal();
     const std::string name = whole.has_filename() ? whole.filename().string() : "untitled";
-    return stateDir() / "autosave" / (name + "-" + hashHex(hashText(whole.string())));
+    const std::string which = number > 1 ? fmt::format("-{}", number) : "";
+    return stateDir() / "autosave" / (name + "-" + hashHex(hashText(whole.string())) + which);
 }
 
 std::vector<fs::path> autosavesOf(const fs::path& dir) {
-    const fs::path folder = autosaveFolder(dir);
-    if (heldByAnother(folder)) return {};
-    std::vector<fs::path> found = numbered(folder);
-    std::erase_if(found, [](const fs::path& copy) { return !complete(copy); });
-    return found;
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
+    std::error_code ignored;
+    for (int i = 1; i <= kAutosaveFolders; ++i) {
+        const fs::path folder = autosaveFolder(dir, i);
+        if (isHeld(folder)) continue;
+        for (const fs::path& copy : completeIn(folder)) found.push_back({fs::last_write_time(copy, ignored), copy});
+    }
+    std::sort(found.rbegin(), found.rend());
+    std::vector<fs::path> copies;
+    for (auto& [time, copy] : found) copies.push_back(std::move(copy));
+    return copies;
 }
 
-Result<fs::path> writeAutosave(const Project& p, std::span<const ComponentRow> rows) {
-    const fs::path folder = autosaveFolder(p.dir);
+std::optional<AutosavePlace> takeAutosavePlace(const fs::path& dir) {
+    for (int i = 1; i <= kAutosaveFolders; ++i) {
+        AutosavePlace place{autosaveFolder(dir, i), {}};
+        std::error_code fault;
+        fs::create_directories(place.folder, fault);
+        if (place.lock.tryFile(lockOf(place.folder)) != LockTry::Busy && completeIn(place.folder).empty()) return place;
+    }
+    return std::nullopt;
+}
+
+Result<fs::path> writeAutosave(const Project& p, std::span<const ComponentRow> rows, const fs::path& folder) {
     std::error_code fault;
     fs::create_directories(folder, fault);
     if (fault) return fileError("cannot be made", folder, fault.value());
@@ -100,8 +139,9 @@ Result<fs::path> writeAutosave(const Project& p, std::span<const ComponentRow> r
     Project copy = snapshot(p, rows), original;
     original.dir = p.dir;
     copy.dir = folder / fmt::format("{:04}", last + 1);
-    if (Status marked = writeFileAtomic(folder / "pid", std::to_string(getpid())); !marked) return marked.error();
-    const auto written = saveProject(copy, rows, p.dir.empty() ? nullptr : &original);
+    SaveWay way;
+    way.copy = true;
+    const auto written = saveProject(copy, rows, p.dir.empty() ? nullptr : &original, way);
     if (!written) {
         fs::remove_all(copy.dir, fault);
         return written.error();
@@ -111,8 +151,19 @@ Result<fs::path> writeAutosave(const Project& p, std::span<const ComponentRow> r
 }
 
 void forgetAutosaves(const fs::path& dir) {
-    std::error_code ignored;
-    fs::remove_all(autosaveFolder(dir), ignored);
+    for (int i = 1; i <= kAutosaveFolders; ++i) {
+        AutosavePlace place{autosaveFolder(dir, i), {}};
+        std::error_code ignored;
+        if (fs::exists(place.folder, ignored) && place.lock.tryFile(lockOf(place.folder)) != LockTry::Busy)
+            removePlace(place);
+    }
+}
+
+void adoptAutosave(Autosave& a, const fs::path& copy) {
+    removePlace(a.mine);
+    AutosavePlace place{copy.parent_path(), {}};
+    if (place.lock.tryFile(lockOf(place.folder)) != LockTry::Busy)
+        a.mine = std::move(place);  // else another took it over
 }
 
 bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
@@ -123,7 +174,7 @@ bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
     if (another) follow(a, doc, now);
     const bool asks = another && a.opening;
     if (!doc.dirty()) {
-        if (std::exchange(a.mine, false)) forgetAutosaves(a.of);
+        removePlace(a.mine);
         a.since = now;
         return asks;
     }
@@ -135,7 +186,7 @@ bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
 void endAutosave(Autosave& a) {
     if (!a.on) return;
     while (a.job.active() && !a.job.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (std::exchange(a.mine, false)) forgetAutosaves(a.of);
+    removePlace(a.mine);
 }
 
 }  // namespace sward

@@ -32,7 +32,7 @@ void close(Autosave& autosave) {
 void recover(Autosave& autosave, Document& doc, Edits& edits, Messages& messages) {
     edits.deferred.push_back([&, copy = autosave.found.front()] {
         if (!accept(messages, doc.takeOver(copy, "recover unsaved work"))) return;
-        autosave.mine = true;  // they go once this is saved or given up
+        adoptAutosave(autosave, copy);
         say(messages, "unsaved work is back; undo shows what was saved");
     });
     close(autosave);

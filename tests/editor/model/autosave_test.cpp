@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "child.h"
 #include "model/document.h"
 #include "model/field_walk.h"
 #include "support.h"
@@ -12,6 +13,14 @@ namespace sward {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Another editor with copies of its own; writes a byte once it has the lock.
+const test::ChildFunctionRow kHoldCopies("hold-copies", [](const std::vector<std::string>& args) -> std::string {
+    FileLock lock;
+    if (lock.tryFile(args.at(0)) != LockTry::Taken) return "busy";
+    if (write(STDOUT_FILENO, ".", 1) != 1) return "nobody listens";
+    for (;;) pause();
+});
 
 // Keeps copies in a folder of the test's own.
 class AutosaveFiles : public testing::Test {
@@ -30,7 +39,7 @@ class AutosaveFiles : public testing::Test {
     }
     fs::path copyWith(const char* fov) {
         EXPECT_TRUE(doc.setField("camera.Camera.fovDeg", fov));
-        const auto made = writeAutosave(doc.project(), tables().components);
+        const auto made = writeAutosave(doc.project(), tables().components, autosaveFolder(dir / "p"));
         EXPECT_TRUE(made) << made.error().text();
         return made ? *made : fs::path();
     }
@@ -71,14 +80,47 @@ TEST_F(AutosaveFiles, ProjectsOfTheSameNameAreKeptApart) {
     EXPECT_TRUE(autosavesOf(dir / "q/p").empty());
 }
 
-TEST_F(AutosaveFiles, HalfACopyAndThoseOfARunningProgramAreNotOffered) {
+TEST_F(AutosaveFiles, HalfACopyIsNotOffered) {
     copyWith("60");
     fs::create_directories(autosaveFolder(dir / "p") / "0002/maps");
     EXPECT_EQ(autosavesOf(dir / "p").size(), 1u);
-    test::writeText(autosaveFolder(dir / "p") / "pid", std::to_string(getppid()));
-    EXPECT_TRUE(autosavesOf(dir / "p").empty());
-    test::writeText(autosaveFolder(dir / "p") / "pid", "999999999");
+}
+
+// After a reboot the number of the process that made them may be anybody's.
+TEST_F(AutosaveFiles, CopiesAreOfferedWhoeverHasTheirMakersNumberNow) {
+    copyWith("60");
+    const std::string alive = std::to_string(getppid());
+    test::writeText(autosaveFolder(dir / "p") / "pid", alive);
+    test::writeText(autosaveFolder(dir / "p") / "lock", alive + " meadow\n");
     EXPECT_EQ(autosavesOf(dir / "p").size(), 1u);
+}
+
+TEST_F(AutosaveFiles, ThoseOfARunningProgramAreNotOfferedUntilItEnds) {
+    copyWith("60");
+    const test::Child child = test::startChild("hold-copies", {(autosaveFolder(dir / "p") / "lock").string()});
+    char begun = 0;
+    ASSERT_EQ(read(child.output, &begun, 1), 1);
+    EXPECT_TRUE(autosavesOf(dir / "p").empty());
+    forgetAutosaves(dir / "p");
+    kill(child.pid, SIGKILL);
+    test::finishChild(child);
+    EXPECT_EQ(autosavesOf(dir / "p").size(), 1u) << "what another holds is not thrown away";
+    forgetAutosaves(dir / "p");
+    EXPECT_TRUE(autosavesOf(dir / "p").empty());
+}
+
+TEST_F(AutosaveFiles, ASecondEditorKeepsItsCopiesApart) {
+    auto first = takeAutosavePlace(dir / "p"), second = takeAutosavePlace(dir / "p");
+    ASSERT_TRUE(first && second);
+    EXPECT_NE(first->folder, second->folder);
+    ASSERT_TRUE(writeAutosave(doc.project(), tables().components, first->folder));
+    ASSERT_TRUE(writeAutosave(doc.project(), tables().components, second->folder));
+    EXPECT_TRUE(autosavesOf(dir / "p").empty()) << "both live";
+    second->lock.release();  // as if it had been killed
+    EXPECT_EQ(autosavesOf(dir / "p").size(), 1u);
+    const auto later = takeAutosavePlace(dir / "p");
+    ASSERT_TRUE(later);
+    EXPECT_NE(later->folder, second->folder) << "what is still to be offered is left alone";
 }
 
 TEST_F(AutosaveFiles, TakingACopyOverIsOneUnsavedStep) {
