@@ -40,6 +40,8 @@ struct Shell {
     std::string features = {};  // featureConstants of what its program is compiled for
 };
 struct ShellView : EffectState {
+    Texture depth;               // the scene's, as it was before the shells
+    int samples = 0;             // of a texel of it
     std::vector<Shell> shells;   // nearest first
     PerSpecies<Buffer> globals;  // SliceGlobals in the patch's own cells
 };
@@ -52,7 +54,7 @@ void describe(GpuCarrier& c) {
         {3, offsetof(CarrierVertex, position)}, {3, offsetof(CarrierVertex, normal)},
         {2, offsetof(CarrierVertex, uv)},       {3, offsetof(CarrierVertex, alongU)},
         {3, offsetof(CarrierVertex, alongV)},   {3, offsetof(CarrierVertex, bend)},
-        {1, offsetof(CarrierVertex, lift)}};
+        {1, offsetof(CarrierVertex, lift)},     {4, offsetof(CarrierVertex, chart)}};
     for (GLuint i = 0; i < std::size(attributes); ++i) {
         glEnableVertexArrayAttrib(mesh, i);
         glVertexArrayAttribBinding(mesh, i, 0);
@@ -205,7 +207,9 @@ std::string rayConstants(RayRest rest) { return fmt::format("const int REST = {}
 bool begin(DrawContext& ctx, const Shell& shell) {
     const auto& rays = shell.field->view->settings<RaytracedGrass>();
     endTransparency();
-    if (!ctx.use(0, fieldConstants(shell.field->view->of) + rayConstants(rays.rest), &shell.features)) return false;
+    const std::string constants =
+        fieldConstants(shell.field->view->of) + rayConstants(rays.rest) + depthConstants(ctx.targets);
+    if (!ctx.use(0, constants, &shell.features)) return false;
     bindField(*shell.field);
     bindMaps(shell);
     beginTransparency(ctx, *shell.field);
@@ -227,8 +231,26 @@ void drawShell(DrawContext& ctx, const GpuCarrier& carrier) {
     glDisable(GL_CULL_FACE);
 }
 
+// What is drawn into cannot be read: shells read a copy.
+void copyDepth(DrawContext& ctx, ShellView& view) {
+    const ViewTargets& t = ctx.targets;
+    const GLenum format = t.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                 kind = t.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    const Texture& had = view.depth;
+    const bool fits =
+        had.width == t.width && had.height == t.height && had.format == format && view.samples == t.samples;
+    view.samples = t.samples;
+    if (!fits)
+        view.depth = t.samples > 1 ? makeTexture2DMultisample(ctx.gpu, kOwner, format, t.width, t.height, t.samples)
+                                   : makeTexture2D(ctx.gpu, kOwner, format, t.width, t.height);
+    glCopyImageSubData(t.depth.id(), kind, 0, 0, 0, 0, view.depth.id(), kind, 0, 0, 0, 0, t.width, t.height, 1);
+    glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, view.depth.id());
+}
+
 void draw(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
+    if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.seen; }))
+        copyDepth(ctx, view);
     for (const Shell& shell : view.shells) {
         if (!begin(ctx, shell)) break;  // also while it is not seen: no halt when it comes into view
         for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
@@ -270,9 +292,10 @@ void bake(DrawContext& ctx) { makeSlices(ctx, Feature::GrassOnMeshes); }
 
 std::vector<std::string> variants() {
     std::vector<std::string> out;
-    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(RayRest::Mean));
+    const std::vector<std::string> depths = depthVariants();
+    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(RayRest::Mean) + depths[1]);
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(rest));
+        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(rest) + depths[0]);
     return out;
 }
 

@@ -172,6 +172,25 @@ void smoothBends(MeshCarrier& c, const std::vector<uint32_t>& place) {
     for (size_t i = 0; i < c.vertices.size(); ++i) c.vertices[i].bend = bendOf(c.vertices[i], tensors[place[i]]);
 }
 
+// Parts of the texture coordinates hang together by the vertices that triangles share.
+uint32_t rootOf(std::vector<uint32_t>& parent, uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+}
+void setCharts(MeshCarrier& c) {
+    std::vector<uint32_t> parent(c.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    for (size_t i = 0; i < c.indices.size(); i += 3)
+        for (size_t k = 1; k < 3; ++k) parent[rootOf(parent, c.indices[i + k])] = rootOf(parent, c.indices[i]);
+    std::vector<glm::vec4> charts(c.vertices.size(), glm::vec4(1e30f, 1e30f, -1e30f, -1e30f));
+    for (uint32_t v = 0; v < c.vertices.size(); ++v) {
+        glm::vec4& chart = charts[rootOf(parent, v)];
+        const glm::vec2 uv = c.vertices[v].uv;
+        chart = {glm::min(glm::vec2(chart.x, chart.y), uv), glm::max(glm::vec2(chart.z, chart.w), uv)};
+    }
+    for (uint32_t v = 0; v < c.vertices.size(); ++v) c.vertices[v].chart = charts[rootOf(parent, v)];
+}
+
 // Walls along directed edges that no triangle has the other way round.
 void addSkirts(MeshCarrier& c, const std::vector<uint32_t>& place) {
     const auto key = [](uint32_t a, uint32_t b) { return uint64_t(a) << 32 | b; };
@@ -210,6 +229,7 @@ MeshCarrier carrierOf(const Mesh& mesh) {
     for (size_t i = 0; i < out.vertices.size(); ++i) setDirections(out.vertices[i], split.gathered[i], uvPerLength);
     out.surface = out.indices.size();
     setBends(out);
+    setCharts(out);
     const std::vector<uint32_t> place = weldedPlaces(out.vertices);
     smoothBends(out, place);
     addSkirts(out, place);

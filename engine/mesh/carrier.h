@@ -23,6 +23,7 @@ struct CarrierVertex {
     glm::vec3 bend;            // curvature (1 / length; above 0: like a ball's outside) along the tangent, mixed, along
                                // the bitangent of carrierFrame: the mean over some edges around
     float lift = 1;
+    glm::vec4 chart{0};  // of the part of the texture coordinates that hangs together with it: least u, v, greatest
 };
 struct MeshCarrier {
     std::vector<CarrierVertex> vertices;

@@ -1,11 +1,12 @@
 // A ray through the slices over a mesh (lib/slice_rays.glsl), in the frame that the surface has where the ray comes in;
 // from there on the surface is taken to bend as it does there. Below the vertical slices lies the horizontal one. Maps
-// lie on the mesh's texture coordinates. Needs: const int REST.
+// lie on the mesh's texture coordinates. Needs: const int REST; const bool MULTISAMPLED.
 #include "lib/density.glsl"
 #include "lib/far_light.glsl"
 #include "lib/field.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_rays.glsl"
 #include "lib/slices.glsl"
@@ -25,6 +26,7 @@ in vec3 alongU;
 in vec3 alongV;
 in vec3 bend;
 in float lift;
+flat in vec4 chart;
 out vec4 color;
 layout(depth_less) out float gl_FragDepth;
 
@@ -34,7 +36,8 @@ float mapLevelOn(ivec2 size, float pixel) {
     vec2 texels = vec2(size) * (pixel / uvLength);
     return max(log2(max(max(texels.x, texels.y), 1e-6)), 0.0);
 }
-vec2 uvOf(vec2 cells) { return cells * (slices.cellSize / uvLength); }
+// Beyond the edge of the part of the texture coordinates in which the ray came in, others lie, of elsewhere.
+vec2 uvOf(vec2 cells) { return clamp(cells * (slices.cellSize / uvLength), chart.xy, chart.zw); }
 float densityOn(vec2 cells, float pixel) {
     if (!GRASS_DENSITY) return 1.0;
     return textureLod(densityMap, uvOf(cells), mapLevelOn(textureSize(densityMap, 0), pixel)).r;
@@ -107,6 +110,22 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     add(sum, light, alpha, e.t);
 }
 
+// How far the ray goes on from `position` until it meets what was drawn before; 0: it met that already.
+float toScene(vec3 way) {
+    float depth = sceneDepth(ivec2(gl_FragCoord.xy));
+    float ahead = (frame.viewProj * vec4(way, 0.0)).w;  // along the eye's axis, a metre of the way
+    return max(kNear / max(depth * ahead, 1e-9) - length(position), 0.0);
+}
+
+// The curvature by which the surface comes to where the scene's depth has it: what triangles and dents make of the even
+// bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the surface.
+float bendSeen(float k, float above, float sinks, float scene) {
+    if (!(scene > 0.0)) return k;
+    float off = abs(above + sinks * scene + 0.5 * k * scene * scene) / slices.top, most = kMostBent / slices.top;
+    float seen = clamp(-2.0 * (above + sinks * scene) / (scene * scene), -most, most);
+    return mix(seen, k, smoothstep(0.5, 1.5, off));
+}
+
 // At its outline a mesh's triangles lie inside the surface that bends around them: what is left of a ray that comes
 // down on that so flatly is closed by the grass before it, or one would look through between both.
 void closeOutline(inout Sum sum, SliceRay ray, float bend, float height) {
@@ -133,6 +152,8 @@ void main() {
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * upright, 1e-4), k = bendAlong(seen);
     k /= max(1.0 + k * above, 0.25);  // a lifted surface bends less
+    float scene = toScene(way);
+    k = bendSeen(k, above, seen.y, scene);
 
     // Down to where the grass here begins.
     float over = above - height, falls = seen.y * seen.y - 2.0 * k * over;
@@ -170,7 +191,7 @@ void main() {
     closeOutline(sum, ray, k, height);
     color = shownOf(sum, shell, grain);
     if (!(color.a > 0.0)) discard;
-    // The surface bulges where the ray's is taken to go on evenly: no grass sinks into it deeper than it is high.
-    sum.depth = min(sum.depth, height);
+    // No grass sinks into the surface on which it stands.
+    if (scene > ahead) sum.depth = min(sum.depth, 0.98 * (scene - ahead));
     gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
 }

@@ -13,6 +13,7 @@ layout(location = 3) in vec3 meshAlongU;
 layout(location = 4) in vec3 meshAlongV;
 layout(location = 5) in vec3 meshBend;
 layout(location = 6) in float meshLift;
+layout(location = 7) in vec4 meshChart;
 layout(location = 10) uniform vec4 rows[3];  // from the mesh to positions relative to the eye
 layout(location = 13) uniform float scale;   // metres that the mesh's unit is
 
@@ -23,6 +24,7 @@ out vec3 alongU;  // a metre
 out vec3 alongV;
 out vec3 bend;  // 1/m
 out float lift;
+flat out vec4 chart;
 
 vec3 turned(vec3 v) { return vec3(dot(rows[0].xyz, v), dot(rows[1].xyz, v), dot(rows[2].xyz, v)) / scale; }
 
@@ -35,6 +37,7 @@ void main() {
     alongV = turned(meshAlongV) / scale;
     bend = meshBend / scale;
     lift = meshLift;
+    chart = meshChart;
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
 }

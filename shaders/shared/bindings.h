@@ -40,8 +40,8 @@
 #define TEX_SCENE 8    // post passes: nothing of the above is bound for them
 #define TEX_DEPTH 9    // of one sample
 #define TEX_DEPTH_SAMPLES 10
-#define TEX_FAR_REFLECTANCE 9  // the horizontal slice, where it is read together with the vertical ones
-#define TEX_FAR_THRESHOLD 10
+#define TEX_FAR_REFLECTANCE 7  // the horizontal slice, where it is read together with the vertical ones
+#define TEX_FAR_THRESHOLD 15
 #define TEX_FAR_LIGHT 11
 #define TEX_SLICE_REFLECTANCE 16
 #define TEX_SLICE_THRESHOLD 17

@@ -45,15 +45,16 @@ TEST(Carrier, ABallBendsAsItsRadiusSaysInEveryDirection) {
     const MeshCarrier c = carrierOf(made({.kind = SolidKind::Ball, .size = glm::vec3(radius), .unwrap = true}));
     EXPECT_NEAR(c.area, 4 * 3.14159265 * 0.25, 0.02 * 3.14);
     EXPECT_EQ(c.unmapped + c.mirrored, 0u);
-    // Normals are means of the faces around, which are 7.5 degrees wide: least sure where three charts meet.
+    // A mean over four edges of 7.5 degrees is taken over surroundings that turn away, and so is 3% less than what it
+    // is of; normals, means of the faces around, are least sure where three charts meet (0.94).
     double mean = 0;
     for (const CarrierVertex& v : c.vertices) {
-        EXPECT_NEAR(v.bend.x * radius, 1, 0.05);
-        EXPECT_NEAR(v.bend.y * radius, 0, 0.05);
-        EXPECT_NEAR(v.bend.z * radius, 1, 0.05);
+        EXPECT_NEAR(v.bend.x * radius, 0.97, 0.035);
+        EXPECT_NEAR(v.bend.y * radius, 0, 0.035);
+        EXPECT_NEAR(v.bend.z * radius, 0.97, 0.035);
         mean += static_cast<double>(v.bend.x + v.bend.z) / (2 * static_cast<double>(c.vertices.size()));
     }
-    EXPECT_NEAR(mean * static_cast<double>(radius), 1, 0.02);
+    EXPECT_NEAR(mean * static_cast<double>(radius), 0.97, 0.005);
     EXPECT_EQ(c.indices.size(), c.surface) << "a ball goes on everywhere, also over the seams of its charts";
 }
 
@@ -95,6 +96,17 @@ TEST(Carrier, DirectionsFollowTextureCoordinatesAndMirroredOnesAreSplit) {
     EXPECT_EQ(both.mirrored, 1u);
     for (const CarrierVertex& v : both.vertices)
         if (v.lift == 1) EXPECT_GT(glm::length(v.alongU), 0.2f) << "what they share is no mean of both";
+}
+
+TEST(Carrier, AChartReachesAsFarAsItsTextureCoordinatesHangTogether) {
+    const MeshCarrier c = carrierOf(made({.kind = SolidKind::Ball, .unwrap = true}));
+    for (const CarrierVertex& v : c.vertices) {
+        const glm::vec2 chart = glm::floor(v.uv * 3.0f);
+        EXPECT_NEAR(v.chart.x, (chart.x + 0.02f) / 3, 1e-5);
+        EXPECT_NEAR(v.chart.y, (chart.y + 0.02f) / 3, 1e-5);
+        EXPECT_NEAR(v.chart.z, (chart.x + 0.98f) / 3, 1e-5);
+        EXPECT_NEAR(v.chart.w, (chart.y + 0.98f) / 3, 1e-5);
+    }
 }
 
 TEST(Carrier, WhatHasNoAreaCarriesNothing) {
