@@ -74,9 +74,9 @@ SWARD_LIMITS("raytraced-quads", [] {
 });
 
 SWARD_LIMITS("raytraced-growth", [] {
-    if (!gpu()) return reportLimit("frame of 64 slices a side as a share of 16", NAN, 1.15, "x");
-    Timed few(patches(Technique::Raytraced, 16)), many(patches(Technique::Raytraced, 64));
-    reportLimit("frame of 64 slices a side as a share of 16", quotient(many, few, sized(640, 480, 1), 15), 1.15, "x");
+    if (!gpu()) return reportLimit("frame of 256 slices a side as a share of 16", NAN, 1.15, "x");
+    Timed few(patches(Technique::Raytraced, 16)), many(patches(Technique::Raytraced, 256));
+    reportLimit("frame of 256 slices a side as a share of 16", quotient(many, few, sized(640, 480, 1), 15), 1.15, "x");
     Timed large(patches(Technique::Raytraced, 16, 10 * kPatches.side));
     const ViewSettings s = sized(640, 480, 1);
     large.frame(over(), s);

@@ -370,7 +370,7 @@ Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
     const Patch patch = makePatch(spec.species, spec.cellSize, spec.seed);
     const std::vector<Copy> copies = copiesNear(patch, spec.cellSize);
     SliceImages out;
-    out.slices = std::clamp(spec.slices, 1, 64);
+    out.slices = std::clamp(spec.slices, 1, kMaxSlices);
     for (const Blade& b : patch.blades) out.top = std::max({out.top, b.tip.y, b.control.y});
     out.top = std::max(out.top, 1e-3f);
     out.reflectScale = brightest(spec, patch);

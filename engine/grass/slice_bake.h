@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/jobs.h"
 #include "frame/color_image.h"
+#include "grass/slice_settings.h"
 #include "scene/population.h"
 
 namespace sward {

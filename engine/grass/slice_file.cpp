@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/log.h"
+#include "grass/slice_settings.h"
 
 namespace sward {
 namespace {
@@ -39,8 +40,8 @@ std::vector<SliceLevel> levelsOf(int width, int height, size_t layers) {
 
 bool soundHead(const Head& h, uint64_t key) {
     const auto size = [](int v) { return v >= 1 && v <= 2048 && (v & (v - 1)) == 0; };
-    return std::memcmp(h.magic, kMagic, 8) == 0 && h.key == key && h.slices >= 1 && h.slices <= 64 && size(h.width) &&
-           size(h.height) && size(h.farSize);
+    return std::memcmp(h.magic, kMagic, 8) == 0 && h.key == key && h.slices >= 1 && h.slices <= kMaxSlices &&
+           size(h.width) && size(h.height) && size(h.farSize);
 }
 
 std::optional<SliceImages> parse(const std::string& bytes, uint64_t key, std::string& wrong) {

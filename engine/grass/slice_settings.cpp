@@ -3,11 +3,23 @@
 #include "scene/field_rows.h"
 
 namespace sward {
+namespace {
+
+// Stored in full a slice has ten images along each axis, and OpenGL 4.5 promises 2048 layers.
+constexpr int kMostInFull = 100;
+std::vector<std::string> repairSlices(void* component) {
+    auto& s = *static_cast<GrassSlices*>(component);
+    if (s.storage != Storage::Full || s.slices <= kMostInFull) return {};
+    s.slices = kMostInFull;
+    return {fmt::format("stored in full there are at most {} slices; slices is now {}", kMostInFull, kMostInFull)};
+}
+
+}  // namespace
 
 ComponentRow grassSlicesRow() {
     static constexpr Range kTexels{8, 2048, 32, 512};
     static constexpr FieldRow kFields[] = {
-        whole("slices", offsetof(GrassSlices, slices), "", {1, 64, 4, 20},
+        whole("slices", offsetof(GrassSlices, slices), "", {1, kMaxSlices, 4, 20},
               "vertical slices through a cell along x, and as many along z"),
         whole("sliceWidth", offsetof(GrassSlices, sliceWidth), "texels", kTexels,
               "width of a vertical slice's images, made a power of two"),
@@ -31,8 +43,10 @@ ComponentRow grassSlicesRow() {
         real("sharpness", offsetof(GrassSlices, sharpness), "levels", {-2, 8, 0, 4},
              "how much finer than a pixel slices are sampled: 0 smooth, more as grainy as blades"),
     };
-    return settingsRow<GrassSlices>("GrassSlices", "How the images of distant blades are made and shown.", kFields,
-                                    "GrassField");
+    ComponentRow row = settingsRow<GrassSlices>("GrassSlices", "How the images of distant blades are made and shown.",
+                                                kFields, "GrassField");
+    row.repair = repairSlices;
+    return row;
 }
 
 }  // namespace sward

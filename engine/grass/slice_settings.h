@@ -27,6 +27,7 @@ inline constexpr auto kWeightsAt = enumNames<WeightsAt>("vertex", "pixel");
 enum class Filtering { Trilinear, Anisotropic };
 inline constexpr auto kFilterings = enumNames<Filtering>("trilinear", "anisotropic");
 
+inline constexpr int kMaxSlices = 256;  // through a cell along an axis
 struct GrassSlices {
     int slices = 10;                         // vertical slices through a cell along x, and as many along z
     int sliceWidth = 256, sliceHeight = 64;  // texels of a vertical slice

@@ -26,7 +26,7 @@ entity.add("turf", { GrassField = {
         leanDeg = 24, leanVariationDeg = 9, clumpSize = 0.3, clumpStrength = 0.25, translucency = 0.5, gloss = 0.45,
         rootColor = { 0.04, 0.06, 0.018 }, midColor = { 0.05, 0.12, 0.028 }, tipColor = { 0.075, 0.15, 0.04 },
     } },
-} })
+}, HybridTiers = { middleTier = "raytraced" } })  -- smoother than slices, and quicker (sward cost)
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
 -- A lamp on a stick that someone carries around, before the camera "low".
 entity.add("lantern", { Transform = { position = { 55.7, 0.4, 25 } },

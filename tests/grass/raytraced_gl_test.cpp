@@ -186,7 +186,7 @@ TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
     ViewSettings s = sized();
     s.measure = true;
     std::vector<uint64_t> fragments;
-    for (const int slices : {4, 16, 64}) {
+    for (const int slices : {16, 64, 256}) {
         Project p = meadow(Technique::Raytraced);
         flatField(p).slices = slices;
         flatField(p).sliceWidth = 32, flatField(p).sliceHeight = 16;

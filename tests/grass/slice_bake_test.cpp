@@ -314,7 +314,7 @@ TEST(SliceBake, WithoutBladesAllIsTransparentAndOddSizesBecomePowersOfTwo) {
     s.species.bladesPerM2 = 0;
     s.width = 33, s.height = 5, s.farSize = 1, s.slices = 1000;
     const SliceImages images = baked(s);
-    EXPECT_EQ(images.slices, 64);
+    EXPECT_EQ(images.slices, kMaxSlices);
     EXPECT_EQ(images.vertical[0].width, 64);
     EXPECT_EQ(images.vertical[0].height, 8);
     EXPECT_EQ(images.far[0].width, 1);
