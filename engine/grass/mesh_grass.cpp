@@ -251,6 +251,8 @@ void draw(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
     if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.seen; }))
         copyDepth(ctx, view);
+    else
+        view.depth = {};
     for (const Shell& shell : view.shells) {
         if (!begin(ctx, shell)) break;  // also while it is not seen: no halt when it comes into view
         for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {

@@ -19,14 +19,16 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 
 entity.add("ground", { Terrain = { size = size, gridSpacing = 0.5, groundColor = { 0.09, 0.075, 0.045 } } })
 entity.add("turf", { GrassField = {
-    cellSize = 0.5, minGeom = 1.5, maxGeom = 3.5, minBTF = 8, maxBTF = 13, slices = 20,
+    cellSize = 0.5, slices = 20,
     species = { {
         name = "ryegrass", bladesPerM2 = blades / (pitch.x * pitch.z),
         height = 0.0315, heightVariation = 0.2, width = 0.003, bend = 0.25, segments = 2,
         leanDeg = 24, leanVariationDeg = 9, clumpSize = 0.3, clumpStrength = 0.25, translucency = 0.5, gloss = 0.45,
         rootColor = { 0.04, 0.06, 0.018 }, midColor = { 0.05, 0.12, 0.028 }, tipColor = { 0.075, 0.15, 0.04 },
     } },
-}, HybridTiers = { middleTier = "raytraced" } })  -- smoother than slices, and quicker (sward cost)
+}, HybridTiers = {  -- rays at middle distance are smoother than slices, and quicker (sward cost)
+    minGeom = 1.5, maxGeom = 3.5, minBTF = 8, maxBTF = 13, middleTier = "raytraced",
+} })
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
 -- A lamp on a stick that someone carries around, before the camera "low".
 entity.add("lantern", { Transform = { position = { 55.7, 0.4, 25 } },
