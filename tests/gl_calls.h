@@ -65,9 +65,9 @@ struct Hook<pointer> {
     X(glCompileShader) X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) \
     X(glCreateTextures) X(glCreateVertexArrays) X(glDebugMessageCallback) X(glDebugMessageControl) \
     X(glDeleteBuffers) X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) X(glDeleteShader) \
-    X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glDepthFunc) X(glDepthMask) X(glDisable) \
+    X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glCopyImageSubData) X(glDepthFunc) X(glDepthMask) X(glDisable) \
     X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(glDrawArrays) \
-    X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElementsInstanced) \
+    X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsInstanced) \
     X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) X(glEndQuery) X(glFenceSync) \
     X(glFinish) X(glFrontFace) X(glGenQueries) X(glGenerateTextureMipmap) X(glGetIntegerv) \
     X(glGetNamedBufferSubData) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v) \
@@ -78,7 +78,7 @@ struct Hook<pointer> {
     X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureBarrier) \
     X(glTextureParameterf) X(glTextureParameteri) X(glTextureStorage2D) X(glTextureStorage2DMultisample) \
     X(glTextureStorage3D) X(glTextureSubImage2D) X(glTextureSubImage3D) X(glUniform1f) X(glUniform1i) \
-    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3f) X(glUniform3ui) X(glUniform4f) X(glUniform4ui) X(glUseProgram) \
+    X(glUniform1ui) X(glUniform2f) X(glUniform2i) X(glUniform3f) X(glUniform3ui) X(glUniform4f) X(glUniform4fv) X(glUniform4ui) X(glPolygonOffset) X(glUseProgram) \
     X(glVertexArrayAttribBinding) X(glVertexArrayAttribFormat) X(glVertexArrayAttribIFormat) \
     X(glVertexArrayBindingDivisor) X(glVertexArrayElementBuffer) X(glVertexArrayVertexBuffer) X(glViewport)
 // clang-format on

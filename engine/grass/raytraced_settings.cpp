@@ -25,7 +25,8 @@ std::vector<SettingValues> sweep(const FieldEntity&) {
     std::vector<SettingValues> out;
     for (const char* steps : {"steps=4", "steps=8", "steps=16", "steps=32"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({steps, msaa});
-    for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published"}) out.push_back({one, "msaa=4"});
+    for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared"})
+        out.push_back({one, "msaa=4"});
     return out;
 }
 

@@ -31,6 +31,8 @@ ComponentRow grassSlicesRow() {
              "where the horizontal slice lies, as a share of the tallest blade's height"),
         choice("storage", &GrassSlices::storage, offsetof(GrassSlices, storage), kStorages,
                "how slices are stored: factored, compressed, or an image a light as published"),
+        choice("sets", &GrassSlices::sets, offsetof(GrassSlices, sets), kSliceSets,
+               "images of slices across each axis, or of those across x for both: half the memory, other blades"),
         choice("sliceCover", &GrassSlices::sliceCover, offsetof(GrassSlices, sliceCover), kSliceCovers,
                "slices cover what the blades would in this view, or all that they hold, as published"),
         choice("lightWeights", &GrassSlices::lightWeights, offsetof(GrassSlices, lightWeights), kLightWeights,

@@ -20,6 +20,10 @@ inline constexpr auto kSliceCovers = enumNames<SliceCover>("conserving", "publis
 enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
 inline constexpr auto kLightWeights =
     enumNames<LightWeighting>("cosine", "atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published");
+// Whether slices across z have images of their own, or show those of the slices across x (Habel, Wimmer and Jeschke
+// 2007, section 3: one set or two), which takes half the memory, but shows blades where they do not stand.
+enum class SliceSets { Each, Shared };
+inline constexpr auto kSliceSets = enumNames<SliceSets>("each", "shared");
 // Where the weights of point lights are computed.
 enum class WeightsAt { Vertex, Pixel };
 inline constexpr auto kWeightsAt = enumNames<WeightsAt>("vertex", "pixel");
@@ -34,6 +38,7 @@ struct GrassSlices {
     int farSize = 256;                       // texels of the horizontal slice, each way
     float farHeight = 0.3f;  // where the horizontal slice lies, as a share of the tallest blade's height
     Storage storage = Storage::Factored;
+    SliceSets sets = SliceSets::Each;
     SliceCover sliceCover = SliceCover::Conserving;
     LightWeighting lightWeights = LightWeighting::Cosine;
     WeightsAt weightsAt = WeightsAt::Vertex;

@@ -83,13 +83,14 @@ size_t SliceTextures::bytes() const {
 }
 
 SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images,
-                           Storage storage) {
+                           Storage storage, SliceSets sets) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);  // the last levels are narrower than 4 bytes
     SliceTextures out;
     out.slices = images.slices, out.top = images.top, out.reflectScale = images.reflectScale;
+    out.layers = (sets == SliceSets::Shared ? 1 : 2) * images.slices;
     out.farDepth = -std::log(1 - std::min(meanOpacity(images.far[0]), 0.999f));
     if (!owner.empty()) {
-        Set s = uploadSet(gpu, owner, images.vertical, 2 * images.slices, storage, GL_CLAMP_TO_EDGE);
+        Set s = uploadSet(gpu, owner, images.vertical, out.layers, storage, GL_CLAMP_TO_EDGE);
         out.reflectance = std::move(s.reflectance), out.threshold = std::move(s.threshold),
         out.light = std::move(s.light);
     }

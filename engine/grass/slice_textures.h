@@ -7,12 +7,13 @@
 
 namespace sward {
 
-// Arrays of layers. Vertical: layers 0..slices-1 cut x, then those that cut z. Light: the numbers of the front view,
-// layer by layer, then those of the back view. Full storage: colours, layers [view][light][slice].
+// Arrays of layers. Vertical: layers 0..slices-1 cut x, then, where they have images of their own, those that cut z.
+// Light: the numbers of the front view, layer by layer, then those of the back view. Full storage: colours, layers
+// [view][light][slice].
 struct SliceTextures {
     Texture reflectance, threshold, light;           // vertical
     Texture farReflectance, farThreshold, farLight;  // horizontal, one layer
-    int slices = 0;
+    int slices = 0, layers = 0;                      // along an axis; of the vertical images
     float top = 0, reflectScale = 1;
     float farDepth = 0;  // optical depth of the horizontal slice: what its mean opacity is 1 - exp of
     // Bytes of the textures, levels included, as the GPU's ledger counts them.
@@ -20,6 +21,6 @@ struct SliceTextures {
 };
 // An empty owner: those textures are not wanted.
 SliceTextures uploadSlices(Gpu& gpu, const std::string& owner, const std::string& farOwner, const SliceImages& images,
-                           Storage storage);
+                           Storage storage, SliceSets sets = SliceSets::Each);
 
 }  // namespace sward

@@ -41,14 +41,15 @@ bool slicesAreShaded(const FeatureSet& features) {
 
 void upload(DrawContext& ctx, const GrownField& f, GrownSpecies& s, uint64_t key, const SliceImages& images) {
     const bool vertical = showsVertical(f);
-    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.of->settings<GrassSlices>().storage);
+    s.slices = uploadSlices(ctx.gpu, vertical ? kOwner : "", kFarOwner, images, f.of->settings<GrassSlices>().storage,
+                            f.of->settings<GrassSlices>().sets);
     s.sliceKey = key;
 }
 
 // Which textures the species should have: what they are made from, and how they are stored.
 uint64_t textureKey(const GrownField& f, uint64_t slices) {
     const uint64_t parts[] = {slices, static_cast<uint64_t>(f.of->settings<GrassSlices>().storage),
-                              showsVertical(f) ? 1u : 0u};
+                              static_cast<uint64_t>(f.of->settings<GrassSlices>().sets), showsVertical(f) ? 1u : 0u};
     return hashBytes(parts, sizeof(parts));
 }
 
@@ -478,6 +479,7 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.translucency = sp.translucency;
     g.meanHeight = s.look.height / f.cellSize;
     g.sharpness = std::exp2(-images.sharpness);
+    g.layers = s.slices.layers;
     return g;
 }
 

@@ -79,8 +79,8 @@ void main() {
          begin = axis == 0 ? shift : shift.yx;  // along the normal, along the slice
     float side = (axis == 0 ? -foot.x : -foot.z) * signs.x;
     int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
-    texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * n + layer));
-    lightLayer = float(side > 0.0 ? 0 : 2 * n);
+    texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * (slices.layers - n) + layer));
+    lightLayer = float(side > 0.0 ? 0 : slices.layers);
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;

@@ -8,7 +8,7 @@ struct SliceSpot {
     vec3 texel;        // across (it repeats), up, layer
     float visible;     // share of the sun that is seen from there
     vec4 images;       // of the sun (sunImages)
-    float lightLayer;  // 0 in front of the slice, twice the slices' number behind it
+    float lightLayer;  // 0 in front of the slice, slices.layers behind it
     vec3 gain;         // of light from the sun
     vec3 brighter;     // of any light
     vec3 ambient;

@@ -81,9 +81,9 @@ Met metAt(SliceHit hit, Shell shell) {
     float in_ = along - whole;
     Met m;
     m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y, clamp(1.0 + height / shell.height, 0.0, 1.0),
-                   float(axis * n + layer));
+                   float(axis * (slices.layers - n) + layer));
     m.side = seen > 0.0 ? 1.0 : -1.0;
-    m.lightLayer = seen > 0.0 ? 0.0 : float(2 * n);
+    m.lightLayer = seen > 0.0 ? 0.0 : float(slices.layers);
     m.mirror = v.mirror;
     float here = (float(hit.k) + 0.5) / float(n);
     m.at = axis == 0 ? vec2(here, along) : vec2(along, here);
@@ -142,7 +142,7 @@ void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain)
     Met m = metAt(hit, shell);
     uint r = hash2(grain, 79u);
     m.texel = vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
-                   float(axis * slices.slices + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
+                   float(axis * (slices.layers - slices.slices) + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
     vec4 stored;
     float pixel = pixelAt(length(shell.start) + hit.t), alpha = opacityOf(m, shell, kCoarse, pixel, stored);
     if (!(alpha > 0.0)) return;

@@ -50,6 +50,7 @@ struct STD140 SliceGlobals {
     float translucency;
     float meanHeight;  // cells
     float sharpness;   // 2^-(levels finer than a pixel)
+    int layers;        // of the vertical slices' images: those across z are the last `slices` of them
     LookGain gains[LOOK_VIEWS];
 };
 

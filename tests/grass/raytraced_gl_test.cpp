@@ -197,6 +197,25 @@ TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
     EXPECT_EQ(fragments[0], fragments[2]);
 }
 
+TEST(Raytraced, OneSetOfImagesForBothAxesTakesHalfTheMemoryAndLooksAlike) {
+    NoGlErrors errors;
+    for (const Technique technique : {Technique::Slices, Technique::Raytraced})
+        for (const ViewCamera& camera : {grazing(), steep()}) {
+            Project p = meadow(technique);
+            Renderer r(gpu(), tables());
+            const auto each = picture(r, p, camera);
+            const auto eachBytes = gpu().ledger.at("grass/slices");
+            flatField(p).sliced.sets = SliceSets::Shared;
+            const auto shared = picture(r, p, camera);
+            EXPECT_LT(static_cast<double>(gpu().ledger.at("grass/slices")) / static_cast<double>(eachBytes), 0.55);
+            EXPECT_NE(each, shared);
+            std::printf("covered: %.3f, shared %.3f; bright: %.4f, %.4f\n", covered(each), covered(shared),
+                        brightness(each), brightness(shared));
+            EXPECT_NEAR(covered(shared), covered(each), 0.05);
+            EXPECT_NEAR(brightness(shared), brightness(each), 0.08 * brightness(each));
+        }
+}
+
 TEST(Raytraced, LeansWithTheWindAndStillDoesAfterAMonth) {
     NoGlErrors errors;
     Project p = meadow(Technique::Raytraced);
