@@ -7,7 +7,7 @@
 #include "grass/mesh_grass_settings.h"
 #include "mesh/carrier.h"
 #include "mesh/mesh_io.h"
-#include "reference/embree.h"
+#include "reference/blade_hits.h"
 #include "scene/population.h"
 #include "world/ground.h"
 #include "world/placement.h"
@@ -221,38 +221,10 @@ struct ShellQuery {
 // The nearest place in ]near, far[ where the ray meets the blade, and its image's opacity there lets it.
 std::optional<f32::RibbonHit> bladeMet(const ShellQuery& q, uint32_t blade, float near, float far) {
     const PlantedBlade& b = q.shell->blades[blade];
-    const glm::vec3 o = b.axes.inside(q.origin - b.root), way = b.axes.inside(q.way);
-    const glm::vec2 at = f32::ribbonMeetings(o, way, b.control, b.tip, b.facing);
-    std::optional<f32::RibbonHit> found;
-    for (const float v : {at.x, at.y}) {
-        if (!(v >= 0 && v <= 1)) continue;
-        const f32::RibbonHit h = f32::ribbonAt(o, way, b.control, b.tip, b.facing, b.width, v);
-        if (!(h.t > near && h.t < far) || std::abs(h.across) > 0.5f) continue;
-        const TexelGrid& image = q.shell->kinds[b.kind].image;
-        const float opacity = image.at(static_cast<double>(h.across) + 0.5, static_cast<double>(v), false).w;
-        if (opacity <= f32::hashUnit(f32::hash3(q.grain, blade, b.kind))) continue;
-        found = h;
-        far = h.t;
-    }
-    return found;
-}
-
-void meetClosest(const RTCIntersectFunctionNArguments* a) {
-    if (!a->valid[0]) return;
-    ShellQuery& q = *reinterpret_cast<ShellQuery*>(a->context);
-    RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
-    const auto met = bladeMet(q, a->primID, r.ray.tnear, r.ray.tfar);
-    if (!met) return;
-    q.blade = a->primID;
-    q.hit = *met;
-    r.ray.tfar = met->t;
-    r.hit.geomID = a->geomID, r.hit.primID = a->primID;
-}
-void meetAny(const RTCOccludedFunctionNArguments* a) {
-    if (!a->valid[0]) return;
-    const ShellQuery& q = *reinterpret_cast<const ShellQuery*>(a->context);
-    RTCRay& r = *reinterpret_cast<RTCRay*>(a->ray);
-    if (bladeMet(q, a->primID, r.tnear, r.tfar)) r.tfar = -std::numeric_limits<float>::infinity();
+    const float chance = f32::hashUnit(f32::hash3(q.grain, blade, b.kind));
+    return bladeMetBy({b.axes.inside(q.origin - b.root), b.axes.inside(q.way), b.control, b.tip, b.facing, b.width,
+                       q.shell->kinds[b.kind].image, chance},
+                      near, far);
 }
 
 // The curve lies in the hull of root, control and tip.
@@ -276,8 +248,8 @@ Status makeScene(MeshShell& s) {
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(
         g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, meetClosest);
-    rtcSetGeometryOccludedFunction(g, meetAny);
+    rtcSetGeometryIntersectFunction(g, (meetClosestBlade<ShellQuery, bladeMet>));
+    rtcSetGeometryOccludedFunction(g, (meetAnyBlade<ShellQuery, bladeMet>));
     rtcCommitGeometry(g);
     rtcAttachGeometry(s.scene.get(), g);
     rtcReleaseGeometry(g);

@@ -2,6 +2,7 @@
 
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "reference/blade_hits.h"
 
 namespace sward {
 namespace {
@@ -149,37 +150,9 @@ const Posed& keptBlade(const Query& q, uint32_t blade) {
 std::optional<f32::RibbonHit> bladeMet(const Query& q, uint32_t blade, float near, float far) {
     const Posed& b = keptBlade(q, blade);
     if (b.width <= 0) return std::nullopt;
-    const glm::vec3 o = q.origin - b.root;
-    const glm::vec2 at = f32::ribbonMeetings(o, q.way, b.control, b.tip, b.facing);
-    std::optional<f32::RibbonHit> found;
-    for (const float v : {at.x, at.y}) {
-        if (!(v >= 0 && v <= 1)) continue;
-        const f32::RibbonHit h = f32::ribbonAt(o, q.way, b.control, b.tip, b.facing, b.width, v);
-        if (!(h.t > near && h.t < far) || std::abs(h.across) > 0.5f) continue;
-        const float opacity = q.kind->image.at(static_cast<double>(h.across) + 0.5, static_cast<double>(v), false).w;
-        if (opacity <= f32::hashUnit(f32::hash3(q.grain, blade, static_cast<uint32_t>(q.cell->key)))) continue;
-        found = h;
-        far = h.t;
-    }
-    return found;
-}
-
-void meetClosest(const RTCIntersectFunctionNArguments* a) {
-    if (!a->valid[0]) return;
-    Query& q = *reinterpret_cast<Query*>(a->context);
-    RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
-    const auto met = bladeMet(q, a->primID, r.ray.tnear, r.ray.tfar);
-    if (!met) return;
-    q.blade = a->primID;
-    q.hit = *met;
-    r.ray.tfar = met->t;
-    r.hit.geomID = a->geomID, r.hit.primID = a->primID;
-}
-void meetAny(const RTCOccludedFunctionNArguments* a) {
-    if (!a->valid[0]) return;
-    const Query& q = *reinterpret_cast<const Query*>(a->context);
-    RTCRay& r = *reinterpret_cast<RTCRay*>(a->ray);
-    if (bladeMet(q, a->primID, r.tnear, r.tfar)) r.tfar = -std::numeric_limits<float>::infinity();
+    const float chance = f32::hashUnit(f32::hash3(q.grain, blade, static_cast<uint32_t>(q.cell->key)));
+    return bladeMetBy({q.origin - b.root, q.way, b.control, b.tip, b.facing, b.width, q.kind->image, chance}, near,
+                      far);
 }
 
 // The scene of a key, made the first time it is asked for.
@@ -199,8 +172,8 @@ RTCScene sceneFor(const Kind& kind, const SceneKey& key, std::span<const Blade> 
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(
         g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
-    rtcSetGeometryIntersectFunction(g, meetClosest);
-    rtcSetGeometryOccludedFunction(g, meetAny);
+    rtcSetGeometryIntersectFunction(g, (meetClosestBlade<Query, bladeMet>));
+    rtcSetGeometryOccludedFunction(g, (meetAnyBlade<Query, bladeMet>));
     rtcCommitGeometry(g);
     rtcAttachGeometry(s.scene.get(), g);
     rtcReleaseGeometry(g);
