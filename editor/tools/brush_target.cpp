@@ -51,8 +51,12 @@ void remember(BrushBook& book, MapKind kind) {
 std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
     if (!doc.isOpen()) return {};
     std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
-    std::erase_if(maps,
-                  [](const ConstFieldRef& f) { return f.row->map->role == MapRole::Heights || f.row->map->onMesh; });
+    const Project& p = doc.project();
+    std::erase_if(maps, [&p](const ConstFieldRef& f) {
+        const GrassField* grass = p.registry.get<GrassField>(findEntity(p, f.entity));
+        const bool unread = grass && !grass->onTerrain && isRowOf<GrassField>(*f.component);
+        return f.row->map->role == MapRole::Heights || f.row->map->onMesh || unread;
+    });
     return maps;
 }
 
