@@ -97,6 +97,13 @@ void publishMaps(DrawContext& ctx, GrownField& field) {
     field.occlusion = texture(f.ambientOcclusion, "ambientOcclusion", "grass/occlusion", false, true);
 }
 
+// Of a field that grows on meshes alone: its maps lie on the terrain, and their textures go.
+void forgetMaps(GrownField& field) {
+    field.everywhere = {};
+    field.orientation = field.vegetation = field.forces = field.bladeHeights = field.occlusion = 0;
+    for (const auto& s : field.species) s->density = 0;
+}
+
 void updateSpecies(DrawContext& ctx, GrownField& field, size_t i) {
     const GrassField& f = field.grows();
     GrownSpecies& s = *field.species[i];
@@ -114,7 +121,7 @@ void updateField(DrawContext& ctx, GrownField& field) {
     field.species.resize(field.grows().species.size());
     for (auto& s : field.species)
         if (!s) s = std::make_unique<GrownSpecies>();
-    if (field.grows().onTerrain) publishMaps(ctx, field);
+    field.grows().onTerrain ? publishMaps(ctx, field) : forgetMaps(field);
     for (size_t i = 0; i < field.species.size(); ++i) updateSpecies(ctx, field, i);
 }
 

@@ -30,7 +30,7 @@ flat in vec4 chart;
 out vec4 color;
 layout(depth_less) out float gl_FragDepth;
 
-const float kMostBent = 4.0;  // the least radius that is followed, in heights of the shell, is 1 / kMostBent
+const float kMostBent = 4.0;  // curvature of the surface that is followed at most, times the shell's height
 
 float mapLevelOn(ivec2 size, float pixel) {
     vec2 texels = vec2(size) * (pixel / uvLength);
@@ -48,6 +48,7 @@ vec3 paintedOn(vec3 reflectance, vec2 cells, float pixel) {
     return mix(reflectance, paint.rgb / slices.reflectScale, paint.a);
 }
 float grownAt(Met m, Shell shell, float pixel) { return densityOn(m.at, pixel); }
+
 // Curvature of the surface along a direction in the field's axes, 1/m, of a unit of length.
 float bendAlong(vec3 d) {
     float most = kMostBent / slices.top;

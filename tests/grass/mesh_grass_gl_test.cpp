@@ -196,6 +196,23 @@ TEST(MeshGrass, NeedsNoSecondBakeAndSharesImagesWithTheTerrains) {
     EXPECT_GT(gpu().ledger.at("grass/mesh-grass"), 0);
 }
 
+TEST(MeshGrass, OfAFieldThatLeavesTheTerrainReadsNoneOfItsMaps) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = meadow(dir);
+    FlatField f = flatField(p);
+    f.species[0].density = field(filled({16, 16, 1, PixelType::U8}, 0.8f), "maps/d.png");
+    f.vegetation = field(filled({16, 16, 4, PixelType::U8}, 0.4f), "maps/v.png");
+    f.orientation = field(filled({16, 16, 2, PixelType::U16}, 0.8f), "maps/o.png");
+    putObject(p, "rock", {kBall}, {10, 0, 10});
+    put<MeshGrass>(p, "rock");
+    Renderer r(gpu(), tables());
+    ASSERT_TRUE(r.draw(p, atBall(), sized(64, 48, 1)));
+    f.grows.onTerrain = false;
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(r.draw(p, atBall(), sized(64, 48, 1)));
+    EXPECT_FALSE(gpu().ledger.contains("grass/vegetation") && gpu().ledger.at("grass/vegetation") > 0);
+}
+
 TEST(MeshGrass, SaysWhatItFollowsAndThatNoTechniqueChangesIt) {
     const TempDir dir;
     Project p = onMesh(dir, kBall);
