@@ -8,6 +8,7 @@
 #include "fields.h"
 #include "grass/mesh_grass_settings.h"
 #include "objects.h"
+#include "pixels.h"
 #include "project/project_files.h"
 #include "reference/reference.h"
 #include "scenes.h"
@@ -60,20 +61,6 @@ std::vector<float> truth(const Project& p, const ViewCamera& camera) {
     settings.width = 160, settings.height = 120, settings.samples = 8;
     return scene->trace(camera, settings, control)->color;
 }
-double brightness(const std::vector<float>& pixels) {
-    double sum = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3)
-        sum += 0.2126 * static_cast<double>(pixels[i]) + 0.7152 * static_cast<double>(pixels[i + 1]) +
-               0.0722 * static_cast<double>(pixels[i + 2]);
-    return 3 * sum / static_cast<double>(pixels.size());
-}
-// Share of pixels in which green beats the soil's red.
-double covered(const std::vector<float>& pixels) {
-    size_t n = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
-    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
-}
-
 TEST(MeshGrass, OnAPlateIsWhatTheTerrainsIs) {
     NoGlErrors errors;
     const TempDir dir;

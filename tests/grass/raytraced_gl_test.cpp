@@ -6,6 +6,7 @@
 
 #include "fields.h"
 #include "objects.h"
+#include "pixels.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -41,19 +42,6 @@ std::vector<float> picture(Renderer& r, const Project& p, const ViewCamera& came
 std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = sized()) {
     Renderer r(gpu(), tables());
     return picture(r, p, camera, settings);
-}
-double brightness(const std::vector<float>& pixels) {
-    double sum = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3)
-        sum += 0.2126 * static_cast<double>(pixels[i]) + 0.7152 * static_cast<double>(pixels[i + 1]) +
-               0.0722 * static_cast<double>(pixels[i + 2]);
-    return 3 * sum / static_cast<double>(pixels.size());
-}
-// Share of pixels in which green beats the soil's red.
-double covered(const std::vector<float>& pixels) {
-    size_t n = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
-    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
 }
 bool isFinite(const std::vector<float>& pixels) {
     return std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
