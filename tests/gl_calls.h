@@ -65,7 +65,7 @@ struct Hook<pointer> {
     X(glCompileShader) X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) \
     X(glCreateTextures) X(glCreateVertexArrays) X(glDebugMessageCallback) X(glDebugMessageControl) \
     X(glDeleteBuffers) X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) X(glDeleteShader) \
-    X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glCopyImageSubData) X(glDepthFunc) X(glDepthMask) X(glDisable) \
+    X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glCopyImageSubData) X(glCullFace) X(glDepthFunc) X(glDepthMask) X(glDisable) \
     X(glDisableVertexArrayAttrib) X(glDispatchCompute) X(glDispatchComputeIndirect) X(glDrawArrays) \
     X(glDrawArraysIndirect) X(glDrawArraysInstanced) X(glDrawElements) X(glDrawElementsInstanced) \
     X(glDrawElementsInstancedBaseInstance) X(glEnable) X(glEnableVertexArrayAttrib) X(glEndQuery) X(glFenceSync) \

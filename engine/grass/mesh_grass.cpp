@@ -20,9 +20,8 @@ struct GpuCarrier {
     MeshCarrier shape;          // its vertices and indices are the GPU's
     Buffer vertices, indices;
     VertexArray mesh;
-    size_t indexCount = 0;  // 0: nothing can grow there
-    glm::vec3 centre{0};
-    float radius = 0;
+    size_t indexCount = 0;      // 0: nothing can grow there
+    glm::vec3 low{0}, high{0};  // of the mesh
 };
 struct CarrierState : EffectState {
     std::map<std::string, GpuCarrier> carriers;  // by file
@@ -35,26 +34,35 @@ struct Shell {
     const Field* field = nullptr;
     glm::vec4 rows[3] = {};  // from the mesh to positions relative to the eye
     bool seen = false;
+    std::optional<CarrierVertex> below = {};  // the surface under the eye, if the eye may be within the shell
+    float above = 0;                          // metres of the eye over that
     float scale = 1, uvLength = 1, distance = 0;
+    size_t firstPart = 0;  // of its surface, among the parts of all
     GLuint density = 0, vegetation = 0, orientation = 0;
     std::string features = {};  // featureConstants of what its program is compiled for
 };
 struct ShellView : EffectState {
-    Texture depth;               // the scene's, as it was before the shells
-    int samples = 0;             // of a texel of it
+    Texture depth;          // the scene's, as it was before the shells
+    int samples = 0;        // of a texel of it
+    Texture ends, leaving;  // of the nearest sides of shells that look away from the eye, where rays leave: depth;
+                            // how steeply, of which part of the surfaces
+    Framebuffer endsTarget;
+    Buffer below;  // the surface under the eye, thrice
+    VertexArray screen;
+    float endsAt = 0;            // metres over the surface at which those sides are drawn
     std::vector<Shell> shells;   // nearest first
     PerSpecies<Buffer> globals;  // SliceGlobals in the patch's own cells
 };
 
-void describe(GpuCarrier& c) {
-    const GLuint mesh = c.mesh.id();
-    glVertexArrayVertexBuffer(mesh, 0, c.vertices.id(), 0, sizeof(CarrierVertex));
-    glVertexArrayElementBuffer(mesh, c.indices.id());
+void describe(const VertexArray& array, const Buffer& vertices) {
+    const GLuint mesh = array.id();
+    glVertexArrayVertexBuffer(mesh, 0, vertices.id(), 0, sizeof(CarrierVertex));
     const std::pair<int, size_t> attributes[] = {
         {3, offsetof(CarrierVertex, position)}, {3, offsetof(CarrierVertex, normal)},
         {2, offsetof(CarrierVertex, uv)},       {3, offsetof(CarrierVertex, alongU)},
         {3, offsetof(CarrierVertex, alongV)},   {3, offsetof(CarrierVertex, bend)},
-        {1, offsetof(CarrierVertex, lift)},     {4, offsetof(CarrierVertex, chart)}};
+        {1, offsetof(CarrierVertex, lift)},     {4, offsetof(CarrierVertex, chart)},
+        {1, offsetof(CarrierVertex, part)}};
     for (GLuint i = 0; i < std::size(attributes); ++i) {
         glEnableVertexArrayAttrib(mesh, i);
         glVertexArrayAttribBinding(mesh, i, 0);
@@ -71,11 +79,10 @@ GpuCarrier uploadCarrier(Gpu& gpu, const Mesh& mesh) {
         makeBuffer(gpu, kOwner, out.shape.vertices.size() * sizeof(CarrierVertex), out.shape.vertices.data());
     out.indices = makeBuffer(gpu, kOwner, out.shape.indices.size() * 4, out.shape.indices.data());
     out.indexCount = out.shape.indices.size();
-    out.shape.vertices = {}, out.shape.indices = {};
     out.mesh = makeVertexArray(kOwner);
-    out.centre = (mesh.low + mesh.high) * 0.5f;
-    out.radius = glm::length(mesh.high - mesh.low) * 0.5f;
-    describe(out);
+    out.low = mesh.low, out.high = mesh.high;
+    describe(out.mesh, out.vertices);
+    glVertexArrayElementBuffer(out.mesh.id(), out.indices.id());
     return out;
 }
 
@@ -113,12 +120,28 @@ float tallest(const Field& field) {
     return top;
 }
 
-bool isSeen(const DrawContext& ctx, Shell& shell) {
-    const glm::vec4 c(shell.carrier->centre, 1);
+// The eye is within a shell of this height if the nearest of the surface lies so little below it, and not beside it.
+void findBelow(Shell& shell, float top) {
+    glm::vec3 eye(0);  // in the mesh
+    for (const glm::vec4& row : shell.rows) eye -= glm::vec3(row) * row[3] / (shell.scale * shell.scale);
+    const float room = top / shell.scale;
+    const glm::vec3 low = shell.carrier->low, high = shell.carrier->high;
+    if (!glm::all(glm::greaterThan(eye, low - room)) || !glm::all(glm::lessThan(eye, high + room))) return;
+    const CarrierVertex nearest = nearestOn(shell.carrier->shape, eye);
+    const glm::vec3 over = eye - nearest.position;
+    const float above = glm::dot(over, nearest.normal);
+    if (above < 0.9f * glm::length(over) || above > room) return;
+    shell.below = nearest, shell.above = above * shell.scale;
+}
+
+void look(const DrawContext& ctx, Shell& shell) {
+    const glm::vec3 low = shell.carrier->low, high = shell.carrier->high;
+    const glm::vec4 c((low + high) * 0.5f, 1);
     const glm::vec3 centre(glm::dot(shell.rows[0], c), glm::dot(shell.rows[1], c), glm::dot(shell.rows[2], c));
-    const float radius = shell.carrier->radius * shell.scale + tallest(*shell.field);
+    const float top = tallest(*shell.field), radius = glm::length(high - low) * 0.5f * shell.scale + top;
     shell.distance = glm::length(centre);
-    return ctx.frustum.touches(centre - radius, centre + radius);
+    shell.seen = ctx.frustum.touches(centre - radius, centre + radius);
+    findBelow(shell, top);
 }
 
 // The mesh's own maps, and a program for those that it has.
@@ -166,12 +189,14 @@ void select(DrawContext& ctx) {
         giveMaps(ctx, shell);
         shell.uvLength =
             static_cast<float>(uvLengthOf(*on.grows, shell.carrier->shape, static_cast<double>(shell.scale)));
-        shell.seen = isSeen(ctx, shell);
+        look(ctx, shell);
         view.shells.push_back(std::move(shell));
     }
     std::erase_if(state.carriers, [&](const auto& c) { return !used.contains(c.first); });
     std::stable_sort(view.shells.begin(), view.shells.end(),
                      [](const Shell& a, const Shell& b) { return a.distance < b.distance; });
+    size_t parts = 0;
+    for (Shell& shell : view.shells) shell.firstPart = std::exchange(parts, parts + shell.carrier->shape.parts);
     writeGlobals(ctx, view);
 }
 
@@ -202,14 +227,25 @@ void bindFar(const SliceTextures& slices) {
     glBindTextureUnit(TEX_FAR_LIGHT, slices.farLight.id());
 }
 
+// Over the surface, in heights of the slices.
+void setLifted(float heights) { glUniform1f(14, heights); }
+void setShell(const Shell& shell) {
+    setPlace(shell);
+    setLifted(1);
+    glUniform1f(15, static_cast<float>(shell.firstPart));
+}
+
+std::string insideConstant(bool inside) { return fmt::format("const bool INSIDE = {};\n", inside); }
 std::string rayConstants(RayRest rest) { return fmt::format("const int REST = {};\n", static_cast<int>(rest)); }
 
-bool begin(DrawContext& ctx, const Shell& shell) {
+enum Program { kOver, kInside, kEnds };
+
+bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool inside) {
     const auto& rays = shell.field->view->settings<RaytracedGrass>();
     endTransparency();
     const std::string constants =
         fieldConstants(shell.field->view->of) + rayConstants(rays.rest) + depthConstants(ctx.targets);
-    if (!ctx.use(0, constants, &shell.features)) return false;
+    if (!ctx.use(inside ? kInside : kOver, insideConstant(inside) + constants, &shell.features)) return false;
     bindField(*shell.field);
     bindMaps(shell);
     beginTransparency(ctx, *shell.field);
@@ -218,7 +254,8 @@ bool begin(DrawContext& ctx, const Shell& shell) {
     glUniform1f(2, rays.depthAt);
     glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
     glUniform1f(4, shell.uvLength);
-    setPlace(shell);
+    glUniform1f(5, view.endsAt);
+    setShell(shell);
     return true;
 }
 
@@ -231,6 +268,23 @@ void drawShell(DrawContext& ctx, const GpuCarrier& carrier) {
     glDisable(GL_CULL_FACE);
 }
 
+// For an eye within the shell: the whole picture.
+void drawAround(DrawContext& ctx, ShellView& view, const Shell& shell, float top) {
+    if (shell.above > top) return;
+    setLifted(shell.above / top);
+    const CarrierVertex corners[3] = {*shell.below, *shell.below, *shell.below};
+    if (!view.screen.id()) {
+        view.screen = makeVertexArray(kOwner);
+        view.below = makeBuffer(ctx.gpu, kOwner, sizeof(corners), nullptr);
+        describe(view.screen, view.below);
+    }
+    glNamedBufferSubData(view.below.id(), 0, sizeof(corners), corners);
+    glBindVertexArray(view.screen.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ctx.pass->draws += 1;
+    ctx.pass->instances += 1;
+}
+
 // What is drawn into cannot be read: shells read a copy.
 void copyDepth(DrawContext& ctx, ShellView& view) {
     const ViewTargets& t = ctx.targets;
@@ -240,11 +294,68 @@ void copyDepth(DrawContext& ctx, ShellView& view) {
     const bool fits =
         had.width == t.width && had.height == t.height && had.format == format && view.samples == t.samples;
     view.samples = t.samples;
-    if (!fits)
+    if (!fits) {
         view.depth = t.samples > 1 ? makeTexture2DMultisample(ctx.gpu, kOwner, format, t.width, t.height, t.samples)
                                    : makeTexture2D(ctx.gpu, kOwner, format, t.width, t.height);
+        view.ends = makeTexture2D(ctx.gpu, kOwner, GL_DEPTH_COMPONENT32F, t.width, t.height);
+        view.leaving = makeTexture2D(ctx.gpu, kOwner, GL_RG32F, t.width, t.height);
+        view.endsTarget = makeFramebuffer(view.leaving.id(), view.ends.id(), kOwner);
+    }
     glCopyImageSubData(t.depth.id(), kind, 0, 0, 0, 0, view.depth.id(), kind, 0, 0, 0, 0, t.width, t.height, 1);
     glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, view.depth.id());
+}
+
+// The tallest species of all: of the others it is known how far below they end.
+struct Tallest {
+    const Field* field = nullptr;
+    size_t species = 0;
+    float top = 0;
+};
+Tallest tallestOf(const ShellView& view) {
+    Tallest out;
+    for (const Shell& shell : view.shells)
+        for (size_t i = 0; i < shell.field->species.size(); ++i)
+            if (const float top = shell.field->species[i].grown->slices.top; shell.seen && top > out.top)
+                out = {shell.field, i, top};
+    return out;
+}
+
+void drawEnds(DrawContext& ctx, ShellView& view) {
+    const Tallest highest = tallestOf(view);
+    view.endsAt = highest.top;
+    if (!ctx.use(kEnds, insideConstant(false)) || !highest.field) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, view.endsTarget.id());
+    const float nothing = 0;
+    glClearNamedFramebufferfv(view.endsTarget.id(), GL_DEPTH, 0, &nothing);
+    glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(highest.field->number, highest.species).id());
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    for (const Shell& shell : view.shells) {
+        if (!shell.seen) continue;
+        setShell(shell);
+        drawIndices(ctx, 0, shell.carrier->shape.surface);
+    }
+    glCullFace(GL_BACK);
+    glDisable(GL_CULL_FACE);
+    glBindFramebuffer(GL_FRAMEBUFFER, ctx.targets.scene.id());
+    glBindTextureUnit(TEX_SHELL_ENDS, view.ends.id());
+    glBindTextureUnit(TEX_SHELL_LEAVING, view.leaving.id());
+}
+
+// Also while it is not seen: no halt when it comes into view.
+bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) {
+    if (!begin(ctx, view, shell, inside)) return false;
+    for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
+        bindVerticalSlices(ctx, *shell.field, i, SliceLevels::One);
+        bindFar(shell.field->species[i].grown->slices);
+        if (shell.density) glBindTextureUnit(TEX_DENSITY, shell.density);
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
+        if (inside)
+            drawAround(ctx, view, shell, shell.field->species[i].grown->slices.top);
+        else
+            drawShell(ctx, *shell.carrier);
+    }
+    return true;
 }
 
 void draw(DrawContext& ctx) {
@@ -252,16 +363,11 @@ void draw(DrawContext& ctx) {
     if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.seen; }))
         copyDepth(ctx, view);
     else
-        view.depth = {};
+        view.depth = {}, view.endsTarget = {}, view.ends = {}, view.leaving = {};
+    drawEnds(ctx, view);
     for (const Shell& shell : view.shells) {
-        if (!begin(ctx, shell)) break;  // also while it is not seen: no halt when it comes into view
-        for (size_t i = 0; shell.seen && i < shell.field->species.size(); ++i) {
-            bindVerticalSlices(ctx, *shell.field, i, SliceLevels::One);
-            bindFar(shell.field->species[i].grown->slices);
-            if (shell.density) glBindTextureUnit(TEX_DENSITY, shell.density);
-            glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, view.globals.at(shell.field->number, i).id());
-            drawShell(ctx, *shell.carrier);
-        }
+        if (shell.below && !drawOn(ctx, view, shell, true)) break;
+        if (!drawOn(ctx, view, shell, false)) break;
     }
     endTransparency();
 }
@@ -292,12 +398,13 @@ void shade(DrawContext& ctx) {
 
 void bake(DrawContext& ctx) { makeSlices(ctx, Feature::GrassOnMeshes); }
 
-std::vector<std::string> variants() {
+std::vector<std::string> variants(bool inside) {
     std::vector<std::string> out;
     const std::vector<std::string> depths = depthVariants();
-    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(RayRest::Mean) + depths[1]);
+    for (const std::string& field : fieldVariants())
+        out.push_back(insideConstant(inside) + field + rayConstants(RayRest::Mean) + depths[1]);
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(rest) + depths[0]);
+        out.push_back(insideConstant(inside) + fieldConstants(GrassDrawing{}, {}) + rayConstants(rest) + depths[0]);
     return out;
 }
 
@@ -307,8 +414,12 @@ const System kSystems[] = {
      bake,
      true},
     {"grass/mesh-grass/select", {.reads = {Slot::Grass, Slot::Ground, Slot::Sun, Slot::Slices}}, select}};
-const ProgramRow kPrograms[] = {
-    {"grass/mesh-grass", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl", nullptr, variants}};
+const ProgramRow kPrograms[] = {{"grass/mesh-grass", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",
+                                 nullptr, [] { return variants(false); }},
+                                {"grass/mesh-grass/inside", "grass/mesh_grass.vert.glsl", "grass/mesh_grass.frag.glsl",
+                                 nullptr, [] { return variants(true); }},
+                                {"grass/mesh-grass/ends", "grass/mesh_grass.vert.glsl", "grass/mesh_ends.frag.glsl",
+                                 nullptr, [] { return std::vector<std::string>{insideConstant(false)}; }}};
 const ProgramRow kShadePrograms[] = {
     {"grass/mesh-grass/shade", "grass/mesh_shade.vert.glsl", "grass/mesh_shade.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"grass/mesh-grass",

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/hash.h"
 #include "core/numerics.h"
@@ -191,16 +192,32 @@ void setCharts(MeshCarrier& c) {
     for (uint32_t v = 0; v < c.vertices.size(); ++v) c.vertices[v].chart = charts[rootOf(parent, v)];
 }
 
-// Walls along directed edges that no triangle has the other way round.
+// Parts of the surface hang together by the places that triangles share.
+void setParts(MeshCarrier& c, const std::vector<uint32_t>& place) {
+    std::vector<uint32_t> parent(c.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    for (size_t i = 0; i < c.indices.size(); i += 3)
+        for (size_t k = 1; k < 3; ++k)
+            parent[rootOf(parent, place[c.indices[i + k]])] = rootOf(parent, place[c.indices[i]]);
+    std::unordered_map<uint32_t, size_t> numbers;
+    for (uint32_t v = 0; v < c.vertices.size(); ++v)
+        c.vertices[v].part =
+            static_cast<float>(1 + numbers.try_emplace(rootOf(parent, place[v]), numbers.size()).first->second);
+    c.parts = numbers.size();
+}
+
+// Walls along directed edges that no triangle has the other way round. Parts that have some are marked.
 void addSkirts(MeshCarrier& c, const std::vector<uint32_t>& place) {
     const auto key = [](uint32_t a, uint32_t b) { return uint64_t(a) << 32 | b; };
     std::vector<uint64_t> edges;
     for (size_t i = 0; i < c.surface; ++i)
         edges.push_back(key(place[c.indices[i]], place[c.indices[i % 3 == 2 ? i - 2 : i + 1]]));
     std::sort(edges.begin(), edges.end());
+    std::unordered_set<float> edged;
     for (size_t i = 0; i < c.surface; ++i) {
         const uint32_t a = c.indices[i], b = c.indices[i % 3 == 2 ? i - 2 : i + 1];
         if (std::binary_search(edges.begin(), edges.end(), key(place[b], place[a]))) continue;
+        edged.insert(c.vertices[a].part);
         const uint32_t first = static_cast<uint32_t>(c.vertices.size());
         for (const uint32_t v : {a, b}) {
             CarrierVertex low = c.vertices[v];
@@ -209,9 +226,72 @@ void addSkirts(MeshCarrier& c, const std::vector<uint32_t>& place) {
         }
         c.indices.insert(c.indices.end(), {first, first + 1, b, first, b, a});
     }
+    for (CarrierVertex& v : c.vertices)
+        if (edged.contains(v.part)) v.part = -v.part;
+}
+
+// Boxes around triangles that follow each other, which mostly lie beside each other.
+void setBoxes(MeshCarrier& c) {
+    for (size_t i = 0; i < c.surface; i += kBoxIndices) {
+        glm::vec3 low(INFINITY), high(-INFINITY);
+        for (size_t k = i; k < std::min(i + kBoxIndices, c.surface); ++k) {
+            const glm::vec3& p = c.vertices[c.indices[k]].position;
+            low = glm::min(low, p), high = glm::max(high, p);
+        }
+        c.boxes.emplace_back(low, high);
+    }
+}
+
+// Weights of a triangle's corners at its point nearest to p: over the plane, or else on the nearest edge.
+glm::vec3 nearestOnEdge(const glm::vec3& a, const glm::vec3& b, const glm::vec3& p) {
+    const glm::vec3 along = b - a;
+    const float t = glm::clamp(glm::dot(p - a, along) / std::max(glm::dot(along, along), 1e-30f), 0.0f, 1.0f);
+    return {1 - t, t, 0};
+}
+glm::vec3 nearestOnTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p) {
+    const glm::vec3 n = glm::cross(b - a, c - a);
+    const float area = std::max(glm::dot(n, n), 1e-30f);
+    const glm::vec3 inside(glm::dot(glm::cross(c - b, p - b), n) / area, glm::dot(glm::cross(a - c, p - c), n) / area,
+                           glm::dot(glm::cross(b - a, p - a), n) / area);
+    if (inside.x >= 0 && inside.y >= 0 && inside.z >= 0) return inside;
+    const glm::vec3 ab = nearestOnEdge(a, b, p), bc = nearestOnEdge(b, c, p), ca = nearestOnEdge(c, a, p);
+    glm::vec3 best(0);
+    float least = INFINITY;
+    for (const glm::vec3& w : {ab, glm::vec3(0, bc.x, bc.y), glm::vec3(ca.y, 0, ca.x)})
+        if (const glm::vec3 d = a * w.x + b * w.y + c * w.z - p; glm::dot(d, d) < least)
+            least = glm::dot(d, d), best = w;
+    return best;
+}
+
+CarrierVertex mixed(const CarrierVertex& a, const CarrierVertex& b, const CarrierVertex& c, const glm::vec3& w) {
+    CarrierVertex out = a;
+    const auto mix = [&](auto CarrierVertex::*m) { out.*m = a.*m * w.x + b.*m * w.y + c.*m * w.z; };
+    mix(&CarrierVertex::position), mix(&CarrierVertex::normal), mix(&CarrierVertex::uv);
+    mix(&CarrierVertex::alongU), mix(&CarrierVertex::alongV), mix(&CarrierVertex::bend);
+    out.normal = glm::dot(out.normal, out.normal) > 1e-12f ? glm::normalize(out.normal) : a.normal;
+    return out;
 }
 
 }  // namespace
+
+CarrierVertex nearestOn(const MeshCarrier& carrier, const glm::vec3& p) {
+    CarrierVertex best;
+    float least = INFINITY;
+    for (size_t box = 0; box < carrier.boxes.size(); ++box) {
+        const auto& [low, high] = carrier.boxes[box];
+        const glm::vec3 off = glm::max(glm::max(low - p, p - high), glm::vec3(0));
+        if (!(glm::dot(off, off) < least)) continue;
+        for (size_t i = box * kBoxIndices; i < std::min((box + 1) * kBoxIndices, carrier.surface); i += 3) {
+            const CarrierVertex &a = carrier.vertices[carrier.indices[i]],
+                                &b = carrier.vertices[carrier.indices[i + 1]],
+                                &c = carrier.vertices[carrier.indices[i + 2]];
+            const glm::vec3 w = nearestOnTriangle(a.position, b.position, c.position, p),
+                            d = a.position * w.x + b.position * w.y + c.position * w.z - p;
+            if (glm::dot(d, d) < least) least = glm::dot(d, d), best = mixed(a, b, c, w);
+        }
+    }
+    return best;
+}
 
 CarrierFrame carrierFrame(const glm::vec3& normal, const glm::vec3& alongU, const glm::vec3& alongV) {
     const glm::vec3 t = glm::normalize(alongU - normal * glm::dot(alongU, normal));
@@ -232,7 +312,9 @@ MeshCarrier carrierOf(const Mesh& mesh) {
     setCharts(out);
     const std::vector<uint32_t> place = weldedPlaces(out.vertices);
     smoothBends(out, place);
+    setParts(out, place);
     addSkirts(out, place);
+    setBoxes(out);
     return out;
 }
 

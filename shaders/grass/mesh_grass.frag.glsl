@@ -1,6 +1,8 @@
 // A ray through the slices over a mesh (lib/slice_rays.glsl), in the frame that the surface has where the ray comes in;
-// from there on the surface is taken to bend as it does there. Below the vertical slices lies the horizontal one. Maps
-// lie on the mesh's texture coordinates. Needs: const int REST; const bool MULTISAMPLED.
+// from there on the surface is taken to bend as it does there, or so that it comes to where it was drawn. INSIDE: for
+// an eye within the shell, in the frame that the surface has under the eye. Below the vertical slices lies the
+// horizontal one. Maps lie on the mesh's texture coordinates. Needs: const bool INSIDE; const int REST; const bool
+// MULTISAMPLED.
 #include "lib/density.glsl"
 #include "lib/far_light.glsl"
 #include "lib/field.glsl"
@@ -17,7 +19,12 @@
 layout(binding = TEX_FAR_REFLECTANCE) uniform sampler2DArray flatReflectance;
 layout(binding = TEX_FAR_THRESHOLD) uniform sampler2DArray flatThreshold;
 layout(binding = TEX_FAR_LIGHT) uniform sampler2DArray flatLight;
+// Of the nearest side of a shell that looks away from the eye: its depth; how steeply rays leave through it, and its
+// part of the surfaces.
+layout(binding = TEX_SHELL_ENDS) uniform sampler2D shellEnds;
+layout(binding = TEX_SHELL_LEAVING) uniform sampler2D shellLeaving;
 layout(location = 4) uniform float uvLength;  // metres that one unit of texture coordinates is
+layout(location = 5) uniform float endsAt;    // metres over the surface at which those sides were drawn
 
 in vec3 position;
 in vec3 normal;
@@ -27,6 +34,7 @@ in vec3 alongV;
 in vec3 bend;
 in float lift;
 flat in vec4 chart;
+flat in float part;  // below 0: it has an edge
 out vec4 color;
 layout(depth_less) out float gl_FragDepth;
 
@@ -93,8 +101,8 @@ BladeStand standHere(vec3 foot, vec2 cells, mat3 toField) {
 void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, vec3 open) {
     float y = -shell.seen.y;
     ShellEnd e =
-        shellEnd(ray.entry.z, ray.direction.z, shell.bend, shell.height * (1.0 - slices.farHeight / slices.top));
-    if (!e.ground || !(e.t < kRayNever) || !(y > 0.0)) return;
+        shellEnd(ray.entry.z, ray.direction.z, shell.bend.x, shell.height * (1.0 - slices.farHeight / slices.top));
+    if (!e.ground || !(e.t <= ray.end) || !(e.t < kRayNever) || !(y > 0.0)) return;
     float pixel = pixelAt(length(shell.start) + e.t), cells = pixel / slices.cellSize;
     vec2 c = ray.entry.xy + vec2(0.5 / float(slices.slices)) + ray.direction.xy * e.t;
     Repeated r = repeatedAt(c, vec2(cells, 0.0), vec2(0.0, cells / max(y, kTurned)));
@@ -111,20 +119,37 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     add(sum, light, alpha, e.t);
 }
 
-// How far the ray goes on from `position` until it meets what was drawn before; 0: it met that already.
-float toScene(vec3 way) {
-    float depth = sceneDepth(ivec2(gl_FragCoord.xy));
+// Metres from the eye to a depth of this pixel.
+float distanceTo(float depth, vec3 way) {
     float ahead = (frame.viewProj * vec4(way, 0.0)).w;  // along the eye's axis, a metre of the way
-    return max(kNear / max(depth * ahead, 1e-9) - length(position), 0.0);
+    return kNear / max(depth * ahead, 1e-9);
 }
 
-// The curvature by which the surface comes to where the scene's depth has it: what triangles and dents make of the even
-// bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the surface.
-float bendSeen(float k, float above, float sinks, float scene) {
-    if (!(scene > 0.0)) return k;
-    float off = abs(above + sinks * scene + 0.5 * k * scene * scene) / slices.top, most = kMostBent / slices.top;
-    float seen = clamp(-2.0 * (above + sinks * scene) / (scene * scene), -most, most);
+// The curvature by which the surface lies `below` the ray after `far` metres, as it was drawn: what triangles and dents
+// make of the even bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the
+// surface.
+float bendSeen(float k, float above, float sinks, float far, float below) {
+    if (!(far > 0.0)) return k;
+    float off = abs(above - below + sinks * far + 0.5 * k * far * far) / slices.top, most = kMostBent / slices.top;
+    float seen = clamp(-2.0 * (above - below + sinks * far) / (far * far), -most, most);
     return mix(seen, k, smoothstep(0.5, 1.5, off));
+}
+
+// The same by where the ray meets the surface, or else leaves the shell over the same part of it, `scene` and `leaves`
+// metres on. Of a ray that leaves it is known how steeply: so the surface may bend more there than here.
+vec2 bendHere(float k, float above, float sinks, float scene, float leaves) {
+    vec2 leaving = texelFetch(shellLeaving, ivec2(gl_FragCoord.xy), 0).rg;
+    if (!(leaves > 0.0 && leaves < scene && leaving.g == part)) return vec2(bendSeen(k, above, sinks, scene, 0.0), 0.0);
+    float higher = (endsAt - above) / leaves, rises = leaving.r;
+    return vec2((6.0 * higher - 4.0 * sinks - 2.0 * rises) / leaves,
+                (6.0 * (sinks + rises) - 12.0 * higher) / (leaves * leaves));
+}
+
+// Metres down to where the grass begins, `over` metres below a ray; less than 0: it never comes down to that.
+float toGrass(float over, float sinks, float k) {
+    if (!(over > 0.0)) return 0.0;
+    float falls = sinks * sinks - 2.0 * k * over;
+    return sinks < 0.0 && falls >= 0.0 ? 2.0 * over / (sqrt(falls) - sinks) : -1.0;
 }
 
 // At its outline a mesh's triangles lie inside the surface that bends around them: what is left of a ray that comes
@@ -138,7 +163,7 @@ void closeOutline(inout Sum sum, SliceRay ray, float bend, float height) {
 }
 
 void main() {
-    vec3 n = normalize(normal), way = position / max(length(position), 1e-4);
+    vec3 n = normalize(normal), way = position / max(length(position), 1e-4), start = INSIDE ? vec3(0.0) : position;
     gl_SampleMask[0] = -1;
     gl_FragDepth = gl_FragCoord.z;
     vec3 u = (alongU - n * dot(n, alongU)) * (uvLength / slices.cellSize),
@@ -149,32 +174,33 @@ void main() {
     mat2 cellsAlong = mat2(vec2(t.x, b.x), vec2(t.z, b.z));
     vec2 cells = uv * (uvLength / slices.cellSize);
     float above = lift * slices.top;
-    BladeLean p = leanOf(standHere(position - n * above, cells, toField), vec2(0.0));
+    BladeLean p = leanOf(standHere(start - n * above, cells, toField), vec2(0.0));
     float lean2 = min(dot(p.lean, p.lean), 0.9), upright = sqrt(1.0 - lean2);
     float height = max(slices.top * p.scale * upright, 1e-4), k = bendAlong(seen);
     k /= max(1.0 + k * above, 0.25);  // a lifted surface bends less
-    float scene = toScene(way);
-    k = bendSeen(k, above, seen.y, scene);
-
-    // Down to where the grass here begins.
-    float over = above - height, falls = seen.y * seen.y - 2.0 * k * over;
-    if (over > 0.0 && !(seen.y < 0.0 && falls >= 0.0)) discard;
-    float ahead = over > 0.0 ? 2.0 * over / (sqrt(falls) - seen.y) : 0.0, sinks = seen.y + k * ahead;
+    float far = length(start), scene = distanceTo(sceneDepth(ivec2(gl_FragCoord.xy)), way) - far,
+          side = texelFetch(shellEnds, ivec2(gl_FragCoord.xy), 0).r, leaves = distanceTo(side, way) - far;
+    // Whoever comes into a surface without an edge leaves it: of this pixel the shell has no more than a corner.
+    if (!INSIDE && part > 0.0 && !(side > 0.0)) discard;
+    vec2 bends = bendHere(k, above, seen.y, max(scene, 0.0), leaves);
+    k = bends.x;
+    float ahead = toGrass(above - height, seen.y, k), sinks = seen.y + k * ahead, begins = min(above, height);
+    if (!(ahead >= 0.0)) discard;
     vec2 shear = cellsAlong * (p.lean / upright), rate = cellsAlong * seen.xz;
-    vec3 entry =
-        vec3(cells + rate * ahead - shear * min(above, height) - vec2(0.5 / float(slices.slices)), min(over, 0.0));
+    vec3 entry = vec3(cells + rate * ahead - shear * begins - vec2(0.5 / float(slices.slices)), begins - height);
     SliceRay ray = sliceRay(entry, vec3(rate - shear * sinks, sinks), slices.slices, slices.slices, height);
-    ShellEnd leaves = shellEnd(entry.z, sinks, k, height);
-    ray.end = leaves.t;
-    ray.ground = leaves.ground;
+    ShellEnd end = shellEnd(entry.z, sinks, k, height);
+    ray.end = bends.y != 0.0 ? leaves - ahead : end.t;
+    ray.ground = end.ground && bends.y == 0.0;
 
     vec3 toEye = -seen;
-    float level = max(length(seen.xz), 1e-4), far = length(position);
+    float level = max(length(seen.xz), 1e-4);
+    if (INSIDE) far = slices.cellSize;
     Shell shell;
     shell.way = way, shell.seen = seen;
-    shell.start = position + way * ahead;
+    shell.start = start + way * ahead;
     shell.height = height;
-    shell.bend = k;
+    shell.bend = bends;
     shell.toField = toField;
     vec3 sun = toField * frame.sunDirection;
     shell.sun = SunSeen(sun, lampWeights(sun));

@@ -115,7 +115,7 @@ void main() {
     shell.way = way, shell.seen = way;
     shell.start = start + way * ahead;
     shell.height = height;
-    shell.bend = 0.0;
+    shell.bend = vec2(0.0);
     shell.toField = kLevel;
     shell.sun = levelSun();
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);

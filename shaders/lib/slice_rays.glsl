@@ -29,7 +29,7 @@ struct Shell {
     vec3 seen;     // that in the field's axes
     vec3 start;    // where it begins in the shell, relative to the eye
     float height;  // of the shell here, metres
-    float bend;    // curvature of the ground along the ray, 1/m: 0 where it is level
+    vec2 bend;     // curvature of the ground along the ray, 1/m, and by how much it grows a metre: 0 where it is level
     vec2 turned;   // share of the slices across x and across z that shows
     mat3 toField;  // from the world's axes to the field's
     SunSeen sun;
@@ -61,14 +61,14 @@ float grownAt(Met m, Shell shell, float pixel);
 float sunAt(Met m, Shell shell);
 vec3 paintedAt(vec3 reflectance, Met m, Shell shell, float pixel);
 
+// By how much the ground falls away under the ray, beside its slope.
+float fallen(Shell shell, float t) { return (0.5 * shell.bend.x + shell.bend.y * t / 6.0) * t * t; }
 // How far the ray is below the shell's top.
-float heightAt(SliceRay ray, Shell shell, float t) {
-    return ray.entry.z + ray.direction.z * t + 0.5 * shell.bend * t * t;
-}
+float heightAt(SliceRay ray, Shell shell, float t) { return ray.entry.z + ray.direction.z * t + fallen(shell, t); }
 
 Met metAt(SliceHit hit, Shell shell) {
     int n = slices.slices, axis = hit.family;
-    float half_ = 0.5 / float(n), height = hit.position.z + 0.5 * shell.bend * hit.t * hit.t;
+    float half_ = 0.5 / float(n), height = hit.position.z + fallen(shell, hit.t);
     vec2 c = hit.position.xy + vec2(half_);
     int across = int(floor(float(hit.k) / float(n))), k = hit.k - n * across;
     float along = axis == 0 ? c.y : c.x, whole = floor(along);

@@ -50,9 +50,11 @@
 #define TEX_FORCE 20  // as TEX_SHADOW
 #define TEX_FORCE_MAP 21
 #define TEX_REFLECTION 22
-#define TEX_FLOWERS 23  // density
-#define TEX_SOIL 24     // and the MAX_SOIL_MAPS - 1 that follow: what the ground reads of fields
-#define TEX_SHADOW 12   // bound by who makes them, for the whole frame
+#define TEX_FLOWERS 23     // density
+#define TEX_SOIL 24        // and the MAX_SOIL_MAPS - 1 that follow: what the ground reads of fields
+#define TEX_SHELL_ENDS 44  // where rays leave the shells over meshes
+#define TEX_SHELL_LEAVING 45
+#define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw
 #define TEX_MASK 14

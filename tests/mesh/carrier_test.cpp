@@ -109,6 +109,42 @@ TEST(Carrier, AChartReachesAsFarAsItsTextureCoordinatesHangTogether) {
     }
 }
 
+TEST(Carrier, FindsTheNearestOfTheSurfaceFromAnywhere) {
+    const MeshCarrier c =
+        carrierOf(made({.kind = SolidKind::Ball, .size = {0.7f, 0.4f, 0.5f}, .rough = 0.3f, .unwrap = true}));
+    ASSERT_GT(c.boxes.size(), 4u);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec3 p(unit(random), unit(random), unit(random));
+        const CarrierVertex found = nearestOn(c, p);
+        // No place of the surface, by a grid over each triangle, lies nearer.
+        float least = INFINITY;
+        for (size_t k = 0; k < c.surface; k += 3)
+            for (int a = 0; a <= 4; ++a)
+                for (int b = 0; a + b <= 4; ++b) {
+                    const float u = 0.25f * static_cast<float>(a), v = 0.25f * static_cast<float>(b);
+                    const glm::vec3 at = c.vertices[c.indices[k]].position * (1 - u - v) +
+                                         c.vertices[c.indices[k + 1]].position * u +
+                                         c.vertices[c.indices[k + 2]].position * v;
+                    least = std::min(least, glm::length(at - p));
+                }
+        const float distance = glm::length(found.position - p);
+        EXPECT_LE(distance, least + 1e-6f);
+        EXPECT_GT(distance, least - 0.02f);
+        EXPECT_NEAR(glm::length(found.normal), 1, 1e-5);
+    }
+}
+
+TEST(Carrier, PartsGoOnOverSeamsAndEndAtEdges) {
+    const MeshCarrier ball = carrierOf(made({.kind = SolidKind::Ball, .size = glm::vec3(0.5f), .unwrap = true}));
+    EXPECT_EQ(ball.parts, 1u) << "six charts, one surface";
+    for (const CarrierVertex& v : ball.vertices) ASSERT_EQ(v.part, 1) << "without an edge";
+    const MeshCarrier box = carrierOf(made({.size = glm::vec3(1), .unwrap = true}));
+    EXPECT_EQ(box.parts, 6u);
+    for (const CarrierVertex& v : box.vertices) ASSERT_LT(v.part, 0) << "each face ends at its edges";
+}
+
 TEST(Carrier, WhatHasNoAreaCarriesNothing) {
     const std::array<glm::vec3, 3> at = {glm::vec3(0), {0, 0, 1}, {1, 0, 0}};
     const MeshCarrier none = carrierOf(triangle(at, {glm::vec2(0.3f), glm::vec2(0.3f), glm::vec2(0.3f)}));
