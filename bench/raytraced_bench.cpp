@@ -73,6 +73,16 @@ SWARD_LIMITS("raytraced-quads", [] {
     reportLimit("rays as a share of blended quads", quotient(rays, quads, sized(640, 480, 1), 9), 1 / 1.5, "x");
 });
 
+// Both ways of visibility, over ground alone: what the copy of the depth and a look-up a ray cost.
+SWARD_LIMITS("raytraced-visibility", [] {
+    if (!gpu())
+        return reportLimit("frame of rays that end at the scene as a share of one depth a pixel", NAN, 1.15, "x");
+    Timed depth(patches(Technique::Raytraced)), scene(patches(Technique::Raytraced));
+    grassIn(scene.project).raytraced.visibility = RayVisibility::Scene;
+    reportLimit("frame of rays that end at the scene as a share of one depth a pixel",
+                quotient(scene, depth, sized(640, 480, 1), 15), 1.15, "x");
+});
+
 SWARD_LIMITS("raytraced-growth", [] {
     if (!gpu()) return reportLimit("frame of 256 slices a side as a share of 16", NAN, 1.15, "x");
     Timed few(patches(Technique::Raytraced, 16)), many(patches(Technique::Raytraced, 256));

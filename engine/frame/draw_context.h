@@ -115,6 +115,12 @@ ViewTargets makeTargets(Gpu& gpu, const std::string& owner, const TargetsWanted&
 std::string depthConstants(const ViewTargets& t);
 std::vector<std::string> depthVariants();
 
+// What the scene's depth was: what is drawn into cannot be read.
+struct DepthCopy {
+    Texture texture;
+    int samples = 0;  // of a texel
+};
+
 ProgramSources sourcesOf(const ProgramRow& row);
 
 struct DrawContext {
@@ -153,5 +159,8 @@ struct DrawContext {
     bool use(size_t program = 0, const std::string& constants = {}, const std::string* features = nullptr);
     std::string error = {};  // the first program that failed
 };
+
+// Copies the depth of what has been drawn so far, charged to `owner`, and binds it for lib/scene_depth.glsl.
+void copyDepth(DrawContext& ctx, const std::string& owner, DepthCopy& copy);
 
 }  // namespace sward

@@ -127,6 +127,19 @@ std::vector<std::string> depthVariants() {
     return {"const bool MULTISAMPLED = false;\n", "const bool MULTISAMPLED = true;\n"};
 }
 
+void copyDepth(DrawContext& ctx, const std::string& owner, DepthCopy& copy) {
+    const ViewTargets& t = ctx.targets;
+    const GLenum format = t.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
+                 kind = t.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    const Texture& had = copy.texture;
+    if (had.width != t.width || had.height != t.height || had.format != format || copy.samples != t.samples)
+        copy.texture = t.samples > 1 ? makeTexture2DMultisample(ctx.gpu, owner, format, t.width, t.height, t.samples)
+                                     : makeTexture2D(ctx.gpu, owner, format, t.width, t.height);
+    copy.samples = t.samples;
+    glCopyImageSubData(t.depth.id(), kind, 0, 0, 0, 0, copy.texture.id(), kind, 0, 0, 0, 0, t.width, t.height, 1);
+    glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, copy.texture.id());
+}
+
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room) {
     size_t calls = 0;
     glBindVertexArray(mesh.mesh);

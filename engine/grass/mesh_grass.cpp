@@ -42,8 +42,7 @@ struct Shell {
     std::string features = {};  // featureConstants of what its program is compiled for
 };
 struct ShellView : EffectState {
-    Texture depth;          // the scene's, as it was before the shells
-    int samples = 0;        // of a texel of it
+    DepthCopy depth;        // the scene's, as it was before the shells
     Texture ends, leaving;  // of the nearest sides of shells that look away from the eye, where rays leave: depth;
                             // how steeply, of which part of the surfaces
     Framebuffer endsTarget;
@@ -285,24 +284,12 @@ void drawAround(DrawContext& ctx, ShellView& view, const Shell& shell, float top
     ctx.pass->instances += 1;
 }
 
-// What is drawn into cannot be read: shells read a copy.
-void copyDepth(DrawContext& ctx, ShellView& view) {
+void fitEnds(DrawContext& ctx, ShellView& view) {
     const ViewTargets& t = ctx.targets;
-    const GLenum format = t.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F,
-                 kind = t.samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-    const Texture& had = view.depth;
-    const bool fits =
-        had.width == t.width && had.height == t.height && had.format == format && view.samples == t.samples;
-    view.samples = t.samples;
-    if (!fits) {
-        view.depth = t.samples > 1 ? makeTexture2DMultisample(ctx.gpu, kOwner, format, t.width, t.height, t.samples)
-                                   : makeTexture2D(ctx.gpu, kOwner, format, t.width, t.height);
-        view.ends = makeTexture2D(ctx.gpu, kOwner, GL_DEPTH_COMPONENT32F, t.width, t.height);
-        view.leaving = makeTexture2D(ctx.gpu, kOwner, GL_RG32F, t.width, t.height);
-        view.endsTarget = makeFramebuffer(view.leaving.id(), view.ends.id(), kOwner);
-    }
-    glCopyImageSubData(t.depth.id(), kind, 0, 0, 0, 0, view.depth.id(), kind, 0, 0, 0, 0, t.width, t.height, 1);
-    glBindTextureUnit(t.samples > 1 ? TEX_DEPTH_SAMPLES : TEX_DEPTH, view.depth.id());
+    if (view.ends.width == t.width && view.ends.height == t.height) return;
+    view.ends = makeTexture2D(ctx.gpu, kOwner, GL_DEPTH_COMPONENT32F, t.width, t.height);
+    view.leaving = makeTexture2D(ctx.gpu, kOwner, GL_RG32F, t.width, t.height);
+    view.endsTarget = makeFramebuffer(view.leaving.id(), view.ends.id(), kOwner);
 }
 
 // The tallest species of all: of the others it is known how far below they end.
@@ -361,7 +348,7 @@ bool drawOn(DrawContext& ctx, ShellView& view, const Shell& shell, bool inside) 
 void draw(DrawContext& ctx) {
     ShellView& view = ctx.ofView<ShellView>();
     if (std::any_of(view.shells.begin(), view.shells.end(), [](const Shell& s) { return s.seen; }))
-        copyDepth(ctx, view);
+        copyDepth(ctx, kOwner, view.depth), fitEnds(ctx, view);
     else
         view.depth = {}, view.endsTarget = {}, view.ends = {}, view.leaving = {};
     drawEnds(ctx, view);

@@ -19,6 +19,7 @@ struct Carrier {
 struct RayView : EffectState {
     Buffer nodes;
     VertexArray screen;
+    DepthCopy depth;                // the scene's, if rays end there
     std::vector<Carrier> carriers;  // of this frame
 };
 
@@ -72,15 +73,20 @@ void select(DrawContext& ctx) {
     for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced)) view.carriers.push_back(carrierOf(ctx, *field));
 }
 
-std::string rayConstants(bool inside, RayRest rest) {
-    return fmt::format("const bool INSIDE = {};\nconst int REST = {};\n", inside, static_cast<int>(rest));
+std::string rayConstants(bool inside, RayRest rest, RayVisibility visibility) {
+    return fmt::format("const bool INSIDE = {};\nconst int REST = {};\nconst bool ENDS_AT_SCENE = {};\n", inside,
+                       static_cast<int>(rest), visibility == RayVisibility::Scene);
+}
+bool endsAtScene(const Field& field) {
+    return field.view->settings<RaytracedGrass>().visibility == RayVisibility::Scene;
 }
 
 enum Program { kOver, kInside };
 
 bool begin(DrawContext& ctx, const Field& field, bool inside) {
     const auto& own = field.view->settings<RaytracedGrass>();
-    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, own.rest);
+    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, own.rest, own.visibility) +
+                                  (endsAtScene(field) ? depthConstants(ctx.targets) : depthVariants()[0]);
     if (!beginField(ctx, field, inside ? kInside : kOver, constants)) return false;
     glUniform1i(0, own.steps);
     glUniform1f(1, own.cutOff);
@@ -111,6 +117,10 @@ void drawInside(DrawContext& ctx, const Carrier& c, const VertexArray& screen) {
 
 void draw(DrawContext& ctx) {
     RayView& view = ctx.ofView<RayView>();
+    if (std::any_of(view.carriers.begin(), view.carriers.end(), [](const Carrier& c) { return endsAtScene(*c.field); }))
+        copyDepth(ctx, kOwner, view.depth);
+    else
+        view.depth = {};
     for (const Carrier& c : view.carriers) {
         drawInside(ctx, c, view.screen);
         drawOver(ctx, c, view.nodes);
@@ -121,9 +131,14 @@ void draw(DrawContext& ctx) {
 // All ways in which its programs differ.
 std::vector<std::string> variants(bool inside) {
     std::vector<std::string> out;
-    for (const std::string& field : fieldVariants()) out.push_back(field + rayConstants(inside, RayRest::Mean));
+    const std::vector<std::string> depths = depthVariants();
+    for (const std::string& field : fieldVariants())
+        out.push_back(field + rayConstants(inside, RayRest::Mean, RayVisibility::Depth) + depths[0]);
+    const std::string plain = fieldConstants(GrassDrawing{}, {});
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(fieldConstants(GrassDrawing{}, {}) + rayConstants(inside, rest));
+        out.push_back(plain + rayConstants(inside, rest, RayVisibility::Depth) + depths[0]);
+    for (const std::string& depth : depths)
+        out.push_back(plain + rayConstants(inside, RayRest::Mean, RayVisibility::Scene) + depth);
     return out;
 }
 

@@ -25,7 +25,7 @@ std::vector<SettingValues> sweep(const FieldEntity&) {
     std::vector<SettingValues> out;
     for (const char* steps : {"steps=4", "steps=8", "steps=16", "steps=32"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({steps, msaa});
-    for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared"})
+    for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared", "visibility=scene"})
         out.push_back({one, "msaa=4"});
     return out;
 }
@@ -53,6 +53,8 @@ ComponentRow raytracedGrassRow() {
         choice("rest", &RaytracedGrass::rest, offsetof(RaytracedGrass, rest), kRayRests,
                "what stands for slices beyond the last step: their mean, the next one as if opaque (as published), or "
                "nothing"),
+        choice("visibility", &RaytracedGrass::visibility, offsetof(RaytracedGrass, visibility), kRayVisibilities,
+               "how grass and what stands in it hide each other: by one depth a pixel, or each ray ends at the scene"),
         real("maxDistance", offsetof(RaytracedGrass, maxDistance), "m", {0.1, 1e6, 5, 200},
              "from here the horizontal slice alone is drawn; inf: never"),
     };

@@ -13,11 +13,17 @@ namespace sward {
 enum class RayRest { Mean, Opaque, Nothing };
 inline constexpr auto kRayRests = enumNames<RayRest>("mean", "opaque", "nothing");
 
+// How grass and what stands in it hide each other (section 3): by the depth at which a share of a ray's opacity is
+// reached; or each ray ends where the scene that was drawn before it stands (the paper's "correct" way).
+enum class RayVisibility { Depth, Scene };
+inline constexpr auto kRayVisibilities = enumNames<RayVisibility>("depth", "scene");
+
 struct RaytracedGrass {
     int steps = 24;        // slices that a ray crosses, at most
     float cutOff = 0.98f;  // opacity at which a ray ends
-    float depthAt = 0.5f;  // share of its opacity at which a ray's depth is taken (section 3, visibility)
+    float depthAt = 0.5f;  // share of its opacity at which a ray's depth is taken
     RayRest rest = RayRest::Mean;
+    RayVisibility visibility = RayVisibility::Depth;
     float maxDistance = 60;  // metres from which the horizontal slice alone is drawn; infinite: never
 };
 

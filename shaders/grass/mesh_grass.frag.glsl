@@ -119,12 +119,6 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     add(sum, light, alpha, e.t);
 }
 
-// Metres from the eye to a depth of this pixel.
-float distanceTo(float depth, vec3 way) {
-    float ahead = (frame.viewProj * vec4(way, 0.0)).w;  // along the eye's axis, a metre of the way
-    return kNear / max(depth * ahead, 1e-9);
-}
-
 // The curvature by which the surface lies `below` the ray after `far` metres, as it was drawn: what triangles and dents
 // make of the even bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the
 // surface.

@@ -1,11 +1,12 @@
 // A ray through the slices over the terrain (lib/slice_rays.glsl). Cells count from that which the eye is over.
-// Needs: const bool INSIDE; const int REST.
+// Needs: const bool INSIDE; const int REST; const bool ENDS_AT_SCENE; const bool MULTISAMPLED.
 #include "lib/density.glsl"
 #include "lib/field.glsl"
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
 #include "lib/heights.glsl"
 #include "lib/light.glsl"
+#include "lib/scene_depth.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_rays.glsl"
 #include "lib/slices.glsl"
@@ -125,9 +126,17 @@ void main() {
 
     uint grain = grainAt(toCells(shell.start.xz), far);
     shell.visible = sunVisible(shell.start, vec3(0.0));
-    Sum sum = traced(shell, sliceRay(entry, direction, slices.slices, slices.slices, height), grain);
+    SliceRay ray = sliceRay(entry, direction, slices.slices, slices.slices, height);
+    float scene = 0.0;
+    if (ENDS_AT_SCENE) {
+        scene = distanceTo(sceneDepth(ivec2(gl_FragCoord.xy)), way) - length(start) - ahead;
+        if (!(scene > 0.0)) discard;
+        ray.end = min(ray.end, scene);
+    }
+    Sum sum = traced(shell, ray, grain);
     color = shownOf(sum, shell, grain);
     if (!(color.a > 0.0)) discard;
     if (viewMode() == VIEW_OVERDRAW) color.a = 0.0;
+    if (ENDS_AT_SCENE) sum.depth = min(sum.depth, 0.98 * scene);
     gl_FragDepth = depthOf(sum, shell, gl_FragCoord.z);
 }

@@ -123,6 +123,12 @@ void add(inout Sum sum, vec3 light, float alpha, float t) {
     sum.through *= 1.0 - a;
 }
 
+// Metres from the eye along a way to a depth of its pixel.
+float distanceTo(float depth, vec3 way) {
+    float ahead = (frame.viewProj * vec4(way, 0.0)).w;  // along the eye's axis, a metre of the way
+    return kNear / max(depth * ahead, 1e-9);
+}
+
 // Width of a pixel so far off, metres.
 float pixelAt(float distance) { return distance / pixelsPerMetre; }
 

@@ -147,13 +147,14 @@ TEST(Raytraced, AnEyeInTheGrassSeesGrass) {
     EXPECT_GT(static_cast<double>(green) / (static_cast<double>(pixels) / 2), 0.9);
 }
 
-// A red ball half sunk in the grass: what stands before it hides it, what stands behind does not.
+// A red post half sunk in the grass: what stands before it hides it, what stands behind does not.
 TEST(Raytraced, HidesWhatStandsBehindIt) {
     NoGlErrors errors;
     const TempDir folder;
-    const auto red = [&](Technique technique, double z) {
+    const auto red = [&](Technique technique, double z, RayVisibility visibility = RayVisibility::Depth) {
         Project p = meadow(technique);
         p.dir = folder.path;
+        flatField(p).raytraced.visibility = visibility;
         putObject(p, "post", {{.size = {0.3, 0.2, 0.3}, .color = {0.9f, 0, 0}}}, {10, 0, z});
         const auto image = picture(p, {{10, 0.5, 6}, {10, 0.05, 10}, 30, 0});
         double n = 0;
@@ -161,11 +162,15 @@ TEST(Raytraced, HidesWhatStandsBehindIt) {
         return n;
     };
     const double bare = red(Technique::Flat, 9), blades = red(Technique::Geometry, 9),
-                 rays = red(Technique::Raytraced, 9);
-    std::printf("pixels of the post: over flat grass %.0f, among blades %.0f, among rays %.0f\n", bare, blades, rays);
-    EXPECT_GT(rays, 0);
-    EXPECT_LT(rays, 0.9 * bare);
-    EXPECT_NEAR(rays, blades, 0.15 * bare);
+                 rays = red(Technique::Raytraced, 9), ended = red(Technique::Raytraced, 9, RayVisibility::Scene);
+    std::printf("pixels of the post: over flat grass %.0f, among blades %.0f, among rays %.0f, ended by it %.0f\n",
+                bare, blades, rays, ended);
+    for (const double n : {rays, ended}) {
+        EXPECT_GT(n, 0);
+        EXPECT_LT(n, 0.9 * bare);
+        EXPECT_NEAR(n, blades, 0.15 * bare);
+    }
+    EXPECT_NE(rays, ended);
 }
 
 TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
@@ -226,16 +231,18 @@ TEST(Raytraced, EverySettingAtItsEndsMakesASoundPicture) {
     Renderer r(gpu(), tables());
     for (const int steps : {1, 64})
         for (const float share : {0.0f, 1.0f})
-            for (const RayRest rest : {RayRest::Mean, RayRest::Opaque, RayRest::Nothing}) {
-                Project p = meadow(Technique::Raytraced);
-                FlatField f = flatField(p);
-                f.raytraced = {.steps = steps,
-                               .cutOff = 0.5f + 0.5f * share,
-                               .depthAt = share,
-                               .rest = rest,
-                               .maxDistance = share > 0 ? std::numeric_limits<float>::infinity() : 0.1f};
-                EXPECT_TRUE(isFinite(picture(r, p, grazing(), sized(64, 48))));
-            }
+            for (const RayRest rest : {RayRest::Mean, RayRest::Opaque, RayRest::Nothing})
+                for (const RayVisibility visibility : {RayVisibility::Depth, RayVisibility::Scene}) {
+                    Project p = meadow(Technique::Raytraced);
+                    FlatField f = flatField(p);
+                    f.raytraced = {.steps = steps,
+                                   .cutOff = 0.5f + 0.5f * share,
+                                   .depthAt = share,
+                                   .rest = rest,
+                                   .visibility = visibility,
+                                   .maxDistance = share > 0 ? std::numeric_limits<float>::infinity() : 0.1f};
+                    EXPECT_TRUE(isFinite(picture(r, p, grazing(), sized(64, 48))));
+                }
 }
 
 TEST(Raytraced, OnASlopeCoversAsOnTheLevel) {
