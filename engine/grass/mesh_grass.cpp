@@ -252,6 +252,7 @@ bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool ins
     glUniform1f(1, rays.cutOff);
     glUniform1f(2, rays.depthAt);
     glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    glUniform1f(6, rays.footprint);
     glUniform1f(4, shell.uvLength);
     glUniform1f(5, view.endsAt);
     setShell(shell);

@@ -92,6 +92,7 @@ bool begin(DrawContext& ctx, const Field& field, bool inside) {
     glUniform1f(1, own.cutOff);
     glUniform1f(2, own.depthAt);
     glUniform1f(3, pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
+    glUniform1f(6, own.footprint);
     return true;
 }
 

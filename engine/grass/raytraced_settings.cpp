@@ -25,7 +25,8 @@ std::vector<SettingValues> sweep(const FieldEntity&) {
     std::vector<SettingValues> out;
     for (const char* steps : {"steps=4", "steps=8", "steps=16", "steps=32"})
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({steps, msaa});
-    for (const char* one : {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared", "visibility=scene"})
+    for (const char* one :
+         {"rest=opaque", "rest=nothing", "sliceCover=published", "sets=shared", "visibility=scene", "footprint=0"})
         out.push_back({one, "msaa=4"});
     return out;
 }
@@ -47,6 +48,8 @@ constexpr const char* kSettings[] = {"RaytracedGrass", "GrassSlices", "GrassDraw
 ComponentRow raytracedGrassRow() {
     static constexpr FieldRow kFields[] = {
         whole("steps", offsetof(RaytracedGrass, steps), "", {1, 64, 4, 48}, "slices that a ray crosses, at most"),
+        real("footprint", offsetof(RaytracedGrass, footprint), "px", {0, 64, 0, 8},
+             "where slices lie nearer to each other than this, rays take fewer steps; 0: all steps everywhere"),
         real("cutOff", offsetof(RaytracedGrass, cutOff), "", {0.5, 1, 0.8, 1}, "opacity at which a ray ends"),
         real("depthAt", offsetof(RaytracedGrass, depthAt), "", kShare,
              "share of its opacity at which a ray's depth is taken, which decides what hides it"),

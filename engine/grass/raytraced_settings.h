@@ -19,7 +19,9 @@ enum class RayVisibility { Depth, Scene };
 inline constexpr auto kRayVisibilities = enumNames<RayVisibility>("depth", "scene");
 
 struct RaytracedGrass {
-    int steps = 24;        // slices that a ray crosses, at most
+    int steps = 24;  // slices that a ray crosses, at most
+    float footprint =
+        2;  // pixels; where slices lie nearer to each other, rays take fewer steps, in proportion; 0: never
     float cutOff = 0.98f;  // opacity at which a ray ends
     float depthAt = 0.5f;  // share of its opacity at which a ray's depth is taken
     RayRest rest = RayRest::Mean;

@@ -22,6 +22,7 @@ layout(location = 0) uniform int steps;
 layout(location = 1) uniform float cutOff;
 layout(location = 2) uniform float depthAt;
 layout(location = 3) uniform float pixelsPerMetre;  // at one metre
+layout(location = 6) uniform float footprint;       // pixels from slice to slice from which on all steps are taken
 
 // What is the same along a ray.
 struct Shell {
@@ -159,6 +160,12 @@ void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain)
     add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, t);
 }
 
+// Steps of a ray where a pixel is so wide: slices that lie within one are not told apart, and their mean will do.
+int stepsAt(float pixel) {
+    float apart = slices.cellSize / (float(slices.slices) * max(pixel, 1e-9));
+    return int(clamp(ceil(float(steps) * apart / max(footprint, 1e-6)), 1.0, float(steps)));
+}
+
 Sum traced(Shell shell, SliceRay ray, uint grain) {
     Sum sum = Sum(vec3(0.0), 1.0, -1.0);
     // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
@@ -166,7 +173,8 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
     levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
     SliceHit hit = sliceHit(ray);
-    for (int i = 0; i < steps && hit.family >= 0 && hit.family <= kRayV; ++i) {
+    int most = stepsAt(pixel);
+    for (int i = 0; i < most && hit.family >= 0 && hit.family <= kRayV; ++i) {
         float turned = shell.turned[hit.family];
         if (turned > 0.004) {
             float level = levels[hit.family];

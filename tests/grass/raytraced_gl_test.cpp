@@ -91,6 +91,24 @@ TEST(Raytraced, FewStepsAreAsBrightAsManyBecauseTheRestIsFilled) {
         << "the filling is what does it";
 }
 
+TEST(Raytraced, FewerStepsFarAwayAreAsBrightAndCoverAsMuch) {
+    NoGlErrors errors;
+    const ViewCamera far{{10, 6, -30}, {10, 0, 6}, 30, 0};
+    Project p = meadow(Technique::Raytraced);
+    const auto by = [&](float footprint) {
+        flatField(p).raytraced.footprint = footprint;
+        return picture(p, far);
+    };
+    const auto all = by(0), fewer = by(2), few = by(64);
+    EXPECT_NE(all, fewer);
+    std::printf("bright: all steps %.4f fewer %.4f one %.4f; covered: %.3f %.3f %.3f\n", brightness(all),
+                brightness(fewer), brightness(few), covered(all), covered(fewer), covered(few));
+    for (const auto& image : {fewer, few}) {
+        EXPECT_NEAR(brightness(image) / brightness(all), 1, 0.03);
+        EXPECT_NEAR(covered(image), covered(all), 0.03);
+    }
+}
+
 TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
     NoGlErrors errors;
     Project p = meadow(Technique::Hybrid);
@@ -236,6 +254,7 @@ TEST(Raytraced, EverySettingAtItsEndsMakesASoundPicture) {
                     Project p = meadow(Technique::Raytraced);
                     FlatField f = flatField(p);
                     f.raytraced = {.steps = steps,
+                                   .footprint = 64 * share,
                                    .cutOff = 0.5f + 0.5f * share,
                                    .depthAt = share,
                                    .rest = rest,
