@@ -71,6 +71,7 @@ struct EditorApp {
     Edits edits;
     PlayControl play;
     Accuracy accuracy;
+    size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
     Autosave autosave;
 

@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "model/blade_height.h"
+#include "model/whole_map.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -50,6 +51,15 @@ void makeBladeHeight(Document& doc, const std::string& painted, Messages& messag
     say(messages, "blades are lower towards the edges of " + density);
 }
 
+// What is done to the whole of the map that the brush paints.
+void wholeMap(Document& doc, BrushBook& brushes, Messages& messages, const char* done,
+              Status (*change)(Document&, const BrushSettings&)) {
+    BrushSettings brush = currentBrush(brushes);
+    brush.map = brushes.map;
+    brush.color = currentColor(brushes);
+    if (accept(messages, change(doc, brush))) say(messages, fmt::format("{} is {}", brush.map, done));
+}
+
 // --- adapters of the table's rows: each hands the parts of the editor out that its command uses
 
 template <FileTask Task>
@@ -69,11 +79,22 @@ void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); 
 void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
 void focusPointer(EditorApp& app) { focusGround(app.view.camera, app.hand.ground, currentBrush(app.brushes).radius); }
 
+void fill(EditorApp& app) { wholeMap(app.doc, app.brushes, app.messages, "filled", fillMap); }
+void clear(EditorApp& app) {
+    wholeMap(app.doc, app.brushes, app.messages, "cleared",
+             [](Document& d, const BrushSettings& b) { return clearMap(d, b.map); });
+}
+void invert(EditorApp& app) {
+    wholeMap(app.doc, app.brushes, app.messages, "inverted",
+             [](Document& d, const BrushSettings& b) { return invertMap(d, b.map); });
+}
+
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
 bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
+bool hasMap(EditorApp& app) { return app.doc.isOpen() && !app.brushes.map.empty() && atRest(app); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -93,6 +114,9 @@ constexpr Command kCommands[] = {
     {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
      [](App& a) { return overlayShown(a.doc, a.brushes); }},
     {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
+    {"Brush", "Fill Map", "", "", fill, hasMap},
+    {"Brush", "Clear Map", "", "", clear, hasMap},
+    {"Brush", "Invert Map", "", "", invert, hasMap},
     {"Brush", "Shift Erases", "", "", [](App& a) { shiftErases(a.brushes, a.messages); }, always, true,
      [](App& a) { return a.brushes.shiftErases; }},
     {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},

@@ -521,6 +521,14 @@ std::string Document::redoLabel() const {
     const UndoStep* next = impl_->history.next(true);
     return next ? next->label : "";
 }
+std::vector<std::string> Document::stepLabels() const { return impl_->history.labels(); }
+size_t Document::stepsDone() const { return impl_->history.done(); }
+bool Document::jumpTo(size_t wanted) {
+    impl_->finishStroke();
+    while (impl_->history.done() != wanted)
+        if (!impl_->step(impl_->history.done() < wanted)) return false;
+    return true;
+}
 bool Document::undo() { return impl_->step(false); }
 bool Document::redo() { return impl_->step(true); }
 

@@ -117,6 +117,11 @@ class Document {
     std::string undoLabel() const;
     // Likewise for redo.
     std::string redoLabel() const;
+    // Labels of all steps that the history holds, the oldest first, and how many of them the project has behind it.
+    std::vector<std::string> stepLabels() const;
+    size_t stepsDone() const;
+    // Takes steps back, or brings them again, until so many are behind. False if it cannot be reached now.
+    bool jumpTo(size_t stepsDone);
     // Takes the last step back. False if there is none or it may not be now.
     bool undo();
     // Brings back what was taken back last. False likewise.

@@ -78,6 +78,13 @@ void History::push(UndoStep step) {
 
 void History::clear() { *this = History(budget_); }
 
+std::vector<std::string> History::labels() const {
+    std::vector<std::string> out;
+    for (const Entry& e : undo_) out.push_back(e.step.label);
+    for (auto e = redo_.rbegin(); e != redo_.rend(); ++e) out.push_back(e->step.label);
+    return out;
+}
+
 const UndoStep* History::next(bool forward) const {
     const std::vector<Entry>& stack = forward ? redo_ : undo_;
     return stack.empty() ? nullptr : &stack.back().step;

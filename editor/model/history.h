@@ -22,6 +22,9 @@ class History {
     // How many steps lie behind the present state, forgotten ones included: undo takes it back.
     uint32_t position() const { return static_cast<uint32_t>(undo_.size()) + forgotten_; }
     size_t bytes() const { return bytes_; }  // of the steps that can be undone
+    // Labels of all steps, the oldest first, and how many of them are behind the present state.
+    std::vector<std::string> labels() const;
+    size_t done() const { return undo_.size(); }
 
   private:
     struct Entry {

@@ -4,6 +4,8 @@
 #include "panels/inspector_camera.h"
 
 #include <functional>
+
+#include "model/whole_map.h"
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
 #include "scene/technique.h"
@@ -59,7 +61,7 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         ImGui::Unindent(8);
     }
     if (ui::button(path + "/Add " + row.name))
-        deferEdit(parts, [&doc = parts.doc, path] { return doc.addListElement(path); });
+        deferEdit(parts, [&doc = parts.doc, path] { return addUnpainted(doc, path); });
 }
 
 void component(const FieldParts& parts, ViewState& view, const Owner& owner, const void* value) {
@@ -109,7 +111,7 @@ void addComponent(const FieldParts& parts, const std::string& entity, Entity e) 
     ImGui::SetNextItemWidth(-1);
     if (ui::combo("Add component", names, chosen)) {
         const std::string name = names[static_cast<size_t>(chosen)];
-        deferEdit(parts, [&doc = parts.doc, &entity, name] { return doc.addComponent(entity, name); });
+        deferEdit(parts, [&doc = parts.doc, &entity, name] { return addComponentUnpainted(doc, entity, name); });
     }
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/whole_map.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -88,11 +89,14 @@ void mapField(const ConstFieldRef& f) {
     if (m.present()) {
         const MapInfo& i = m.map.info();
         const char* type = i.type == PixelType::U8 ? "8 bit" : i.type == PixelType::U16 ? "16 bit" : "float";
-        text = fmt::format("{} x {}, {}", i.width, i.height, type);
+        text = f.row->map->role == MapRole::Density && unpainted(m.map)
+                   ? "nothing painted yet"
+                   : fmt::format("{} x {}, {}", i.width, i.height, type);
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text.c_str());
     ui::record(f.path, ui::Kind::Label, m.present() ? m.file : "");
+    ui::record(f.path + "/Texels", ui::Kind::Label, text);
     if (m.present()) ui::tooltip(m.file);
 }
 

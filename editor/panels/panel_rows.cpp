@@ -151,6 +151,8 @@ constexpr PanelRow kPanels[] = {
     {"Tiers", Dock::Bottom, tiers, true, "Tiers Panel", true},
     {"Accuracy", Dock::Bottom, [](App& a) { drawAccuracy(a.accuracy, measureParts(a), a.edits, a.counts.lastMs); },
      true, nullptr, true},
+    {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.edits, a.messages, a.historyShown); }, true, nullptr,
+     true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},

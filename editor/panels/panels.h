@@ -65,6 +65,9 @@ void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messa
 void drawOutliner(const FieldParts& parts, Selection& selection);
 // The components of the entity that is `selected`; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
+// The steps that can be undone or done again; a click goes there. `shownSteps`: how many were behind when it was last
+// drawn: the list follows.
+void drawHistory(Document& document, Edits& edits, Messages& messages, size_t& shownSteps);
 // `inputWaits`: something came in that the next frame takes, so the keyboard's focus stays free.
 void drawConsole(Console& console, bool inputWaits);
 // `measured`: the counts are of a measured drawing.

@@ -111,6 +111,11 @@ void tooltip(const std::string& text) {
     b.tooltipDue = ImGui::GetTime() - b.hoverSince < kRestSeconds;
     if (b.tooltipDue) return;
     ImGui::BeginTooltip();
+    // ImGui measures a tooltip in its first frame and shows it in the next, which must come under a still pointer, too.
+    if (ImGui::IsWindowAppearing())
+        b.tooltipDue = true;
+    else
+        b.next["Tooltip"] = {Kind::Label, 0, 0, 0, 0, text};
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();

@@ -82,7 +82,7 @@ bool typing(const WidgetBook& book);
 const std::string* errorAt(const std::string& label);
 void setError(const std::string& label, const std::string& message);  // empty: none
 
-// Shown when the pointer has rested on the last item for a moment; empty text shows nothing.
+// Shown when the pointer has rested on the last item for a moment; empty text shows nothing. Recorded as "Tooltip".
 void tooltip(const std::string& text);
 
 // True if it was pressed. Width 0: as the label needs; `accent`: it is the usual choice, or is switched on.
