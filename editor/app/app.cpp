@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "app/commands.h"
+#include "core/resources.h"
 #include "panels/panels.h"
 #include "panels/viewport_scene.h"
 #include "playtest/playtest.h"
@@ -140,6 +141,8 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
         picture.resolution.movingScale = picture.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file);
+    start = loadStart(keepLayout ? recentFile() : std::filesystem::path(), resource("projects"));
+    start.keep = keepLayout;
     brushes.shiftErases = layout.shiftErases;
     openLog(console.log);
 }
@@ -228,6 +231,7 @@ void requestQuit(EditorApp& app) {
 void adoptProject(EditorApp& app) {
     const Project& project = app.doc.project();
     app.shownProject = project.dir;
+    rememberProject(app.start, project.dir, recentFile());
     app.picture.drawnRevision = kNeverDrawn;
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;

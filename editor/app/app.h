@@ -20,6 +20,7 @@
 #include "app/messages.h"
 #include "app/play_control.h"
 #include "app/selection.h"
+#include "app/start.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
 #include "model/autosave.h"
@@ -79,6 +80,7 @@ struct EditorApp {
     Messages messages;
     Console console;
     FileDialog files;
+    StartScreen start;
     UnsavedDialog unsaved;
 
     // --- the program

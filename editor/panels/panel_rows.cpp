@@ -9,6 +9,7 @@
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
 #include "panels/play_bar.h"
+#include "panels/start.h"
 #include "panels/viewport.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_input.h"
@@ -114,7 +115,7 @@ void viewport(EditorApp& a) {
         drawOverlayLegend(a.doc, a.brushes, a.view.camera.yaw, r);
         drawPlayFrame(a.doc, a.play.captured, r);
     } else {
-        drawEmptyHint(r);
+        drawStart({a.start, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }}, r);
     }
     list.PopClipRect();
     drawErrorBar(a.messages.notice, r);

@@ -141,12 +141,4 @@ void drawErrorBar(std::string& notice, const Rect& r) {
     ImGui::PopStyleColor();
 }
 
-void drawEmptyHint(const Rect& r) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, IM_COL32(24, 25, 24, 255));
-    const char* text = "No project is open. Ctrl+O opens one, Ctrl+N makes a new one.";
-    const ImVec2 size = ImGui::CalcTextSize(text);
-    list.AddText({r.x + (r.w - size.x) / 2, r.y + (r.h - size.y) / 2}, ui::kDimText, text);
-}
-
 }  // namespace sward

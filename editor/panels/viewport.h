@@ -18,7 +18,5 @@ Rect layImage(const Rect& area);
 void drawBrushRing(const Document& document, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes);
 // What is wrong, over the picture's upper edge, until the person dismisses it; nothing if `notice` is empty.
 void drawErrorBar(std::string& notice, const Rect& view);
-// What to do without a project.
-void drawEmptyHint(const Rect& view);
 
 }  // namespace sward

@@ -1,9 +1,10 @@
 #include "formulas/expected_values.h"
 
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "core/resources.h"
 
 namespace sward {
 namespace {
@@ -45,15 +46,6 @@ Result<ExpectedValues> loadExpectedValues(const std::string& file) {
     return values;
 }
 
-std::string expectedValuesFile() {
-    const std::filesystem::path name = std::filesystem::path("tests") / "data" / "hard-cases-expected.json";
-    std::error_code error;
-    const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (!error) {
-        const auto beside = executable.parent_path().parent_path().parent_path() / name;
-        if (std::filesystem::exists(beside, error)) return beside.string();
-    }
-    return (std::filesystem::path(SWARD_SOURCE_DIR) / name).string();
-}
+std::string expectedValuesFile() { return resource("tests/data/hard-cases-expected.json").string(); }
 
 }  // namespace sward

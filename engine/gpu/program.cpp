@@ -9,17 +9,12 @@
 #include <sstream>
 
 #include "core/log.h"
+#include "core/resources.h"
 
 namespace sward {
 namespace fs = std::filesystem;
 
-fs::path shaderFolder() {
-    std::error_code ec;
-    const fs::path exe = fs::read_symlink("/proc/self/exe", ec);
-    const fs::path beside = exe.parent_path() / ".." / ".." / "shaders";
-    if (!ec && fs::is_directory(beside / "numerics", ec)) return fs::weakly_canonical(beside);
-    return fs::path(SWARD_SOURCE_DIR) / "shaders";
-}
+fs::path shaderFolder() { return resource("shaders/numerics").parent_path(); }
 
 namespace {
 
