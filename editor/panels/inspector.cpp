@@ -3,11 +3,14 @@
 
 #include "panels/inspector_camera.h"
 
+#include <algorithm>
 #include <functional>
+#include <string_view>
 
 #include "model/whole_map.h"
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
+#include "scene/field_rows.h"
 #include "scene/technique.h"
 #include "ui/theme.h"
 
@@ -41,6 +44,32 @@ struct Owner {
     std::string path() const { return entity + "." + component.name; }
 };
 
+// The fields under one heading; "" for those that stand above all headings.
+struct Group {
+    std::string_view title;
+    std::vector<const FieldRow*> fields;
+};
+std::vector<Group> groupsOf(std::span<const FieldRow> fields) {
+    std::vector<Group> out;
+    std::string_view title;
+    for (const FieldRow& f : fields) {
+        if (f.group) title = f.group;
+        auto at = std::find_if(out.begin(), out.end(), [&](const Group& g) { return g.title == title; });
+        if (at == out.end()) at = out.insert(out.end(), Group{title, {}});
+        at->fields.push_back(&f);
+    }
+    return out;
+}
+// Draws each field that is not under a closed heading.
+void drawGroups(const std::string& path, std::span<const FieldRow> fields,
+                const std::function<void(const FieldRow&)>& drawOne) {
+    for (const Group& g : groupsOf(fields)) {
+        const std::string title(g.title);
+        if (!title.empty() && !ui::section(path + "/" + title, title, title != kAdvanced)) continue;
+        for (const FieldRow* f : g.fields) drawOne(*f);
+    }
+}
+
 void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const void* list) {
     const ListRow& l = *row.list;
     const std::string path = owner.path() + "." + row.name;
@@ -53,11 +82,11 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
-        for (const FieldRow& f : l.fields) {
+        drawGroups(at, l.fields, [&](const FieldRow& f) {
             const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
             drawField(parts, {value, &f, &owner.component, owner.entity, at + "." + f.name}, fallback);
-        }
+        });
         ImGui::Unindent(8);
     }
     if (ui::button(path + "/Add " + row.name))
@@ -73,14 +102,14 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
             parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
             [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
-    for (const FieldRow& f : row.fields) {
+    drawGroups(path, row.fields, [&](const FieldRow& f) {
         const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
             listField(parts, owner, f, field);
         else
             drawField(parts, {field, &f, &row, owner.entity, path + "." + f.name},
                       static_cast<const char*>(row.defaults()) + f.offset);
-    }
+    });
     drawCameraTools(parts, view, owner.entity, row, value);
     ImGui::Spacing();
 }

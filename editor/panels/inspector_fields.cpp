@@ -105,7 +105,7 @@ void label(const FieldParts& parts, const ConstFieldRef& f, const void* fallback
     const bool map = f.row->type == FieldType::Map;
     const std::string usualText = map ? "" : fieldText(usual);
     const bool changed = !map && fieldText(f) != usualText;
-    const std::string title = fieldTitle(f.row->name);
+    const std::string title = f.row->title ? f.row->title : fieldTitle(f.row->name);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(("##label" + f.path).c_str(), {width, ImGui::GetFrameHeight()});
     ui::record(f.path + "/Reset", ui::Kind::Button);

@@ -166,12 +166,15 @@ constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
 ComponentRow hybridTiersRow() {
     static constexpr Range kDistance{0, 1e6, 0, 200};
     static constexpr FieldRow kFields[] = {
-        distance("minGeom", offsetof(HybridTiers, minGeom), kDistance, "up to here every blade is drawn by itself"),
-        distance("maxGeom", offsetof(HybridTiers, maxGeom), kDistance,
-                 "from here no blade is drawn by itself; inf: never fades"),
-        distance("minBTF", offsetof(HybridTiers, minBTF), kDistance, "up to here every vertical slice is drawn"),
-        distance("maxBTF", offsetof(HybridTiers, maxBTF), kDistance,
-                 "from here only the horizontal slice is drawn; inf: vertical slices never fade"),
+        titled("All blades up to", distance("minGeom", offsetof(HybridTiers, minGeom), kDistance,
+                                            "up to here every blade is drawn by itself")),
+        titled("Blades end at", distance("maxGeom", offsetof(HybridTiers, maxGeom), kDistance,
+                                         "from here no blade is drawn by itself; inf: never fades")),
+        titled("All slices up to", distance("minBTF", offsetof(HybridTiers, minBTF), kDistance,
+                                            "up to here every vertical slice is drawn")),
+        titled("Slices end at",
+               distance("maxBTF", offsetof(HybridTiers, maxBTF), kDistance,
+                        "from here only the horizontal slice is drawn; inf: vertical slices never fade")),
         choice("middleTier", &HybridTiers::middleTier, offsetof(HybridTiers, middleTier), kMiddleTiers,
                "what is drawn between: vertical slices as quads, or rays through them, pixel by pixel"),
     };

@@ -48,14 +48,20 @@ constexpr const char* kSettings[] = {"RaytracedGrass", "GrassSlices", "GrassDraw
 ComponentRow raytracedGrassRow() {
     static constexpr FieldRow kFields[] = {
         whole("steps", offsetof(RaytracedGrass, steps), "", {1, 64, 4, 48}, "slices that a ray crosses, at most"),
-        real("footprint", offsetof(RaytracedGrass, footprint), "px", {0, 64, 0, 8},
-             "where slices lie nearer to each other than this, rays take fewer steps; 0: all steps everywhere"),
-        real("cutOff", offsetof(RaytracedGrass, cutOff), "", {0.5, 1, 0.8, 1}, "opacity at which a ray ends"),
-        real("depthAt", offsetof(RaytracedGrass, depthAt), "", kShare,
-             "share of its opacity at which a ray's depth is taken, which decides what hides it"),
-        choice("rest", &RaytracedGrass::rest, offsetof(RaytracedGrass, rest), kRayRests,
-               "what stands for slices beyond the last step: their mean, the next one as if opaque (as published), or "
-               "nothing"),
+        titled("All steps from",
+               real("footprint", offsetof(RaytracedGrass, footprint), "px", {0, 64, 0, 8},
+                    "where slices lie nearer to each other than this, rays take fewer steps; 0: all steps everywhere")),
+        titled("Rays end at opacity",
+               real("cutOff", offsetof(RaytracedGrass, cutOff), "", {0.5, 1, 0.8, 1}, "opacity at which a ray ends")),
+        titled("Depth taken at",
+               real("depthAt", offsetof(RaytracedGrass, depthAt), "", kShare,
+                    "share of its opacity at which a ray's depth is taken, which decides what hides it")),
+        titled(
+            "Beyond the last step",
+            choice(
+                "rest", &RaytracedGrass::rest, offsetof(RaytracedGrass, rest), kRayRests,
+                "what stands for slices beyond the last step: their mean, the next one as if opaque (as published), or "
+                "nothing")),
         choice("visibility", &RaytracedGrass::visibility, offsetof(RaytracedGrass, visibility), kRayVisibilities,
                "how grass and what stands in it hide each other: by one depth a pixel, or each ray ends at the scene"),
         real("maxDistance", offsetof(RaytracedGrass, maxDistance), "m", {0.1, 1e6, 5, 200},

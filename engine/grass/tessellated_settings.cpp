@@ -57,8 +57,8 @@ ComponentRow tessellatedBladesRow() {
     static constexpr FieldRow kFields[] = {
         real("maxDistance", offsetof(TessellatedBlades, maxDistance), "m", {0.1, 1e6, 5, 200},
              "from here no blade is drawn"),
-        choice("levelBy", &TessellatedBlades::levelBy, offsetof(TessellatedBlades, levelBy), kLevelsBy,
-               "what says how fine a blade is, its distance or its length on screen"),
+        titled("Detail by", choice("levelBy", &TessellatedBlades::levelBy, offsetof(TessellatedBlades, levelBy),
+                                   kLevelsBy, "what says how fine a blade is, its distance or its length on screen")),
         real("pixelsPerQuad", offsetof(TessellatedBlades, pixelsPerQuad), "pixels", {0.5, 1000, 2, 40},
              "by pixels: length of a blade's quad on screen"),
         real("thinning", offsetof(TessellatedBlades, thinning), "", kShare,
@@ -67,8 +67,9 @@ ComponentRow tessellatedBladesRow() {
              "blades that are left are wider, so as to cover as much"),
         real("lowerFrom", offsetof(TessellatedBlades, lowerFrom), "", kShare,
              "share of maxDistance from which blades get lower; 1: they do not"),
-        choice("beyond", &TessellatedBlades::beyond, offsetof(TessellatedBlades, beyond), kBeyonds,
-               "what grows beyond maxDistance: the horizontal slice, or nothing, as published"),
+        titled("Drawn beyond",
+               choice("beyond", &TessellatedBlades::beyond, offsetof(TessellatedBlades, beyond), kBeyonds,
+                      "what grows beyond maxDistance: the horizontal slice, or nothing, as published")),
         choice("tessellation", &TessellatedBlades::tessellation, offsetof(TessellatedBlades, tessellation),
                kTessellations, "by the GPU's stages, or by strips from a compute pass; auto: what is faster here"),
     };

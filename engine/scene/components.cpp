@@ -121,13 +121,14 @@ constexpr FieldRow kWindFields[] = {
     real("quiverHz", offsetof(Wind, quiverHz), "Hz", {0, 50, 1, 6}, "how fast blades quiver"),
     map("gusts", offsetof(Wind, gusts), &kGusts,
         "your own picture of gusts: it covers 8 of them and repeats; none: made by the program"),
-    real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1},
-         "of waves: how close they follow each other; in steps of 0.05"),
-    real("c2", offsetof(Wind, c2), "1/m", {0, 10, 0, 0.5}, "of waves: how they bend across the wind"),
-    real("c3", offsetof(Wind, c3), "1/m", {0, 10, 0, 1},
-         "of waves: the second ones, which overlap the first; in steps of 0.05"),
-    real("epsilon", offsetof(Wind, epsilon), "", {0.1, 10, 0.1, 2},
-         "of waves: how sharply they bend; below 0.1 neighbours would move without relation"),
+    titled("Wave spacing", real("c1", offsetof(Wind, c1), "1/m", {0, 10, 0, 1},
+                                "of waves: how close they follow each other; in steps of 0.05")),
+    titled("Wave bend",
+           real("c2", offsetof(Wind, c2), "1/m", {0, 10, 0, 0.5}, "of waves: how they bend across the wind")),
+    titled("Second waves", real("c3", offsetof(Wind, c3), "1/m", {0, 10, 0, 1},
+                                "of waves: the second ones, which overlap the first; in steps of 0.05")),
+    titled("Wave sharpness", real("epsilon", offsetof(Wind, epsilon), "", {0.1, 10, 0.1, 2},
+                                  "of waves: how sharply they bend; below 0.1 neighbours would move without relation")),
 };
 FeatureSet windFeatures(const void* component) {
     const auto& w = *static_cast<const Wind*>(component);

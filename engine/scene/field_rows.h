@@ -26,6 +26,17 @@ constexpr FieldRow number(FieldType type, const char* name, size_t offset, const
                           const char* help) {
     return {name, type, offset, unit, r.hardMin, r.hardMax, r.softMin, r.softMax, help};
 }
+// The row as an inspector calls it, where its name says little.
+constexpr FieldRow titled(const char* title, FieldRow row) {
+    row.title = title;
+    return row;
+}
+// The row, and those that follow it, under a heading of the inspector. kAdvanced is closed at first.
+constexpr FieldRow under(const char* group, FieldRow row) {
+    row.group = group;
+    return row;
+}
+inline constexpr const char* kAdvanced = "Advanced";
 // A float.
 constexpr FieldRow real(const char* name, size_t offset, const char* unit, Range r, const char* help) {
     return number(FieldType::Float, name, offset, unit, r, help);

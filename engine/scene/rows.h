@@ -60,6 +60,8 @@ struct FieldRow {
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
+    const char* title = nullptr;                // what an inspector calls it; null: its name, in words
+    const char* group = nullptr;                // heading under which it stands there; null: as the field before it
 };
 
 struct Tables;
