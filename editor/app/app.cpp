@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "panels/panels.h"
+#include "panels/viewport_objects.h"
 #include "panels/viewport_scene.h"
 #include "playtest/playtest.h"
 #include "tools/brush_target.h"
@@ -37,6 +38,7 @@ void advanceTime(FrameClock& clock, const ui::Surface& surface) {
 void followProject(EditorApp& app) {
     if (app.doc.isOpen() && app.doc.project().dir != app.shownProject) adoptProject(app);
     keepTargetValid(app.doc, app.brushes);
+    if (app.doc.isOpen()) dropMissing(app.selection, app.doc.project());
 }
 
 void followBake(EditorApp& app) {
@@ -161,6 +163,11 @@ EditorApp::~EditorApp() {
 
 PlayParts playParts(EditorApp& app) { return {app.doc, app.play, *app.surface, app.picture, app.clock, app.messages}; }
 
+ObjectParts objectParts(EditorApp& a) {
+    const bool active = a.doc.isOpen() && a.brushes.tool == kViewTool;
+    return {a.doc, a.selection, a.objects, a.edits, a.messages, a.view.camera, a.hand.rect, timeShown(a.doc), active};
+}
+
 void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
     if (runEntered(app.console) > 0) app.clock.wanted = 4;
@@ -231,7 +238,9 @@ void adoptProject(EditorApp& app) {
     app.picture.drawnRevision = kNeverDrawn;
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;
-    app.selection.entity.clear();
+    app.selection.entities.clear();
+    app.objects.drag.reset();
+    app.objects.box.reset();
     stopRuns(app.accuracy);
     app.accuracy.sweep = {};
     app.accuracy.fit = {};
@@ -239,7 +248,7 @@ void adoptProject(EditorApp& app) {
     app.book.errors.clear();
     if (const Camera* camera = findCamera(project, "")) app.view.camera = flyFrom(viewOf(*camera));
     for (const auto& [name, entity] : project.entities)
-        if (project.registry.get<GrassField>(entity)) app.selection.entity = name;
+        if (project.registry.get<GrassField>(entity)) choose(app.selection, name);
     keepTargetValid(app.doc, app.brushes);
 }
 

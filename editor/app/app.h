@@ -26,6 +26,7 @@
 #include "model/document.h"
 #include "tools/brush_book.h"
 #include "tools/brush_cost.h"
+#include "tools/object_tool.h"
 #include "tools/tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
@@ -33,6 +34,8 @@
 struct ImGuiContext;
 
 namespace sward {
+
+struct ObjectParts;
 
 struct EditorApp {
     // `keepLayout`: read and write the person's layout file. The document and the GPU must outlive the editor.
@@ -68,6 +71,7 @@ struct EditorApp {
     BrushCost brushCost;
     TierView tierView;
     Selection selection;
+    ObjectTool objects;
     Edits edits;
     PlayControl play;
     Accuracy accuracy;
@@ -101,5 +105,7 @@ void requestQuit(EditorApp& app);
 void adoptProject(EditorApp& app);
 // The parts that play starts, steps and stops with.
 PlayParts playParts(EditorApp& app);
+// The parts that objects are chosen and moved with.
+ObjectParts objectParts(EditorApp& app);
 
 }  // namespace sward

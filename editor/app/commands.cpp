@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "model/blade_height.h"
+#include "panels/viewport_objects.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -67,7 +68,23 @@ void strength(EditorApp& app) {
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
-void focusPointer(EditorApp& app) { focusGround(app.view.camera, app.hand.ground, currentBrush(app.brushes).radius); }
+// What is chosen and has a place, else what is under the pointer.
+void focusChosen(EditorApp& app) {
+    FlyCamera& camera = app.view.camera;
+    const std::optional<Extent> extent = extentOf(objectParts(app));
+    if (!extent) return focusGround(camera, app.hand.ground, currentBrush(app.brushes).radius);
+    const double half = std::sin(glm::radians(static_cast<double>(camera.fovDeg)) / 2);
+    focus(camera, extent->middle, std::max(2.0, 1.3 * extent->radius / half));
+}
+template <GizmoMode Mode>
+void takeMode(EditorApp& app) {
+    selectTool(app.doc, app.brushes, app.messages, kViewTool);
+    app.objects.mode = Mode;
+}
+template <GizmoMode Mode>
+bool inMode(EditorApp& app) {
+    return app.brushes.tool == kViewTool && app.objects.mode == Mode;
+}
 
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
@@ -85,11 +102,14 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Object", "Objects or Brush", "v", "", lookOnly, opened},
+    {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
+    {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
+    {"Object", "Scale", "r", "", takeMode<GizmoMode::Scale>, opened, true, inMode<GizmoMode::Scale>},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
-    {"Brush", "Look Without Painting", "v", "", lookOnly, opened},
     {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
      [](App& a) { return overlayShown(a.doc, a.brushes); }},
     {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
@@ -101,7 +121,7 @@ constexpr Command kCommands[] = {
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
-    {"View", "Focus Under Pointer", "f", "", focusPointer, opened, false},
+    {"View", "Focus", "f", "", focusChosen, opened},
 };
 
 bool matches(const char* chord, const Chord& pressed) {

@@ -11,6 +11,7 @@
 #include "panels/play_bar.h"
 #include "panels/viewport.h"
 #include "panels/viewport_compare.h"
+#include "panels/viewport_gizmo.h"
 #include "panels/viewport_input.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
@@ -24,7 +25,7 @@ namespace {
 FieldParts fieldParts(EditorApp& a) { return {a.doc, a.edits, a.book.errors, a.messages}; }
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
 RingParts ringParts(EditorApp& a) {
-    const std::string entity = tierEntity(a.doc, a.tierView.field, a.selection.entity);
+    const std::string entity = tierEntity(a.doc, a.tierView.field, shownEntity(a.selection));
     const bool shown = a.tierView.rings && openTab(a.layout) == "Tiers" && tierField(a.doc, entity);
     return {a.doc, a.tierView, a.view.camera, a.hand.rect, entity, shown};
 }
@@ -49,7 +50,8 @@ void playBar(EditorApp& a) {
 }
 
 void brushBar(EditorApp& a) {
-    a.brushBarRows = drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.edits, a.messages);
+    a.brushBarRows =
+        drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages);
 }
 
 // --- the viewport: input, then the picture, then what lies over it
@@ -60,7 +62,9 @@ void takeInput(EditorApp& a, const RingParts& rings, bool over) {
         if (playInput(input, a.hand) && a.doc.play()->runs()) captureMouse(a.play, a.doc, *a.surface, true);
         return;
     }
-    viewportInput(input, a.view.camera, a.hand, {a.doc, a.brushes, a.edits, a.messages}, rings, a.accuracy.comparison);
+    const ObjectParts objects = objectParts(a);
+    viewportInput(input, a.view.camera, a.hand,
+                  {{a.doc, a.brushes, a.edits, a.messages}, rings, objects, a.accuracy.comparison});
 }
 
 // What the next picture is to show.
@@ -95,6 +99,9 @@ void drawAids(EditorApp& a, const RingParts& rings) {
     if (!a.tierView.hover && !c.gripHovered && !drawsDecal(a.picture, a.clock))
         drawBrushRing(a.doc, a.view.camera, a.hand, a.brushes);
     drawRings(rings);
+    const ObjectParts objects = objectParts(a);
+    drawObjects(objects);
+    drawGizmo(objects);
 }
 
 void viewport(EditorApp& a) {
@@ -124,7 +131,7 @@ void viewport(EditorApp& a) {
 
 void profiler(EditorApp& a) { drawProfiler(a.counts, a.picture.drawnSettings.measure, a.gpu.renderer); }
 void tiers(EditorApp& a) {
-    drawTiers(fieldParts(a), a.tierView, a.selection.entity, a.view, a.counts, a.picture.drawnSettings.measure);
+    drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
 }
 void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
@@ -141,10 +148,11 @@ constexpr PanelRow kPanels[] = {
     {"Menu", Dock::Menu, menuBar, false},
     {"Play", Dock::Menu, playBar, false},
     {"Brush", Dock::BrushBar, brushBar, false, nullptr, true},
-    {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.messages); }, false, nullptr, true},
+    {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.objects.mode, a.messages); }, false, nullptr,
+     true},
     {"Viewport", Dock::Viewport, viewport, false},
     {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection); }, true, nullptr, true},
-    {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), a.selection.entity, a.view); }, true,
+    {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), shownEntity(a.selection), a.view); }, true,
      nullptr, true},
     {"Console", Dock::Bottom, [](App& a) { drawConsole(a.console, a.queue.pending()); }, true},
     {"Profiler", Dock::Bottom, profiler, true},

@@ -26,12 +26,14 @@ struct FieldParts;
 struct FileDialog;
 struct MeasureParts;
 struct Messages;
+struct ObjectTool;
 struct Selection;
 struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
 struct ViewState;
 
+enum class GizmoMode;
 enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, StatusBar, Dialog };
 
 struct PanelRow {
@@ -57,13 +59,14 @@ enum class PlayAction { None, Toggle, Pause, Step };
 // Start, pause and step, in the middle of the menu bar. What was pressed.
 PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
-int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, Edits& edits,
-                 Messages& messages);
-// A button for looking and one a brush; choosing one may choose another map.
-void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messages);
+// With the select tool: the steps to which it snaps.
+int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, ObjectTool& objects,
+                 Edits& edits, Messages& messages);
+// Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
+void drawToolStrip(const Document& document, BrushBook& brushes, GizmoMode& mode, Messages& messages);
 // The entities: chosen, added by a typed name, removed.
 void drawOutliner(const FieldParts& parts, Selection& selection);
-// The components of the entity that is `selected`; its camera tools move the view.
+// The components of the entity that is `selected`, the one chosen last; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
 // `inputWaits`: something came in that the next frame takes, so the keyboard's focus stays free.
 void drawConsole(Console& console, bool inputWaits);

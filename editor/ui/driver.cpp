@@ -103,7 +103,7 @@ bool Driver::openWayTo(const std::string& label) {
     const std::string panel = label.substr(0, slash), rest = slash == std::string::npos ? "" : label.substr(slash + 1);
     if (panel == "Inspector" && !rest.empty()) {
         const std::string entity = rest.substr(0, rest.find('.'));
-        if (app_.selection.entity != entity && find("Outliner/" + entity))
+        if (shownEntity(app_.selection) != entity && find("Outliner/" + entity))
             return static_cast<bool>(click("Outliner/" + entity));
     }
     if (const Widget* tab = find("Tabs/" + panel); tab && app_.layout.tab != panel)

@@ -60,6 +60,7 @@ struct FieldRow {
     bool allowInf = false;                      // Float: infinity is a value ("never fades")
     bool isFile = false;                        // String: a file in the project's folder, or empty: an image ...
     bool isMesh = false;                        // ... or an object (glTF)
+    bool isEntity = false;                      // String: the name of another entity, or empty; it follows renaming
 };
 
 struct Tables;
