@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "app/commands.h"
+#include "model/assets.h"
 #include "panels/panels.h"
 #include "panels/viewport_objects.h"
 #include "panels/viewport_scene.h"
@@ -39,6 +40,7 @@ void followProject(EditorApp& app) {
     if (app.doc.isOpen() && app.doc.project().dir != app.shownProject) adoptProject(app);
     keepTargetValid(app.doc, app.brushes);
     if (app.doc.isOpen()) dropMissing(app.selection, app.doc.project());
+    if (app.brushes.tool != kViewTool) app.objects.placing.clear();
 }
 
 void followBake(EditorApp& app) {
@@ -116,6 +118,25 @@ void settleEdits(EditorApp& app) {
     followRenderer(*app.renderer, app.doc.isOpen(), app.background.making, app.picture);
 }
 
+// Files dropped onto the window come into the project as objects; the last one is in the hand then.
+void takeDropped(EditorApp& app) {
+    for (const std::string& file : app.in.dropped) {
+        if (!app.doc.isOpen() || playing(app.doc)) {
+            showError(app.messages, failed(file + " cannot come in now", "open a project, or stop playing"));
+            continue;
+        }
+        const Result<std::string> asset = importAsset(app.doc.project().dir, file);
+        if (!asset) {
+            showError(app.messages, asset.error());
+            continue;
+        }
+        selectTool(app.doc, app.brushes, app.messages, kViewTool);
+        app.objects.placing = *asset;
+        app.layout.tab = "Objects";
+        say(app.messages, *asset + " is in the hand: click on the ground");
+    }
+}
+
 // What the world did since the last frame.
 void followWorld(EditorApp& app) {
     advanceTime(app.clock, *app.surface);
@@ -124,6 +145,7 @@ void followWorld(EditorApp& app) {
     followBake(app);
     followRuns(app.accuracy, app.clock, app.messages);
     followPlay(playParts(app), app.in);
+    takeDropped(app);
 }
 
 }  // namespace

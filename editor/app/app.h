@@ -18,6 +18,7 @@
 #include "app/frame_clock.h"
 #include "app/layout.h"
 #include "app/messages.h"
+#include "app/object_actions.h"
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/viewport.h"
@@ -83,6 +84,7 @@ struct EditorApp {
     Console console;
     FileDialog files;
     UnsavedDialog unsaved;
+    RenameDialog rename;
 
     // --- the program
     bool keepLayout = false;

@@ -68,6 +68,7 @@ void strength(EditorApp& app) {
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
+void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
 // What is chosen and has a place, else what is under the pointer.
 void focusChosen(EditorApp& app) {
     FlyCamera& camera = app.view.camera;
@@ -91,6 +92,7 @@ bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
 bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
+bool anyChosen(EditorApp& app) { return app.doc.isOpen() && !app.selection.entities.empty() && atRest(app); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -102,6 +104,11 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
+    {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
+    {"Object", "Delete", "delete", "", [](App& a) { removeChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
     {"Object", "Objects or Brush", "v", "", lookOnly, opened},
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
@@ -129,8 +136,8 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const FileDialog& files, const UnsavedDialog& unsaved, const Autosave& autosave) {
-    return files.task != FileTask::None || unsaved.then || !autosave.found.empty();
+bool dialogOpen(const EditorApp& a) {
+    return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }
@@ -153,7 +160,7 @@ std::vector<CommandState> commandStates(EditorApp& app) {
 }
 
 void runShortcuts(EditorApp& app) {
-    if (dialogOpen(app.files, app.unsaved, app.autosave)) return;
+    if (dialogOpen(app)) return;
     for (const int key : app.in.pressedKeys) {
         const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
         const bool flying = app.hand.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then

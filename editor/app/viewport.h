@@ -29,6 +29,7 @@ struct ViewportHand {
     Gesture gesture = Gesture::None;
     bool flying = false;            // keys move the camera in this frame
     double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
+    double way = 0;                 // pixels that it has gone since the gesture began
 };
 
 inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);

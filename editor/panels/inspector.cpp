@@ -7,6 +7,7 @@
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
 #include "scene/technique.h"
+#include "tools/appear.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -67,9 +68,8 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
     const std::string path = owner.path();
     const bool open = header(path, row.name, true);
     if (value != row.defaults())  // settings that are absent
-        removeButton(
-            parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
-            [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
+        removeButton(parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
+                     [&doc = parts.doc, entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
     for (const FieldRow& f : row.fields) {
         const void* field = static_cast<const char*>(value) + f.offset;
@@ -98,7 +98,8 @@ const void* shownComponent(const Document& doc, Entity e, const ComponentRow& ro
     return own ? own : row.defaults();
 }
 
-void addComponent(const FieldParts& parts, const std::string& entity, Entity e) {
+// What has a place appears where one looks.
+void addComponent(const FieldParts& parts, const ViewState& view, const std::string& entity, Entity e) {
     std::vector<std::string> names;
     for (const ComponentRow& row : parts.doc.tables().components)
         if (!row.settingsOf && !row.get(parts.doc.project().registry, e)) names.push_back(row.name);
@@ -109,7 +110,9 @@ void addComponent(const FieldParts& parts, const std::string& entity, Entity e) 
     ImGui::SetNextItemWidth(-1);
     if (ui::combo("Add component", names, chosen)) {
         const std::string name = names[static_cast<size_t>(chosen)];
-        deferEdit(parts, [&doc = parts.doc, &entity, name] { return doc.addComponent(entity, name); });
+        deferEdit(parts, [&doc = parts.doc, &view, entity, name] {
+            return addInView(doc, viewOf(view.camera), entity, name);
+        });
     }
 }
 
@@ -126,7 +129,7 @@ void drawInspector(const FieldParts& parts, const std::string& selected, ViewSta
     ImGui::BeginChild("fields");
     for (const ComponentRow& row : doc.tables().components)
         if (const void* value = shownComponent(doc, e, row)) component(parts, view, {selected, row}, value);
-    addComponent(parts, selected, e);
+    addComponent(parts, view, selected, e);
     ImGui::EndChild();
 }
 

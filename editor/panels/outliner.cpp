@@ -2,8 +2,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <set>
 
-#include "app/selection.h"
+#include "app/object_actions.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
@@ -42,9 +43,13 @@ void chooseRow(Selection& selection, const std::vector<std::string>& names, cons
 }
 
 void entityRow(const Document& doc, Selection& selection, const std::vector<std::string>& names,
-               const std::string& name) {
+               const std::string& name, bool chosen, bool& menu) {
     const Entity e = findEntity(doc.project(), name);
-    if (ui::selectable(name, isChosen(selection, name))) chooseRow(selection, names, name);
+    if (ui::selectable(name, chosen)) chooseRow(selection, names, name);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) {
+        if (!chosen) choose(selection, name);
+        menu = true;
+    }
     const std::string parts = componentsOf(doc, e);
     ui::tooltip(parts.empty() ? "no components" : parts);
     ImGui::SameLine(std::max(ImGui::CalcTextSize(name.c_str()).x + 16, ImGui::GetContentRegionAvail().x * 0.42f));
@@ -81,16 +86,13 @@ void footer(const FieldParts& parts, Selection& selection) {
     ImGui::SameLine(0, 4);
     const ui::Disabled nothing(selection.entities.empty());
     if (ui::button("Remove", removeWidth))
-        parts.edits.deferred.push_back([parts, &selection] {
-            for (const std::string& entity : std::vector<std::string>(selection.entities))
-                accept(parts.messages, parts.doc.removeEntity(entity));
-        });
+        parts.edits.deferred.push_back([parts, &selection] { removeChosen(parts.doc, selection, parts.messages); });
     ui::tooltip("Removes the chosen entities with all their components.");
 }
 
 }  // namespace
 
-void drawOutliner(const FieldParts& parts, Selection& selection) {
+void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu) {
     Document& doc = parts.doc;
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "SCENE");
@@ -103,7 +105,8 @@ void drawOutliner(const FieldParts& parts, Selection& selection) {
     ImGui::BeginChild("entities", {0, -below});
     if (doc.isOpen()) {
         const std::vector<std::string> names = listed(doc, selection.search);
-        for (const std::string& name : names) entityRow(doc, selection, names, name);
+        const std::set<std::string> chosen(selection.entities.begin(), selection.entities.end());
+        for (const std::string& name : names) entityRow(doc, selection, names, name, chosen.contains(name), menu);
     }
     ImGui::EndChild();
     footer(parts, selection);

@@ -13,6 +13,7 @@
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_place.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
 #include "playtest/playtest.h"
@@ -102,6 +103,7 @@ void drawAids(EditorApp& a, const RingParts& rings) {
     const ObjectParts objects = objectParts(a);
     drawObjects(objects);
     drawGizmo(objects);
+    drawPlacing(objects, a.hand.ground);
 }
 
 void viewport(EditorApp& a) {
@@ -139,6 +141,15 @@ void statusBar(EditorApp& a) {
 void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, [&a] { adoptProject(a); });
 }
+void renameDialog(EditorApp& a) {
+    drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
+        followName(from, name, a.selection, a.brushes, a.tierView);
+    });
+}
+void contextMenu(EditorApp& a) {
+    if (const Command* c = drawContextMenu(commandStates(a), shownEntity(a.selection), a.objects.menu))
+        a.edits.deferred.push_back([&a, c] { c->run(a); });
+}
 void recoveryDialog(EditorApp& a) {
     if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
 }
@@ -151,7 +162,8 @@ constexpr PanelRow kPanels[] = {
     {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.objects.mode, a.messages); }, false, nullptr,
      true},
     {"Viewport", Dock::Viewport, viewport, false},
-    {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection); }, true, nullptr, true},
+    {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection, a.objects.menu); }, true,
+     nullptr, true},
     {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), shownEntity(a.selection), a.view); }, true,
      nullptr, true},
     {"Console", Dock::Bottom, [](App& a) { drawConsole(a.console, a.queue.pending()); }, true},
@@ -159,10 +171,14 @@ constexpr PanelRow kPanels[] = {
     {"Tiers", Dock::Bottom, tiers, true, "Tiers Panel", true},
     {"Accuracy", Dock::Bottom, [](App& a) { drawAccuracy(a.accuracy, measureParts(a), a.edits, a.counts.lastMs); },
      true, nullptr, true},
+    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
+     "Objects Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},
     {"Recovery", Dock::Dialog, recoveryDialog, false},
+    {"Rename", Dock::Dialog, renameDialog, false},
+    {"Context", Dock::Dialog, contextMenu, false},
 };
 
 }  // namespace

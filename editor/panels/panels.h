@@ -27,6 +27,7 @@ struct FileDialog;
 struct MeasureParts;
 struct Messages;
 struct ObjectTool;
+struct RenameDialog;
 struct Selection;
 struct TierView;
 struct UnsavedDialog;
@@ -64,14 +65,17 @@ int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& br
                  Edits& edits, Messages& messages);
 // Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
 void drawToolStrip(const Document& document, BrushBook& brushes, GizmoMode& mode, Messages& messages);
-// The entities: chosen, added by a typed name, removed.
-void drawOutliner(const FieldParts& parts, Selection& selection);
+// The entities: searched for, chosen, added by a typed name, removed. `menu`: set where a right click asks for the
+// context menu.
+void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu);
 // The components of the entity that is `selected`, the one chosen last; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
 // `inputWaits`: something came in that the next frame takes, so the keyboard's focus stays free.
 void drawConsole(Console& console, bool inputWaits);
 // `measured`: the counts are of a measured drawing.
 void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
+// The project's objects, to be placed by clicks in the viewport.
+void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Messages& messages);
 // The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
 void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& counts, bool measured);
@@ -85,6 +89,12 @@ void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Message
                     const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
 void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
+// Asks for as long as there is an entity in it; `renamed` runs when it has its new name.
+void drawRenameDialog(RenameDialog& dialog, Document& document, Edits& edits,
+                      const std::function<void(const std::string& name)>& renamed);
+// The commands of the menu Object, at the pointer, once `opening` was set. The one that was chosen in this frame, or
+// null.
+const Command* drawContextMenu(std::span<const CommandState> states, const std::string& title, bool& opening);
 // True while it waits for the editor's first frames, which must then come.
 bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
 

@@ -10,12 +10,15 @@
 
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
+#include "panels/viewport_place.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 
 namespace sward {
 namespace {
+
+constexpr double kClick = 4;  // pixels until a click of the right button is a look around
 
 // Orbits and pans turn about what lies in the middle of the view.
 void takePivot(FlyCamera& camera, std::optional<glm::dvec3> point) {
@@ -52,7 +55,7 @@ bool beginMove(const Document& doc, FlyCamera& camera, ViewportHand& hand, const
 
 void beginGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
     const PaintParts& p = parts.paint;
-    hand.lastX = in.x, hand.lastY = in.y;
+    hand.lastX = in.x, hand.lastY = in.y, hand.way = 0;
     if (beginMove(p.doc, camera, hand, in) || !in.pressed[0]) return;
     if (grabSplit(parts.comparison, in)) {
         hand.gesture = Gesture::Split;
@@ -60,6 +63,8 @@ void beginGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand,
         hand.gesture = Gesture::Ring;
     } else if (grabGizmo(parts.objects, in)) {
         hand.gesture = Gesture::Gizmo;
+    } else if (parts.objects.active && !parts.objects.tool.placing.empty()) {
+        if (!placeObject(parts.objects, in.x, in.y)) say(p.messages, "there is no ground to place it on");
     } else if (parts.objects.active) {
         beginChoosing(parts.objects, in.x, in.y);
         hand.gesture = Gesture::Choose;
@@ -74,6 +79,7 @@ void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, 
     for (const auto& [x, y] : in.path) {
         const double dx = x - hand.lastX, dy = y - hand.lastY;
         hand.lastX = x, hand.lastY = y;
+        hand.way += std::hypot(dx, dy);
         if (hand.gesture == Gesture::Look) look(camera, dx, dy);
         if (hand.gesture == Gesture::Orbit) orbit(camera, dx, dy);
         if (hand.gesture == Gesture::Pan) pan(camera, dx, dy, static_cast<double>(hand.rect.h));
@@ -103,6 +109,8 @@ void endGesture(ViewportHand& hand, const HandParts& parts, const FrameInput& in
     if (hand.gesture == Gesture::Ring) releaseRing(parts.rings.tiers);
     if (hand.gesture == Gesture::Choose) endChoosing(parts.objects, in);
     if (hand.gesture == Gesture::Gizmo) releaseGizmo(parts.objects);
+    if (hand.gesture == Gesture::Look && hand.way < kClick && parts.objects.active)
+        chooseForMenu(parts.objects, in.x, in.y);
     hand.gesture = Gesture::None;
 }
 
@@ -115,6 +123,7 @@ void flyByKeys(FlyCamera& camera, ViewportHand& hand, const FrameInput& in, doub
     const glm::dvec3 direction{axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                                axis(GLFW_KEY_W, GLFW_KEY_S)};
     hand.flying = glm::length(direction) > 0;
+    if (hand.flying) hand.way += kClick;  // that was no click
     fly(camera, direction, seconds * (in.shift() ? 3 : 1));
 }
 
@@ -149,6 +158,8 @@ void cancelByKey(ViewportHand& hand, const FrameInput& in, const HandParts& part
     if (hand.gesture == Gesture::Choose) parts.objects.tool.box.reset();
     if (hand.gesture == Gesture::Ring || hand.gesture == Gesture::Gizmo || hand.gesture == Gesture::Choose)
         hand.gesture = Gesture::None;
+    else
+        parts.objects.tool.placing.clear();
 }
 
 double focalPixels(const FlyCamera& camera, const Rect& view) {

@@ -63,23 +63,6 @@ void sceneLine(const ObjectParts& parts, glm::dvec3 a, glm::dvec3 b, ImU32 color
     if (from && to) ImGui::GetWindowDrawList()->AddLine(vec(*from), vec(*to), color, width);
 }
 
-// The corners' brackets and, faint, the edges between: what is chosen stays to be seen.
-void drawBox(const ObjectParts& parts, const Corners& c, ImU32 color) {
-    constexpr double kBracket = 0.22;  // of an edge
-    const ImU32 faint = (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
-    for (size_t i = 0; i < c.size(); ++i)
-        for (const size_t bit : {1u, 2u, 4u}) {
-            if (i & bit) continue;
-            const glm::dvec3 a = c[i], b = c[i | bit], part = (b - a) * kBracket;
-            sceneLine(parts, a, b, faint, 1);
-            for (const bool shadow : {true, false}) {
-                const ImU32 ink = shadow ? IM_COL32(0, 0, 0, 110) : color;
-                sceneLine(parts, a, a + part, ink, shadow ? 3.6f : 1.8f);
-                sceneLine(parts, b, b - part, ink, shadow ? 3.6f : 1.8f);
-            }
-        }
-}
-
 void lampIcon(ImDrawList& d, ImVec2 c, float r, ImU32 ink) {
     d.AddCircle(c, r * 0.4f, ink, 0, 1.6f);
     for (int i = 0; i < 8; ++i) {
@@ -131,8 +114,8 @@ void drawIcons(const ObjectParts& parts) {
     }
 }
 
-void recordObject(const ObjectParts& parts, const std::string& name) {
-    const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), name);
+void recordObject(const ObjectParts& parts, const Ground& ground, const std::string& name) {
+    const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), ground, name);
     const auto at = corners ? projectPoint(parts.camera, parts.view, middleOf(*corners)) : std::nullopt;
     if (!at || !within(parts.view, *at)) return;
     const ImVec2 c = vec(*at);
@@ -140,17 +123,17 @@ void recordObject(const ObjectParts& parts, const std::string& name) {
                                              isChosen(parts.selection, name) ? "true" : "false"});
 }
 
-void recordObjects(const ObjectParts& parts) {
+void recordObjects(const ObjectParts& parts, const Ground& ground) {
     const Project& p = parts.doc.project();
     size_t count = 0;
     p.registry.each<StaticMesh>([&](Entity, const StaticMesh&) { ++count; });
     if (count > kMostRecorded) {
-        for (const std::string& name : parts.selection.entities) recordObject(parts, name);
+        for (const std::string& name : parts.selection.entities) recordObject(parts, ground, name);
         return;
     }
     p.registry.each<StaticMesh>([&](Entity e, const StaticMesh&) {
         if (const Name* name = p.registry.get<Name>(e); name && !p.registry.get<Hidden>(e))
-            recordObject(parts, name->value);
+            recordObject(parts, ground, name->value);
     });
 }
 
@@ -165,6 +148,22 @@ bool isBox(const ChoosingBox& box) { return glm::length(box.to - box.from) > kCl
 
 }  // namespace
 
+void drawBox(const ObjectParts& parts, const Corners& c, ImU32 color) {
+    constexpr double kBracket = 0.22;  // of an edge
+    const ImU32 faint = (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 90);
+    for (size_t i = 0; i < c.size(); ++i)
+        for (const size_t bit : {1u, 2u, 4u}) {
+            if (i & bit) continue;
+            const glm::dvec3 a = c[i], b = c[i | bit], part = (b - a) * kBracket;
+            sceneLine(parts, a, b, faint, 1);
+            for (const bool shadow : {true, false}) {
+                const ImU32 ink = shadow ? IM_COL32(0, 0, 0, 110) : color;
+                sceneLine(parts, a, a + part, ink, shadow ? 3.6f : 1.8f);
+                sceneLine(parts, b, b - part, ink, shadow ? 3.6f : 1.8f);
+            }
+        }
+}
+
 std::string entityAt(const ObjectParts& parts, double x, double y) {
     constexpr double kNear = 5;  // pixels: thin things, and those with gaps, are hard to hit
     if (!parts.doc.isOpen()) return "";
@@ -178,6 +177,7 @@ std::string entityAt(const ObjectParts& parts, double x, double y) {
 
 std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox& box) {
     const Project& p = parts.doc.project();
+    const Ground ground = findGround(p);
     const glm::dvec2 low = glm::min(box.from, box.to), high = glm::max(box.from, box.to);
     const auto inside = [&](const glm::dvec3& place) {
         const auto at = projectPoint(parts.camera, parts.view, place);
@@ -187,10 +187,10 @@ std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox&
     p.registry.each<StaticMesh>([&](Entity e, const StaticMesh&) {
         const Name* name = p.registry.get<Name>(e);
         if (!name || p.registry.get<Hidden>(e)) return;
-        const auto corners = parts.tool.objects.cornersOf(p, name->value);
+        const auto corners = parts.tool.objects.cornersOf(p, ground, name->value);
         if (corners && inside(middleOf(*corners))) names.push_back(name->value);
     });
-    for (const Handle& handle : icons(p, findGround(p), parts.seconds))
+    for (const Handle& handle : icons(p, ground, parts.seconds))
         if (inside(handle.at)) names.push_back(handle.entity);
     std::sort(names.begin(), names.end());
     return names;
@@ -214,12 +214,18 @@ void endChoosing(const ObjectParts& parts, const FrameInput& in) {
         parts.selection.entities.clear();
 }
 
+void chooseForMenu(const ObjectParts& parts, double x, double y) {
+    const std::string name = entityAt(parts, x, y);
+    if (!name.empty() && !isChosen(parts.selection, name)) choose(parts.selection, name);
+    parts.tool.menu = true;
+}
+
 std::optional<Extent> extentOf(const ObjectParts& parts) {
     const Project& p = parts.doc.project();
     const Ground ground = findGround(p);
     Box all;
     for (const std::string& name : parts.selection.entities) {
-        if (const auto corners = parts.tool.objects.cornersOf(p, name))
+        if (const auto corners = parts.tool.objects.cornersOf(p, ground, name))
             for (const glm::dvec3& corner : *corners) all.add(corner);
         else if (const Handle handle = handleOf(p, ground, name, parts.seconds); handle.kind != HandleKind::None)
             all.add(handle.at);
@@ -230,11 +236,12 @@ std::optional<Extent> extentOf(const ObjectParts& parts) {
 
 void drawObjects(const ObjectParts& parts) {
     if (!parts.active) return;
+    const Ground ground = findGround(parts.doc.project());
     for (const std::string& name : parts.selection.entities)
-        if (const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), name))
+        if (const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), ground, name))
             drawBox(parts, *corners, name == shownEntity(parts.selection) ? kChosen : kOthers);
     drawIcons(parts);
-    recordObjects(parts);
+    recordObjects(parts, ground);
     if (parts.tool.box && isBox(*parts.tool.box)) drawChoosingBox(*parts.tool.box);
 }
 

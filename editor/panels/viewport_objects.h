@@ -1,6 +1,8 @@
 // Choosing in the viewport: a click or a box picks objects and icons; what is chosen stands in a box of lines.
 // Does not: move what is chosen (panels/viewport_gizmo.h), nor hold the maths (tools/scene_objects.h, tools/handles.h).
 #pragma once
+#include <imgui.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +48,12 @@ void endChoosing(const ObjectParts& parts, const FrameInput& in);
 // Boxes around what is chosen, icons, the box in the hand. Scripts find "Viewport/Icon NAME", and objects in sight as
 // "Viewport/Object NAME": of all while the scene has 500 at most, else of those chosen.
 void drawObjects(const ObjectParts& parts);
+
+// The brackets of a box and, faint, its edges.
+void drawBox(const ObjectParts& parts, const Corners& corners, ImU32 color);
+
+// What the context menu is for: what is under the pointer is chosen, unless it is already.
+void chooseForMenu(const ObjectParts& parts, double x, double y);
 
 // Where the middle of what is chosen is, and how far it reaches from there, metres; nothing if none has a place.
 struct Extent {

@@ -22,8 +22,17 @@ glm::dmat3 turnOf(const Motion& m) {
     return glm::dmat3(glm::rotate(glm::dmat4(1), m.angle, m.axis));
 }
 
-std::string text(const glm::dvec3& v) {
-    const glm::dvec3 p = glm::clamp(v, -kFarthest, kFarthest);
+// Whole millimetres or thousandths of a degree of what has changed: a hand means no more, and what did not move keeps
+// its bits.
+glm::dvec3 rounded(const glm::dvec3& before, glm::dvec3 after) {
+    for (int i = 0; i < 3; ++i)
+        after[i] =
+            after[i] == before[i] ? after[i] : std::round(std::clamp(after[i], -kFarthest, kFarthest) * 1e3) / 1e3;
+    return after;
+}
+
+std::string text(const glm::dvec3& before, const glm::dvec3& after) {
+    const glm::dvec3 p = rounded(before, after);
     return fmt::format("[{}, {}, {}]", shortestText(p.x), shortestText(p.y), shortestText(p.z));
 }
 
@@ -41,12 +50,14 @@ glm::dvec3 alongGround(const Motion& m, const glm::dvec3& place, const glm::dvec
 
 void moveObject(const EntityStart& s, const Motion& m, const glm::dvec3& shift, FieldTexts& out) {
     const std::string path = s.handle.entity + ".StaticMesh.";
-    if (m.angle != 0) out.emplace_back(path + "rotationDeg", text(turnedDegrees(s.mesh.rotationDeg, m.axis, m.angle)));
+    if (m.angle != 0)
+        out.emplace_back(path + "rotationDeg",
+                         text(s.mesh.rotationDeg, turnedDegrees(s.mesh.rotationDeg, m.axis, m.angle)));
     if (m.scale != 1)
         out.emplace_back(path + "scale",
                          shortestText(std::clamp(s.mesh.scale * static_cast<float>(m.scale), kLeastScale, kMostScale)));
     const glm::dvec3 own = s.mesh.onGround ? glm::dvec3(shift.x, m.move.y, shift.z) : shift;
-    out.emplace_back(s.handle.entity + ".Transform.position", text(s.transform.position + own));
+    out.emplace_back(s.handle.entity + ".Transform.position", text(s.transform.position, s.transform.position + own));
 }
 
 // An angle clockwise from north, of what turns about the vertical.
@@ -87,8 +98,9 @@ FieldTexts movedFields(const EntityStart& s, const Motion& m, const Ground& grou
             break;
         case HandleKind::Camera: {
             const glm::dvec3 eye = s.camera.eye + shift;
-            out.emplace_back(name + ".Camera.eye", text(eye));
-            out.emplace_back(name + ".Camera.target", text(eye + turnOf(m) * (s.camera.target - s.camera.eye)));
+            out.emplace_back(name + ".Camera.eye", text(s.camera.eye, eye));
+            out.emplace_back(name + ".Camera.target",
+                             text(s.camera.target, eye + turnOf(m) * (s.camera.target - s.camera.eye)));
             break;
         }
         case HandleKind::Water:
@@ -98,13 +110,13 @@ FieldTexts movedFields(const EntityStart& s, const Motion& m, const Ground& grou
             break;
         case HandleKind::Force:
             turnHeading(name + ".ForceSource.headingDeg", s.force.headingDeg, m, out);
-            out.emplace_back(name + ".Transform.position", text(s.transform.position + shift));
+            out.emplace_back(name + ".Transform.position", text(s.transform.position, s.transform.position + shift));
             break;
         case HandleKind::Lamp:
             if (s.light.orbitRadius > 0) turnHeading(name + ".Light.azimuthDeg", s.light.azimuthDeg, m, out);
             [[fallthrough]];
         case HandleKind::Other:
-            out.emplace_back(name + ".Transform.position", text(s.transform.position + shift));
+            out.emplace_back(name + ".Transform.position", text(s.transform.position, s.transform.position + shift));
             break;
     }
     return out;

@@ -33,6 +33,9 @@ struct ObjectTool {
     const GizmoPart* hover = nullptr;  // what the pointer is on
     std::optional<GizmoDrag> drag;
     std::optional<ChoosingBox> box;
+    std::string placing;      // file of the object that clicks place; empty: they choose
+    bool randomTurn = false;  // what is placed is turned by an angle of its own
+    bool menu = false;        // the context menu is to be opened
 };
 
 }  // namespace sward

@@ -20,7 +20,7 @@ ObjectShape readShape(const Project& p, const std::string& file) {
     return shape;
 }
 
-Corners cornersAt(const Box& bounds, const glm::dvec3& at, const glm::dmat3& turn) {
+Corners cornersOfBox(const Box& bounds, const glm::dvec3& at, const glm::dmat3& turn) {
     Corners out;
     for (size_t i = 0; i < out.size(); ++i)
         out[i] = at + turn * glm::dvec3(i & 1 ? bounds.high.x : bounds.low.x, i & 2 ? bounds.high.y : bounds.low.y,
@@ -55,7 +55,7 @@ void SceneObjects::follow(const Project& p, uint64_t revision) {
         const PlacedMesh placed = placeMesh(p, ground, e);
         placed_.push_back({name, placed.at, scaledTurn(placed), &shape});
         Box& box = boxes.emplace_back();
-        for (const glm::dvec3& corner : cornersAt(shape.bounds, placed.at, placed_.back().turn)) box.add(corner);
+        for (const glm::dvec3& corner : cornersOfBox(shape.bounds, placed.at, placed_.back().turn)) box.add(corner);
     }
     tree_ = BoxTree(std::move(boxes));
     revision_ = revision;
@@ -78,14 +78,19 @@ std::optional<ObjectHit> SceneObjects::closest(const Project& p, uint64_t revisi
     return hit;
 }
 
-std::optional<Corners> SceneObjects::cornersOf(const Project& p, const std::string& entity) {
+std::optional<Corners> SceneObjects::cornersOf(const Project& p, const Ground& ground, const std::string& entity) {
     const Entity e = findEntity(p, entity);
     const StaticMesh* mesh = e == kNoEntity ? nullptr : p.registry.get<StaticMesh>(e);
     if (!mesh || mesh->file.empty()) return std::nullopt;
     const ObjectShape& shape = shapeOf(p, mesh->file);
     if (!shape.triangles) return std::nullopt;
-    const PlacedMesh placed = placeMesh(p, e);
-    return cornersAt(shape.bounds, placed.at, scaledTurn(placed));
+    const PlacedMesh placed = placeMesh(p, ground, e);
+    return cornersOfBox(shape.bounds, placed.at, scaledTurn(placed));
+}
+
+std::optional<Corners> SceneObjects::cornersAt(const Project& p, const std::string& file, const glm::dvec3& at) {
+    const ObjectShape& shape = shapeOf(p, file);
+    return shape.triangles ? std::optional(cornersOfBox(shape.bounds, at, glm::dmat3(1))) : std::nullopt;
 }
 
 }  // namespace sward

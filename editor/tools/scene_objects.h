@@ -14,6 +14,7 @@
 #include "reference/ray_scene.h"
 #include "scene/project.h"
 #include "tools/box_tree.h"
+#include "world/ground.h"
 
 namespace sward {
 
@@ -35,7 +36,9 @@ class SceneObjects {
     std::optional<ObjectHit> closest(const Project& p, uint64_t revision, const glm::dvec3& origin,
                                      const glm::dvec3& way);
     // The box around an entity's object, turned with it; nothing if it has none that can be read.
-    std::optional<Corners> cornersOf(const Project& p, const std::string& entity);
+    std::optional<Corners> cornersOf(const Project& p, const Ground& ground, const std::string& entity);
+    // The same of a file's object that would stand at a place; nothing if it cannot be read.
+    std::optional<Corners> cornersAt(const Project& p, const std::string& file, const glm::dvec3& at);
     // Boxes that the last ray looked at.
     size_t looked() const { return looked_; }
 

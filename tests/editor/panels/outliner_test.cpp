@@ -10,9 +10,10 @@ class Outliner : public test::PanelStage {
   protected:
     Outliner() {
         name = "Outliner";
-        draw = [this] { drawOutliner(fieldParts(), selection); };
+        draw = [this] { drawOutliner(fieldParts(), selection, menu); };
     }
     Selection selection;
+    bool menu = false;
 };
 
 TEST_F(Outliner, AClickChoosesAndRemoveTakesTheChosenOne) {
