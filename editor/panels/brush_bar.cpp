@@ -198,11 +198,12 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
     modeCombo(doc, brushes, messages);
     mapCombo(rows, doc, brushes);
     const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
-    if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
-    if (brushes.tool == kViewTool)
+    if (brushes.tool == kViewTool) {
         steps(rows, objects);
-    else
-        settings(rows, brushes, map, yaw);
+        return rows.count;
+    }
+    if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
+    settings(rows, brushes, map, yaw);
     return rows.count;
 }
 

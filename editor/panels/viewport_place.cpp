@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/json.h"
 #include "model/entity_edits.h"
 #include "panels/viewport_input.h"
@@ -20,7 +22,8 @@ Status addObject(Document& doc, const std::string& name, const std::string& file
     if (Status s = doc.addEntity(name); !s) return s;
     if (Status s = doc.addComponent(name, "Transform"); !s) return s;
     if (Status s = doc.addComponent(name, "StaticMesh"); !s) return s;
-    const std::string place = fmt::format("[{}, 0, {}]", shortestText(at.x), shortestText(at.z));
+    const auto millimetres = [](double metres) { return shortestText(std::round(metres * 1e3) / 1e3); };
+    const std::string place = fmt::format("[{}, 0, {}]", millimetres(at.x), millimetres(at.z));
     if (Status s = doc.setField(name + ".Transform.position", place); !s) return s;
     if (Status s = doc.setField(name + ".StaticMesh.rotationDeg", fmt::format("[0, {}, 0]", turnDeg)); !s) return s;
     return doc.setField(name + ".StaticMesh.file", file);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/json.h"
 #include "tools/handles.h"
 #include "world/ground.h"
@@ -10,8 +12,9 @@ namespace sward {
 namespace {
 
 Status setPlace(Document& doc, const std::string& entity, const glm::dvec3& at) {
+    const auto millimetres = [](double metres) { return shortestText(std::round(metres * 1e3) / 1e3); };
     return doc.setField(entity + ".Transform.position",
-                        fmt::format("[{}, {}, {}]", shortestText(at.x), shortestText(at.y), shortestText(at.z)));
+                        fmt::format("[{}, {}, {}]", millimetres(at.x), millimetres(at.y), millimetres(at.z)));
 }
 
 // What the new component's defaults become.

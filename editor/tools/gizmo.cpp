@@ -172,6 +172,8 @@ std::optional<Motion> moved(const GizmoGrab& g, const Ray& ray, const GizmoSteps
         const auto from = onPlane(g.pivot, normal, g.ray), to = onPlane(g.pivot, normal, ray);
         if (!from || !to) return std::nullopt;
         m.move = *to - *from;
+        for (int i = 0; i < 3; ++i)
+            if (g.part->axis[i] != 0) m.move[i] = 0;  // to the bit
     }
     for (int i = 0; steps && i < 3; ++i)
         if (m.move[i] != 0) m.move[i] = snapped(g.pivot[i] + m.move[i], static_cast<double>(steps->grid)) - g.pivot[i];

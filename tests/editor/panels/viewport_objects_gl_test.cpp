@@ -182,8 +182,8 @@ TEST_F(EditorObjects, AnAssetIsPlacedByClicksUntilEscape) {
         pickGround(doc.project(), viewOf(app->view.camera), static_cast<int>(r.w), static_cast<int>(r.h),
                    low.x - static_cast<double>(r.x), low.y - static_cast<double>(r.y));
     ASSERT_TRUE(ground);
-    EXPECT_NEAR(placeOf("box").x, ground->x, 1e-6);
-    EXPECT_NEAR(placeOf("box").z, ground->z, 1e-6);
+    EXPECT_NEAR(placeOf("box").x, ground->x, 1e-3);
+    EXPECT_NEAR(placeOf("box").z, ground->z, 1e-3);
     EXPECT_EQ(doc.undoLabel(), "place box-2");
     ok(ui->key("escape"));
     click(low + glm::dvec2(180, 0));
@@ -212,7 +212,7 @@ TEST_F(EditorObjects, WhatIsAddedInTheInspectorAppearsWhereOneLooks) {
     ok(ui->set("Inspector/Add component", "Transform"));
     const auto ground = pickGround(doc.project(), viewOf(app->view.camera), 2, 2, 1, 1);
     ASSERT_TRUE(ground);
-    EXPECT_LT(glm::length(placeOf("spot") - *ground), 1e-6);
+    EXPECT_LT(glm::length(placeOf("spot") - *ground), 2e-3);
 }
 
 TEST_F(EditorObjects, TheOutlinerSearchesAndChoosesSeveralRows) {

@@ -31,7 +31,7 @@ class Appears : public testing::Test {
 TEST_F(Appears, ATransformOnTheGroundAndWaterAtItsHeight) {
     const std::string before = doc.undoLabel();
     ASSERT_TRUE(addInView(doc, down, "thing", "Transform"));
-    EXPECT_LT(glm::length(own<Transform>().position - glm::dvec3(12, 3, 15)), 1e-3);
+    EXPECT_LT(glm::length(own<Transform>().position - glm::dvec3(12, 3, 15)), 2e-3);
     EXPECT_EQ(doc.undoLabel(), "add thing.Transform");
     ASSERT_TRUE(doc.undo());
     EXPECT_EQ(doc.undoLabel(), before) << "one step";
