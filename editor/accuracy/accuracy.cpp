@@ -92,7 +92,7 @@ bool drawOwn(Comparison& c, const CompareParts& p) {
     if (!c.own.pixels.empty()) return true;
     const glm::ivec2 size = comparisonSize(c.key.width, c.key.height);
     return accept(p.messages,
-                  drawn(p.renderer, p.doc.project(), c.key.camera, settingsFor(p.clock, size.x, size.y), c.own));
+                  drawn(p.renderer, p.doc.visibleProject(), c.key.camera, settingsFor(p.clock, size.x, size.y), c.own));
 }
 
 std::optional<Metrics> scoresOf(const Picture& own, const Picture& other, const std::vector<float>& grass) {
@@ -137,7 +137,7 @@ Result<ComparedPass> tracePass(const PassWork& work, JobControl& control) {
 PassWork nextPass(Comparison& c, const Document& doc) {
     if (c.copyRevision != c.key.revision) {
         dropScene(c);
-        c.copy = std::make_shared<Project>(snapshot(doc.project(), doc.tables().components));
+        c.copy = std::make_shared<Project>(snapshot(doc.visibleProject(), doc.tables().components));
         c.copyRevision = c.key.revision;
     }
     const glm::ivec2 size = comparisonSize(c.key.width, c.key.height);
@@ -181,7 +181,7 @@ void followReference(Comparison& c, const CompareParts& p) {
 
 Status makeCopy(Comparison& c, const CompareParts& p) {
     if (c.copyRevision == c.key.revision) return {};
-    c.copy = std::make_shared<Project>(snapshot(p.doc.project(), p.doc.tables().components));
+    c.copy = std::make_shared<Project>(snapshot(p.doc.visibleProject(), p.doc.tables().components));
     c.copyRevision = c.key.revision;
     if (!c.renderer) c.renderer = std::make_unique<Renderer>(p.gpu, p.doc.tables());
     ViewSettings view;  // its fields are not the project's

@@ -9,7 +9,9 @@
 
 #include "app/commands.h"
 #include "core/resources.h"
+#include "model/assets.h"
 #include "panels/panels.h"
+#include "panels/viewport_objects.h"
 #include "panels/viewport_scene.h"
 #include "playtest/playtest.h"
 #include "tools/brush_target.h"
@@ -38,6 +40,8 @@ void advanceTime(FrameClock& clock, const ui::Surface& surface) {
 void followProject(EditorApp& app) {
     if (app.doc.isOpen() && app.doc.project().dir != app.shownProject) adoptProject(app);
     keepTargetValid(app.doc, app.brushes);
+    if (app.doc.isOpen()) dropMissing(app.selection, app.doc.project());
+    if (app.brushes.tool != kViewTool) app.objects.placing.clear();
 }
 
 void followBake(EditorApp& app) {
@@ -115,6 +119,25 @@ void settleEdits(EditorApp& app) {
     followRenderer(*app.renderer, app.doc.isOpen(), app.background.making, app.picture);
 }
 
+// Files dropped onto the window come into the project as objects; the last one is in the hand then.
+void takeDropped(EditorApp& app) {
+    for (const std::string& file : app.in.dropped) {
+        if (!app.doc.isOpen() || playing(app.doc)) {
+            showError(app.messages, failed(file + " cannot come in now", "open a project, or stop playing"));
+            continue;
+        }
+        const Result<std::string> asset = importAsset(app.doc.project().dir, file);
+        if (!asset) {
+            showError(app.messages, asset.error());
+            continue;
+        }
+        selectTool(app.doc, app.brushes, app.messages, kViewTool);
+        app.objects.placing = *asset;
+        app.layout.tab = "Objects";
+        say(app.messages, *asset + " is in the hand: click on the ground");
+    }
+}
+
 // What the world did since the last frame.
 void followWorld(EditorApp& app) {
     advanceTime(app.clock, *app.surface);
@@ -123,6 +146,7 @@ void followWorld(EditorApp& app) {
     followBake(app);
     followRuns(app.accuracy, app.clock, app.messages);
     followPlay(playParts(app), app.in);
+    takeDropped(app);
 }
 
 }  // namespace
@@ -163,6 +187,11 @@ EditorApp::~EditorApp() {
 }
 
 PlayParts playParts(EditorApp& app) { return {app.doc, app.play, *app.surface, app.picture, app.clock, app.messages}; }
+
+ObjectParts objectParts(EditorApp& a) {
+    const bool active = a.doc.isOpen() && a.brushes.tool == kViewTool;
+    return {a.doc, a.selection, a.objects, a.edits, a.messages, a.view.camera, a.hand.rect, timeShown(a.doc), active};
+}
 
 void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
@@ -235,7 +264,9 @@ void adoptProject(EditorApp& app) {
     app.picture.drawnRevision = kNeverDrawn;
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;
-    app.selection.entity.clear();
+    app.selection.entities.clear();
+    app.objects.drag.reset();
+    app.objects.box.reset();
     stopRuns(app.accuracy);
     app.accuracy.sweep = {};
     app.accuracy.fit = {};
@@ -243,7 +274,7 @@ void adoptProject(EditorApp& app) {
     app.book.errors.clear();
     if (const Camera* camera = findCamera(project, "")) app.view.camera = flyFrom(viewOf(*camera));
     for (const auto& [name, entity] : project.entities)
-        if (project.registry.get<GrassField>(entity)) app.selection.entity = name;
+        if (project.registry.get<GrassField>(entity)) choose(app.selection, name);
     keepTargetValid(app.doc, app.brushes);
 }
 

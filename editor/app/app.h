@@ -18,6 +18,7 @@
 #include "app/frame_clock.h"
 #include "app/layout.h"
 #include "app/messages.h"
+#include "app/object_actions.h"
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
@@ -27,6 +28,7 @@
 #include "model/document.h"
 #include "tools/brush_book.h"
 #include "tools/brush_cost.h"
+#include "tools/object_tool.h"
 #include "tools/tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
@@ -34,6 +36,8 @@
 struct ImGuiContext;
 
 namespace sward {
+
+struct ObjectParts;
 
 struct EditorApp {
     // `keepLayout`: read and write the person's layout file. The document and the GPU must outlive the editor.
@@ -69,6 +73,7 @@ struct EditorApp {
     BrushCost brushCost;
     TierView tierView;
     Selection selection;
+    ObjectTool objects;
     Edits edits;
     PlayControl play;
     Accuracy accuracy;
@@ -82,6 +87,7 @@ struct EditorApp {
     FileDialog files;
     StartScreen start;
     UnsavedDialog unsaved;
+    RenameDialog rename;
 
     // --- the program
     bool keepLayout = false;
@@ -104,5 +110,7 @@ void requestQuit(EditorApp& app);
 void adoptProject(EditorApp& app);
 // The parts that play starts, steps and stops with.
 PlayParts playParts(EditorApp& app);
+// The parts that objects are chosen and moved with.
+ObjectParts objectParts(EditorApp& app);
 
 }  // namespace sward

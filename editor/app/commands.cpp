@@ -8,6 +8,7 @@
 #include "app/app.h"
 #include "model/blade_height.h"
 #include "model/whole_map.h"
+#include "panels/viewport_objects.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -77,7 +78,24 @@ void strength(EditorApp& app) {
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
-void focusPointer(EditorApp& app) { focusGround(app.view.camera, app.hand.ground, currentBrush(app.brushes).radius); }
+void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
+// What is chosen and has a place, else what is under the pointer.
+void focusChosen(EditorApp& app) {
+    FlyCamera& camera = app.view.camera;
+    const std::optional<Extent> extent = extentOf(objectParts(app));
+    if (!extent) return focusGround(camera, app.hand.ground, currentBrush(app.brushes).radius);
+    const double half = std::sin(glm::radians(static_cast<double>(camera.fovDeg)) / 2);
+    focus(camera, extent->middle, std::max(2.0, 1.3 * extent->radius / half));
+}
+template <GizmoMode Mode>
+void takeMode(EditorApp& app) {
+    selectTool(app.doc, app.brushes, app.messages, kViewTool);
+    app.objects.mode = Mode;
+}
+template <GizmoMode Mode>
+bool inMode(EditorApp& app) {
+    return app.brushes.tool == kViewTool && app.objects.mode == Mode;
+}
 
 void fill(EditorApp& app) { wholeMap(app.doc, app.brushes, app.messages, "filled", fillMap); }
 void clear(EditorApp& app) {
@@ -95,6 +113,7 @@ bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.em
 bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
 bool hasMap(EditorApp& app) { return app.doc.isOpen() && !app.brushes.map.empty() && atRest(app); }
+bool anyChosen(EditorApp& app) { return app.doc.isOpen() && !app.selection.entities.empty() && atRest(app); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -106,11 +125,19 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
+    {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
+    {"Object", "Delete", "delete", "", [](App& a) { removeChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
+    {"Object", "Objects or Brush", "v", "", lookOnly, opened},
+    {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
+    {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
+    {"Object", "Scale", "r", "", takeMode<GizmoMode::Scale>, opened, true, inMode<GizmoMode::Scale>},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
-    {"Brush", "Look Without Painting", "v", "", lookOnly, opened},
     {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
      [](App& a) { return overlayShown(a.doc, a.brushes); }},
     {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
@@ -125,7 +152,7 @@ constexpr Command kCommands[] = {
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
-    {"View", "Focus Under Pointer", "f", "", focusPointer, opened, false},
+    {"View", "Focus", "f", "", focusChosen, opened},
 };
 
 bool matches(const char* chord, const Chord& pressed) {
@@ -133,8 +160,8 @@ bool matches(const char* chord, const Chord& pressed) {
     return wanted && *wanted == pressed;
 }
 
-bool dialogOpen(const FileDialog& files, const UnsavedDialog& unsaved, const Autosave& autosave) {
-    return files.task != FileTask::None || unsaved.then || !autosave.found.empty();
+bool dialogOpen(const EditorApp& a) {
+    return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }
@@ -157,7 +184,7 @@ std::vector<CommandState> commandStates(EditorApp& app) {
 }
 
 void runShortcuts(EditorApp& app) {
-    if (dialogOpen(app.files, app.unsaved, app.autosave)) return;
+    if (dialogOpen(app)) return;
     for (const int key : app.in.pressedKeys) {
         const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
         const bool flying = app.hand.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then

@@ -143,7 +143,7 @@ FrameInput widgetInput(const FrameInput& in, const PlayControl& control) {
 }
 
 const Project& projectShown(const Document& document) {
-    return playing(document) ? document.play()->project() : document.project();
+    return playing(document) ? document.play()->project() : document.visibleProject();
 }
 ViewCamera viewShown(const Document& document, const FlyCamera& view) {
     return playing(document) ? document.play()->view() : viewOf(view);

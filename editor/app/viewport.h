@@ -21,7 +21,7 @@ struct ViewState {
 };
 
 // What the left, right or middle button is doing in the viewport since it went down there.
-enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split };
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split, Choose, Gizmo };
 struct ViewportHand {
     Rect rect;  // of the image, window coordinates
     bool hovered = false;
@@ -29,6 +29,7 @@ struct ViewportHand {
     Gesture gesture = Gesture::None;
     bool flying = false;            // keys move the camera in this frame
     double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
+    double way = 0;                 // pixels that it has gone since the gesture began
 };
 
 inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);

@@ -16,6 +16,12 @@ class LazyUi final : public UiDriver {
     Status click(const std::string& label) override {
         return with([&](UiDriver& d) { return d.click(label); });
     }
+    Status rightClick(const std::string& label) override {
+        return with([&](UiDriver& d) { return d.rightClick(label); });
+    }
+    Status drop(const std::filesystem::path& file) override {
+        return with([&](UiDriver& d) { return d.drop(file); });
+    }
     Status set(const std::string& label, const std::string& text) override {
         return with([&](UiDriver& d) { return d.set(label, text); });
     }

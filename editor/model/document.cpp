@@ -41,6 +41,10 @@ struct Document::Impl {
         uint64_t revision = 0;
         bool value = false;
     } dirtyAt;
+    struct {
+        uint64_t revision = 0;
+        std::optional<Project> project;  // none: nothing is hidden
+    } visible;
 
     double saveWaitSeconds = kLockWaitSeconds;
     int groupDepth = 0;
@@ -195,6 +199,11 @@ const Project& Document::project() const {
     CHECK(isOpen());
     return *impl_->project;
 }
+const Project& Document::visibleProject() const {
+    auto& visible = impl_->visible;
+    if (visible.revision != impl_->revision) visible = {impl_->revision, withoutHidden(project(), impl_->rows())};
+    return visible.project ? *visible.project : project();
+}
 const Tables& Document::tables() const { return impl_->tables; }
 uint64_t Document::revision() const { return impl_->revision; }
 
@@ -275,6 +284,17 @@ Status Document::addComponent(const std::string& entity, const std::string& comp
     if (impl_->stateOf(entity, *row)) return usage(fmt::format("\"{}\" has a {} already", entity, component));
     row->assign(impl_->project->registry, findEntity(*impl_->project, entity), nullptr);
     impl_->record(fmt::format("add {}.{}", entity, component), {{entity, row, nullptr, impl_->stateOf(entity, *row)}});
+    return {};
+}
+
+Status Document::assignComponent(const std::string& entity, const ComponentRow& row, const void* value) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Entity e = findEntity(*impl_->project, entity);
+    if (e == kNoEntity) return usage(fmt::format("there is no entity \"{}\"", entity));
+    auto before = impl_->stateOf(entity, row), after = row.clone(value);
+    row.assign(impl_->project->registry, e, after.get());
+    impl_->record(fmt::format("set {}.{}", entity, row.name), {{entity, &row, std::move(before), std::move(after)}});
     return {};
 }
 

@@ -50,6 +50,8 @@ class Document {
     bool isOpen() const;
     bool dirty() const;              // differs from what is on disk
     const Project& project() const;  // changed by the calls below alone
+    // The same without what is Hidden: as the viewport shows it. Made anew after a change, while anything is.
+    const Project& visibleProject() const;
     // Those that it was made with.
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo
@@ -72,6 +74,9 @@ class Document {
     Status removeEntity(const std::string& name);
     // With its defaults; fails if the entity has one.
     Status addComponent(const std::string& entity, const std::string& component);
+    // Gives the entity a component like `value`, which must be of the row's kind and sound: another entity's, say. What
+    // it had of the kind is replaced.
+    Status assignComponent(const std::string& entity, const ComponentRow& row, const void* value);
     // Fails if the entity has none.
     Status removeComponent(const std::string& entity, const std::string& component);
     // At the end of "lawn.GrassField.species", with its defaults and a name of its own.

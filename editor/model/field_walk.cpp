@@ -117,6 +117,17 @@ void eachMap(std::span<const FieldRow> fields, const void* component, const std:
     }
 }
 
+std::optional<Project> withoutHidden(const Project& p, std::span<const ComponentRow> rows) {
+    std::vector<std::string> hidden;
+    p.registry.each<Hidden>([&](Entity e, const Hidden&) {
+        if (const Name* name = p.registry.get<Name>(e)) hidden.push_back(name->value);
+    });
+    if (hidden.empty()) return std::nullopt;
+    Project shown = snapshot(p, rows);
+    for (const std::string& name : hidden) removeEntity(shown, name);
+    return shown;
+}
+
 const void* componentOf(const Project& p, const std::string& entity, const ComponentRow& row) {
     const auto found = p.entities.find(entity);
     return found == p.entities.end() ? nullptr : row.get(p.registry, found->second);

@@ -2,6 +2,7 @@
 // Does not: parse paths or text (scene/project.h does).
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "scene/project.h"
@@ -19,6 +20,8 @@ void copyFields(std::span<const FieldRow> fields, void* to, const void* from);
 void eachMap(std::span<const FieldRow> fields, const void* component, const std::function<void(const MapField&)>& f);
 // The same entities, components, fields and unknown parts; folder and remembered imports do not count.
 bool sameProject(const Project& a, const Project& b, std::span<const ComponentRow> rows);
+// A copy without what Hidden entities have; nothing if none is hidden.
+std::optional<Project> withoutHidden(const Project& p, std::span<const ComponentRow> rows);
 // The component's value, or null: like row.get, for a project that is only read.
 const void* componentOf(const Project& p, const std::string& entity, const ComponentRow& row);
 

@@ -10,6 +10,7 @@
 #include "model/new_map.h"
 #include "panels/panels.h"
 #include "tools/brush_target.h"
+#include "tools/object_tool.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -76,7 +77,7 @@ void createButton(Rows& rows, Document& doc, const ConstFieldRef& map, Edits& ed
 }
 
 void modeCombo(const Document& doc, BrushBook& brushes, Messages& messages) {
-    std::vector<std::string> labels{"Look"}, tools{kViewTool};
+    std::vector<std::string> labels{"Select"}, tools{kViewTool};
     for (const BrushRow& row : brushRows()) labels.push_back(row.label), tools.push_back(row.name);
     const auto it = std::find(tools.begin(), tools.end(), brushes.tool);
     int chosen = static_cast<int>(it - tools.begin());
@@ -174,16 +175,34 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>
                "What the brush paints towards: 0 is bare, 1 is full.");
 }
 
+// Of the select tool: to what a drag snaps while Ctrl is held.
+void steps(Rows& rows, ObjectTool& objects) {
+    GizmoSteps& s = objects.steps;
+    number(rows, "Grid", s.grid, em(6), range(0.05, 5, 0.001, 1000, "m"),
+           "With Ctrl held, what is moved snaps to places so far apart.");
+    number(rows, "Turn step", s.angleDeg, em(6), range(1, 90, 0.01, 180, "deg"),
+           "With Ctrl held, what is turned snaps to steps of so much.");
+    number(rows, "Scale step", s.scale, em(5), range(0.01, 1, 0.001, 10),
+           "With Ctrl held, a factor snaps to multiples of this.");
+    next(rows, "Follow ground", em(2));
+    ui::checkbox("Follow ground", objects.alongGround);
+    ui::tooltip("What is moved keeps its height over the ground. Objects that stand on the ground always do.");
+}
+
 }  // namespace
 
-int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes, Edits& edits, Messages& messages) {
+int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes, ObjectTool& objects, Edits& edits,
+                 Messages& messages) {
     Rows rows{area.x + area.w};
     const ui::Disabled noProject(!doc.isOpen());
     modeCombo(doc, brushes, messages);
     mapCombo(rows, doc, brushes);
     const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
+    if (brushes.tool == kViewTool) {
+        steps(rows, objects);
+        return rows.count;
+    }
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
-    const ui::Disabled looking(brushes.tool == kViewTool);
     settings(rows, brushes, map, yaw);
     return rows.count;
 }

@@ -12,6 +12,7 @@
 #include "panels/panels.h"
 #include "scene/field_rows.h"
 #include "scene/technique.h"
+#include "tools/appear.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -98,9 +99,8 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
     const std::string path = owner.path();
     const bool open = header(path, row.name, true);
     if (value != row.defaults())  // settings that are absent
-        removeButton(
-            parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
-            [&doc = parts.doc, &entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
+        removeButton(parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
+                     [&doc = parts.doc, entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
     drawGroups(path, row.fields, [&](const FieldRow& f) {
         const void* field = static_cast<const char*>(value) + f.offset;
@@ -129,7 +129,8 @@ const void* shownComponent(const Document& doc, Entity e, const ComponentRow& ro
     return own ? own : row.defaults();
 }
 
-void addComponent(const FieldParts& parts, const std::string& entity, Entity e) {
+// What has a place appears where one looks.
+void addComponent(const FieldParts& parts, const ViewState& view, const std::string& entity, Entity e) {
     std::vector<std::string> names;
     for (const ComponentRow& row : parts.doc.tables().components)
         if (!row.settingsOf && !row.get(parts.doc.project().registry, e)) names.push_back(row.name);
@@ -140,7 +141,9 @@ void addComponent(const FieldParts& parts, const std::string& entity, Entity e) 
     ImGui::SetNextItemWidth(-1);
     if (ui::combo("Add component", names, chosen)) {
         const std::string name = names[static_cast<size_t>(chosen)];
-        deferEdit(parts, [&doc = parts.doc, &entity, name] { return addComponentUnpainted(doc, entity, name); });
+        deferEdit(parts, [&doc = parts.doc, &view, entity, name] {
+            return addInView(doc, viewOf(view.camera), entity, name);
+        });
     }
 }
 
@@ -157,7 +160,7 @@ void drawInspector(const FieldParts& parts, const std::string& selected, ViewSta
     ImGui::BeginChild("fields");
     for (const ComponentRow& row : doc.tables().components)
         if (const void* value = shownComponent(doc, e, row)) component(parts, view, {selected, row}, value);
-    addComponent(parts, selected, e);
+    addComponent(parts, view, selected, e);
     ImGui::EndChild();
 }
 

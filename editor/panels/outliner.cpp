@@ -2,8 +2,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <set>
 
-#include "app/selection.h"
+#include "app/object_actions.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
@@ -18,9 +19,37 @@ std::string componentsOf(const Document& doc, Entity e) {
     return names;
 }
 
-void entityRow(const Document& doc, std::string& selected, const std::string& name, Entity e) {
-    const bool chosen = selected == name;
-    if (ui::selectable(name, chosen)) selected = name;
+// Names that hold what is searched for, in any case.
+std::vector<std::string> listed(const Document& doc, const std::string& search) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    std::vector<std::string> names;
+    for (const auto& [name, e] : doc.project().entities)
+        if (std::search(name.begin(), name.end(), search.begin(), search.end(), same) != name.end() || search.empty())
+            names.push_back(name);
+    return names;
+}
+
+// Shift chooses all rows from the one chosen last to this one.
+void chooseRow(Selection& selection, const std::vector<std::string>& names, const std::string& name) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto row = [&](const std::string& of) { return std::find(names.begin(), names.end(), of); };
+    auto from = row(shownEntity(selection)), to = row(name);
+    if (!io.KeyShift || from == names.end()) return choose(selection, name, io.KeyCtrl ? Choose::Toggle : Choose::Only);
+    std::vector<std::string> range(std::min(from, to), std::max(from, to) + 1);
+    if (to < from) std::reverse(range.begin(), range.end());  // the one under the pointer is the last
+    choose(selection, range, Choose::Add);
+}
+
+void entityRow(const Document& doc, Selection& selection, const std::vector<std::string>& names,
+               const std::string& name, bool chosen, bool& menu) {
+    const Entity e = findEntity(doc.project(), name);
+    if (ui::selectable(name, chosen)) chooseRow(selection, names, name);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) {
+        if (!chosen) choose(selection, name);
+        menu = true;
+    }
     const std::string parts = componentsOf(doc, e);
     ui::tooltip(parts.empty() ? "no components" : parts);
     ImGui::SameLine(std::max(ImGui::CalcTextSize(name.c_str()).x + 16, ImGui::GetContentRegionAvail().x * 0.42f));
@@ -36,7 +65,7 @@ void add(const FieldParts& parts, Selection& selection) {
             parts.errors["Outliner/New entity"] = status.error().text();
             return;
         }
-        selection.entity = name;
+        choose(selection, name);
         selection.newEntity.clear();
     });
 }
@@ -55,25 +84,30 @@ void footer(const FieldParts& parts, Selection& selection) {
         if (ui::button("Add entity", addWidth) || (entered && !name.empty())) add(parts, selection);
     }
     ImGui::SameLine(0, 4);
-    const ui::Disabled nothing(selection.entity.empty());
+    const ui::Disabled nothing(selection.entities.empty());
     if (ui::button("Remove", removeWidth))
-        parts.edits.deferred.push_back([parts, &entity = selection.entity] {
-            if (accept(parts.messages, parts.doc.removeEntity(entity))) entity.clear();
-        });
-    ui::tooltip("Removes the chosen entity with all its components.");
+        parts.edits.deferred.push_back([parts, &selection] { removeChosen(parts.doc, selection, parts.messages); });
+    ui::tooltip("Removes the chosen entities with all their components.");
 }
 
 }  // namespace
 
-void drawOutliner(const FieldParts& parts, Selection& selection) {
+void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu) {
     Document& doc = parts.doc;
+    ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, "SCENE");
     const ui::Disabled noProject(!doc.isOpen());
+    ImGui::SameLine(0, 12);
+    ImGui::SetNextItemWidth(-1);
+    ui::input("Search", selection.search, "search");
     const std::string* error = ui::errorAt("New entity");
     const float below = ImGui::GetFrameHeightWithSpacing() + (error ? ImGui::GetTextLineHeightWithSpacing() * 2 : 0);
     ImGui::BeginChild("entities", {0, -below});
-    if (doc.isOpen())
-        for (const auto& [name, entity] : doc.project().entities) entityRow(doc, selection.entity, name, entity);
+    if (doc.isOpen()) {
+        const std::vector<std::string> names = listed(doc, selection.search);
+        const std::set<std::string> chosen(selection.entities.begin(), selection.entities.end());
+        for (const std::string& name : names) entityRow(doc, selection, names, name, chosen.contains(name), menu);
+    }
     ImGui::EndChild();
     footer(parts, selection);
     if (!error) return;

@@ -12,7 +12,9 @@
 #include "panels/start.h"
 #include "panels/viewport.h"
 #include "panels/viewport_compare.h"
+#include "panels/viewport_gizmo.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_place.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
 #include "playtest/playtest.h"
@@ -25,7 +27,7 @@ namespace {
 FieldParts fieldParts(EditorApp& a) { return {a.doc, a.edits, a.book.errors, a.messages}; }
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
 RingParts ringParts(EditorApp& a) {
-    const std::string entity = tierEntity(a.doc, a.tierView.field, a.selection.entity);
+    const std::string entity = tierEntity(a.doc, a.tierView.field, shownEntity(a.selection));
     const bool shown = a.tierView.rings && openTab(a.layout) == "Tiers" && tierField(a.doc, entity);
     return {a.doc, a.tierView, a.view.camera, a.hand.rect, entity, shown};
 }
@@ -50,7 +52,8 @@ void playBar(EditorApp& a) {
 }
 
 void brushBar(EditorApp& a) {
-    a.brushBarRows = drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.edits, a.messages);
+    a.brushBarRows =
+        drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages);
 }
 
 // --- the viewport: input, then the picture, then what lies over it
@@ -61,7 +64,9 @@ void takeInput(EditorApp& a, const RingParts& rings, bool over) {
         if (playInput(input, a.hand) && a.doc.play()->runs()) captureMouse(a.play, a.doc, *a.surface, true);
         return;
     }
-    viewportInput(input, a.view.camera, a.hand, {a.doc, a.brushes, a.edits, a.messages}, rings, a.accuracy.comparison);
+    const ObjectParts objects = objectParts(a);
+    viewportInput(input, a.view.camera, a.hand,
+                  {{a.doc, a.brushes, a.edits, a.messages}, rings, objects, a.accuracy.comparison});
 }
 
 // What the next picture is to show.
@@ -96,6 +101,10 @@ void drawAids(EditorApp& a, const RingParts& rings) {
     if (!a.tierView.hover && !c.gripHovered && !drawsDecal(a.picture, a.clock))
         drawBrushRing(a.doc, a.view.camera, a.hand, a.brushes);
     drawRings(rings);
+    const ObjectParts objects = objectParts(a);
+    drawObjects(objects);
+    drawGizmo(objects);
+    drawPlacing(objects, a.hand.ground);
 }
 
 void viewport(EditorApp& a) {
@@ -125,13 +134,22 @@ void viewport(EditorApp& a) {
 
 void profiler(EditorApp& a) { drawProfiler(a.counts, a.picture.drawnSettings.measure, a.gpu.renderer); }
 void tiers(EditorApp& a) {
-    drawTiers(fieldParts(a), a.tierView, a.selection.entity, a.view, a.counts, a.picture.drawnSettings.measure);
+    drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
 }
 void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
 void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, [&a] { adoptProject(a); });
+}
+void renameDialog(EditorApp& a) {
+    drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
+        followName(from, name, a.selection, a.brushes, a.tierView);
+    });
+}
+void contextMenu(EditorApp& a) {
+    if (const Command* c = drawContextMenu(commandStates(a), shownEntity(a.selection), a.objects.menu))
+        a.edits.deferred.push_back([&a, c] { c->run(a); });
 }
 void recoveryDialog(EditorApp& a) {
     if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
@@ -142,10 +160,12 @@ constexpr PanelRow kPanels[] = {
     {"Menu", Dock::Menu, menuBar, false},
     {"Play", Dock::Menu, playBar, false},
     {"Brush", Dock::BrushBar, brushBar, false, nullptr, true},
-    {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.messages); }, false, nullptr, true},
+    {"Tools", Dock::Tools, [](App& a) { drawToolStrip(a.doc, a.brushes, a.objects.mode, a.messages); }, false, nullptr,
+     true},
     {"Viewport", Dock::Viewport, viewport, false},
-    {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection); }, true, nullptr, true},
-    {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), a.selection.entity, a.view); }, true,
+    {"Outliner", Dock::Outliner, [](App& a) { drawOutliner(fieldParts(a), a.selection, a.objects.menu); }, true,
+     nullptr, true},
+    {"Inspector", Dock::Inspector, [](App& a) { drawInspector(fieldParts(a), shownEntity(a.selection), a.view); }, true,
      nullptr, true},
     {"Console", Dock::Bottom, [](App& a) { drawConsole(a.console, a.queue.pending()); }, true},
     {"Profiler", Dock::Bottom, profiler, true},
@@ -154,10 +174,14 @@ constexpr PanelRow kPanels[] = {
      true, nullptr, true},
     {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.edits, a.messages, a.historyShown); }, true, nullptr,
      true},
+    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
+     "Objects Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},
     {"Recovery", Dock::Dialog, recoveryDialog, false},
+    {"Rename", Dock::Dialog, renameDialog, false},
+    {"Context", Dock::Dialog, contextMenu, false},
 };
 
 }  // namespace

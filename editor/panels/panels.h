@@ -26,12 +26,15 @@ struct FieldParts;
 struct FileDialog;
 struct MeasureParts;
 struct Messages;
+struct ObjectTool;
+struct RenameDialog;
 struct Selection;
 struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
 struct ViewState;
 
+enum class GizmoMode;
 enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, StatusBar, Dialog };
 
 struct PanelRow {
@@ -57,13 +60,15 @@ enum class PlayAction { None, Toggle, Pause, Step };
 // Start, pause and step, in the middle of the menu bar. What was pressed.
 PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
-int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, Edits& edits,
-                 Messages& messages);
-// A button for looking and one a brush; choosing one may choose another map.
-void drawToolStrip(const Document& document, BrushBook& brushes, Messages& messages);
-// The entities: chosen, added by a typed name, removed.
-void drawOutliner(const FieldParts& parts, Selection& selection);
-// The components of the entity that is `selected`; its camera tools move the view.
+// With the select tool: the steps to which it snaps.
+int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, ObjectTool& objects,
+                 Edits& edits, Messages& messages);
+// Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
+void drawToolStrip(const Document& document, BrushBook& brushes, GizmoMode& mode, Messages& messages);
+// The entities: searched for, chosen, added by a typed name, removed. `menu`: set where a right click asks for the
+// context menu.
+void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu);
+// The components of the entity that is `selected`, the one chosen last; its camera tools move the view.
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
 // The steps that can be undone or done again; a click goes there. `shownSteps`: how many were behind when it was last
 // drawn: the list follows.
@@ -72,6 +77,8 @@ void drawHistory(Document& document, Edits& edits, Messages& messages, size_t& s
 void drawConsole(Console& console, bool inputWaits);
 // `measured`: the counts are of a measured drawing.
 void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
+// The project's objects, to be placed by clicks in the viewport.
+void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Messages& messages);
 // The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
 void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& counts, bool measured);
@@ -85,6 +92,12 @@ void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Message
                     const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
 void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
+// Asks for as long as there is an entity in it; `renamed` runs when it has its new name.
+void drawRenameDialog(RenameDialog& dialog, Document& document, Edits& edits,
+                      const std::function<void(const std::string& name)>& renamed);
+// The commands of the menu Object, at the pointer, once `opening` was set. The one that was chosen in this frame, or
+// null.
+const Command* drawContextMenu(std::span<const CommandState> states, const std::string& title, bool& opening);
 // True while it waits for the editor's first frames, which must then come.
 bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
 

@@ -1,8 +1,9 @@
-// The tools: looking without painting, then one a brush. Icons are drawn, so that no font must have them.
+// The tools: choosing and moving objects, then one a brush. Icons are drawn, so that no font must have them.
 #include <imgui.h>
 
 #include "panels/panels.h"
 #include "tools/brush_target.h"
+#include "tools/gizmo.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -16,10 +17,36 @@ void plus(Draw d, ImVec2 c, float r, ImU32 color, bool upright) {
     if (upright) d.AddLine({c.x, c.y - r}, {c.x, c.y + r}, color, 2);
 }
 
-void eye(Draw d, ImVec2 c, float r, ImU32 color) {
-    d.AddBezierQuadratic({c.x - r * 1.2f, c.y}, {c.x, c.y - r * 1.5f}, {c.x + r * 1.2f, c.y}, color, 1.6f);
-    d.AddBezierQuadratic({c.x - r * 1.2f, c.y}, {c.x, c.y + r * 1.5f}, {c.x + r * 1.2f, c.y}, color, 1.6f);
-    d.AddCircleFilled(c, r * 0.38f, color);
+// The pointer's arrow.
+void pointer(Draw d, ImVec2 c, float r, ImU32 color) {
+    const ImVec2 tip{c.x - r * 0.55f, c.y - r * 1.05f};
+    d.AddTriangleFilled(tip, {tip.x, tip.y + r * 1.9f}, {tip.x + r * 1.35f, tip.y + r * 1.35f}, color);
+    d.AddLine({c.x - r * 0.1f, c.y + r * 0.2f}, {c.x + r * 0.35f, c.y + r * 1.1f}, color, 2.4f);
+}
+
+// Arrows four ways.
+void cross(Draw d, ImVec2 c, float r, ImU32 color) {
+    plus(d, c, r, color, true);
+    for (const ImVec2 way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
+        d.AddTriangleFilled({c.x + way.x * r * 1.35f, c.y + way.y * r * 1.35f},
+                            {c.x + way.x * r * 0.8f - way.y * r * 0.4f, c.y + way.y * r * 0.8f + way.x * r * 0.4f},
+                            {c.x + way.x * r * 0.8f + way.y * r * 0.4f, c.y + way.y * r * 0.8f - way.x * r * 0.4f},
+                            color);
+}
+
+// Most of a circle, with an arrow's head.
+void turn(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.PathArcTo(c, r, -0.6f, 4.2f);
+    d.PathStroke(color, 0, 2);
+    d.AddTriangleFilled({c.x + r * 0.35f, c.y - r * 0.9f}, {c.x + r * 1.3f, c.y - r * 0.85f},
+                        {c.x + r * 0.95f, c.y + r * 0.05f}, color);
+}
+
+// A small square that grows into a large one.
+void grow(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddRectFilled({c.x - r, c.y + r * 0.1f}, {c.x - r * 0.1f, c.y + r}, color);
+    d.AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, color, 0, 0, 1.4f);
+    d.AddLine({c.x, c.y}, {c.x + r * 0.6f, c.y - r * 0.6f}, color, 1.8f);
 }
 
 void level(Draw d, ImVec2 c, float r, ImU32 color) {
@@ -63,7 +90,10 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
     const float r = (high.x - low.x) * 0.26f;
-    if (tool == kViewTool) return eye(d, c, r, color);
+    if (tool == kViewTool) return pointer(d, c, r, color);
+    if (tool == "move") return cross(d, c, r, color);
+    if (tool == "turn") return turn(d, c, r, color);
+    if (tool == "scale") return grow(d, c, r, color);
     if (tool == "add" || tool == "subtract") return plus(d, c, r, color, tool == "add");
     if (tool == "set") return level(d, c, r, color);
     if (tool == "smooth") return wave(d, c, r, color);
@@ -89,16 +119,33 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
     return pressed;
 }
 
+struct ObjectButton {
+    GizmoMode mode;
+    const char* name;  // of its icon
+    const char* label;
+    const char* help;
+};
+constexpr ObjectButton kObjectButtons[] = {
+    {GizmoMode::Select, kViewTool, "Select",
+     "A click or a box chooses objects; Shift adds, Ctrl toggles. V switches between objects and the brush. Right "
+     "button and W A S D fly, Alt and left button orbit."},
+    {GizmoMode::Move, "move", "Move", "Chooses and moves objects (W). Ctrl snaps to the grid, Escape lets go."},
+    {GizmoMode::Turn, "turn", "Turn", "Chooses and turns objects (E). Ctrl snaps to steps, Escape lets go."},
+    {GizmoMode::Scale, "scale", "Scale", "Chooses and scales objects (R). Ctrl snaps to steps, Escape lets go."},
+};
+
 }  // namespace
 
-void drawToolStrip(const Document& doc, BrushBook& brushes, Messages& messages) {
-    const auto tool = [&](const std::string& name, const char* label, const std::string& help) {
-        if (toolButton(brushes.tool == name, name, label, help)) selectTool(doc, brushes, messages, name);
-    };
-    tool(kViewTool, "Look",
-         "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
+void drawToolStrip(const Document& doc, BrushBook& brushes, GizmoMode& mode, Messages& messages) {
+    for (const ObjectButton& b : kObjectButtons) {
+        if (!toolButton(brushes.tool == kViewTool && mode == b.mode, b.name, b.label, b.help)) continue;
+        selectTool(doc, brushes, messages, kViewTool);
+        mode = b.mode;
+    }
     ImGui::Spacing();
-    for (const BrushRow& row : brushRows()) tool(row.name, row.label, row.help);
+    for (const BrushRow& row : brushRows())
+        if (toolButton(brushes.tool == row.name, row.name, row.label, row.help))
+            selectTool(doc, brushes, messages, row.name);
 }
 
 }  // namespace sward

@@ -91,9 +91,10 @@ void drawViewportHeader(const Document& document, ViewState& view, Gesture gestu
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText,
-                    playing(document)          ? "The project stays as it is and cannot be changed until play stops."
-                    : gesture == Gesture::Look ? "W A S D fly, E up, Q down, wheel: speed"
-                                               : "Right button: look and fly.  Alt+left: orbit.  F: focus.");
+                    playing(document) ? "The project stays as it is and cannot be changed until play stops."
+                    : gesture == Gesture::Look
+                        ? "W A S D fly, E up, Q down, wheel: speed"
+                        : "Right button: look and fly.  Alt+left: orbit.  F: focus.  V: objects or brush.");
 }
 
 Rect layImage(const Rect& area) {

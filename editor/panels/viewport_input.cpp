@@ -9,12 +9,16 @@
 #include <fmt/format.h>
 
 #include "panels/viewport_compare.h"
+#include "panels/viewport_gizmo.h"
+#include "panels/viewport_place.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 
 namespace sward {
 namespace {
+
+constexpr double kClick = 4;  // pixels until a click of the right button is a look around
 
 // Orbits and pans turn about what lies in the middle of the view.
 void takePivot(FlyCamera& camera, std::optional<glm::dvec3> point) {
@@ -49,29 +53,40 @@ bool beginMove(const Document& doc, FlyCamera& camera, ViewportHand& hand, const
     return hand.gesture != Gesture::None;
 }
 
-void beginGesture(const PaintParts& p, FlyCamera& camera, ViewportHand& hand, const FrameInput& in,
-                  const RingParts& rings, const Comparison& comparison) {
-    hand.lastX = in.x, hand.lastY = in.y;
+void beginGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
+    const PaintParts& p = parts.paint;
+    hand.lastX = in.x, hand.lastY = in.y, hand.way = 0;
     if (beginMove(p.doc, camera, hand, in) || !in.pressed[0]) return;
-    if (grabSplit(comparison, in))
+    if (grabSplit(parts.comparison, in)) {
         hand.gesture = Gesture::Split;
-    else if (grabRing(rings, in, p.edits))
+    } else if (grabRing(parts.rings, in, p.edits)) {
         hand.gesture = Gesture::Ring;
-    else if (p.doc.isOpen() && p.brushes.tool != kViewTool && !p.doc.stroking())
+    } else if (grabGizmo(parts.objects, in)) {
+        hand.gesture = Gesture::Gizmo;
+    } else if (parts.objects.active && !parts.objects.tool.placing.empty()) {
+        if (!placeObject(parts.objects, in.x, in.y)) say(p.messages, "there is no ground to place it on");
+    } else if (parts.objects.active) {
+        beginChoosing(parts.objects, in.x, in.y);
+        hand.gesture = Gesture::Choose;
+    } else if (p.doc.isOpen() && p.brushes.tool != kViewTool && !p.doc.stroking()) {
         beginPaint(p, camera, hand, in);
+    }
 }
 
-void stepGesture(const PaintParts& p, FlyCamera& camera, ViewportHand& hand, const FrameInput& in,
-                 const RingParts& rings, Comparison& comparison) {
+void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
+    const PaintParts& p = parts.paint;
     const glm::dvec3 origin = hand.gesture == Gesture::Paint ? findGround(p.doc.project()).origin : glm::dvec3(0);
     for (const auto& [x, y] : in.path) {
         const double dx = x - hand.lastX, dy = y - hand.lastY;
         hand.lastX = x, hand.lastY = y;
+        hand.way += std::hypot(dx, dy);
         if (hand.gesture == Gesture::Look) look(camera, dx, dy);
         if (hand.gesture == Gesture::Orbit) orbit(camera, dx, dy);
         if (hand.gesture == Gesture::Pan) pan(camera, dx, dy, static_cast<double>(hand.rect.h));
-        if (hand.gesture == Gesture::Ring) dragRing(rings, p.messages, x, y);
-        if (hand.gesture == Gesture::Split) dragSplit(comparison, hand.rect, x);
+        if (hand.gesture == Gesture::Ring) dragRing(parts.rings, p.messages, x, y);
+        if (hand.gesture == Gesture::Split) dragSplit(parts.comparison, hand.rect, x);
+        if (hand.gesture == Gesture::Choose) dragChoosing(parts.objects, x, y);
+        if (hand.gesture == Gesture::Gizmo) dragGizmo(parts.objects, x, y, in.ctrl());
         if (hand.gesture != Gesture::Paint) continue;
         if (const auto at = groundAt(p.doc, camera, hand.rect, x, y))
             p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
@@ -89,9 +104,13 @@ bool buttonHeld(Gesture gesture, const FrameInput& in) {
     }
 }
 
-void endGesture(ViewportHand& hand, Document& doc, TierView& tiers) {
-    if (hand.gesture == Gesture::Paint) doc.endStroke();
-    if (hand.gesture == Gesture::Ring) releaseRing(tiers);
+void endGesture(ViewportHand& hand, const HandParts& parts, const FrameInput& in) {
+    if (hand.gesture == Gesture::Paint) parts.paint.doc.endStroke();
+    if (hand.gesture == Gesture::Ring) releaseRing(parts.rings.tiers);
+    if (hand.gesture == Gesture::Choose) endChoosing(parts.objects, in);
+    if (hand.gesture == Gesture::Gizmo) releaseGizmo(parts.objects);
+    if (hand.gesture == Gesture::Look && hand.way < kClick && parts.objects.active)
+        chooseForMenu(parts.objects, in.x, in.y);
     hand.gesture = Gesture::None;
 }
 
@@ -104,6 +123,7 @@ void flyByKeys(FlyCamera& camera, ViewportHand& hand, const FrameInput& in, doub
     const glm::dvec3 direction{axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                                axis(GLFW_KEY_W, GLFW_KEY_S)};
     hand.flying = glm::length(direction) > 0;
+    if (hand.flying) hand.way += kClick;  // that was no click
     fly(camera, direction, seconds * (in.shift() ? 3 : 1));
 }
 
@@ -128,12 +148,18 @@ void wheel(FlyCamera& camera, const ViewportHand& hand, double notches, Messages
     }
 }
 
-// Escape lets a ring go where it was.
-void cancelByKey(ViewportHand& hand, const FrameInput& in, const PaintParts& p, TierView& tiers) {
+// Escape lets a ring or a handle go where it was, and chooses nothing.
+void cancelByKey(ViewportHand& hand, const FrameInput& in, const HandParts& parts) {
     const std::vector<int>& keys = in.pressedKeys;
-    if (hand.gesture != Gesture::Ring || std::find(keys.begin(), keys.end(), GLFW_KEY_ESCAPE) == keys.end()) return;
-    cancelRing(tiers, p.doc, p.edits, p.messages);
-    hand.gesture = Gesture::None;
+    if (std::find(keys.begin(), keys.end(), GLFW_KEY_ESCAPE) == keys.end()) return;
+    const PaintParts& p = parts.paint;
+    if (hand.gesture == Gesture::Ring) cancelRing(parts.rings.tiers, p.doc, p.edits, p.messages);
+    if (hand.gesture == Gesture::Gizmo) cancelGizmo(parts.objects);
+    if (hand.gesture == Gesture::Choose) parts.objects.tool.box.reset();
+    if (hand.gesture == Gesture::Ring || hand.gesture == Gesture::Gizmo || hand.gesture == Gesture::Choose)
+        hand.gesture = Gesture::None;
+    else
+        parts.objects.tool.placing.clear();
 }
 
 double focalPixels(const FlyCamera& camera, const Rect& view) {
@@ -174,24 +200,25 @@ bool playInput(const HandInput& input, ViewportHand& hand) {
     return input.over && input.in.pressed[0];
 }
 
-void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand, const PaintParts& paint,
-                   const RingParts& rings, Comparison& comparison) {
+void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand, const HandParts& parts) {
     const FrameInput& in = input.in;
+    const PaintParts& paint = parts.paint;
     hand.hovered = input.over;
-    cancelByKey(hand, in, paint, rings.tiers);
-    hoverSplit(comparison, hand, in, input.over);
-    const bool plain = !in.ctrl() && !in.shift() && !in.alt();
-    hoverRing(rings, in, input.over && !comparison.gripHovered && hand.gesture == Gesture::None && plain);
+    cancelByKey(hand, in, parts);
+    hoverSplit(parts.comparison, hand, in, input.over);
+    const bool free = input.over && !parts.comparison.gripHovered && hand.gesture == Gesture::None;
+    hoverRing(parts.rings, in, free && !in.ctrl() && !in.shift() && !in.alt());
+    hoverGizmo(parts.objects, in, free && !parts.rings.tiers.hover && !in.alt());
     if (hand.gesture == Gesture::None && input.over && in.pressed.any())
-        beginGesture(paint, camera, hand, in, rings, comparison);
+        beginGesture(parts, camera, hand, in);
     else if (hand.gesture != Gesture::None)
-        stepGesture(paint, camera, hand, in, rings, comparison);
+        stepGesture(parts, camera, hand, in);
     const glm::dvec3 before = camera.eye;
     flyByKeys(camera, hand, in, input.seconds);
     wheel(camera, hand, in.wheelY, paint.messages);
     if (camera.eye != before || hand.gesture == Gesture::Orbit || hand.gesture == Gesture::Pan)
         stayAbove(paint.doc, camera.eye);
-    if (hand.gesture != Gesture::None && !buttonHeld(hand.gesture, in)) endGesture(hand, paint.doc, rings.tiers);
+    if (hand.gesture != Gesture::None && !buttonHeld(hand.gesture, in)) endGesture(hand, parts, in);
     hand.ground = input.over || hand.gesture == Gesture::Paint ? groundAt(paint.doc, camera, hand.rect, in.x, in.y)
                                                                : std::nullopt;
 }

@@ -1,4 +1,4 @@
-// What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint.
+// What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint, choose and move objects.
 // Does not: draw.
 #pragma once
 #include <optional>
@@ -9,6 +9,7 @@
 #include "app/messages.h"
 #include "app/viewport.h"
 #include "model/document.h"
+#include "panels/viewport_objects.h"
 #include "panels/viewport_rings.h"
 #include "tools/brush_book.h"
 #include "ui/input_queue.h"
@@ -22,6 +23,13 @@ struct PaintParts {
     Edits& edits;
     Messages& messages;
 };
+// What the hand may work on; all must outlive the call.
+struct HandParts {
+    PaintParts paint;
+    const RingParts& rings;
+    const ObjectParts& objects;
+    Comparison& comparison;
+};
 // What came in. `over`: the pointer is over the image and nothing lies on top; `seconds` since the last frame.
 struct HandInput {
     const FrameInput& in;
@@ -30,8 +38,7 @@ struct HandInput {
 };
 
 // Once a frame, while nothing is played: begins, continues and ends what the hand does.
-void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand, const PaintParts& paint,
-                   const RingParts& rings, Comparison& comparison);
+void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand, const HandParts& parts);
 // Once a frame, while it is played: nothing is flown or painted. True if a click in the picture asks for the mouse.
 bool playInput(const HandInput& input, ViewportHand& hand);
 

@@ -18,6 +18,16 @@ int click(lua_State* L, State& state) {
     return 0;
 }
 
+int rightClick(lua_State* L, State& state) {
+    orRaise(L, driver(L, state).rightClick(textArg(L, 1)));
+    return 0;
+}
+
+int drop(lua_State* L, State& state) {
+    orRaise(L, driver(L, state).drop(readablePath(L, textArg(L, 1))));
+    return 0;
+}
+
 // Numbers, strings and booleans, as a person would enter them.
 int set(lua_State* L, State& state) {
     const std::string label = textArg(L, 1);
@@ -72,10 +82,17 @@ int screenshot(lua_State* L, State& state) {
 }  // namespace
 
 void openUiCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {
-        {"click", luaCall<click>},   {"set", luaCall<set>},   {"get", luaCall<get>},
-        {"exists", luaCall<exists>}, {"key", luaCall<key>},   {"drag", luaCall<drag>},
-        {"rect", luaCall<rect>},     {"wait", luaCall<wait>}, {"screenshot", luaCall<screenshot>}};
+    constexpr NamedCall calls[] = {{"click", luaCall<click>},
+                                   {"rightClick", luaCall<rightClick>},
+                                   {"drop", luaCall<drop>},
+                                   {"set", luaCall<set>},
+                                   {"get", luaCall<get>},
+                                   {"exists", luaCall<exists>},
+                                   {"key", luaCall<key>},
+                                   {"drag", luaCall<drag>},
+                                   {"rect", luaCall<rect>},
+                                   {"wait", luaCall<wait>},
+                                   {"screenshot", luaCall<screenshot>}};
     registerCalls(L, "ui", calls);
 }
 

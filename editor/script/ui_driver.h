@@ -16,6 +16,10 @@ class UiDriver {
     virtual ~UiDriver() = default;
     // Presses the left button at the widget's centre. Fails if there is no such widget or it is disabled.
     virtual Status click(const std::string& label) = 0;
+    // Presses the right button there.
+    virtual Status rightClick(const std::string& label) = 0;
+    // A file from the desktop is dropped onto the window.
+    virtual Status drop(const std::filesystem::path& file) = 0;
     // Enters a value as a person would: types a number or text, ticks a box, chooses from a list.
     virtual Status set(const std::string& label, const std::string& text) = 0;
     // What the widget shows: a number without unit, "true", the chosen item.

@@ -11,7 +11,7 @@
 
 namespace sward {
 
-inline constexpr const char* kViewTool = "look";  // no painting: the left button does nothing to the scene
+inline constexpr const char* kViewTool = "select";  // no painting: the left button chooses objects
 
 struct BrushBook {
     std::string tool = "add";  // kViewTool or the name of a brush row

@@ -23,11 +23,10 @@ class Driver : public UiDriver {
   public:
     explicit Driver(EditorApp& app) : app_(app) {}
 
-    Status click(const std::string& label) override {
-        const Result<Widget> w = reveal(label);
-        if (!w) return w.error();
-        if (!w->enabled) return usage("'" + label + "' is disabled");
-        clickAt(*w);
+    Status click(const std::string& label) override { return press(label, 0); }
+    Status rightClick(const std::string& label) override { return press(label, 1); }
+    Status drop(const std::filesystem::path& file) override {
+        push({InputKind::Drop, 0, 0, 0, false, file.string()});
         settle();
         return {};
     }
@@ -72,7 +71,15 @@ class Driver : public UiDriver {
         for (int i = 0; i < 10000 && (app_.queue.pending() || app_.doc.stroking() || !app_.edits.deferred.empty()); ++i)
             runFrame(app_);
     }
-    void clickAt(const Widget& w);
+    void clickAt(const Widget& w, int button = 0);
+    Status press(const std::string& label, int button) {
+        const Result<Widget> w = reveal(label);
+        if (!w) return w.error();
+        if (!w->enabled) return usage("'" + label + "' is disabled");
+        clickAt(*w, button);
+        settle();
+        return {};
+    }
     void closeMenus();
     Result<Widget> reveal(const std::string& label);
     bool openWayTo(const std::string& label);
@@ -86,12 +93,12 @@ class Driver : public UiDriver {
 };
 
 // A person's hand moves, rests, presses and lets go; each is a frame.
-void Driver::clickAt(const Widget& w) {
+void Driver::clickAt(const Widget& w, int button) {
     moveTo(static_cast<double>(w.x0 + w.x1) / 2, static_cast<double>(w.y0 + w.y1) / 2);
     frames(2);
-    push({InputKind::Button, 0, 0, 0, true});
+    push({InputKind::Button, 0, 0, button, true});
     frames(1);
-    push({InputKind::Button, 0, 0, 0, false});
+    push({InputKind::Button, 0, 0, button, false});
     frames(2);
     ui::forgetClicks();  // the next one is no double click
 }
@@ -103,7 +110,7 @@ bool Driver::openWayTo(const std::string& label) {
     const std::string panel = label.substr(0, slash), rest = slash == std::string::npos ? "" : label.substr(slash + 1);
     if (panel == "Inspector" && !rest.empty()) {
         const std::string entity = rest.substr(0, rest.find('.'));
-        if (app_.selection.entity != entity && find("Outliner/" + entity))
+        if (shownEntity(app_.selection) != entity && find("Outliner/" + entity))
             return static_cast<bool>(click("Outliner/" + entity));
     }
     if (const Widget* tab = find("Tabs/" + panel); tab && app_.layout.tab != panel)
@@ -314,6 +321,8 @@ class OwningDriver final : public UiDriver {
     OwningDriver(Document& document, Gpu* gpu, std::unique_ptr<Gpu> owned, std::unique_ptr<ui::Surface> surface)
         : gpu_(std::move(owned)), app_(document, gpu_ ? *gpu_ : *gpu, std::move(surface), false), driver_(app_) {}
     Status click(const std::string& label) override { return driver_.click(label); }
+    Status rightClick(const std::string& label) override { return driver_.rightClick(label); }
+    Status drop(const std::filesystem::path& file) override { return driver_.drop(file); }
     Status set(const std::string& label, const std::string& text) override { return driver_.set(label, text); }
     Result<std::string> get(const std::string& label) override { return driver_.get(label); }
     bool exists(const std::string& label) override { return driver_.exists(label); }

@@ -35,6 +35,7 @@ bool InputQueue::fits(const InputEvent& e, const Taken& t) const {
         case InputKind::Move:
             return !t.buttons.any() && !t.wheeled;
         case InputKind::Wheel:
+        case InputKind::Drop:
             return !t.buttons.any();
         case InputKind::Char:
             return !t.buttons.any() && !t.command;
@@ -65,6 +66,9 @@ void InputQueue::take(const InputEvent& e, Taken& t) {
             frame_.wheelX += e.x, frame_.wheelY += e.y;
             t.wheeled = true;
             break;
+        case InputKind::Drop:
+            frame_.dropped.push_back(e.file);
+            break;
         case InputKind::Char:
             frame_.chars.push_back(static_cast<uint32_t>(e.code));
             t.typed = true;
@@ -93,6 +97,7 @@ const FrameInput& InputQueue::next() {
     frame_.pressedKeys.clear();
     frame_.wheelX = frame_.wheelY = 0;
     frame_.chars.clear();
+    frame_.dropped.clear();
     frame_.path.clear();
     Taken taken;
     while (!events_.empty() && fits(events_.front(), taken)) {

@@ -6,6 +6,7 @@
 #include <bitset>
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,13 +15,14 @@ namespace sward {
 inline constexpr int kKeyCount = 512;
 inline constexpr int kButtonCount = 3;  // left, right, middle
 
-enum class InputKind : uint8_t { Move, Button, Wheel, Key, Char };
+enum class InputKind : uint8_t { Move, Button, Wheel, Key, Char, Drop };
 
 struct InputEvent {
     InputKind kind = InputKind::Move;
-    double x = 0, y = 0;  // Move: window coordinates from the top left; Wheel: notches, y up
-    int code = 0;         // Button: 0 left, 1 right, 2 middle; Key: key code; Char: Unicode code point
-    bool down = false;    // Button, Key
+    double x = 0, y = 0;    // Move: window coordinates from the top left; Wheel: notches, y up
+    int code = 0;           // Button: 0 left, 1 right, 2 middle; Key: key code; Char: Unicode code point
+    bool down = false;      // Button, Key
+    std::string file = {};  // Drop: where it lies
 };
 
 // What one frame sees.
@@ -32,6 +34,7 @@ struct FrameInput {
     std::vector<int> pressedKeys;                 // keys that went down in this frame, in order
     double wheelX = 0, wheelY = 0;
     std::vector<uint32_t> chars;
+    std::vector<std::string> dropped;             // files, in the order in which they came
     std::vector<std::pair<double, double>> path;  // every place the pointer passed in this frame, in order
 
     // Either of the two keys is held at the end of the frame.

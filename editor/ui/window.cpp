@@ -55,6 +55,9 @@ void onButton(GLFWwindow* w, int button, int action, int) {
     eventsOf(w).list.push_back({InputKind::Button, 0, 0, button, action == GLFW_PRESS});
 }
 void onWheel(GLFWwindow* w, double dx, double dy) { eventsOf(w).list.push_back({InputKind::Wheel, dx, dy, 0, false}); }
+void onDrop(GLFWwindow* w, int count, const char** files) {
+    for (int i = 0; i < count; ++i) eventsOf(w).list.push_back({InputKind::Drop, 0, 0, 0, false, files[i]});
+}
 void onClose(GLFWwindow* w) {
     eventsOf(w).close = true;
     glfwSetWindowShouldClose(w, GLFW_FALSE);
@@ -76,6 +79,7 @@ class Window final : public Surface {
         glfwSetCursorPosCallback(window, onMove);
         glfwSetMouseButtonCallback(window, onButton);
         glfwSetScrollCallback(window, onWheel);
+        glfwSetDropCallback(window, onDrop);
         glfwSetWindowCloseCallback(window, onClose);
         glfwSetWindowRefreshCallback(window, onRefresh);
     }

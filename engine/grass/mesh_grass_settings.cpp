@@ -73,8 +73,8 @@ constexpr MapRow kVegetation{.kind = MapKind::Colours,
 
 ComponentRow meshGrassRow() {
     static constexpr FieldRow kFields[] = {
-        text("field", offsetof(MeshGrass, field),
-             "entity of the GrassField whose species grow on the mesh; none: the first by name"),
+        entityName("field", offsetof(MeshGrass, field),
+                   "entity of the GrassField whose species grow on the mesh; none: the first by name"),
         titled("Length of one uv",
                real("uvLength", offsetof(MeshGrass, uvLength), "m", {0, 1e4, 0, 10},
                     "length that one unit of the mesh's texture coordinates is; 0: what it is in the mean")),

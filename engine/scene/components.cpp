@@ -304,6 +304,8 @@ std::span<const ComponentRow> sharedComponentRows() {
     static constexpr ComponentRow kRows[] = {
         componentRow<Transform>("Transform", "Where the entity and what stands on it is moved to.", kTransformFields,
                                 transformFeatures),
+        componentRow<Hidden>("Hidden", "The editor does not show it; pictures do.", {},
+                             [](const void*) { return FeatureSet{}; }),
         componentRow<Terrain>("Terrain", "The ground: heights and colour.", kTerrainFields, terrainFeatures),
         componentRow<Light>("Light", "The sun, or a lamp.", kLightFields, lightFeatures),
         componentRow<Sky>("Sky", "The sky, and the light it gives.", kSkyFields, skyFeatures),

@@ -23,6 +23,10 @@ struct Transform {
     glm::dvec3 position{0};
 };
 
+// The editor's viewport does not show what the entity has: what lies behind can be worked on. Pictures, playtests and
+// the ray-traced truth do.
+struct Hidden {};
+
 // The ground: heights, and how it is coloured.
 // Source of the colour blend: Jahrmann and Wimmer 2013, equation 1.
 struct Terrain {

@@ -73,6 +73,12 @@ constexpr FieldRow meshFile(const char* name, size_t offset, const char* help) {
     row.isMesh = true;
     return row;
 }
+// The name of an entity, or empty.
+constexpr FieldRow entityName(const char* name, size_t offset, const char* help) {
+    FieldRow row = text(name, offset, help);
+    row.isEntity = true;
+    return row;
+}
 // A bool.
 constexpr FieldRow flag(const char* name, size_t offset, const char* help) {
     return number(FieldType::Bool, name, offset, "", {}, help);

@@ -62,6 +62,7 @@ struct FieldRow {
     bool isMesh = false;                        // ... or an object (glTF)
     const char* title = nullptr;                // what an inspector calls it; null: its name, in words
     const char* group = nullptr;                // heading under which it stands there; null: as the field before it
+    bool isEntity = false;                      // String: the name of another entity, or empty; it follows renaming
 };
 
 struct Tables;

@@ -3,7 +3,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/save_folder.h"
-#include "world/ground.h"
 
 namespace sward {
 
@@ -14,8 +13,9 @@ glm::dmat3 rotationOf(const glm::dvec3& degrees) {
     return glm::dmat3(glm::rotate(m, r.x, glm::dvec3(1, 0, 0)));
 }
 
-PlacedMesh placeMesh(const Project& p, Entity e) {
-    const Ground ground = findGround(p);
+PlacedMesh placeMesh(const Project& p, Entity e) { return placeMesh(p, findGround(p), e); }
+
+PlacedMesh placeMesh(const Project& p, const Ground& ground, Entity e) {
     const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
     const Transform* transform = p.registry.get<Transform>(e);
     PlacedMesh placed{mesh, transform ? transform->position : glm::dvec3(0), rotationOf(mesh->rotationDeg)};
@@ -27,9 +27,10 @@ PlacedMesh placeMesh(const Project& p, Entity e) {
 
 std::vector<PlacedMesh> placedMeshes(const Project& p) {
     std::vector<PlacedMesh> out;
+    const Ground ground = findGround(p);
     for (const auto& [name, e] : p.entities)
         if (const StaticMesh* mesh = p.registry.get<StaticMesh>(e); mesh && !mesh->file.empty())
-            out.push_back(placeMesh(p, e));
+            out.push_back(placeMesh(p, ground, e));
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/project.h"
+#include "world/ground.h"
 
 namespace sward {
 
@@ -22,6 +23,8 @@ glm::dmat3 rotationOf(const glm::dvec3& degrees);
 std::vector<PlacedMesh> placedMeshes(const Project& p);
 // One of them; `e` must have a StaticMesh.
 PlacedMesh placeMesh(const Project& p, Entity e);
+// The same with what findGround gave, for who places many.
+PlacedMesh placeMesh(const Project& p, const Ground& ground, Entity e);
 
 // A text that changes with the file's place and time; also for files that are not there. file: relative to dir, the
 // project's folder.

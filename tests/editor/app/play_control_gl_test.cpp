@@ -81,7 +81,7 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
     ok(ui->click("Outliner/sun"));
     const uint64_t before = hash(), revision = doc.revision();
     const ViewCamera view = viewOf(app->view.camera);
-    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = app->selection.entity,
+    const std::string undo = doc.undoLabel(), redo = doc.redoLabel(), selected = shownEntity(app->selection),
                       tool = app->brushes.tool;
     ok(ui->key("f5"));
     key(GLFW_KEY_W, true);
@@ -95,7 +95,7 @@ TEST_F(EditorPlay, StoppingRestoresViewSelectionUndoAndUnsavedWork) {
     EXPECT_TRUE(doc.dirty());
     EXPECT_EQ(doc.undoLabel(), undo);
     EXPECT_EQ(doc.redoLabel(), redo);
-    EXPECT_EQ(app->selection.entity, selected);
+    EXPECT_EQ(shownEntity(app->selection), selected);
     EXPECT_EQ(app->brushes.tool, tool);
     EXPECT_EQ(viewOf(app->view.camera).eye, view.eye);
     EXPECT_EQ(viewOf(app->view.camera).target, view.target);

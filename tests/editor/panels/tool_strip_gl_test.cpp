@@ -9,7 +9,7 @@ using test::EditorUi;
 TEST_F(EditorUi, NothingIsPaintedWithTheLookTool) {
     const uint64_t before = density();
     ok(ui->click("Tools/Subtract"));
-    ok(ui->click("Tools/Look"));
+    ok(ui->click("Tools/Select"));
     paint();
     EXPECT_EQ(density(), before);
     EXPECT_FALSE(doc.canUndo());

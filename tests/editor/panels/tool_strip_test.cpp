@@ -2,6 +2,7 @@
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 #include "tools/brush_target.h"
+#include "tools/gizmo.h"
 
 namespace sward {
 namespace {
@@ -11,17 +12,18 @@ class ToolStrip : public test::PanelStage {
     ToolStrip() {
         draw = [this] {
             ImGui::BeginChild("strip", {36, 0});  // buttons are as wide as the strip
-            drawToolStrip(doc, brushes, messages);
+            drawToolStrip(doc, brushes, mode, messages);
             ImGui::EndChild();
         };
     }
     BrushBook brushes;
+    GizmoMode mode = GizmoMode::Move;
 };
 
-TEST_F(ToolStrip, HasAButtonForLookingAndOneForEachBrush) {
+TEST_F(ToolStrip, HasAButtonForObjectsAndOneForEachBrush) {
     keepTargetValid(doc, brushes);
     frames(2);
-    EXPECT_TRUE(shown("Panel/Look"));
+    EXPECT_TRUE(shown("Panel/Select"));
     for (const BrushRow& row : brushRows())
         EXPECT_EQ(value(std::string("Panel/") + row.label), row.name == brushes.tool ? "true" : "false") << row.label;
 }
@@ -32,7 +34,7 @@ TEST_F(ToolStrip, AToolBringsAMapThatItPaints) {
     click("Panel/Comb");
     EXPECT_EQ(brushes.tool, "comb");
     EXPECT_EQ(brushes.map, "lawn.GrassField.orientation");
-    click("Panel/Look");
+    click("Panel/Select");
     EXPECT_EQ(brushes.tool, kViewTool);
     EXPECT_EQ(brushes.map, "lawn.GrassField.orientation");
 }

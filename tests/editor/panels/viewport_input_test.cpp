@@ -31,7 +31,10 @@ class HandInViewport : public test::PanelStage {
         camera.eye = {20, 4, 20}, camera.pitch = -1.2;
         draw = [this] {
             const RingParts rings{doc, tiers, camera, hand.rect, "", false};
-            viewportInput({in, 1.0 / 60, true}, camera, hand, {doc, brushes, edits, messages}, rings, comparison);
+            const ObjectParts objects{
+                doc, selection, tool, edits, messages, camera, hand.rect, 0, brushes.tool == kViewTool};
+            viewportInput({in, 1.0 / 60, true}, camera, hand,
+                          {{doc, brushes, edits, messages}, rings, objects, comparison});
         };
     }
     void SetUp() override {
@@ -44,6 +47,8 @@ class HandInViewport : public test::PanelStage {
     ViewportHand hand;
     BrushBook brushes;
     TierView tiers;
+    Selection selection;
+    ObjectTool tool;
     Comparison comparison;
 };
 
@@ -78,11 +83,11 @@ TEST_F(HandInViewport, TheLeftButtonPaintsOneStroke) {
     EXPECT_FALSE(doc.canUndo());
 }
 
-TEST_F(HandInViewport, WithTheLookToolNothingIsPainted) {
+TEST_F(HandInViewport, WithTheSelectToolNothingIsPainted) {
     brushes.tool = kViewTool;
     move(250, 200), button(0, true);
     frames(2);
-    EXPECT_EQ(hand.gesture, Gesture::None);
+    EXPECT_EQ(hand.gesture, Gesture::Choose);
     EXPECT_TRUE(hand.ground) << "the pointer is over the ground";
     EXPECT_FALSE(doc.stroking());
 }

@@ -11,6 +11,8 @@ using test::Stage;
 struct RecordingUi : UiDriver {
     std::vector<std::string> calls;
     Status click(const std::string& label) override { return note("click " + label); }
+    Status rightClick(const std::string& label) override { return note("right click " + label); }
+    Status drop(const std::filesystem::path& file) override { return note("drop " + file.filename().string()); }
     Status set(const std::string& label, const std::string& text) override { return note("set " + label + " " + text); }
     Result<std::string> get(const std::string& label) override {
         if (label == "Brush/Radius") return std::string("2.5");

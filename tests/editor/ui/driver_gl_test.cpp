@@ -16,7 +16,7 @@ TEST_F(EditorUi, EveryWidgetThatScriptsNameIsThere) {
                               "Menu/Edit/Redo",
                               "Menu/View/Tiers",
                               "Menu/View/Profiler",
-                              "Tools/Look",
+                              "Tools/Select",
                               "Tools/Add",
                               "Tools/Smooth",
                               "Brush/Mode",

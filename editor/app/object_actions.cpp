@@ -1,0 +1,64 @@
+#include "app/object_actions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/entity_edits.h"
+
+namespace sward {
+namespace {
+
+bool isHidden(const Project& p, const std::string& name) {
+    const Entity e = findEntity(p, name);
+    return e != kNoEntity && p.registry.get<Hidden>(e);
+}
+
+std::string told(const std::vector<std::string>& names) {
+    return names.size() == 1 ? names.front() : fmt::format("{} entities", names.size());
+}
+
+}  // namespace
+
+void duplicateChosen(Document& doc, Selection& selection, Messages& messages) {
+    const Result<std::vector<std::string>> copies = duplicateEntities(doc, selection.entities);
+    if (!copies) return showError(messages, copies.error());
+    choose(selection, *copies, Choose::Only);
+    say(messages, "new: " + told(*copies));
+}
+
+void removeChosen(Document& doc, Selection& selection, Messages& messages) {
+    const std::string what = told(selection.entities);
+    if (!accept(messages, removeEntities(doc, selection.entities))) return;
+    selection.entities.clear();
+    say(messages, "removed: " + what);
+}
+
+void hideChosen(Document& doc, const Selection& selection, Messages& messages) {
+    const std::vector<std::string>& names = selection.entities;
+    const auto hidden = [&](const std::string& name) { return isHidden(doc.project(), name); };
+    const bool hide = !std::all_of(names.begin(), names.end(), hidden);
+    if (!accept(messages, hideEntities(doc, names, hide))) return;
+    say(messages, (hide ? "hidden here, not in pictures: " : "shown: ") + told(names));
+}
+
+void showAll(Document& doc, Messages& messages) {
+    std::vector<std::string> names;
+    for (const auto& [name, e] : doc.project().entities)
+        if (isHidden(doc.project(), name)) names.push_back(name);
+    if (names.empty()) return say(messages, "nothing is hidden");
+    if (accept(messages, hideEntities(doc, names, false))) say(messages, "shown: " + told(names));
+}
+
+void askName(RenameDialog& dialog, const Selection& selection) {
+    dialog = {shownEntity(selection), shownEntity(selection), "", true};
+}
+
+void followName(const std::string& from, const std::string& to, Selection& selection, BrushBook& brushes,
+                TierView& tiers) {
+    std::replace(selection.entities.begin(), selection.entities.end(), from, to);
+    if (brushes.map.starts_with(from + ".")) brushes.map = to + brushes.map.substr(from.size());
+    if (tiers.field == from) tiers.field = to;
+}
+
+}  // namespace sward

@@ -1,0 +1,35 @@
+// What menus and keys do with the chosen entities: each one undo step. And the question for a new name.
+// Does not: draw (panels/rename_dialog.cpp), nor know how entities are copied (model/entity_edits.h).
+#pragma once
+#include <string>
+
+#include "app/messages.h"
+#include "app/selection.h"
+#include "model/document.h"
+#include "tools/brush_book.h"
+#include "tools/tier_view.h"
+
+namespace sward {
+
+struct RenameDialog {
+    std::string entity;  // empty: not asked
+    std::string name;    // what is typed
+    std::string error;
+    bool opening = false;
+};
+
+// The copies are chosen then.
+void duplicateChosen(Document& document, Selection& selection, Messages& messages);
+// None is chosen then.
+void removeChosen(Document& document, Selection& selection, Messages& messages);
+// Hides all; where all are hidden, shows them again.
+void hideChosen(Document& document, const Selection& selection, Messages& messages);
+// Whatever is hidden is shown.
+void showAll(Document& document, Messages& messages);
+// Asks for a new name of the one chosen last.
+void askName(RenameDialog& dialog, const Selection& selection);
+// What followed the entity by its name: the selection, the brush's map, the tiers' field.
+void followName(const std::string& from, const std::string& to, Selection& selection, BrushBook& brushes,
+                TierView& tiers);
+
+}  // namespace sward

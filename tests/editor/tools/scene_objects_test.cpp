@@ -1,0 +1,101 @@
+// Rays meet objects by their triangles, of 50,000 as well as of one.
+#include "tools/scene_objects.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_shapes.h"
+#include "support.h"
+
+namespace sward {
+namespace {
+
+class Objects : public testing::Test {
+  protected:
+    void SetUp() override {
+        const Solid ball{SolidKind::Ball, glm::vec3(1), glm::vec3(0)};
+        test::writeText(dir / "ball.glb", *encodeGlb(makeMesh({&ball, 1})));
+        p.dir = dir.path;
+    }
+    void add(const std::string& name, const glm::dvec3& at, float scale = 1) {
+        const Entity e = *addEntity(p, name);
+        p.registry.add<Transform>(e, {at});
+        StaticMesh mesh;
+        mesh.file = "ball.glb", mesh.scale = scale, mesh.onGround = false;
+        p.registry.add<StaticMesh>(e, mesh);
+        ++revision;
+    }
+    std::string hit(const glm::dvec3& from, const glm::dvec3& way) {
+        const auto met = objects.closest(p, revision, from, way);
+        return met ? met->entity : "";
+    }
+    test::TempDir dir;
+    Project p;
+    SceneObjects objects;
+    uint64_t revision = 1;
+};
+
+TEST_F(Objects, TheFirstByItsTrianglesAndNotByItsBox) {
+    add("near", {0, 0, -5}), add("far", {0, 0, -10}, 2);
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "near");
+    EXPECT_NEAR(objects.closest(p, revision, {0, 0, 0}, {0, 0, -1})->distance, 4, 0.02);
+    EXPECT_EQ(hit({1.5, 0, 0}, {0, 0, -1}), "far");
+    EXPECT_EQ(hit({0.9, 0.9, 0}, {0, 0, -1}), "far") << "past the near one, within its box";
+    EXPECT_EQ(hit({1.9, 1.9, 0}, {0, 0, -1}), "") << "a corner of the far one's box";
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, 1}), "");
+}
+
+TEST_F(Objects, ItFollowsWhatChanges) {
+    add("one", {0, 0, -5});
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "one");
+    p.registry.get<Transform>(findEntity(p, "one"))->position.x = 9;
+    ++revision;
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "");
+    EXPECT_EQ(hit({9, 0, 0}, {0, 0, -1}), "one");
+    p.registry.add<Hidden>(findEntity(p, "one"), {});
+    ++revision;
+    EXPECT_EQ(hit({9, 0, 0}, {0, 0, -1}), "") << "what is hidden is not met";
+}
+
+TEST_F(Objects, WhatCannotBeReadIsNotMetAndHasNoBox) {
+    add("one", {0, 0, -5});
+    p.registry.get<StaticMesh>(findEntity(p, "one"))->file = "none.glb";
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "");
+    EXPECT_FALSE(objects.cornersOf(p, findGround(p), "one"));
+    EXPECT_FALSE(objects.cornersOf(p, findGround(p), "nobody"));
+}
+
+TEST_F(Objects, ItsBoxTurnsAndGrowsWithIt) {
+    add("one", {3, 4, 5}, 2);
+    p.registry.get<StaticMesh>(findEntity(p, "one"))->rotationDeg = {0, 90, 0};
+    const auto corners = objects.cornersOf(p, findGround(p), "one");
+    ASSERT_TRUE(corners);
+    EXPECT_LT(glm::length((corners->front() + corners->back()) / 2.0 - glm::dvec3(3, 4, 5)), 0.05);
+    EXPECT_NEAR(glm::length((*corners)[1] - (*corners)[0]), 4, 0.05);
+    EXPECT_LT(std::abs((*corners)[1].x - (*corners)[0].x), 0.01) << "its x points along the world's z";
+}
+
+TEST_F(Objects, OfFiftyThousandARayLooksAtFew) {
+    for (int i = 0; i < 50000; ++i) add(fmt::format("ball-{:05}", i), {3.0 * (i % 250), 0, 3.0 * (i / 250)});
+    const auto clock = [] { return std::chrono::steady_clock::now(); };
+    const auto start = clock();
+    EXPECT_EQ(hit({300, 50, 300}, {0, -1, 0}), "ball-25100");
+    const auto made = clock();
+    size_t most = 0;
+    for (int i = 0; i < 100; ++i) {
+        const double a = i * 0.0628;
+        EXPECT_NE(hit({375, 30, 300}, glm::normalize(glm::dvec3(std::cos(a), -0.12, std::sin(a)))), "nobody");
+        most = std::max(most, objects.looked());
+    }
+    EXPECT_LT(most, 1500u) << "boxes";
+    const std::chrono::duration<double, std::milli> making = made - start, rays = clock() - made;
+    RecordProperty("making_ms", fmt::format("{:.2f}", making.count()));
+    RecordProperty("ray_ms", fmt::format("{:.4f}", rays.count() / 100));
+    RecordProperty("boxes", static_cast<int>(most));
+}
+
+}  // namespace
+}  // namespace sward
