@@ -232,6 +232,8 @@ void adoptProject(EditorApp& app) {
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;
     app.selection.entity.clear();
+    app.hand.strokeBegin.reset();
+    app.hand.strokeEnd.reset();
     stopRuns(app.accuracy);
     app.accuracy.sweep = {};
     app.accuracy.fit = {};

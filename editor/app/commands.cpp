@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "model/blade_height.h"
+#include "model/float_heights.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -50,6 +51,10 @@ void makeBladeHeight(Document& doc, const std::string& painted, Messages& messag
     say(messages, "blades are lower towards the edges of " + density);
 }
 
+void makeFloatHeights(Document& doc, Messages& messages) {
+    if (accept(messages, heightsAsFloats(doc))) say(messages, "heights are floats in metres, without a range");
+}
+
 // --- adapters of the table's rows: each hands the parts of the editor out that its command uses
 
 template <FileTask Task>
@@ -66,7 +71,7 @@ void strength(EditorApp& app) {
 }
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
-void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
+void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
 void focusPointer(EditorApp& app) { focusGround(app.view.camera, app.hand.ground, currentBrush(app.brushes).radius); }
 
 bool always(EditorApp&) { return true; }
@@ -85,6 +90,7 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
@@ -92,7 +98,7 @@ constexpr Command kCommands[] = {
     {"Brush", "Look Without Painting", "v", "", lookOnly, opened},
     {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
      [](App& a) { return overlayShown(a.doc, a.brushes); }},
-    {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
+    {"Brush", "Pick Under Pointer", "i", "", pick, opened, false},
     {"Brush", "Shift Erases", "", "", [](App& a) { shiftErases(a.brushes, a.messages); }, always, true,
      [](App& a) { return a.brushes.shiftErases; }},
     {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},

@@ -6,7 +6,7 @@ namespace sward::script {
 namespace {
 
 // brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0,
-// color = {1, 1, 1}}
+// color = {1, 1, 1}, bumpSize = 0, talus = 35, water = 0.5}; without a value flatten goes to where the stroke begins.
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;
@@ -21,6 +21,11 @@ int select(lua_State* L, State& state) {
     brush.spacing = static_cast<float>(options.number("spacing", 0.1));
     brush.seed = static_cast<int>(std::clamp(options.number("seed", 0), -1e9, 1e9));
     brush.angleDeg = static_cast<float>(options.number("angle", 0));
+    brush.fromStart = !options.push("value");
+    if (!brush.fromStart) lua_pop(L, 1);
+    brush.bumpSize = static_cast<float>(options.number("bumpSize", 0));
+    brush.talusDeg = static_cast<float>(options.number("talus", 35));
+    brush.water = static_cast<float>(options.number("water", 0.5));
     brush.color = vectorOption(L, options, "color", brush.color, 1);
     options.finish();
     orRaise(L, checkBrush(brush));
