@@ -92,7 +92,8 @@ Terrain hillyLand(PixelType type) {
     std::vector<std::byte> row(size_t(kSide) * t.height.map.texelBytes());
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
-            const float metres = 50 + 20 * std::sin(static_cast<float>(x) * 0.01f) * std::cos(static_cast<float>(y) * 0.013f);
+            const float metres =
+                50 + 20 * std::sin(static_cast<float>(x) * 0.01f) * std::cos(static_cast<float>(y) * 0.013f);
             const auto whole = static_cast<uint16_t>(metres * 655.35f);
             if (type == PixelType::F32) std::memcpy(&row[size_t(x) * 4], &metres, 4);
             if (type == PixelType::U16) std::memcpy(&row[size_t(x) * 2], &whole, 2);
@@ -126,8 +127,8 @@ SWARD_LIMITS("sculpt", [] {
                                        updateHiddenHeights(hidden, heights, t.size, sun, part);
                                    }));
             }
-            const std::string what = fmt::format("500 texels on 4096^2 heights, {}, {}", mode,
-                                                 type == PixelType::U16 ? "16 bit" : "float");
+            const std::string what =
+                fmt::format("500 texels on 4096^2 heights, {}, {}", mode, type == PixelType::U16 ? "16 bit" : "float");
             reportLimit(("sculpting stamp of " + what).c_str(), *std::min_element(stampMs.begin(), stampMs.end()),
                         std::string(mode) == "erode" ? 60 : 12, "ms");
             reportLimit(("bounds and shadows after it, " + what).c_str(),

@@ -1,7 +1,7 @@
-// Brushes: a pure function from a tile, a stamp and parameters to a tile; one row a mode. What moves ground from tile to
-// tile (erode) is one from a map to a map.
-// Does not: keep state, undo, or know the scene; strokes are turned into stamps by stampsAlong.
-// Hard case T-7: zero radius paints nothing; a stroke of zero length is one stamp; zero strength is the identity.
+// Brushes: a pure function from a tile, a stamp and parameters to a tile; one row a mode. What moves ground from tile
+// to tile (erode) is one from a map to a map. Does not: keep state, undo, or know the scene; strokes are turned into
+// stamps by stampsAlong. Hard case T-7: zero radius paints nothing; a stroke of zero length is one stamp; zero strength
+// is the identity.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

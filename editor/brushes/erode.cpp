@@ -17,26 +17,49 @@
 namespace sward {
 namespace {
 
-// The tiles under the stamp as one piece, as far as the map goes; heights in metres above that of one texel.
+// The tiles under the stamp as one piece with a rim of one texel, heights in metres above that of one texel. What lies
+// beyond the map is as high as its edge, and has no weight, like the rim.
 struct Land {
     TileRange tiles;
-    int x0 = 0, y0 = 0, width = 0, height = 0;  // texels of the map
+    int x0 = 0, y0 = 0, width = 0, height = 0;  // texels of the map; width and height whole tiles
     double texelX = 1, texelY = 1;              // metres
     std::vector<float> before, now, weight;
-    size_t at(int x, int y) const { return size_t(y) * size_t(width) + size_t(x); }
+    size_t stride() const { return size_t(width) + 2; }
+    // x from -1 to width, y from -1 to height.
+    size_t at(int x, int y) const { return size_t(y + 1) * stride() + size_t(x + 1); }
 };
 
 template <class T>
-void readTile(const Map& map, int tx, int ty, double base, double scale, Land& land) {
+void readTile(const Map& map, int tx, int ty, float base, float unit, Land& land) {
     const T* in = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
-    const double unit = scale / static_cast<double>(PixelTraits<T>::scale);
+    const int columns = std::min(kTileSize, map.info().width - tx * kTileSize),
+              rows = std::min(kTileSize, map.info().height - ty * kTileSize);
     for (int y = 0; y < kTileSize; ++y) {
-        const int row = ty * kTileSize + y - land.y0, column = tx * kTileSize - land.x0;
-        if (row >= land.height) return;
-        float* out = &land.before[land.at(column, row)];
-        for (int x = 0; x < std::min(kTileSize, land.width - column); ++x)
-            out[x] = static_cast<float>(static_cast<double>(in[y * kTileSize + x]) * unit - base);
+        const T* row = in + std::min(y, rows - 1) * kTileSize;
+        float* out = &land.before[land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y)];
+        for (int x = 0; x < kTileSize; ++x) out[x] = static_cast<float>(row[x]) * unit - base;
+        std::fill(out + columns, out + kTileSize, out[columns - 1]);
     }
+}
+
+void readTile(const Map& map, int tx, int ty, float base, double scale, Land& land) {
+    const auto unit = [scale](double most) { return static_cast<float>(scale / most); };
+    switch (map.info().type) {
+        case PixelType::U8:
+            return readTile<uint8_t>(map, tx, ty, base, unit(255), land);
+        case PixelType::U16:
+            return readTile<uint16_t>(map, tx, ty, base, unit(65535), land);
+        case PixelType::F32:
+            return readTile<float>(map, tx, ty, base, unit(1), land);
+    }
+}
+
+// Calls body(tx, ty) for each tile, on all cores.
+template <class Body>
+void eachTile(const TileRange& t, const Body& body) {
+    parallelFor(t.count(), [&](size_t i) {
+        body(t.x0 + static_cast<int>(i) % (t.x1 - t.x0), t.y0 + static_cast<int>(i) / (t.x1 - t.x0));
+    });
 }
 
 Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
@@ -44,26 +67,19 @@ Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
     land.tiles = stampTiles(map.info(), stamp);
     const TileRange& t = land.tiles;
     land.x0 = t.x0 * kTileSize, land.y0 = t.y0 * kTileSize;
-    land.width = std::min(t.x1 * kTileSize, map.info().width) - land.x0;
-    land.height = std::min(t.y1 * kTileSize, map.info().height) - land.y0;
+    land.width = (t.x1 - t.x0) * kTileSize, land.height = (t.y1 - t.y0) * kTileSize;
     land.texelX = static_cast<double>(brush.radius) / stamp.radiusX;
     land.texelY = static_cast<double>(brush.radius) / stamp.radiusY;
-    const size_t texels = size_t(land.width) * size_t(land.height);
-    land.before.resize(texels), land.weight.assign(texels, 0.0f);
+    const size_t texels = land.stride() * size_t(land.height + 2);
+    land.before.resize(texels), land.weight.resize(texels);
     const int cx = static_cast<int>(std::clamp(stamp.x, 0.0, map.info().width - 1.0)),
               cy = static_cast<int>(std::clamp(stamp.y, 0.0, map.info().height - 1.0));
-    const double base = static_cast<double>(map.at(cx, cy)) * brush.metres.y;
-    parallelFor(t.count(), [&](size_t i) {
-        const int tx = t.x0 + static_cast<int>(i) % (t.x1 - t.x0), ty = t.y0 + static_cast<int>(i) / (t.x1 - t.x0);
-        if (map.info().type == PixelType::U8) readTile<uint8_t>(map, tx, ty, base, brush.metres.y, land);
-        if (map.info().type == PixelType::U16) readTile<uint16_t>(map, tx, ty, base, brush.metres.y, land);
-        if (map.info().type == PixelType::F32) readTile<float>(map, tx, ty, base, brush.metres.y, land);
+    const float base = static_cast<float>(static_cast<double>(map.at(cx, cy)) * brush.metres.y);
+    eachTile(t, [&](int tx, int ty) {
+        readTile(map, tx, ty, base, brush.metres.y, land);
         const StampWeights weights(map.info(), stamp, brush, tx, ty);
-        float weight[kTileSize];
-        const int column = tx * kTileSize - land.x0, count = std::min(kTileSize, land.width - column);
         for (int y = 0; y < kTileSize; ++y)
-            if (weights.row(y, weight))
-                std::copy_n(weight, count, &land.weight[land.at(column, ty * kTileSize + y - land.y0)]);
+            weights.row(y, &land.weight[land.at(tx * kTileSize - land.x0, ty * kTileSize + y - land.y0)]);
     });
     land.now = land.before;
     return land;
@@ -72,7 +88,7 @@ Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
 // --- rain --------------------------------------------------------------------------------------------------------
 
 constexpr double kTexelsPerDrop = 60;  // that a stamp of full water has, one drop to so many
-constexpr int kMostDrops = 1200;       // a stamp, whatever its size
+constexpr int kMostDrops = 1000;       // a stamp, whatever its size
 constexpr size_t kBatch = 100;
 constexpr int kSteps = 48;  // texels that a drop runs at most
 constexpr float kInertia = 0.05f, kCapacity = 4, kLeastSlope = 0.01f, kTake = 0.3f, kLeave = 0.3f, kDry = 0.02f,
@@ -123,21 +139,26 @@ bool placeAt(const Land& land, float toTexels, float x, float y, Place& out) {
         return false;
     const int ix = static_cast<int>(x), iy = static_cast<int>(y);
     const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
-    const size_t c = land.at(ix, iy), d = c + size_t(land.width);
+    const size_t c = land.at(ix, iy), d = c + land.stride();
     const float a = land.now[c], b = land.now[c + 1], e = land.now[d], f = land.now[d + 1];
     const float top = a + (b - a) * fx, low = e + (f - e) * fx;
     const auto mix = [&](const std::vector<float>& v) {
         const float up = v[c] + (v[c + 1] - v[c]) * fx, down = v[d] + (v[d + 1] - v[d]) * fx;
         return up + (down - up) * fy;
     };
-    out = {(top + (low - top) * fy) * toTexels, ((b - a) * (1 - fy) + (f - e) * fy) * toTexels, (low - top) * toTexels,
-           mix(land.weight), c, fx, fy};
+    out = {(top + (low - top) * fy) * toTexels,
+           ((b - a) * (1 - fy) + (f - e) * fy) * toTexels,
+           (low - top) * toTexels,
+           mix(land.weight),
+           c,
+           fx,
+           fy};
     return out.weight > 0;
 }
 
 // Lays `amount` metres of one texel's ground on the four texels around a place, as far as the stamp reaches them.
 void leave(const Land& land, const Place& p, float amount, std::vector<Move>& moves) {
-    const size_t texels[] = {p.corner, p.corner + 1, p.corner + size_t(land.width), p.corner + size_t(land.width) + 1};
+    const size_t texels[] = {p.corner, p.corner + 1, p.corner + land.stride(), p.corner + land.stride() + 1};
     float share[] = {(1 - p.fx) * (1 - p.fy), p.fx * (1 - p.fy), (1 - p.fx) * p.fy, p.fx * p.fy}, sum = 0;
     for (int i = 0; i < 4; ++i) sum += share[i] = land.weight[texels[i]] > 0 ? share[i] : 0;
     if (!(sum > 0)) return;
@@ -159,7 +180,7 @@ float take(const Land& land, float x, float y, float amount, std::vector<Move>& 
     i = 0;
     for (int ty = cy - kReach; ty <= cy + kReach; ++ty)
         for (int tx = cx - kReach; tx <= cx + kReach; ++tx, ++i) {
-            if (share[i] <= 0 || tx < 0 || ty < 0 || tx >= land.width || ty >= land.height) continue;
+            if (share[i] <= 0 || tx < -1 || ty < -1 || tx > land.width || ty > land.height) continue;
             const float metres = amount * share[i] / sum * land.weight[land.at(tx, ty)];
             if (metres <= 0) continue;
             moves.push_back({static_cast<uint32_t>(land.at(tx, ty)), -metres});
@@ -215,40 +236,34 @@ void rain(Land& land, const Stamp& stamp, const BrushSettings& brush) {
 
 // --- slopes ------------------------------------------------------------------------------------------------------
 
-constexpr int kSlides = 2;      // rounds a stamp
-constexpr float kSlide = 0.1f;  // of what is too steep between two texels, that goes over in a round; 8 of them: below 1
+constexpr float kSlide = 0.12f;  // of what is too steep between two texels, that goes over; 8 of them: below 1
 
-// What a texel gets from its neighbours in a row that lies `rows` away.
-void slideRow(const Land& land, int y, int rows, int columns, float steepest, float* __restrict gain) {
-    const int begin = std::max(0, -columns), end = land.width - std::max(0, columns);
-    const float *h = &land.now[land.at(0, y)], *w = &land.weight[land.at(0, y)];
-    const float *other = &land.now[land.at(0, y + rows)] + columns, *otherWeight = &land.weight[land.at(0, y + rows)] +
-                                                                                   columns;
-    for (int x = begin; x < end; ++x) {
-        const float over = other[x] - h[x];
-        gain[x] += std::min(w[x], otherWeight[x]) * (positivePart(over - steepest) - positivePart(-over - steepest));
+// What the texels of a row of a tile get from their neighbours `to` texels on: what lies over the talus, less what they
+// lie over it themselves.
+void slideRow(const Land& land, size_t at, ptrdiff_t to, float steepest, float* __restrict gain) {
+    const float *h = &land.now[at], *w = &land.weight[at], *other = h + to, *otherWeight = w + to;
+    for (int x = 0; x < kTileSize; ++x) {
+        const float over = other[x] - h[x], less = w[x] - positivePart(w[x] - otherWeight[x]);  // the smaller weight
+        gain[x] += less * (positivePart(over - steepest) - positivePart(-over - steepest));
     }
 }
 
 void slide(Land& land, const BrushSettings& brush) {
     const double tangent = std::tan(std::clamp<double>(brush.talusDeg, 0, 89.9) * 3.14159265358979323846 / 180);
-    std::vector<float> after(land.now.size());
-    for (int round = 0; round < kSlides; ++round) {
-        parallelFor(static_cast<size_t>(land.height), [&](size_t row) {
-            const int y = static_cast<int>(row);
-            std::vector<float> gain(static_cast<size_t>(land.width));
+    std::vector<float> after = land.now;
+    eachTile(land.tiles, [&](int tx, int ty) {
+        for (int y = 0; y < kTileSize; ++y) {
+            const size_t at = land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y);
+            alignas(64) float gain[kTileSize] = {};
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx)
-                    if ((dx != 0 || dy != 0) && y + dy >= 0 && y + dy < land.height)
-                        slideRow(land, y, dy, dx,
-                                 static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY)),
-                                 gain.data());
-            const float* h = &land.now[land.at(0, y)];
-            float* out = &after[land.at(0, y)];
-            for (size_t x = 0; x < gain.size(); ++x) out[x] = h[x] + kSlide * gain[x];
-        });
-        std::swap(land.now, after);
-    }
+                    if (dx != 0 || dy != 0)
+                        slideRow(land, at, dy * static_cast<ptrdiff_t>(land.stride()) + dx,
+                                 static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY)), gain);
+            for (size_t x = 0; x < kTileSize; ++x) after[at + x] = land.now[at + x] + kSlide * gain[x];
+        }
+    });
+    std::swap(land.now, after);
 }
 
 }  // namespace
@@ -263,21 +278,19 @@ void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
     slide(land, brush);
     const TileRange& t = land.tiles;
     std::vector<std::shared_ptr<const Tile>> painted(t.count());
-    parallelFor(t.count(), [&](size_t i) {
-        const int tx = t.x0 + static_cast<int>(i) % (t.x1 - t.x0), ty = t.y0 + static_cast<int>(i) / (t.x1 - t.x0);
-        painted[i] = paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
+    const auto slot = [&](int tx, int ty) { return size_t(ty - t.y0) * size_t(t.x1 - t.x0) + size_t(tx - t.x0); };
+    eachTile(t, [&](int tx, int ty) {
+        painted[slot(tx, ty)] = paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
             using Real = std::remove_cvref_t<decltype(row.scale)>;
             const Real steps = static_cast<Real>(stepsPerMetre(static_cast<double>(row.scale), brush));
-            const size_t from = land.at(row.x0 - land.x0, row.y - land.y0),
-                         count = static_cast<size_t>(std::min(kTileSize, land.width - (row.x0 - land.x0)));
-            std::fill(row.change, row.change + kTileSize, Real(0));
-            for (size_t x = from; x < from + count; ++x)
-                row.change[x - from] = (static_cast<Real>(land.now[x]) - static_cast<Real>(land.before[x])) * steps;
+            const size_t from = land.at(row.x0 - land.x0, row.y - land.y0);
+            const float *now = &land.now[from], *before = &land.before[from];
+            for (int x = 0; x < kTileSize; ++x)
+                row.change[x] = (static_cast<Real>(now[x]) - static_cast<Real>(before[x])) * steps;
         });
     });
-    for (size_t i = 0; i < painted.size(); ++i)
-        map.setTile(t.x0 + static_cast<int>(i) % (t.x1 - t.x0), t.y0 + static_cast<int>(i) / (t.x1 - t.x0),
-                    std::move(painted[i]));
+    for (int ty = t.y0; ty < t.y1; ++ty)
+        for (int tx = t.x0; tx < t.x1; ++tx) map.setTile(tx, ty, std::move(painted[slot(tx, ty)]));
 }
 
 }  // namespace sward

@@ -1,8 +1,8 @@
 // Moves each texel towards a random number between 0 and the brush's value, the same for every stamp with the same
 // seed, so that painting longer brings the pattern out and never drifts. On maps of colours the number is the opacity
-// of the brush's colour. Heights are roughened instead, by the value in metres: four octaves of gradient noise (K. Perlin,
-// An Image Synthesizer, 1985; interpolation of Improving Noise, 2002), the widest as wide as the brush's bumps, fixed to
-// the map and of mean 0, so that painting longer makes bumps higher and never drifts.
+// of the brush's colour. Heights are roughened instead, by the value in metres: four octaves of gradient noise (K.
+// Perlin, An Image Synthesizer, 1985; interpolation of Improving Noise, 2002), the widest as wide as the brush's bumps,
+// fixed to the map and of mean 0, so that painting longer makes bumps higher and never drifts.
 #include <array>
 
 #include "brushes/colours.h"
@@ -26,8 +26,8 @@ double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 // One octave along a row: at each column of its lattice, height and slope of what the gradients beside the row add up
 // to there. Between two columns the noise is their mix.
 struct LatticeRow {
-    double cell;             // texels
-    int first;               // column of the lattice, left of the tile
+    double cell;              // texels
+    int first;                // column of the lattice, left of the tile
     std::vector<float> a, b;  // slope, height
 
     LatticeRow(double cellX, double cellY, int x0, int y, uint32_t seed) : cell(cellX) {
@@ -53,14 +53,25 @@ struct LatticeRow {
         }();
         return ways[texelHash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), seed) >> 26];
     }
-    // Adds `gain` times the noise of the row's texels.
+    // Adds `gain` times the noise of the row's texels. What the two columns around each say is laid out first, so that
+    // the loop over the texels has no look-up.
     void add(int x0, float gain, float* __restrict sum) const {
-        const float inv = static_cast<float>(1 / cell), begin = static_cast<float>((x0 + 0.5) / cell - first);
+        const double begin = (x0 + 0.5) / cell - first;
+        alignas(64) float place[kTileSize], a0[kTileSize], b0[kTileSize], a1[kTileSize], b1[kTileSize];
+        int from = 0;
+        for (size_t c = 0; c + 1 < a.size(); ++c) {
+            const int to = c + 2 < a.size() ? std::clamp(static_cast<int>(std::ceil((double(c + 1) - begin) * cell)),
+                                                         from, kTileSize)
+                                            : kTileSize;
+            std::fill(place + from, place + to, static_cast<float>(begin - static_cast<double>(c)));
+            std::fill(a0 + from, a0 + to, a[c]), std::fill(b0 + from, b0 + to, b[c]);
+            std::fill(a1 + from, a1 + to, a[c + 1]), std::fill(b1 + from, b1 + to, b[c + 1]);
+            from = to;
+        }
+        const float inv = static_cast<float>(1 / cell);
         for (int i = 0; i < kTileSize; ++i) {
-            const float place = begin + static_cast<float>(i) * inv;
-            const size_t column = std::min(static_cast<size_t>(place), a.size() - 2);
-            const float f = place - static_cast<float>(column), t = f * f * f * (f * (f * 6 - 15) + 10);
-            const float left = a[column] * f + b[column], right = a[column + 1] * (f - 1) + b[column + 1];
+            const float f = place[i] + static_cast<float>(i) * inv, t = f * f * f * (f * (f * 6 - 15) + 10);
+            const float left = a0[i] * f + b0[i], right = a1[i] * (f - 1) + b1[i];
             sum[i] += gain * (left + (right - left) * t);
         }
     }
@@ -82,8 +93,8 @@ std::shared_ptr<const Tile> roughen(const Map& map, int tx, int ty, const Stamp&
     if (!(brush.radius > 0) || !std::isfinite(brush.bumpSize)) return map.tile(tx, ty);
     return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
         using Real = std::remove_cvref_t<decltype(row.scale)>;
-        const Real steps = static_cast<Real>(static_cast<double>(brush.value) *
-                                             stepsPerMetre(static_cast<double>(row.scale), brush));
+        const Real steps =
+            static_cast<Real>(static_cast<double>(brush.value) * stepsPerMetre(static_cast<double>(row.scale), brush));
         float sum[kTileSize];
         bumps(stamp, brush, row.x0, row.y, sum);
         for (int i = 0; i < kTileSize; ++i) row.change[i] = steps * static_cast<Real>(row.weight[i] * sum[i]);

@@ -441,10 +441,11 @@ void tellOf(const ConstFieldRef& field, const Stroke& work) {
     if (!work.reached()) logWarning(field.path + ": the stroke lay beside the terrain and painted nothing");
     if (!work.hitLow() && !work.hitHigh()) return;
     const auto [low, span] = heightScaleOf(field);
-    logWarning(fmt::format("{}: the stroke reached the end of heightRange, {:.6g} m, where ground {}; a wider range "
-                           "stretches the hills that are there, heights as floats (menu Edit, Heights as Floats) have no end",
-                           field.path, work.hitHigh() ? low + span : low,
-                           work.hitHigh() == (span > 0) ? "cannot rise higher" : "cannot sink lower"));
+    logWarning(
+        fmt::format("{}: the stroke reached the end of heightRange, {:.6g} m, where ground {}; a wider range "
+                    "stretches the hills that are there, heights as floats (menu Edit, Heights as Floats) have no end",
+                    field.path, work.hitHigh() ? low + span : low,
+                    work.hitHigh() == (span > 0) ? "cannot rise higher" : "cannot sink lower"));
 }
 
 }  // namespace

@@ -166,9 +166,11 @@ void heights(Rows& rows, BrushSettings& b) {
     if (b.mode == "flatten") {
         next(rows, "From start", em(6));
         ui::checkbox("From start", b.fromStart);
-        ui::tooltip("To the height where the stroke begins; else to the height beside. I takes the one under the pointer.");
+        ui::tooltip(
+            "To the height where the stroke begins; else to the height beside. I takes the one under the pointer.");
         const ui::Disabled unused(b.fromStart);
-        number(rows, "Height", b.value, em(7), range(-10, 100, -1e5, 1e5, "m"), "The height that the ground is levelled to.");
+        number(rows, "Height", b.value, em(7), range(-10, 100, -1e5, 1e5, "m"),
+               "The height that the ground is levelled to.");
     }
     if (b.mode == "erode") {
         number(rows, "Water", b.water, em(5.5f), range(0, 1, 0, 1),
@@ -184,10 +186,10 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>
     const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
     number(rows, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
     number(rows, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
-           lays      ? "How far the blades lean over: - and = change it."
+           lays               ? "How far the blades lean over: - and = change it."
            : b.mode == "ramp" ? "How far the ground goes to the ramp: 1 is all the way."
-           : presses ? "How flat the blades are pressed, and how far pushed: - and = change it."
-                     : "How much one pass over a place changes it: - and = change it.");
+           : presses          ? "How flat the blades are pressed, and how far pushed: - and = change it."
+                              : "How much one pass over a place changes it: - and = change it.");
     number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(rows, yaw, b.angleDeg);
     const bool colours = map && map->row->map->kind == MapKind::Colours;

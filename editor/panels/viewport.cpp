@@ -123,7 +123,8 @@ void drawBrushRing(const Document& document, const FlyCamera& camera, const View
     const BrushRow* row = findBrush(b.mode);
     if (!row || !row->spans || hand.gesture != Gesture::Paint || !hand.strokeBegin) return;
     ringAt(camera, hand.rect, ground, *hand.strokeBegin, radius, IM_COL32(255, 255, 255, 230), 1.6f);
-    const auto from = projectPoint(camera, hand.rect, *hand.strokeBegin), to = projectPoint(camera, hand.rect, *hand.ground);
+    const auto from = projectPoint(camera, hand.rect, *hand.strokeBegin),
+               to = projectPoint(camera, hand.rect, *hand.ground);
     if (from && to)
         ImGui::GetWindowDrawList()->AddLine({static_cast<float>(from->x), static_cast<float>(from->y)},
                                             {static_cast<float>(to->x), static_cast<float>(to->y)},

@@ -14,8 +14,8 @@ namespace sward {
 inline constexpr const char* kViewTool = "look";  // no painting: the left button does nothing to the scene
 
 struct BrushBook {
-    std::string tool = "add";  // kViewTool or the name of a brush row
-    std::string map;           // canonical PATH of the map painted on; empty: the project has none
+    std::string tool = "add";         // kViewTool or the name of a brush row
+    std::string map;                  // canonical PATH of the map painted on; empty: the project has none
     MapKind kind = MapKind::Amounts;  // of that map
     std::map<std::pair<std::string, std::string>, BrushSettings> settings;  // by tool and map
     std::vector<std::string> recentMaps;                                    // chosen so far, the newest first

@@ -27,7 +27,8 @@ void selectTool(const Document& document, BrushBook& book, Messages& messages, c
 void toggleLook(const Document& document, BrushBook& book, Messages& messages);
 // On a map of colours the brush takes the colour that it has at `ground`, the world point under the pointer; on heights
 // flatten takes the height there. Where there is none, it says so.
-void pickFromGround(const Document& document, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground);
+void pickFromGround(const Document& document, BrushBook& book, Messages& messages,
+                    const std::optional<glm::dvec3>& ground);
 // After the project changed: the chosen map must be one that it has, the tool one that paints it.
 void keepTargetValid(const Document& document, BrushBook& book);
 

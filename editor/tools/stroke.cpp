@@ -198,9 +198,9 @@ void Stroke::queueSpan() {
 // Metres, at a place on the terrain.
 double Stroke::heightAt(const Map& map, const glm::dvec2& place) const {
     const glm::dvec2 share = place / glm::dvec2(scale_.width, scale_.depth);
-    const double texel = static_cast<double>(scale_.mirrored
-                                                 ? map.sample(f64::mirrorUnit(share.x), f64::mirrorUnit(share.y))
-                                                 : map.sample(share.x, share.y));
+    const double texel =
+        static_cast<double>(scale_.mirrored ? map.sample(f64::mirrorUnit(share.x), f64::mirrorUnit(share.y))
+                                            : map.sample(share.x, share.y));
     return settings_.metres.x + settings_.metres.y * texel;
 }
 

@@ -43,7 +43,8 @@ HeightGrid shadeHeights(const Terrain& t) {
     HeightGrid g{side(info.width * repeats.x), side(info.height * repeats.y), {}};
     g.metres.resize(static_cast<size_t>(g.width) * static_cast<size_t>(g.height));
     parallelFor(static_cast<size_t>(g.height), [&](size_t y) {
-        for (int x = 0; x < g.width; ++x) g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
+        for (int x = 0; x < g.width; ++x)
+            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
     });
     return g;
 }
@@ -55,7 +56,8 @@ std::vector<std::pair<int, int>> tilesOf(int cells, double size, double repeat, 
     std::vector<std::pair<int, int>> tiles;
     for (int i = 0; i < cells; ++i) {
         const double u = (i + 0.5) / cells * size / repeat;
-        const f64::BilinearTap tap = f64::bilinearTap(repeats ? f64::mirrorUnit(u) : std::clamp(u, 0.0, 1.0), 0, texels, 1);
+        const f64::BilinearTap tap =
+            f64::bilinearTap(repeats ? f64::mirrorUnit(u) : std::clamp(u, 0.0, 1.0), 0, texels, 1);
         tiles.emplace_back(tap.x0 / kTileSize, tap.x1 / kTileSize);
     }
     return tiles;
@@ -69,13 +71,23 @@ GridPart updateShadeHeights(HeightGrid& g, const Map& before, const Terrain& t) 
     const Tiling tiling = tilingOf(t, t.heightTiling);
     const auto columns = tilesOf(g.width, t.size.x, tiling.metres.x, tiling.repeats, now.info().width),
                rows = tilesOf(g.height, t.size.y, tiling.metres.y, tiling.repeats, now.info().height);
-    const auto differs = [&](int tx, int ty) { return before.tile(tx, ty) != now.tile(tx, ty); };
+    // Of two rows of tiles, which columns have a tile that is another one.
+    const auto changedOf = [&](int top, int low, std::vector<char>& changed) {
+        bool any = false;
+        for (int tx = 0; tx < now.tilesX(); ++tx) {
+            changed[size_t(tx)] =
+                before.tile(tx, top) != now.tile(tx, top) || before.tile(tx, low) != now.tile(tx, low);
+            any = any || changed[size_t(tx)];
+        }
+        return any;
+    };
     std::vector<std::pair<int, int>> part(size_t(g.height), {g.width, 0});  // of each row
     parallelFor(part.size(), [&](size_t y) {
-        const auto [top, low] = rows[y];
+        std::vector<char> changed(size_t(now.tilesX()));
+        if (!changedOf(rows[y].first, rows[y].second, changed)) return;
         for (int x = 0; x < g.width; ++x) {
             const auto [left, right] = columns[size_t(x)];
-            if (!differs(left, top) && !differs(right, top) && !differs(left, low) && !differs(right, low)) continue;
+            if (!changed[size_t(left)] && !changed[size_t(right)]) continue;
             g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
             part[y] = {std::min(part[y].first, x), x + 1};
         }
@@ -94,8 +106,8 @@ namespace {
 // The grid as lines across the sun's way, the nearest to the sun first, whichever way that is.
 struct Lines {
     int count, length;
-    double shift;  // texels along a line that the ray moves towards the sun from line to line
-    float fall;    // metres that the ray comes down on the way
+    double shift;        // texels along a line that the ray moves towards the sun from line to line
+    float fall;          // metres that the ray comes down on the way
     bool rows, flipped;  // lines are rows of the grid, else columns; the last one comes first
     int width;           // of the grid
     size_t at(int line, int i) const {
@@ -133,7 +145,7 @@ namespace {
 // Rays `from` to `to` run side by side over the lines, one texel apart, each with the height of the highest that it
 // passed: heights are interpolated once onto a ray and once back, so that a peak's shadow does not wash out with
 // distance. Fills in what lies between two of these rays.
-void sweep(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
+void sweepBand(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
     std::vector<float> top(static_cast<size_t>(to - from + 1), kNothing);
     for (int line = 0; line < l.count; ++line) {
         const double offset = -l.shift * line;  // ray j crosses this line at j + offset
@@ -150,6 +162,17 @@ void sweep(const HeightGrid& heights, const Lines& l, int from, int to, HeightGr
             t = std::max(t, along(heights.metres, l, line, j + offset));
         }
     }
+}
+
+// The same, on all cores: bands of rays know nothing of each other.
+void sweep(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
+    const int bands = std::clamp((to - from) / 32, 1, workerCount());
+    parallelFor(static_cast<size_t>(bands), [&](size_t i) {
+        const auto begin = [&](size_t band) {
+            return from + static_cast<int>((to - from) * static_cast<int>(band) / bands);
+        };
+        sweepBand(heights, l, begin(i), begin(i + 1), out);
+    });
 }
 
 // The first and last ray that cross any line at all.

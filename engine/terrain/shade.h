@@ -2,8 +2,8 @@
 // look up. One sweep from the sun's side over the height map: hidden(p) = max over q towards the sun of height(q) -
 // distance * slope of the ray, by the recurrence hidden(p) = max(height(q), hidden(q)) - step * slope. Exact for every
 // distance, for ground, blades and objects alike, and made anew only when the sun moves; when heights change, along the
-// rays that pass over them. Does not: overhangs, objects (objects/shadow.h). Nothing is done with the sun on the horizon
-// or below. Cost: 4 MiB; about 15 ms for 1024 x 1024 on one core when the sun moves.
+// rays that pass over them. Does not: overhangs, objects (objects/shadow.h). Nothing is done with the sun on the
+// horizon or below. Cost: 4 MiB; about 15 ms for 1024 x 1024 on one core when the sun moves.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

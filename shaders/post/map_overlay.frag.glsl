@@ -11,13 +11,14 @@ layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
 const int AMOUNTS = 1, DIRECTIONS = 2, FORCE_KIND = 3, HEIGHTS = 5;  // beside these: colours
-layout(location = 0) uniform int kind;                  // of the map
-layout(location = 1) uniform float tallest;             // metres: what stands higher is no grass, and keeps its colour
-layout(location = 2) uniform bool painted;              // false: there is no map, only what presses by itself
-layout(location = 3) uniform float tiling;              // of the map, as in shared/grass.h
-layout(location = 4) uniform float pixel;               // metres, at a distance of 1 m
-layout(location = 5) uniform float texels;              // of the map, a metre
-layout(location = 6) uniform vec3 relief;  // of the land: its lowest ground seen from the eye, 1 / metres, metres a contour
+layout(location = 0) uniform int kind;                               // of the map
+layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
+layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
+layout(location = 3) uniform float tiling;   // of the map, as in shared/grass.h
+layout(location = 4) uniform float pixel;    // metres, at a distance of 1 m
+layout(location = 5) uniform float texels;   // of the map, a metre
+layout(location =
+           6) uniform vec3 relief;  // of the land: its lowest ground seen from the eye, 1 / metres, metres a contour
 out vec4 color;
 
 vec4 mapAt(vec2 place, float level) { return textureLod(map, tiled(mapPlace(place), tiling), level); }

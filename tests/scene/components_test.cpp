@@ -114,7 +114,7 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
         }
         if (f.type == FieldType::Map) {
             ASSERT_NE(f.map, nullptr) << path;
-            constexpr int kChannels[] = {1, 2, 4, 4};
+            constexpr int kChannels[] = {1, 2, 4, 4, 1};
             EXPECT_EQ(f.map->channels, kChannels[static_cast<size_t>(f.map->kind)]) << path;
             EXPECT_FALSE(f.map->kind == MapKind::Heights && f.map->type == PixelType::U8) << path;
             EXPECT_GT(f.map->texelsPerMetre, 0) << path;

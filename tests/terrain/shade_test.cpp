@@ -15,7 +15,8 @@ Terrain hills(int width, int height) {
     t.height.map = Map({width, height, 1, PixelType::F32});
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            t.height.map.set(x, y, 0, 8 * std::sin(static_cast<float>(x) * 0.05f) * std::cos(static_cast<float>(y) * 0.03f));
+            t.height.map.set(x, y, 0,
+                             8 * std::sin(static_cast<float>(x) * 0.05f) * std::cos(static_cast<float>(y) * 0.03f));
     return t;
 }
 void sculpt(Map& map, int x0, int y0, int size, float by) {

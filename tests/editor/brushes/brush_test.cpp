@@ -15,13 +15,13 @@ using namespace test;
 TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     std::vector<std::string> names;
     for (const BrushRow& row : brushRows()) names.push_back(row.name);
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction", "press", "raise",
-                                        "lower", "flatten", "ramp", "erode"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction",
+                                               "press", "raise", "lower", "flatten", "ramp", "erode"}));
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
         const bool any = name == "smooth" || name == "subtract", lays = name == "comb" || name == "direction";
-        const bool sculpts = name == "raise" || name == "lower" || name == "flatten" || name == "ramp" || name == "erode";
+        const bool sculpts =
+            name == "raise" || name == "lower" || name == "flatten" || name == "ramp" || name == "erode";
         const bool amounts = !lays && name != "press" && !sculpts;
         EXPECT_EQ(paints(row, MapKind::Heights), sculpts || name == "smooth" || name == "noise") << name;
         EXPECT_NE(row.apply == nullptr, row.applyWhole == nullptr) << name;

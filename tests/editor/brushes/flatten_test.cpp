@@ -40,8 +40,7 @@ TEST(RampBrush, GoesEvenlyFromTheHeightOfOneEndToThatOfTheOther) {
         paint(map, "ramp", stamp, sculptor(type, 0, 1, 0.5f));
         EXPECT_NEAR(metresAt(map, 40, 50), 2, 2e-4);
         EXPECT_NEAR(metresAt(map, 240, 200), 8, 2e-4);
-        for (int i = 0; i <= 10; ++i)
-            EXPECT_NEAR(metresAt(map, 40 + 20 * i, 50 + 15 * i), 2 + 0.6 * i, 2e-4) << i;
+        for (int i = 0; i <= 10; ++i) EXPECT_NEAR(metresAt(map, 40 + 20 * i, 50 + 15 * i), 2 + 0.6 * i, 2e-4) << i;
         EXPECT_NEAR(metresAt(map, 40 + 100 - 3, 50 + 75 + 4), 5, 0.02) << "level across";
         EXPECT_EQ(metresAt(map, 40 + 100 - 9, 50 + 75 + 12), metresAt(map, 0, 0)) << "beyond its width";
         EXPECT_EQ(metresAt(map, 240 + 8, 200 + 10), metresAt(map, 0, 0)) << "beyond its end";
