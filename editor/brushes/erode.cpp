@@ -1,11 +1,11 @@
 // Erodes ground. Rain: drops run downhill, take ground along while they can carry more and leave it where they slow
-// down (H. T. Beyer, Implementation of a Method for Hydraulic Erosion, Technische Universitaet Muenchen 2015, chapter
-// 4; heights are counted in texels, so that slopes and not metres decide). Slopes: what is steeper than the talus angle
-// slides to its neighbours (F. K. Musgrave, C. E. Kolb, R. S. Mace, The Synthesis and Rendering of Eroded Fractal
-// Terrains, SIGGRAPH 1989, section 4.2; between each two neighbours as much goes as comes, so that no ground is lost).
-// Both act by the weight of the stamp and move ground only within it. Drops start where the stamp's number and the seed
-// say, and those of a batch see the ground as it was before the batch: the same on any number of threads.
-// Does not: keep water from stamp to stamp.
+// down (H. T. Beyer, Implementation of a Method for Hydraulic Erosion, Technische Universitaet Muenchen
+// 2015; heights are counted in texels, so that slopes and not metres decide, and drops dry evenly, so that the end of
+// the way finds them empty). Slopes: what is steeper than the talus angle slides to its neighbours (F. K. Musgrave, C.
+// E. Kolb, R. S. Mace, The Synthesis and Rendering of Eroded Fractal Terrains, SIGGRAPH 1989; between each two
+// neighbours as much goes as comes, so that no ground is lost). Both act by the weight of the stamp and move ground
+// only within it. Drops start where the stamp's number and the seed say, and those of a batch see the ground as it was
+// before the batch: the same on any number of threads. Does not: keep water from stamp to stamp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,8 +91,7 @@ constexpr double kTexelsPerDrop = 60;  // that a stamp of full water has, one dr
 constexpr int kMostDrops = 1000;       // a stamp, whatever its size
 constexpr size_t kBatch = 100;
 constexpr int kSteps = 48;  // texels that a drop runs at most
-constexpr float kInertia = 0.05f, kCapacity = 4, kLeastSlope = 0.01f, kTake = 0.3f, kLeave = 0.3f, kDry = 0.02f,
-                kGravity = 1;
+constexpr float kInertia = 0.05f, kCapacity = 4, kLeastSlope = 0.01f, kTake = 0.3f, kLeave = 0.3f, kGravity = 1;
 constexpr int kReach = 2;  // texels around a drop from which it takes
 
 struct Move {
@@ -215,7 +214,7 @@ void runDrop(const Land& land, Drop d, std::vector<Move>& moves) {
         d = {d.x + wayX, d.y + wayY};
         p = next;
         speed = std::sqrt(std::max(0.0f, speed * speed - rise * kGravity));
-        water *= 1 - kDry;
+        water = 1 - static_cast<float>(step + 1) / kSteps;
     }
     if (carried > 0) leave(land, p, carried, moves);
 }

@@ -46,10 +46,11 @@ int paint(lua_State* L, State& state, std::span<const BrushSettings> brushes, bo
     return 0;
 }
 
-// brush.stroke{{x, z}, …}
+// brush.stroke{{x, z}, …}; makes heights that are not there yet, since level ground is what their absence means.
 int stroke(lua_State* L, State& state) {
-    openProject(L);
-    return paint(L, state, {&state.host.brush, 1}, false);
+    const Project& p = openProject(L);
+    const Result<ConstFieldRef> map = findMap(p, state.rows(), state.host.brush.map);
+    return paint(L, state, {&state.host.brush, 1}, map && map->row->map->kind == MapKind::Heights);
 }
 
 // brush.erase{{x, z}, …}: every species of the field, whatever map is selected; with the brush's size and strength.

@@ -31,7 +31,20 @@ class Sculptor : public EditorTools {
     void drag(float x0, float y0, float x1, float y1, const std::string& keys = "") {
         ok(ui->drag(x(x0), y(y0), x(x1), y(y1), keys));
     }
-    void key(int code, bool down) { app->queue.push({InputKind::Key, 0, 0, code, down}); }
+    // By an editor that has drawn nothing before, from the same place.
+    std::vector<uint8_t> pictureOpenedAnew() {
+        const FlyCamera camera = app->view.camera;
+        const auto project = doc.project().dir;
+        ui.reset();
+        app.reset();
+        EXPECT_TRUE(doc.open(project));
+        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600), false);
+        ui = makeUiDriver(*app);
+        ok(ui->wait(3));
+        app->view.camera = camera;
+        ok(ui->click("Tools/Look"));
+        return picture();
+    }
 };
 
 TEST_F(Sculptor, RaisingByTheMouseMakesTheMapAndCtrlLowersAndShiftSmooths) {
@@ -79,16 +92,28 @@ TEST_F(Sculptor, APictureAfterStrokesEqualsThatOfTheProjectSavedAndOpenedAnew) {
     EXPECT_NE(sculpted, flat);
     ok(ui->key("ctrl+s"));
     EXPECT_FALSE(doc.dirty());
-    const FlyCamera camera = app->view.camera;
-    ok(ui->wait(1));
-    app.reset();
-    ASSERT_TRUE(doc.open(doc.project().dir));
-    app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600), false);
-    ui = makeUiDriver(*app);
+    EXPECT_TRUE(pictureOpenedAnew() == sculpted) << "something stale was drawn";
+}
+
+// The same where balls and rocks with grass on them stand on the ground and press on what grows there.
+TEST_F(Sculptor, ObjectsStandOnTheGroundThatIsMadeUnderThem) {
+    ASSERT_TRUE(doc.open(std::filesystem::path(SWARD_SOURCE_DIR) / "projects/rockery"));
+    ASSERT_TRUE(doc.saveAs(dir / "rockery"));
     ok(ui->wait(3));
-    app->view.camera = camera;
     ok(ui->click("Tools/Look"));
-    EXPECT_TRUE(picture() == sculpted) << "something stale was drawn";
+    const std::vector<uint8_t> before = picture();
+    BrushSettings brush;
+    brush.map = kHeight, brush.mode = "raise", brush.radius = 2, brush.value = 0.3f;
+    const glm::dvec2 size = findGround(doc.project()).terrain->size;
+    for (const double at : {0.5, 0.6, 0.45}) {
+        ASSERT_TRUE(doc.beginStroke(brush, size.x * at, size.y * 0.5));
+        doc.endStroke();
+        picture();
+    }
+    const std::vector<uint8_t> sculpted = picture();
+    EXPECT_NE(sculpted, before);
+    ASSERT_TRUE(doc.save());
+    EXPECT_TRUE(pictureOpenedAnew() == sculpted) << "something stale was drawn";
 }
 
 TEST_F(Sculptor, FlattenGoesToTheHeightThatIWasPressedOver) {
