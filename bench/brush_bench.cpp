@@ -2,10 +2,18 @@
 // live on in it, so each stamp pays for fresh tiles, as here.
 #include <benchmark/benchmark.h>
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "bench/limits.h"
 #include "brushes/brush.h"
+#include "frame/map_textures.h"
+#include "terrain/shade.h"
+#include "tools/stroke.h"
+#include "world/ground.h"
 
 namespace {
 using namespace sward;
@@ -74,6 +82,69 @@ SWARD_LIMITS("stamp", [] {
         reportLimit((std::string("stamp of 500 texels on 4096^2, 16 bit, ") + mode).c_str(),
                     *std::min_element(ms.begin(), ms.end()), 5, "ms");
     }
+});
+
+// Hills of some metres on 4096^2, half a metre a texel.
+Terrain hillyLand(PixelType type) {
+    Terrain t;
+    t.size = {2048, 2048};
+    t.heightRange = {0, 100};
+    t.height.file = "a";
+    t.height.map = Map({kSide, kSide, 1, type});
+    std::vector<std::byte> row(size_t(kSide) * t.height.map.texelBytes());
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x) {
+            const float metres =
+                50 + 20 * std::sin(static_cast<float>(x) * 0.01f) * std::cos(static_cast<float>(y) * 0.013f);
+            const auto whole = static_cast<uint16_t>(metres * 655.35f);
+            if (type == PixelType::F32) std::memcpy(&row[size_t(x) * 4], &metres, 4);
+            if (type == PixelType::U16) std::memcpy(&row[size_t(x) * 2], &whole, 2);
+        }
+        t.height.map.writeRows(y, 1, row.data());
+    }
+    return t;
+}
+
+// A stamp of a sculpting stroke and all that follows for it to be seen: its tiles sent to the GPU, bounds of the
+// ground, shadows of hills. The least of many, since other work on the machine only adds.
+double sculptMs(PixelType type, const char* mode) {
+    Terrain t = hillyLand(type);
+    const glm::vec3 sun = glm::normalize(glm::vec3(0.6f, 0.5f, 0.3f));
+    HeightBounds bounds;
+    HeightGrid heights = shadeHeights(t), hidden = hiddenHeights(heights, t.size, sun);
+    std::optional<MapTextures> textures;
+    if (gpu()) textures.emplace(*gpu());
+    BrushSettings brush;
+    brush.radius = 250, brush.strength = 0.5f, brush.value = 1;
+    paintHeights(brush, heightScale(t));
+    std::vector<double> ms;
+    for (uint32_t turn = 0; turn < 20; ++turn) {
+        const Map before = t.height.map;
+        const auto follow = [&] {
+            updateHeightBounds(bounds, t);
+            updateHiddenHeights(hidden, heights, t.size, sun, updateShadeHeights(heights, before, t));
+            if (!textures) return;
+            textures->get("bench", "heights", t.height.map);
+            glFinish();
+        };
+        if (turn == 0) follow();
+        ms.push_back(1e3 * seconds([&] {
+                         applyStamp(t.height.map, *findBrush(mode), {2000, 2100, 500, 500, turn}, brush);
+                         follow();
+                     }));
+    }
+    return *std::min_element(ms.begin(), ms.end());
+}
+
+SWARD_LIMITS("sculpt", [] {
+    constexpr std::pair<const char*, double> kMost[] = {
+        {"raise", 16}, {"flatten", 16}, {"smooth", 20}, {"noise", 25}, {"erode", 40}};
+    for (const PixelType type : {PixelType::U16, PixelType::F32})
+        for (const auto& [mode, most] : kMost)
+            reportLimit(fmt::format("{} 500 texels of 4096^2 {} heights, shadows and upload included", mode,
+                                    type == PixelType::U16 ? "16 bit" : "float")
+                            .c_str(),
+                        sculptMs(type, mode), most, "ms");
 });
 
 }  // namespace

@@ -267,6 +267,8 @@ void adoptProject(EditorApp& app) {
     app.selection.entities.clear();
     app.objects.drag.reset();
     app.objects.box.reset();
+    app.hand.strokeBegin.reset();
+    app.hand.strokeEnd.reset();
     stopRuns(app.accuracy);
     app.accuracy.sweep = {};
     app.accuracy.fit = {};

@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "model/blade_height.h"
+#include "model/float_heights.h"
 #include "model/whole_map.h"
 #include "panels/viewport_objects.h"
 #include "tools/brush_target.h"
@@ -61,6 +62,10 @@ void wholeMap(Document& doc, BrushBook& brushes, Messages& messages, const char*
     if (accept(messages, change(doc, brush))) say(messages, fmt::format("{} is {}", brush.map, done));
 }
 
+void makeFloatHeights(Document& doc, Messages& messages) {
+    if (accept(messages, heightsAsFloats(doc))) say(messages, "heights are floats in metres, without a range");
+}
+
 // --- adapters of the table's rows: each hands the parts of the editor out that its command uses
 
 template <FileTask Task>
@@ -77,7 +82,7 @@ void strength(EditorApp& app) {
 }
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
-void pick(EditorApp& app) { pickColor(app.doc, app.brushes, app.messages, app.hand.ground); }
+void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
 void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
 // What is chosen and has a place, else what is under the pointer.
 void focusChosen(EditorApp& app) {
@@ -125,6 +130,7 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
     {"Object", "Delete", "delete", "", [](App& a) { removeChosen(a.doc, a.selection, a.messages); }, anyChosen},
@@ -140,7 +146,7 @@ constexpr Command kCommands[] = {
     {"Brush", "Weaker", "-", "", strength<-1>, opened},
     {"Brush", "Map Overlay", "o", "", [](App& a) { toggleOverlay(a.doc, a.brushes); }, opened, true,
      [](App& a) { return overlayShown(a.doc, a.brushes); }},
-    {"Brush", "Pick Colour Under Pointer", "i", "", pick, opened, false},
+    {"Brush", "Pick Under Pointer", "i", "", pick, opened, false},
     {"Brush", "Fill Map", "", "", fill, hasMap},
     {"Brush", "Clear Map", "", "", clear, hasMap},
     {"Brush", "Invert Map", "", "", invert, hasMap},

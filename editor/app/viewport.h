@@ -27,6 +27,8 @@ struct ViewportHand {
     bool hovered = false;
     std::optional<glm::dvec3> ground;  // under the pointer
     Gesture gesture = Gesture::None;
+    // World points of the ground: where the present or last stroke began, and where the last one got to.
+    std::optional<glm::dvec3> strokeBegin, strokeEnd;
     bool flying = false;            // keys move the camera in this frame
     double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
     double way = 0;                 // pixels that it has gone since the gesture began

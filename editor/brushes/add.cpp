@@ -1,4 +1,4 @@
-// Raises the map by the weight: 1 (one metre on heights) at full strength. Lays colour over what is there by the
+// Raises the map by the weight: 1 at full strength. Lays colour over what is there by the
 // weight; opacity goes as far as the brush's value, and never down.
 #include <algorithm>
 

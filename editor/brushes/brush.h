@@ -1,6 +1,7 @@
-// Brushes: a pure function from a tile, a stamp and parameters to a tile; one row a mode.
-// Does not: keep state, undo, or know the scene; strokes are turned into stamps by stampsAlong.
-// Hard case T-7: zero radius paints nothing; a stroke of zero length is one stamp; zero strength is the identity.
+// Brushes: a pure function from a tile, a stamp and parameters to a tile; one row a mode. What moves ground from tile
+// to tile (erode) is one from a map to a map. Does not: keep state, undo, or know the scene; strokes are turned into
+// stamps by stampsAlong. Hard case T-7: zero radius paints nothing; a stroke of zero length is one stamp; zero strength
+// is the identity.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -22,15 +23,23 @@ struct BrushSettings {
     std::string mode = "add";     // a row's name
     float radius = 1;             // metres
     float strength = 1;           // [0,1]: share of the full effect that a stamp has at its centre
-    float value = 1;              // what set paints towards, and the most that noise does; of colours the opacity
+    float value = 1;              // what set paints towards, and the most that noise does; of colours the opacity; of
+                                  // heights metres: what a stamp raises, lowers or roughens at full strength, and what
+                                  // flatten paints towards
     float falloff = 0.5f;         // 0: hard edge; 1: falls off from the centre
     float spacing = 0.1f;         // distance between stamps as a share of the diameter
     int seed = 0;                 // of noise
     float angleDeg = 0;           // of direction: where blades lean, clockwise from north (-z) seen from above
     glm::vec3 color{1};           // what is laid on maps of colours: sRGB in [0,1], as they hold it
+    bool fromStart = true;        // flatten goes to the height where the stroke begins, not to the value
+    float bumpSize = 0;           // metres of the widest bumps of noise on heights; 0: the radius
+    float talusDeg = 35;          // the steepest slope that erode leaves standing
+    float water = 0.5f;           // [0,1]: how much rain erode lets fall; 0: slopes only slide
     // Of the map, filled in by who knows it:
     float low = 0, high = 1;  // limits of what is painted on float maps; integer maps keep [0,1]
     bool colours = false;     // its four channels are a colour and an opacity, not a force
+    bool heights = false;     // it holds heights ...
+    glm::dvec2 metres{0, 1};  // ... and a texel, as Map::at gives it, stands for x + y * texel metres
 };
 
 // In texels of the map; radiusX != radiusY where texels are not square.
@@ -44,6 +53,9 @@ struct Stamp {
     // Texels beyond its edge as far as which texels of no opacity take a colour that is laid. Nothing is seen of that,
     // but filtering would mix what they held into the edge: a dark rim.
     double spread = 0;
+    // From (x, y) to the other end of what it paints, and the heights in metres of both, for ramp; elsewhere nothing.
+    double acrossX = 0, acrossY = 0;
+    double beginHeight = 0, endHeight = 0;
 };
 inline constexpr double kColourSpread = 8;  // as far as mip level 3 reaches
 
@@ -66,8 +78,14 @@ struct BrushRow {
     // painted.
     std::shared_ptr<const Tile> (*apply)(const Map& map, int tx, int ty, const Stamp& stamp,
                                          const BrushSettings& brush);
-    unsigned kinds = 0;    // the maps that it paints: a sum of bitOf
-    bool follows = false;  // paints the way the stroke goes: the first stamp waits until it goes somewhere, or ends
+    unsigned kinds = 0;               // the maps that it paints: a sum of bitOf
+    bool follows = false;             // paints the way the stroke goes: the first stamp waits until it goes somewhere,
+                                      // or ends
+    bool spans = false;               // one stamp a stroke, from its first point to its last, once it ends
+    bool levels = false;              // goes to a height: BrushSettings::fromStart
+    const char* onHeights = nullptr;  // the brush that is meant where heights are painted by this name
+    // Of brushes that move ground across tiles, whose apply is null: the stamp on the whole map. Otherwise as apply.
+    void (*applyWhole)(Map& map, const Stamp& stamp, const BrushSettings& brush) = nullptr;
 };
 // Whether the brush paints maps of this kind.
 bool paints(const BrushRow& row, MapKind kind);
@@ -77,6 +95,8 @@ std::string brushesFor(MapKind kind);
 std::span<const BrushRow> brushRows();
 // By BrushRow::name; null if there is none.
 const BrushRow* findBrush(const std::string& name);
+// The one that this name means on maps of this kind: on heights add raises, subtract lowers and set flattens.
+const BrushRow* findBrush(const std::string& name, MapKind kind);
 
 // Stamp centres every `step` metres along a line of points (metres). `carry` is the distance from the first point to
 // the first stamp: 0 at the start of a stroke, and left as it must be for a next piece that begins with the last point,

@@ -17,15 +17,24 @@ StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushS
     farthest_ = static_cast<float>((1 + stamp.spread / ry) * (1 + stamp.spread / ry));
     invRange_ = static_cast<float>(1.0 / (1.0 - core * core));
     strength_ = static_cast<float>(std::clamp<double>(brush.strength, 0.0, 1.0) * cover);
+    acrossX_ = static_cast<float>(stamp.acrossX / rx);
+    acrossY_ = static_cast<float>(stamp.acrossY / ry);
     columns_ = std::min(kTileSize, info.width - tx * kTileSize);
     rows_ = std::min(kTileSize, info.height - ty * kTileSize);
 }
 
 bool StampWeights::row(int y, float* weight) const {
     const float dy = (static_cast<float>(y) - centreY_) * invY_;
-    const float dy2 = dy * dy;
-    if (y >= rows_ || !(dy2 < farthest_)) return false;
+    const float beyond = dy - std::clamp(dy, std::min(acrossY_, 0.0f), std::max(acrossY_, 0.0f));
+    if (y >= rows_ || !(beyond * beyond < farthest_)) return false;
     alignas(64) float w[kTileSize];
+    if (acrossX_ != 0 || acrossY_ != 0) {
+        along(dy, w);
+        std::fill(w + columns_, w + kTileSize, 0.0f);
+        std::memcpy(weight, w, sizeof w);
+        return true;
+    }
+    const float dy2 = dy * dy;
     for (int i = 0; i < kTileSize; ++i) {
         const float dx = (static_cast<float>(i) - centreX_) * invX_;
         const float t = unitPart((1.0f - (dx * dx + dy2)) * invRange_);
@@ -34,6 +43,18 @@ bool StampWeights::row(int y, float* weight) const {
     std::fill(w + columns_, w + kTileSize, 0.0f);
     std::memcpy(weight, w, sizeof w);
     return true;
+}
+
+// By the distance to the nearest point of the way.
+void StampWeights::along(float dy, float* weight) const {
+    const float length2 = acrossX_ * acrossX_ + acrossY_ * acrossY_;
+    for (int i = 0; i < kTileSize; ++i) {
+        const float dx = (static_cast<float>(i) - centreX_) * invX_;
+        const float share = unitPart((dx * acrossX_ + dy * acrossY_) / length2);
+        const float x = dx - share * acrossX_, y = dy - share * acrossY_;
+        const float t = unitPart((1.0f - (x * x + y * y)) * invRange_);
+        weight[i] = strength_ * (t * t * (3.0f - 2.0f * t));
+    }
 }
 
 PaintedForce forceOfTexel(const double* texel) {
@@ -57,7 +78,8 @@ bool usableBrush(const Stamp& stamp, const BrushSettings& b) {
     const bool finite = std::isfinite(stamp.x) && std::isfinite(stamp.y) && std::isfinite(stamp.radiusX) &&
                         std::isfinite(stamp.radiusY) && std::isfinite(b.strength) && std::isfinite(b.value) &&
                         std::isfinite(b.falloff) && std::isfinite(b.color.x + b.color.y + b.color.z) &&
-                        std::isfinite(b.low) && std::isfinite(b.high);
+                        std::isfinite(b.low) && std::isfinite(b.high) && std::isfinite(b.metres.x) &&
+                        std::isfinite(b.metres.y) && b.metres.y != 0;
     return finite && stamp.radiusX > 0 && stamp.radiusY > 0 && b.strength > 0 && b.low <= b.high;
 }
 

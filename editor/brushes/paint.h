@@ -37,8 +37,11 @@ class StampWeights {
     bool row(int y, float* weight) const;
 
   private:
+    void along(float dy, float* weight) const;
+
     float centreX_, centreY_, invX_, invY_, invRange_, strength_;
-    float farthest_;  // rows beyond this many radii, squared, are not painted
+    float farthest_;           // rows beyond this many radii, squared, are not painted
+    float acrossX_, acrossY_;  // of a stamp from one place to another: the way between them, in radii
     int columns_, rows_;
 };
 
@@ -174,6 +177,8 @@ void pressTowards(const PaintRow<Real>& row, const Target& target) {
 
 // The modes; one file each.
 using ApplyBrush = std::shared_ptr<const Tile>(const Map&, int, int, const Stamp&, const BrushSettings&);
-ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection, applyPress;
+ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection, applyPress,
+    applyRaise, applyLower, applyFlatten, applyRamp;
+void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush);
 
 }  // namespace sward

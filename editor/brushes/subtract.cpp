@@ -1,4 +1,4 @@
-// Lowers the map by the weight: 1 (one metre on heights) at full strength. Of a direction it takes the weight's share
+// Lowers the map by the weight: 1 at full strength. Of a direction it takes the weight's share
 // away: the blades stand up again. So of a force: what is pressed rises; and of a colour's opacity: the colour itself
 // stays.
 #include "brushes/colours.h"

@@ -1,6 +1,7 @@
 // The document: files · play · edits · strokes · undo and redo.
 #include "model/document.h"
 
+#include <map>
 #include <set>
 
 #include "core/log.h"
@@ -10,6 +11,7 @@
 #include "model/new_map.h"
 #include "playtest/playtest.h"
 #include "project/project_files.h"
+#include "scene/map_fields.h"
 #include "scene/unique.h"
 #include "tools/stroke.h"
 
@@ -57,12 +59,21 @@ struct Document::Impl {
     struct ActiveStroke {
         std::vector<StrokePart> parts;  // one a map
         std::vector<Change> changes;    // one a component; `after` is filled in at the end
+        std::string label;              // "Comb lawn.GrassField.orientation"
+        glm::dvec2 last{0};             // point
+        double metres = 0;              // that it went
         bool ended = false;
+        // "Comb lawn.GrassField.orientation, 42 m"
+        std::string told() const { return metres > 0 ? fmt::format("{}, {:.3g} m", label, metres) : label; }
         bool idle() const {
             return std::all_of(parts.begin(), parts.end(), [](const StrokePart& p) { return p.work.idle(); });
         }
     };
     std::optional<ActiveStroke> stroke;
+    struct {
+        std::map<std::string, Map> before;  // what it paints, as it was, by PATH
+        uint64_t revision = 0;              // that it left
+    } lastStroke;
 
     Impl(const Tables& t, size_t undoBytes) : tables(t), history(undoBytes) {}
     std::span<const ComponentRow> rows() const { return tables.components; }
@@ -92,6 +103,7 @@ Status Document::Impl::ready() const {
 
 void Document::Impl::show(Project p) {
     stroke.reset();
+    lastStroke = {};
     groupDepth = 0;
     group = {};
     history.clear();
@@ -361,7 +373,7 @@ Status Document::setMap(const std::string& mapPath, Map map, const std::string& 
     if (map.info().channels != field->row->map->channels)
         return usage(fmt::format("{}: a map of {} channels, where {} are wanted", field->path, map.info().channels,
                                  field->row->map->channels));
-    if (field->row->map->role == MapRole::Heights && map.info().type == PixelType::U8)
+    if (field->row->map->kind == MapKind::Heights && map.info().type == PixelType::U8)
         return usage(field->path + ": heights of 8 bits", "use 16 bits or floats");
     return impl_->changeField(label, *field, [&]() -> Status {
         auto& target = *static_cast<MapField*>(field->value);
@@ -418,9 +430,47 @@ Status checkTarget(const ConstFieldRef& field, const BrushSettings& brush, bool 
     if (!target.present() && !create)
         return usage(field.path + ": there is no map to paint on", "create or import one first");
     const MapKind kind = field.row->map->kind;
-    if (paints(*findBrush(brush.mode), kind)) return {};
-    return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)),
-                 "use " + brushesFor(kind));
+    if (!paints(*findBrush(brush.mode, kind), kind))
+        return usage(fmt::format("{}: the brush \"{}\" does not paint {}", field.path, brush.mode, kindName(kind)),
+                     "use " + brushesFor(kind));
+    return {};
+}
+
+// Metres at 0 and 1 of a map of heights, present or to be made.
+std::pair<double, double> heightScaleOf(const ConstFieldRef& field) {
+    const auto& target = *static_cast<const MapField*>(field.value);
+    if (!target.present() || target.map.info().type == PixelType::F32) return {0.0, 1.0};
+    const auto range = *static_cast<const glm::dvec2*>(fieldBeside(field, *field.row->map->heightRange).value);
+    return {range.x, range.y - range.x};
+}
+
+// The brush as it paints this map: its limits, and what is known of its texels.
+Result<BrushSettings> settingsFor(const ConstFieldRef& field, const BrushSettings& brush) {
+    BrushSettings settings = brush;
+    settings.low = 0, settings.high = 1;
+    const MapKind kind = field.row->map->kind;
+    settings.colours = kind == MapKind::Colours;
+    if (kind != MapKind::Heights) return settings;
+    const auto scale = heightScaleOf(field);
+    if (!(std::abs(scale.second) > 1e-9))
+        return usage(fmt::format("{}: its heightRange spans nothing, from {} to {} m", field.path, scale.first,
+                                 scale.first + scale.second),
+                     "widen the terrain's heightRange");
+    paintHeights(settings, scale);
+    if (findBrush(brush.mode)->onHeights) settings.fromStart = false;  // set: to the value
+    return settings;
+}
+
+// What a person must know of a stroke that is done.
+void tellOf(const ConstFieldRef& field, const Stroke& work) {
+    if (!work.reached()) logWarning(field.path + ": the stroke lay beside the terrain and painted nothing");
+    if (!work.hitLow() && !work.hitHigh()) return;
+    const auto [low, span] = heightScaleOf(field);
+    logWarning(
+        fmt::format("{}: the stroke reached the end of heightRange, {:.6g} m, where ground {}; a wider range "
+                    "stretches the hills that are there, heights as floats (menu Edit, Heights as Floats) have no end",
+                    field.path, work.hitHigh() ? low + span : low,
+                    work.hitHigh() == (span > 0) ? "cannot rise higher" : "cannot sink lower"));
 }
 
 }  // namespace
@@ -434,12 +484,10 @@ Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSetting
     if (!scale) return scale.error();
     const auto& target = *static_cast<const MapField*>(field->value);
     const MapInfo info = target.present() ? target.map.info() : newMapInfo(*project, *field);
-    BrushSettings settings = brush;
-    const bool heights = field->row->map->role == MapRole::Heights;
-    settings.low = heights ? -1e5f : 0.0f;
-    settings.high = heights ? 1e5f : 1.0f;
-    settings.colours = field->row->map->kind == MapKind::Colours;
-    return StrokePart{field->path, Stroke(*findBrush(brush.mode), settings, *scale, info, history.position())};
+    const Result<BrushSettings> settings = settingsFor(*field, brush);
+    if (!settings) return settings.error();
+    const BrushRow& row = *findBrush(brush.mode, field->row->map->kind);
+    return StrokePart{field->path, Stroke(row, *settings, *scale, info, history.position())};
 }
 
 Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
@@ -455,22 +503,31 @@ Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, 
         if (!part) return part.error();
         stroke.parts.push_back(std::move(*part));
     }
+    if (stroke.parts.empty()) return usage("a stroke of no brush");
+    stroke.label = fmt::format("{} {}", findBrush(brushes[0].mode)->label, stroke.parts[0].path);
+    if (stroke.parts.size() > 1) stroke.label += fmt::format(" and {} more", stroke.parts.size() - 1);
+    stroke.last = {x, z};
+    std::map<std::string, Map> before;
     for (Impl::StrokePart& part : stroke.parts) {
         const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), part.path);
         mergeChange(stroke.changes,
                     {field->entity, field->component, impl_->stateOf(field->entity, *field->component), nullptr});
         auto& target = *static_cast<MapField*>(field->value);
+        before[part.path] = target.map;
         if (target.present()) continue;
         target.map = newMap(*impl_->project, *field);
         target.file = mapFileFor(*field, target.map.info().type);
     }
     impl_->stroke = std::move(stroke);
+    impl_->lastStroke = {std::move(before), ++impl_->revision};
     strokeTo(x, z);
     return {};
 }
 
 void Document::strokeTo(double x, double z) {
     if (!impl_->stroke || impl_->stroke->ended) return;
+    const double metres = glm::length(glm::dvec2(x, z) - impl_->stroke->last);
+    if (std::isfinite(metres)) impl_->stroke->metres += metres, impl_->stroke->last = {x, z};
     for (Impl::StrokePart& part : impl_->stroke->parts) part.work.moveTo(x, z);
 }
 
@@ -483,11 +540,16 @@ void Document::Impl::pump(double budgetMs) {
         part.work.pump(static_cast<MapField*>(field->value)->map, budgetMs / static_cast<double>(stroke->parts.size()));
         ++revision;
     }
-    if (!stroke->ended || !stroke->idle()) return;
-    std::vector<Change> done = std::move(stroke->changes);
-    stroke.reset();
-    for (Change& c : done) c.after = stateOf(c.entity, *c.row);
-    record("stroke", std::move(done));
+    if (stroke->ended && stroke->idle()) {
+        for (const StrokePart& part : stroke->parts)
+            tellOf(*findField(std::as_const(*project), rows(), part.path), part.work);
+        std::vector<Change> done = std::move(stroke->changes);
+        const std::string label = stroke->told();
+        stroke.reset();
+        for (Change& c : done) c.after = stateOf(c.entity, *c.row);
+        record(label, std::move(done));
+    }
+    lastStroke.revision = revision;
 }
 
 void Document::Impl::letGo() {
@@ -514,6 +576,11 @@ void Document::endStroke() {
 
 bool Document::stroking() const { return impl_->stroke.has_value(); }
 
+const std::map<std::string, Map>* Document::strokeBefore() const {
+    const auto& last = impl_->lastStroke;
+    return !last.before.empty() && last.revision == impl_->revision ? &last.before : nullptr;
+}
+
 // --- undo and redo -----------------------------------------------------------------------------------------------
 
 bool Document::Impl::step(bool forward) {
@@ -533,7 +600,7 @@ bool Document::canRedo() const {
     return !impl_->play && impl_->groupDepth == 0 && !impl_->stroke && impl_->history.next(true);
 }
 std::string Document::undoLabel() const {
-    if (impl_->stroke) return "stroke";
+    if (impl_->stroke) return impl_->stroke->told();
     const UndoStep* next = impl_->history.next(false);
     return next ? next->label : "";
 }

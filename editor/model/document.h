@@ -3,6 +3,7 @@
 // An undo step is a list of component values before and after; their maps share tiles, so a step costs what it changed.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,7 +22,7 @@ struct Change {
     std::shared_ptr<void> before, after;
 };
 struct UndoStep {
-    std::string label;  // "stroke", "set lawn.GrassField.maxGeom"
+    std::string label;  // "Comb lawn.GrassField.orientation, 42 m", "set lawn.HybridTiers.maxGeom"
     std::vector<Change> changes;
 };
 
@@ -99,7 +100,8 @@ class Document {
 
     // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
     // Status fails if the map does not exist, is not of a kind that the brush paints, or a setting is not finite or
-    // names no brush.
+    // names no brush. What else a person must know is logged as a warning when the stroke is done: that all of it lay
+    // beside the terrain, or that integer heights came to the end of their range.
     // Large stamps are spread: strokeTo queues, pumpStroke works them off, tile by tile. Any other edit, undo, redo and
     // save first work off the whole stroke. Points far outside the terrain are pulled to it.
     Status beginStroke(const BrushSettings& brush, double x, double z);
@@ -112,6 +114,9 @@ class Document {
     bool pumpStroke(double budgetMs);
     void endStroke();       // works off the rest on later pumps; the step is complete then
     bool stroking() const;  // from beginStroke until the step is complete
+    // The maps that the present or last stroke paints, by PATH, as they were before it (empty: there was none); null
+    // once anything else has changed. They last until the next change.
+    const std::map<std::string, Map>* strokeBefore() const;
 
     // --- undo and redo: not while a group is open or it is played (false then). When the history outgrows its bytes
     // the oldest steps go, but never the newest; counted are the tiles that a step alone keeps.

@@ -38,7 +38,7 @@ Map newMap(const Project& p, const ConstFieldRef& map) {
     const MapInfo info = newMapInfo(p, map);
     Map made(info);
     const MapKind kind = map.row->map->kind;
-    if (kind == MapKind::Colours) return made;
+    if (kind == MapKind::Colours || kind == MapKind::Heights) return made;
     const std::vector<std::byte> row =
         rowOf(info, kind == MapKind::Amounts ? glm::vec4(1) : glm::vec4(0.5f, 0.5f, 0, 0));
     for (int y = 0; y < info.height; ++y) made.writeRows(y, 1, row.data());

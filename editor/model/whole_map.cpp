@@ -9,6 +9,7 @@
 
 #include "core/jobs.h"
 #include "model/new_map.h"
+#include "scene/map_fields.h"
 
 namespace sward {
 namespace {
@@ -78,18 +79,26 @@ void invertAmount(float* texel) { texel[0] = 1 - texel[0]; }
 void invertOpacity(float* texel) { texel[3] = 1 - texel[3]; }
 void turnRound(float* texel) { texel[0] = 1 - texel[0], texel[1] = 1 - texel[1]; }
 
-bool isHeights(const MapRow& row) { return row.role == MapRole::Heights; }
+bool isHeights(const MapRow& row) { return row.kind == MapKind::Heights; }
+
+// What a map of heights holds at 0 m, or as near to it as it can.
+float levelOf(const ConstFieldRef& heights, const Map& map) {
+    if (map.info().type == PixelType::F32) return 0;
+    const auto range = *static_cast<const glm::dvec2*>(fieldBeside(heights, *heights.row->map->heightRange).value);
+    const double share = -range.x / (range.y - range.x);
+    return std::isfinite(share) ? static_cast<float>(std::clamp(share, 0.0, 1.0)) : 0.0f;
+}
 
 // The map that a path names, made first if it is not there, and `now` in its place; one undo step.
 Status replaceMap(Document& doc, const std::string& path, const std::string& verb,
-                  const std::function<Result<Map>(const MapRow&, const Map&)>& now) {
+                  const std::function<Result<Map>(const ConstFieldRef&, const Map&)>& now) {
     if (!doc.isOpen()) return failed("no project is open", "open one first");
     const Result<ConstFieldRef> field = findField(doc.project(), doc.tables().components, path);
     if (!field) return field.error();
     if (field->row->type != FieldType::Map) return usage(path + " is no map");
     const auto& had = *static_cast<const MapField*>(field->value);
     const Map before = had.present() ? had.map : newMap(doc.project(), *field);
-    Result<Map> after = now(*field->row->map, before);
+    Result<Map> after = now(*field, before);
     if (!after) return after.error();
     return doc.setMap(field->path, std::move(*after), fmt::format("{} {}", verb, field->path));
 }
@@ -139,7 +148,8 @@ Map changedTexels(const Map& map, TexelChange change) {
 }
 
 Status fillMap(Document& doc, const BrushSettings& brush) {
-    return replaceMap(doc, brush.map, "fill", [&](const MapRow& row, const Map& map) -> Result<Map> {
+    return replaceMap(doc, brush.map, "fill", [&](const ConstFieldRef& field, const Map& map) -> Result<Map> {
+        const MapRow& row = *field.row->map;
         if (isHeights(row)) return usage("heights are not filled", "clear them, or flatten with a brush");
         const double angle = glm::radians(static_cast<double>(brush.angleDeg));
         switch (row.kind) {
@@ -156,8 +166,10 @@ Status fillMap(Document& doc, const BrushSettings& brush) {
 }
 
 Status clearMap(Document& doc, const std::string& path) {
-    return replaceMap(doc, path, "clear", [](const MapRow& row, const Map& map) -> Result<Map> {
-        switch (row.kind) {
+    return replaceMap(doc, path, "clear", [](const ConstFieldRef& field, const Map& map) -> Result<Map> {
+        switch (field.row->map->kind) {
+            case MapKind::Heights:
+                return uniformMap(map.info(), glm::vec4(levelOf(field, map)));
             case MapKind::Colours:
                 return changedTexels(map, [](float* texel) { texel[3] = 0; });
             case MapKind::Directions:
@@ -170,7 +182,8 @@ Status clearMap(Document& doc, const std::string& path) {
 }
 
 Status invertMap(Document& doc, const std::string& path) {
-    return replaceMap(doc, path, "invert", [](const MapRow& row, const Map& map) -> Result<Map> {
+    return replaceMap(doc, path, "invert", [](const ConstFieldRef& field, const Map& map) -> Result<Map> {
+        const MapRow& row = *field.row->map;
         if (isHeights(row)) return usage("heights are not inverted", "lower them with a brush");
         switch (row.kind) {
             case MapKind::Amounts:

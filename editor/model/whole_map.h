@@ -12,7 +12,7 @@ namespace sward {
 // Everywhere what the brush lays: amounts its value, colours its colour with the value as opacity, directions its
 // angle. Heights and forces cannot be filled (usage).
 Status fillMap(Document& document, const BrushSettings& brush);
-// Amounts 0, heights level, colours of opacity 0 (kept as they are else), no direction, no force.
+// Amounts 0, heights 0 m, colours of opacity 0 (kept as they are else), no direction, no force.
 Status clearMap(Document& document, const std::string& mapPath);
 // Amounts 1 - a; colours keep theirs and have the opacity 1 - a; directions and pushes turn round. Heights cannot be
 // inverted (usage).

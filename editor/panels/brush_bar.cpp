@@ -154,15 +154,43 @@ void color(Rows& rows, BrushBook& brushes) {
     ui::tooltip(error ? *error : "Red, green and blue as #rrggbb.");
 }
 
+// What tools need beyond size and strength where they paint heights.
+void heights(Rows& rows, BrushSettings& b) {
+    const ui::NumberSpec metres = range(0, 2, -1e5, 1e5, "m");
+    if (b.mode == "raise" || b.mode == "lower" || b.mode == "noise")
+        number(rows, "Height", b.value, em(7), metres,
+               "What a stamp changes at full strength. A stroke puts about seven stamps over each place; how fast the "
+               "hand goes does not matter.");
+    if (b.mode == "noise")
+        number(rows, "Bumps", b.bumpSize, em(7), range(0, 50, 0, 1e6, "m"),
+               "How wide the widest bumps are; 0: as the brush's radius.");
+    if (b.mode == "flatten") {
+        next(rows, "From start", em(6));
+        ui::checkbox("From start", b.fromStart);
+        ui::tooltip(
+            "To the height where the stroke begins; else to the height beside. I takes the one under the pointer.");
+        const ui::Disabled unused(b.fromStart);
+        number(rows, "Height", b.value, em(7), range(-10, 100, -1e5, 1e5, "m"),
+               "The height that the ground is levelled to.");
+    }
+    if (b.mode == "erode") {
+        number(rows, "Water", b.water, em(5.5f), range(0, 1, 0, 1),
+               "How much rain falls and washes gullies; 0: slopes only slide.");
+        number(rows, "Talus", b.talusDeg, em(6), range(10, 60, 0, 89, "deg"),
+               "The steepest slope that stays: steeper ground slides. Dry sand rests at 35 degrees.");
+    }
+}
+
 // The settings of the present tool on the present map.
 void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw) {
     BrushSettings& b = currentBrush(brushes);
     const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
     number(rows, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
     number(rows, "Strength", b.strength, em(5.5f), range(0, 1, 0, 1),
-           lays      ? "How far the blades lean over: - and = change it."
-           : presses ? "How flat the blades are pressed, and how far pushed: - and = change it."
-                     : "How much one pass over a place changes it: - and = change it.");
+           lays               ? "How far the blades lean over: - and = change it."
+           : b.mode == "ramp" ? "How far the ground goes to the ramp: 1 is all the way."
+           : presses          ? "How flat the blades are pressed, and how far pushed: - and = change it."
+                              : "How much one pass over a place changes it: - and = change it.");
     number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
     if (b.mode == "direction") angle(rows, yaw, b.angleDeg);
     const bool colours = map && map->row->map->kind == MapKind::Colours;
@@ -170,6 +198,7 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>
     if (colours && paints(*findBrush(b.mode), MapKind::Colours) && b.mode != "subtract" && b.mode != "smooth")
         number(rows, "Opacity", b.value, em(5.5f), range(0, 1, 0, 1),
                "How far the colour covers what lies under the map; 1: wholly.");
+    if (map && map->row->map->kind == MapKind::Heights) heights(rows, b);
     if (b.mode == "set" && !colours)
         number(rows, "Value", b.value, em(5.5f), range(0, 1, 0, 1),
                "What the brush paints towards: 0 is bare, 1 is full.");

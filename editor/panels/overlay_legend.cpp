@@ -114,7 +114,7 @@ void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw,
     if (overlayOf(document, brushes).map.empty() || !map) return;
     const std::string title = map->path;
     const MapKind kind = map->row->map->kind;
-    if (kind == MapKind::Amounts) amounts(view, title, *map->row->map);
+    if (kind == MapKind::Amounts || kind == MapKind::Heights) amounts(view, title, *map->row->map);
     if (kind == MapKind::Forces) forces(view, title, yaw);
     if (kind == MapKind::Colours) colours(view, title, *map->row->map, currentColor(brushes));
     if (kind == MapKind::Directions) directions(view, title, yaw);

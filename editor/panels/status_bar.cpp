@@ -54,9 +54,13 @@ void making(const std::vector<JobNews>& jobs) {
         item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
 }
 
-// "+8.1 k" or "-120"
-std::string signedCount(double n) {
-    return (n < 0 ? "-" : "+") + counted(static_cast<uint64_t>(std::llround(std::abs(n))));
+// "+8.1 k", "-120", or both; "+0" if nothing came or went.
+std::string changeText(const BladeChange& c) {
+    const auto added = static_cast<uint64_t>(std::llround(c.added)),
+               removed = static_cast<uint64_t>(std::llround(c.removed));
+    std::string text = added > 0 || removed == 0 ? "+" + counted(added) : "";
+    if (removed > 0) text += (text.empty() ? "-" : " -") + counted(removed);
+    return text;
 }
 
 // What painting adds, while it is done.
@@ -66,7 +70,7 @@ void painting(const BrushCost& c, uint64_t bladesInView) {
              "Blades of this species that grow within the brush's ring.");
     if (!c.stroke) return;
     const std::optional<double> ms = strokeMs(c, bladesInView);
-    item("Stroke", signedCount(*c.stroke) + " blades" + (ms ? fmt::format(", about {:+.2g} ms", *ms) : ""),
+    item("Stroke", changeText(*c.stroke) + " blades" + (ms ? fmt::format(", about {:+.2g} ms", *ms) : ""),
          ms ? "What the stroke added or took, and about what that costs a frame: the measured grass, times the share "
               "by which its blades grow."
             : "What the stroke added or took. With Measure on (Profiler) also what it costs a frame.");

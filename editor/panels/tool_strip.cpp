@@ -86,6 +86,38 @@ void compass(Draw d, ImVec2 c, float r, ImU32 color) {
                         {c.x + r * 0.05f, c.y + r * 0.6f}, color);
 }
 
+// A hill over a line, or a hollow under it.
+void mound(Draw d, ImVec2 c, float r, ImU32 color, float up) {
+    d.AddLine({c.x - r * 1.2f, c.y + up * r * 0.7f}, {c.x + r * 1.2f, c.y + up * r * 0.7f}, color, 1.4f);
+    d.AddBezierCubic({c.x - r * 1.1f, c.y + up * r * 0.5f}, {c.x - r * 0.3f, c.y + up * r * 0.4f},
+                     {c.x - r * 0.5f, c.y - up * r}, {c.x, c.y - up * r}, color, 2);
+    d.AddBezierCubic({c.x, c.y - up * r}, {c.x + r * 0.5f, c.y - up * r}, {c.x + r * 0.3f, c.y + up * r * 0.4f},
+                     {c.x + r * 1.1f, c.y + up * r * 0.5f}, color, 2);
+}
+
+// A hill that is cut off level.
+void mesa(Draw d, ImVec2 c, float r, ImU32 color) {
+    const ImVec2 line[] = {{c.x - r * 1.2f, c.y + r * 0.7f},
+                           {c.x - r * 0.6f, c.y - r * 0.4f},
+                           {c.x + r * 0.6f, c.y - r * 0.4f},
+                           {c.x + r * 1.2f, c.y + r * 0.7f}};
+    d.AddPolyline(line, 4, color, 0, 2);
+}
+
+void wedge(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddTriangle({c.x - r * 1.1f, c.y + r * 0.7f}, {c.x + r * 1.1f, c.y + r * 0.7f}, {c.x + r * 1.1f, c.y - r * 0.8f},
+                  color, 1.8f);
+}
+
+// A slope with gullies.
+void gullies(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddLine({c.x, c.y - r}, {c.x - r * 1.1f, c.y + r * 0.8f}, color, 1.8f);
+    d.AddLine({c.x, c.y - r}, {c.x + r * 1.1f, c.y + r * 0.8f}, color, 1.8f);
+    for (const float x : {-0.35f, 0.05f, 0.4f})
+        d.AddBezierQuadratic({c.x + x * r * 0.5f, c.y - r * 0.2f}, {c.x + (x - 0.2f) * r, c.y + r * 0.3f},
+                             {c.x + x * r * 1.2f, c.y + r * 0.9f}, color, 1.4f);
+}
+
 void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, ImU32 color) {
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
@@ -101,6 +133,10 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     if (tool == "comb") return comb(d, c, r, color);
     if (tool == "press") return roller(d, c, r, color);
     if (tool == "direction") return compass(d, c, r, color);
+    if (tool == "raise" || tool == "lower") return mound(d, c, r, color, tool == "raise" ? 1.f : -1.f);
+    if (tool == "flatten") return mesa(d, c, r, color);
+    if (tool == "ramp") return wedge(d, c, r, color);
+    if (tool == "erode") return gullies(d, c, r, color);
     const char first[2] = {label[0], 0};
     const ImVec2 size = ImGui::CalcTextSize(first);
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);

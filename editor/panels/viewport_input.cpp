@@ -31,10 +31,15 @@ void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand
     const std::optional<ConstFieldRef> map = chosenMap(p.doc, p.brushes);
     if (!map) return showError(p.messages, failed("there is no map to paint on", "add a GrassField to an entity"));
     const glm::dvec3 origin = findGround(p.doc.project()).origin;
-    const std::vector<BrushSettings> brushes = strokeBrushes(p.doc, p.brushes, in.ctrl(), in.shift());
+    const bool line = in.alt() && in.shift();  // straight on from where the last stroke ended
+    if (line && !hand.strokeEnd) return say(p.messages, "a straight line goes on from a stroke: paint one first");
+    const glm::dvec3 from = line ? *hand.strokeEnd : *at;
+    const std::vector<BrushSettings> brushes = strokeBrushes(p.doc, p.brushes, in.ctrl(), in.shift() && !line);
     if (brushes.empty()) return say(p.messages, "there is no grass to erase");
-    if (!accept(p.messages, p.doc.beginStrokes(brushes, at->x - origin.x, at->z - origin.z, true))) return;
+    if (!accept(p.messages, p.doc.beginStrokes(brushes, from.x - origin.x, from.z - origin.z, true))) return;
+    if (line) p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
     hand.gesture = Gesture::Paint;
+    hand.strokeBegin = from, hand.strokeEnd = *at;
 }
 
 // A gesture that turns or moves the view; false if the buttons mean none.
@@ -45,7 +50,7 @@ bool beginMove(const Document& doc, FlyCamera& camera, ViewportHand& hand, const
     } else if (in.pressed[2]) {
         takePivot(camera, groundAt(doc, camera, r, in.x, in.y));
         hand.gesture = Gesture::Pan;
-    } else if (in.pressed[0] && in.alt()) {
+    } else if (in.pressed[0] && in.alt() && !in.shift()) {
         takePivot(camera,
                   groundAt(doc, camera, r, static_cast<double>(r.x + r.w / 2), static_cast<double>(r.y + r.h / 2)));
         hand.gesture = Gesture::Orbit;
@@ -88,8 +93,10 @@ void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, 
         if (hand.gesture == Gesture::Choose) dragChoosing(parts.objects, x, y);
         if (hand.gesture == Gesture::Gizmo) dragGizmo(parts.objects, x, y, in.ctrl());
         if (hand.gesture != Gesture::Paint) continue;
-        if (const auto at = groundAt(p.doc, camera, hand.rect, x, y))
+        if (const auto at = groundAt(p.doc, camera, hand.rect, x, y)) {
             p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
+            hand.strokeEnd = *at;
+        }
     }
 }
 

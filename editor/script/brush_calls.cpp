@@ -6,7 +6,7 @@ namespace sward::script {
 namespace {
 
 // brush.select{map =, mode =, radius =, strength = 1, value = 1, falloff = 0.5, spacing = 0.1, seed = 0, angle = 0,
-// color = {1, 1, 1}}
+// color = {1, 1, 1}, bumpSize = 0, talus = 35, water = 0.5}; without a value flatten goes to where the stroke begins.
 int select(lua_State* L, State& state) {
     Options options(L, 1);
     BrushSettings brush;
@@ -21,6 +21,11 @@ int select(lua_State* L, State& state) {
     brush.spacing = static_cast<float>(options.number("spacing", 0.1));
     brush.seed = static_cast<int>(std::clamp(options.number("seed", 0), -1e9, 1e9));
     brush.angleDeg = static_cast<float>(options.number("angle", 0));
+    brush.fromStart = !options.push("value");
+    if (!brush.fromStart) lua_pop(L, 1);
+    brush.bumpSize = static_cast<float>(options.number("bumpSize", 0));
+    brush.talusDeg = static_cast<float>(options.number("talus", 35));
+    brush.water = static_cast<float>(options.number("water", 0.5));
     brush.color = vectorOption(L, options, "color", brush.color, 1);
     options.finish();
     orRaise(L, checkBrush(brush));
@@ -41,10 +46,11 @@ int paint(lua_State* L, State& state, std::span<const BrushSettings> brushes, bo
     return 0;
 }
 
-// brush.stroke{{x, z}, …}
+// brush.stroke{{x, z}, …}; makes heights that are not there yet, since level ground is what their absence means.
 int stroke(lua_State* L, State& state) {
-    openProject(L);
-    return paint(L, state, {&state.host.brush, 1}, false);
+    const Project& p = openProject(L);
+    const Result<ConstFieldRef> map = findMap(p, state.rows(), state.host.brush.map);
+    return paint(L, state, {&state.host.brush, 1}, map && map->row->map->kind == MapKind::Heights);
 }
 
 // brush.erase{{x, z}, …}: every species of the field, whatever map is selected; with the brush's size and strength.

@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace sward {
+namespace {
+constexpr float kFreshMetres = 0.1f;  // a stamp at full strength; a stroke puts about seven over each place
+}  // namespace
 
 BrushSettings& currentBrush(BrushBook& book) {
     const auto key = std::make_pair(book.tool, book.map);
@@ -17,6 +20,7 @@ BrushSettings& currentBrush(BrushBook& book) {
     fresh.strength = 0.5f;
     if (book.tool != kViewTool) fresh.mode = book.tool;
     fresh.map = book.map;
+    if (book.kind == MapKind::Heights) fresh.value = fresh.mode == "flatten" ? 0 : kFreshMetres;
     return book.settings.emplace(key, fresh).first->second;
 }
 
@@ -28,12 +32,16 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
     if (ctrl && shift) {
         brush.mode = "subtract";
     } else if (shift) {
-        brush.mode = book.shiftErases ? "subtract" : "smooth";
+        brush.mode = book.shiftErases && book.kind != MapKind::Heights ? "subtract" : "smooth";
     } else if (ctrl) {
         if (brush.mode == "add")
             brush.mode = "subtract";
         else if (brush.mode == "subtract")
             brush.mode = "add";
+        else if (brush.mode == "raise")
+            brush.mode = "lower";
+        else if (brush.mode == "lower")
+            brush.mode = "raise";
         else if (brush.mode == "set")
             brush.value = 0;
         else if (brush.mode == "comb" || brush.mode == "direction" || brush.mode == "press")

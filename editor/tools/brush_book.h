@@ -14,8 +14,9 @@ namespace sward {
 inline constexpr const char* kViewTool = "select";  // no painting: the left button chooses objects
 
 struct BrushBook {
-    std::string tool = "add";  // kViewTool or the name of a brush row
-    std::string map;           // canonical PATH of the map painted on; empty: the project has none
+    std::string tool = "add";         // kViewTool or the name of a brush row
+    std::string map;                  // canonical PATH of the map painted on; empty: the project has none
+    MapKind kind = MapKind::Amounts;  // of that map
     std::map<std::pair<std::string, std::string>, BrushSettings> settings;  // by tool and map
     std::vector<std::string> recentMaps;                                    // chosen so far, the newest first
     std::map<MapKind, std::string> lastTool;                                // by the kind that it painted
@@ -28,8 +29,9 @@ struct BrushBook {
 BrushSettings& currentBrush(BrushBook& book);
 // What tools lay on the present map, if it is one of colours; white when first asked for.
 glm::vec3& currentColor(BrushBook& book);
-// What a stroke begun with these modifiers paints: Ctrl inverts (add and subtract change places, set paints 0),
-// Shift smooths (or subtracts, with the preset), Ctrl+Shift subtracts; from what, tools/brush_target.h says.
+// What a stroke begun with these modifiers paints: Ctrl inverts (add and subtract, raise and lower change places, set
+// paints 0), Shift smooths (or subtracts, with the preset, but never ground), Ctrl+Shift subtracts; from what,
+// tools/brush_target.h says.
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
 // "#e5c81a", and back; nothing of what is no such text.
 std::string colorText(const glm::vec3& color);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "frame/renderer.h"
 #include "model/document.h"
@@ -33,32 +34,27 @@ std::optional<double> underBrush(const Document& doc, BrushBook& brushes, const 
                         static_cast<double>(currentBrush(brushes).radius));
 }
 
-// Densities of all species: erasing may paint each.
-std::vector<ConstFieldRef> densities(const Document& doc) {
-    std::vector<ConstFieldRef> maps = allMaps(doc.project(), doc.tables().components, true);
-    std::erase_if(maps, [](const ConstFieldRef& m) { return !m.row->map->bladesPerM2; });
-    return maps;
+// How often a map lies on the terrain.
+double repeatsOf(const Document& doc, const MapScale& scale) {
+    const Terrain* terrain = findGround(doc.project()).terrain;
+    return terrain && scale.repeats ? terrain->size.x * terrain->size.y / (scale.width * scale.depth) : 1;
 }
 
-void beginCount(const Document& doc, BrushCost& c) {
-    c.before.clear();
-    for (const ConstFieldRef& m : densities(doc)) c.before[m.path] = static_cast<const MapField*>(m.value)->map;
+void countStroke(const Document& doc, const std::map<std::string, Map>& before, BrushCost& c) {
     c.stroke.reset();
-}
-
-void countStroke(const Document& doc, BrushCost& c) {
-    if (c.revision == doc.revision()) return;
-    c.revision = doc.revision();
-    double added = 0;
-    for (const ConstFieldRef& m : densities(doc)) {
-        const Map& now = static_cast<const MapField*>(m.value)->map;
-        const auto before = c.before.find(m.path);
-        const auto perM2 = bladesPerM2Of(m);
-        const auto scale = mapScale(doc.project(), m);
-        if (before == c.before.end() || !perM2 || !scale || now.empty()) continue;
-        added += bladesAdded(before->second, now, *perM2, *scale);
+    for (const auto& [path, map] : before) {
+        const Result<ConstFieldRef> field = findField(doc.project(), doc.tables().components, path);
+        const auto perM2 = field ? bladesPerM2Of(*field) : std::nullopt;
+        const Map* now = perM2 ? &static_cast<const MapField*>(field->value)->map : nullptr;
+        if (!now || now->empty()) continue;
+        const Result<MapScale> scale = mapScale(doc.project(), *field);
+        if (!scale) continue;
+        const BladeChange one = bladesChanged(map, *now, *perM2, *scale);
+        const double times = repeatsOf(doc, *scale);
+        if (!c.stroke) c.stroke = BladeChange{};
+        c.stroke->added += times * one.added;
+        c.stroke->removed += times * one.removed;
     }
-    c.stroke = added;
 }
 
 void keepGrassMs(const FrameStats& measured, BrushCost& c) {
@@ -89,21 +85,23 @@ double bladesInDisc(const Map& density, double bladesPerM2, const MapScale& scal
     return sum * bladesPerM2 * w * d * step * step;
 }
 
-double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale) {
+BladeChange bladesChanged(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale) {
     const MapInfo& info = now.info();
     const double texels = static_cast<double>(info.width) * info.height,
                  perTexel = bladesPerM2 * scale.width * scale.depth / texels;
-    if (!before.empty() && !(before.info() == info)) return 0;
-    double sum = 0;
+    BladeChange sum;
+    if (!before.empty() && !(before.info() == info)) return sum;
     for (int ty = 0; ty < now.tilesY(); ++ty)
         for (int tx = 0; tx < now.tilesX(); ++tx) {
             if (!before.empty() && before.tile(tx, ty) == now.tile(tx, ty)) continue;
             for (int y = ty * kTileSize; y < std::min((ty + 1) * kTileSize, info.height); ++y)
-                for (int x = tx * kTileSize; x < std::min((tx + 1) * kTileSize, info.width); ++x)
-                    sum +=
-                        static_cast<double>(now.at(x, y)) - (before.empty() ? 1 : static_cast<double>(before.at(x, y)));
+                for (int x = tx * kTileSize; x < std::min((tx + 1) * kTileSize, info.width); ++x) {
+                    const double was = before.empty() ? 1 : static_cast<double>(before.at(x, y)),
+                                 change = static_cast<double>(now.at(x, y)) - was;
+                    (change > 0 ? sum.added : sum.removed) += std::abs(change);
+                }
         }
-    return sum * perTexel;
+    return {sum.added * perTexel, sum.removed * perTexel};
 }
 
 void followBrushCost(BrushCost& c, const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground,
@@ -114,22 +112,18 @@ void followBrushCost(BrushCost& c, const Document& doc, BrushBook& brushes, cons
     }
     if (measured) keepGrassMs(*measured, c);
     c.under = underBrush(doc, brushes, ground);
-    if (doc.stroking()) {
-        if (!c.stroking) beginCount(doc, c);
-        countStroke(doc, c);
-    } else if (c.stroking) {
-        countStroke(doc, c);
-        c.before.clear();  // tiles that only it held are given back
-    } else if (c.stroke && c.revision != doc.revision()) {
+    if (std::exchange(c.revision, doc.revision()) == doc.revision()) return;
+    const std::map<std::string, Map>* before = doc.strokeBefore();
+    if (before)
+        countStroke(doc, *before, c);
+    else
         c.stroke.reset();  // undone, or something else was edited
-    }
-    c.stroking = doc.stroking();
 }
 
 std::optional<double> strokeMs(const BrushCost& c, uint64_t bladesInView) {
     const double inView = static_cast<double>(bladesInView);
     if (!c.stroke || c.grassMs <= 0 || inView <= 0) return {};
-    return c.grassMs * std::max(*c.stroke / inView, -1.0);
+    return c.grassMs * std::max(c.stroke->sum() / inView, -1.0);
 }
 
 }  // namespace sward

@@ -2,9 +2,7 @@
 // is. Does not: paint or draw. Cost: the texels under the brush (at most some 10,000), and 0.1 ms a tile that the
 // stroke has changed.
 #pragma once
-#include <map>
 #include <optional>
-#include <string>
 
 #include "maps/map.h"
 #include "tools/stroke.h"
@@ -15,12 +13,16 @@ class Document;
 struct BrushBook;
 struct FrameStats;
 
+// Blades that came and that went; both from 0 up.
+struct BladeChange {
+    double added = 0, removed = 0;
+    double sum() const { return added - removed; }
+};
 struct BrushCost {
-    std::optional<double> under;   // blades; nothing: no density is painted, or the pointer is elsewhere
-    std::optional<double> stroke;  // blades that the present or last stroke added, below 0: took
-    double grassMs = 0;            // of the last measured frame's grass; 0: none was measured
-    bool stroking = false;
-    std::map<std::string, Map> before;  // density maps by PATH, as they were when the stroke began
+    std::optional<double> under;        // blades; nothing: no density is painted, or the pointer is elsewhere
+    std::optional<BladeChange> stroke;  // of the present or last stroke, all species that it paints; nothing: it paints
+                                        // no density, or something else was edited since
+    double grassMs = 0;                 // of the last measured frame's grass; 0: none was measured
     uint64_t revision = ~uint64_t(0);   // that the stroke was counted for
 };
 // Once a frame. `ground`: the world point under the pointer, if there is one; `measured`: the last drawing if its
@@ -34,8 +36,8 @@ std::optional<double> strokeMs(const BrushCost& cost, uint64_t bladesInView);
 // Blades that grow within a disc on the terrain, in metres: density x bladesPerM2 over the texels whose centres lie in
 // it. An empty map is density 1. Large discs are sampled at every second, third ... texel.
 double bladesInDisc(const Map& density, double bladesPerM2, const MapScale& scale, double x, double z, double radius);
-// How many more blades `now` has than `before`; only tiles that differ are read.
-// A map that repeats counts once.
-double bladesAdded(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale);
+// Blades that `now` has and `before` had not, and the other way round; only tiles that differ are read. Of a map that
+// repeats those of one repeat. Maps of different shape: nothing.
+BladeChange bladesChanged(const Map& before, const Map& now, double bladesPerM2, const MapScale& scale);
 
 }  // namespace sward

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tools/stroke.h"
 #include "world/ground.h"
@@ -36,6 +37,8 @@ std::string toolFor(const BrushBook& book, MapKind kind) {
             return "press";
         case MapKind::Colours:
             return "add";
+        case MapKind::Heights:
+            return "raise";
     }
     return kViewTool;
 }
@@ -55,7 +58,7 @@ std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
     std::erase_if(maps, [&p](const ConstFieldRef& f) {
         const GrassField* grass = p.registry.get<GrassField>(findEntity(p, f.entity));
         const bool unread = grass && !grass->onTerrain && isRowOf<GrassField>(*f.component);
-        return f.row->map->role == MapRole::Heights || f.row->map->onMesh || unread;
+        return f.row->map->onMesh || unread;
     });
     return maps;
 }
@@ -90,20 +93,40 @@ void toggleLook(const Document& doc, BrushBook& book, Messages& messages) {
                book.tool != kViewTool ? kViewTool : toolFor(book, map ? map->row->map->kind : MapKind::Amounts));
 }
 
-void pickColor(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
-    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
-    if (!map || map->row->map->kind != MapKind::Colours)
-        return say(messages, "Pick Colour: the brush is on no map of colours");
-    const Map& texels = static_cast<const MapField*>(map->value)->map;
-    const Result<MapScale> scale = mapScale(doc.project(), *map);
-    if (!ground || texels.empty() || !scale) return say(messages, "Pick Colour: there is nothing under the pointer");
+namespace {
+
+void pickColor(const Document& doc, BrushBook& book, Messages& messages, const ConstFieldRef& map,
+               const std::optional<glm::dvec3>& ground) {
+    const Map& texels = static_cast<const MapField*>(map.value)->map;
+    const Result<MapScale> scale = mapScale(doc.project(), map);
+    if (!ground || texels.empty() || !scale) return say(messages, "Pick: there is nothing under the pointer");
     const glm::dvec3 at = *ground - findGround(doc.project()).origin;
     const glm::dvec2 place(at.x / scale->width, at.z / scale->depth),
         inside = scale->repeats ? place - glm::floor(place) : place;
-    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255))
-        return say(messages, "Pick Colour: nothing is painted there");
+    if (!(texels.sample(inside.x, inside.y, 3) > 0.5f / 255)) return say(messages, "Pick: nothing is painted there");
     for (int c = 0; c < 3; ++c) currentColor(book)[c] = std::clamp(texels.sample(inside.x, inside.y, c), 0.f, 1.f);
     say(messages, "the brush's colour is " + colorText(currentColor(book)));
+}
+
+// Flatten takes the height, whatever tool is in the hand.
+void pickHeight(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
+    if (!ground) return say(messages, "Pick: there is no ground under the pointer");
+    const std::string tool = std::exchange(book.tool, "flatten");
+    BrushSettings& flatten = currentBrush(book);
+    book.tool = tool;
+    flatten.value = static_cast<float>(ground->y - findGround(doc.project()).origin.y);
+    flatten.fromStart = false;
+    say(messages, fmt::format("Flatten goes to {:.4g} m", flatten.value));
+}
+
+}  // namespace
+
+void pickFromGround(const Document& doc, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    const MapKind kind = map ? map->row->map->kind : MapKind::Amounts;
+    if (kind == MapKind::Colours) return pickColor(doc, book, messages, *map, ground);
+    if (kind == MapKind::Heights) return pickHeight(doc, book, messages, ground);
+    say(messages, "Pick: the brush is on no map of colours or heights");
 }
 
 void keepTargetValid(const Document& doc, BrushBook& book) {
@@ -115,7 +138,7 @@ void keepTargetValid(const Document& doc, BrushBook& book) {
     }
     const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return;
-    const MapKind kind = map->row->map->kind;
+    const MapKind kind = book.kind = map->row->map->kind;
     const BrushRow* row = findBrush(book.tool);
     if (row && !paints(*row, kind)) book.tool = toolFor(book, kind);
     remember(book, kind);
@@ -139,7 +162,8 @@ bool overlayShown(const Document& doc, const BrushBook& book) {
     const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map) return false;
     const auto chosen = book.overlays.find(map->path);
-    return chosen != book.overlays.end() ? chosen->second : map->row->map->role != MapRole::Density;
+    return chosen != book.overlays.end() ? chosen->second
+                                         : map->row->map->role != MapRole::Density && book.kind != MapKind::Heights;
 }
 
 void toggleOverlay(const Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }

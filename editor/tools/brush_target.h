@@ -13,7 +13,7 @@
 
 namespace sward {
 
-// Maps that brushes paint on, absent ones included; no heights. None without an open project.
+// Maps that brushes paint on, absent ones included. None without an open project.
 std::vector<ConstFieldRef> paintableMaps(const Document& document);
 // The chosen map, or nothing if the project has none.
 std::optional<ConstFieldRef> chosenMap(const Document& document, const BrushBook& book);
@@ -25,9 +25,10 @@ void selectMap(const Document& document, BrushBook& book, const std::string& pat
 void selectTool(const Document& document, BrushBook& book, Messages& messages, const std::string& tool);
 // From painting to looking, and back to the tool that painted last.
 void toggleLook(const Document& document, BrushBook& book, Messages& messages);
-// The brush takes the colour that the chosen map has at `ground`, the world point under the pointer; where there is
-// none, it says so.
-void pickColor(const Document& document, BrushBook& book, Messages& messages, const std::optional<glm::dvec3>& ground);
+// On a map of colours the brush takes the colour that it has at `ground`, the world point under the pointer; on heights
+// flatten takes the height there. Where there is none, it says so.
+void pickFromGround(const Document& document, BrushBook& book, Messages& messages,
+                    const std::optional<glm::dvec3>& ground);
 // After the project changed: the chosen map must be one that it has, the tool one that paints it.
 void keepTargetValid(const Document& document, BrushBook& book);
 

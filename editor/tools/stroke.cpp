@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change nothing that one sees
 constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
+constexpr float kHighestGround = 1e5f;     // metres, both ways, of float maps; as far as heightRange goes
+constexpr int kMostImages = 64;            // of a ramp over heights that are mirrored
 constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
 
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
@@ -34,7 +36,7 @@ Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
     const float factor = mapTiling(map);
     const Tiling tiling = tilingOf(*terrain, factor);
     return MapScale{tiling.metres.x, tiling.metres.y,
-                    tiling.repeats,  tiling.repeats && map.row->map->role == MapRole::Heights,
+                    tiling.repeats,  tiling.repeats && map.row->map->kind == MapKind::Heights,
                     factor,          shaderTiling(*terrain, factor)};
 }
 
@@ -59,7 +61,18 @@ Status checkBrush(const BrushSettings& b) {
                          "give red, green and blue (sRGB), each from 0 to 1");
     if (!inside(b.value, -1e6, 1e6))
         return usage("the brush's value is not between -1e6 and 1e6", "give a finite number");
+    if (!inside(b.bumpSize, 0, 1e6))
+        return usage("the brush's bumps are not between 0 and 1e6 m wide", "0 makes them as wide as its radius");
+    if (!inside(b.talusDeg, 0, 89))
+        return usage("the brush's talus angle is not between 0 and 89", "give degrees; dry sand rests at 35");
+    if (!inside(b.water, 0, 1)) return usage("the brush's water is not between 0 and 1", "0 is no rain");
     return {};
+}
+
+void paintHeights(BrushSettings& brush, const std::pair<double, double>& scale) {
+    brush.heights = true;
+    brush.low = -kHighestGround, brush.high = kHighestGround;
+    brush.metres = {scale.first, scale.second};
 }
 
 std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const ComponentRow> rows,
@@ -99,6 +112,11 @@ void Stroke::moveTo(double x, double z) {
         x = std::clamp(x, -reachX, scale_.width + reachX);
         z = std::clamp(z, -reachZ, scale_.depth + reachZ);
     }
+    if (!first_) first_ = glm::dvec2(x, z);
+    if (row_->spans) {
+        points_.assign(1, {x, z});
+        return;
+    }
     points_.emplace_back(x, z);
     const auto [x0, z0] = points_.front();
     const double dx = x - x0, dz = z - z0, length = std::hypot(dx, dz);
@@ -118,6 +136,12 @@ void Stroke::moveTo(double x, double z) {
 void Stroke::end() {
     if (headless_) queueStamp(points_.front().first, points_.front().second, heading_);
     headless_ = false;
+    if (row_->spans && !points_.empty()) queueSpan();
+}
+
+void Stroke::queue(const Stamp& stamp) {
+    queue_.push_back(stamp);
+    reached_ = reached_ || stampTiles(info_, stamp).count() > 0;
 }
 
 void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
@@ -130,7 +154,7 @@ void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
         s.y = f64::mirrorUnit(s.y / info_.height) * info_.height;
     }
     if (!scale_.repeats || scale_.mirrored) {
-        queue_.push_back(s);
+        queue(s);
         return;
     }
     s.x -= std::floor(s.x / info_.width) * info_.width;
@@ -140,20 +164,90 @@ void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
             Stamp shifted = s;
             shifted.x += nx * info_.width;
             shifted.y += ny * info_.height;
-            if (stampTiles(info_, shifted).count() > 0) queue_.push_back(shifted);
+            if (stampTiles(info_, shifted).count() > 0) queue(shifted);
         }
 }
 
+// One stamp from the first point to the last; over heights that are mirrored its image in each repeat that it crosses.
+void Stroke::queueSpan() {
+    const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
+    const glm::dvec2 texels(texelsX, texelsZ), size(info_.width, info_.height),
+        last(points_.back().first, points_.back().second);
+    Stamp s{first_->x * texelsX, first_->y * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++};
+    const glm::dvec2 begin = *first_ * texels, end = last * texels, reach(s.radiusX, s.radiusY);
+    if (!scale_.mirrored) {
+        s.acrossX = end.x - begin.x, s.acrossY = end.y - begin.y;
+        return queue(s);
+    }
+    const glm::ivec2 from(glm::floor((glm::min(begin, end) - reach) / size)),
+        to(glm::floor((glm::max(begin, end) + reach) / size));
+    int images = 0;
+    for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) {
+            const auto image = [&](const glm::dvec2& p) {  // of the texel that shows in repeat (x, y)
+                return glm::dvec2(x % 2 != 0 ? (x + 1) * size.x - p.x : p.x - x * size.x,
+                                  y % 2 != 0 ? (y + 1) * size.y - p.y : p.y - y * size.y);
+            };
+            const glm::dvec2 a = image(begin), across = image(end) - a;
+            Stamp shown = s;
+            shown.x = a.x, shown.y = a.y, shown.acrossX = across.x, shown.acrossY = across.y;
+            if (stampTiles(info_, shown).count() > 0 && images++ < kMostImages) queue(shown);
+        }
+}
+
+// Metres, at a place on the terrain.
+double Stroke::heightAt(const Map& map, const glm::dvec2& place) const {
+    const glm::dvec2 share = place / glm::dvec2(scale_.width, scale_.depth);
+    const double texel =
+        static_cast<double>(scale_.mirrored ? map.sample(f64::mirrorUnit(share.x), f64::mirrorUnit(share.y))
+                                            : map.sample(share.x, share.y));
+    return settings_.metres.x + settings_.metres.y * texel;
+}
+
+// What the stroke takes from the ground as it was when it began.
+void Stroke::takeHeights(const Map& map) {
+    if (!settings_.heights || startHeight_) return;
+    startHeight_ = heightAt(map, *first_);
+    if (settings_.fromStart && row_->levels) settings_.value = static_cast<float>(*startHeight_);
+    if (!row_->spans) return;
+    const double end = heightAt(map, {points_.back().first, points_.back().second});
+    for (Stamp& s : queue_) s.beginHeight = *startHeight_, s.endHeight = end;
+}
+
 void Stroke::beginStamp(const Map& map) {
+    takeHeights(map);
     stamp_ = queue_.front();
     queue_.pop_front();
     tiles_ = stampTiles(info_, stamp_);
     if (before_.empty()) before_ = map;
 }
 
+namespace {
+
+// Whether texels of an integer tile stand at either end of its range that did not before.
+template <class T>
+std::pair<bool, bool> newEnds(const Tile& before, const Tile& now) {
+    const T *a = reinterpret_cast<const T*>(before.bytes.data()), *b = reinterpret_cast<const T*>(now.bytes.data());
+    constexpr T most = std::numeric_limits<T>::max();
+    int low = 0, high = 0;
+    for (size_t i = 0; i < now.bytes.size() / sizeof(T); ++i) {
+        low |= b[i] == 0 && a[i] != 0;
+        high |= b[i] == most && a[i] != most;
+    }
+    return {low != 0, high != 0};
+}
+
+}  // namespace
+
 void Stroke::endStamp(const Map& map) {
     for (int ty = tiles_.y0; ty < tiles_.y1; ++ty)
-        for (int tx = tiles_.x0; tx < tiles_.x1; ++tx) before_.setTile(tx, ty, map.tile(tx, ty));
+        for (int tx = tiles_.x0; tx < tiles_.x1; ++tx) {
+            if (settings_.heights && info_.type == PixelType::U16 && map.tile(tx, ty) != before_.tile(tx, ty)) {
+                const auto [low, high] = newEnds<uint16_t>(*before_.tile(tx, ty), *map.tile(tx, ty));
+                hitLow_ = hitLow_ || low, hitHigh_ = hitHigh_ || high;
+            }
+            before_.setTile(tx, ty, map.tile(tx, ty));
+        }
     tiles_ = {};
     nextTile_ = 0;
 }
@@ -176,13 +270,21 @@ void Stroke::paintTiles(Map& map, size_t count) {
     nextTile_ += count;
 }
 
+void Stroke::paintWhole(Map& map) {
+    row_->applyWhole(map, stamp_, settings_);
+    nextTile_ = tiles_.count();
+}
+
 void Stroke::pump(Map& map, double budgetMs) {
     const double end = milliseconds() + budgetMs;
     const size_t batch = static_cast<size_t>(workerCount()) * 4;  // about half a millisecond
     while (!idle()) {
         if (tiles_.count() == 0) beginStamp(map);
         const size_t left = tiles_.count() - nextTile_;
-        paintTiles(map, budgetMs > 0 ? std::min(left, batch) : left);
+        if (row_->applyWhole)
+            paintWhole(map);
+        else
+            paintTiles(map, budgetMs > 0 ? std::min(left, batch) : left);
         if (nextTile_ == tiles_.count()) endStamp(map);
         if (budgetMs > 0 && milliseconds() >= end) break;
     }

@@ -3,6 +3,7 @@
 #pragma once
 #include <deque>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "brushes/brush.h"
 #include "scene/project.h"
@@ -35,13 +36,24 @@ class Stroke {
     void end();                       // a stroke that went nowhere paints what it has without a heading
     // All stamps so far are painted.
     bool idle() const { return queue_.empty() && tiles_.count() == 0; }
+    // It has painted, or will, on the map. False: all of it lay beside the map.
+    bool reached() const { return reached_; }
+    // Texels of an integer map went to the end of its range, low or high, and so perhaps less far than they should.
+    // Looked for on heights alone.
+    bool hitLow() const { return hitLow_; }
+    bool hitHigh() const { return hitHigh_; }
     // Paints queued stamps into the map for at most budgetMs, at least one batch of tiles; 0: all of them.
     void pump(Map& map, double budgetMs);
 
   private:
     void queueStamp(double x, double z, const glm::dvec2& heading);
+    void queueSpan();
+    void queue(const Stamp& stamp);
+    double heightAt(const Map& map, const glm::dvec2& place) const;
+    void takeHeights(const Map& map);
     void beginStamp(const Map& map);
     void paintTiles(Map& map, size_t count);
+    void paintWhole(Map& map);
     void endStamp(const Map& map);
 
     const BrushRow* row_;
@@ -53,6 +65,9 @@ class Stroke {
     glm::dvec2 heading_{0};                          // at the last point
     bool headless_ = false;                          // the first stamp waits until the stroke goes somewhere
     std::vector<std::pair<double, double>> points_;  // the last one, from which the line goes on
+    std::optional<glm::dvec2> first_;                // point of the stroke
+    std::optional<double> startHeight_;              // there, before the stroke; once it was asked for
+    bool reached_ = false, hitLow_ = false, hitHigh_ = false;
     std::deque<Stamp> queue_;
     Map before_;  // as it was before the stamp that is being painted; empty between pumps that left nothing
     Stamp stamp_{};
@@ -64,6 +79,10 @@ class Stroke {
 // of them at once takes every kind of grass away. Of a map that is no field's: of the first field by name.
 std::vector<BrushSettings> speciesBrushes(const Project& p, std::span<const ComponentRow> rows,
                                           const BrushSettings& like);
+
+// The brush as it paints heights of this range: metres at a texel of 0 and of 1 (world/ground.h, heightScale; floats 0
+// and 1).
+void paintHeights(BrushSettings& brush, const std::pair<double, double>& scale);
 
 // Usage error if a setting is not finite or out of its range, or the mode is no brush.
 Status checkBrush(const BrushSettings& brush);

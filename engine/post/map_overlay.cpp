@@ -26,8 +26,19 @@ int kindNumber(MapKind kind) {
             return 3;
         case MapKind::Colours:
             return 4;
+        case MapKind::Heights:
+            return 5;
     }
     return 0;
+}
+
+// The land's lowest ground, seen from the eye; one over its relief; metres between contour lines, about ten of them:
+// 1, 2 or 5 times a power of ten.
+glm::vec3 reliefOf(const DrawContext& ctx) {
+    const double low = static_cast<double>(ctx.shared.bounds.low), high = static_cast<double>(ctx.shared.bounds.high),
+                 relief = std::max(high - low, 1e-3), tenth = relief / 10,
+                 power = std::pow(10.0, std::floor(std::log10(tenth))), times = tenth / power;
+    return {low - ctx.eye.y, 1 / relief, power * (times <= 1 ? 1 : times <= 2 ? 2 : times <= 5 ? 5 : 10)};
 }
 
 // Metres, with room for the ground's own roughness.
@@ -59,6 +70,8 @@ void draw(DrawContext& ctx) {
     glUniform1f(3, static_cast<float>(overlay.tiling));
     glUniform1f(4, metresPerPixel);
     glUniform1f(5, texelsPerMetre);
+    const glm::vec3 relief = reliefOf(ctx);
+    glUniform3fv(6, 1, &relief.x);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -105,7 +105,7 @@ Status checkMap(const PlannedMap& planned) {
                       "make a map with the right number of channels");
     if (Status fits = checkMapLimits(planned.file, info); !fits)
         return refuse(fits.error().message, fits.error().remedy);
-    if (row.role == MapRole::Heights && info.type == PixelType::U8)
+    if (row.kind == MapKind::Heights && info.type == PixelType::U8)
         return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
     if (const auto inside = resolveInside(".", planned.file); !inside)
         return refuse(inside.error().message, inside.error().remedy);

@@ -26,7 +26,7 @@ constexpr FieldRow kHeightTiling = tiling("heightTiling", offsetof(Terrain, heig
                                           "repeats of the height map over mapSize, every other one mirrored");
 constexpr FieldRow kTerrainMapTiling =
     tiling("terrainMapTiling", offsetof(Terrain, terrainMapTiling), "repeats of the terrain map over mapSize");
-constexpr MapRow kHeights{.role = MapRole::Heights,
+constexpr MapRow kHeights{.kind = MapKind::Heights,
                           .type = PixelType::F32,
                           .tiling = &kHeightTiling,
                           .heightRange = &kHeightRange,

@@ -102,7 +102,7 @@ constexpr FieldRow name(const char* fieldName, size_t offset, const char* help) 
 constexpr FieldRow map(const char* fieldName, size_t offset, const MapRow* known, const char* help) {
     FieldRow row = number(FieldType::Map, fieldName, offset, "", {}, help);
     row.map = known;
-    if (known->role == MapRole::Heights) row.unit = "m";
+    if (known->kind == MapKind::Heights) row.unit = "m";
     return row;
 }
 // How often a map repeats over Terrain.mapSize, a float.

@@ -28,7 +28,7 @@ float mapTiling(const ConstFieldRef& map) {
 MapWish mapWish(const FieldRow& map) {
     MapWish wish;
     wish.channels = map.map->channels;
-    wish.isHeight = map.map->role == MapRole::Heights;
+    wish.isHeight = map.map->kind == MapKind::Heights;
     return wish;
 }
 

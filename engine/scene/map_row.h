@@ -10,17 +10,17 @@ struct FieldRow;
 
 // What a map's channels mean to a brush and to the overlay.
 enum class MapKind {
-    Amounts,     // one channel: density, heights
+    Amounts,     // one channel: density, openness
     Directions,  // two: direction x, z about 0.5, its length the strength
     Forces,      // four: push x, z about 0.5, press; all times the fourth
     Colours,     // four: colour (sRGB) and opacity
+    Heights,     // one: metres, never of 8 bits; mirrored where they repeat
 };
 
 // What the program does with amounts beyond reading them.
 enum class MapRole {
     Plain,
     Density,  // where something grows: seen without an overlay, and what tools go to first
-    Heights,  // metres, never of 8 bits, mirrored where they repeat, and not painted by brushes of the editor
 };
 
 struct MapRow {

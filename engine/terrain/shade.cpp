@@ -1,6 +1,10 @@
 #include "terrain/shade.h"
 
+#include <utility>
+
+#include "core/error.h"
 #include "core/jobs.h"
+#include "core/numerics.h"
 #include "frame/draw_context.h"
 #include "scene/tiling.h"
 
@@ -15,10 +19,18 @@ struct ShadeState : EffectState {
     Map of;  // the heights below were taken from
     glm::dvec2 range{0}, size{0}, repeat{0};
     HeightGrid heights;
-    glm::vec3 sun{0};  // that the texture was made for
+    HeightGrid hidden;
+    glm::vec3 sun{0};  // that it and the texture were made for
     Texture texture;
 };
 
+}  // namespace
+
+namespace {
+float cellHeight(const HeightGrid& g, const Terrain& t, int x, size_t y) {
+    return static_cast<float>(
+        terrainHeight(t, (x + 0.5) / g.width * t.size.x, (static_cast<double>(y) + 0.5) / g.height * t.size.y));
+}
 }  // namespace
 
 HeightGrid shadeHeights(const Terrain& t) {
@@ -32,10 +44,61 @@ HeightGrid shadeHeights(const Terrain& t) {
     g.metres.resize(static_cast<size_t>(g.width) * static_cast<size_t>(g.height));
     parallelFor(static_cast<size_t>(g.height), [&](size_t y) {
         for (int x = 0; x < g.width; ++x)
-            g.metres[y * static_cast<size_t>(g.width) + static_cast<size_t>(x)] = static_cast<float>(
-                terrainHeight(t, (x + 0.5) / g.width * t.size.x, (static_cast<double>(y) + 0.5) / g.height * t.size.y));
+            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
     });
     return g;
+}
+
+namespace {
+
+// Of each cell of a grid's side, the tiles that it is interpolated from.
+std::vector<std::pair<int, int>> tilesOf(int cells, double size, double repeat, bool repeats, int texels) {
+    std::vector<std::pair<int, int>> tiles;
+    for (int i = 0; i < cells; ++i) {
+        const double u = (i + 0.5) / cells * size / repeat;
+        const f64::BilinearTap tap =
+            f64::bilinearTap(repeats ? f64::mirrorUnit(u) : std::clamp(u, 0.0, 1.0), 0, texels, 1);
+        tiles.emplace_back(tap.x0 / kTileSize, tap.x1 / kTileSize);
+    }
+    return tiles;
+}
+
+}  // namespace
+
+GridPart updateShadeHeights(HeightGrid& g, const Map& before, const Terrain& t) {
+    const Map& now = t.height.map;
+    CHECK(before.info() == now.info());
+    const Tiling tiling = tilingOf(t, t.heightTiling);
+    const auto columns = tilesOf(g.width, t.size.x, tiling.metres.x, tiling.repeats, now.info().width),
+               rows = tilesOf(g.height, t.size.y, tiling.metres.y, tiling.repeats, now.info().height);
+    // Of two rows of tiles, which columns have a tile that is another one.
+    const auto changedOf = [&](int top, int low, std::vector<char>& changed) {
+        bool any = false;
+        for (int tx = 0; tx < now.tilesX(); ++tx) {
+            changed[size_t(tx)] =
+                before.tile(tx, top) != now.tile(tx, top) || before.tile(tx, low) != now.tile(tx, low);
+            any = any || changed[size_t(tx)];
+        }
+        return any;
+    };
+    std::vector<std::pair<int, int>> part(size_t(g.height), {g.width, 0});  // of each row
+    parallelFor(part.size(), [&](size_t y) {
+        std::vector<char> changed(size_t(now.tilesX()));
+        if (!changedOf(rows[y].first, rows[y].second, changed)) return;
+        for (int x = 0; x < g.width; ++x) {
+            const auto [left, right] = columns[size_t(x)];
+            if (!changed[size_t(left)] && !changed[size_t(right)]) continue;
+            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
+            part[y] = {std::min(part[y].first, x), x + 1};
+        }
+    });
+    GridPart all{g.width, g.height, 0, 0};
+    for (int y = 0; y < g.height; ++y) {
+        if (part[size_t(y)].second == 0) continue;
+        all = {std::min(all.x0, part[size_t(y)].first), std::min(all.y0, y), std::max(all.x1, part[size_t(y)].second),
+               y + 1};
+    }
+    return all;
 }
 
 namespace {
@@ -43,9 +106,15 @@ namespace {
 // The grid as lines across the sun's way, the nearest to the sun first, whichever way that is.
 struct Lines {
     int count, length;
-    double shift;  // texels along a line that the ray moves towards the sun from line to line
-    float fall;    // metres that the ray comes down on the way
-    std::function<size_t(int line, int i)> at;
+    double shift;        // texels along a line that the ray moves towards the sun from line to line
+    float fall;          // metres that the ray comes down on the way
+    bool rows, flipped;  // lines are rows of the grid, else columns; the last one comes first
+    int width;           // of the grid
+    size_t at(int line, int i) const {
+        const size_t l = static_cast<size_t>(flipped ? count - 1 - line : line), k = static_cast<size_t>(i),
+                     w = static_cast<size_t>(width);
+        return rows ? l * w + k : k * w + l;
+    }
 };
 std::optional<Lines> linesOf(const HeightGrid& g, const glm::dvec2& size, const glm::vec3& sun) {
     const glm::dvec2 way(sun.x * g.width / size.x, sun.z * g.height / size.y);  // towards the sun, in texels
@@ -53,12 +122,13 @@ std::optional<Lines> linesOf(const HeightGrid& g, const glm::dvec2& size, const 
     const double main = rows ? way.y : way.x, side = rows ? way.x : way.y;
     if (std::abs(main) < 1e-9) return {};  // the sun stands in the zenith
     const int count = rows ? g.height : g.width;
-    const auto at = [=, width = static_cast<size_t>(g.width)](int line, int i) {
-        const size_t l = static_cast<size_t>(main > 0 ? count - 1 - line : line), k = static_cast<size_t>(i);
-        return rows ? l * width + k : k * width + l;
-    };
-    return Lines{count, rows ? g.width : g.height, side / std::abs(main), static_cast<float>(sun.y / std::abs(main)),
-                 at};
+    return Lines{count,
+                 rows ? g.width : g.height,
+                 side / std::abs(main),
+                 static_cast<float>(sun.y / std::abs(main)),
+                 rows,
+                 main > 0,
+                 g.width};
 }
 
 float along(const std::vector<float>& values, const Lines& l, int line, double x) {
@@ -70,44 +140,87 @@ float along(const std::vector<float>& values, const Lines& l, int line, double x
 
 }  // namespace
 
-// Rays run side by side over the lines, one texel apart, each with the height of the highest that it passed: heights
-// are interpolated once onto a ray and once back, so that a peak's shadow does not wash out with distance.
-HeightGrid hiddenHeights(const HeightGrid& heights, const glm::dvec2& size, const glm::vec3& sun) {
-    HeightGrid out{heights.width, heights.height, std::vector<float>(heights.metres.size(), kNothing)};
-    const std::optional<Lines> lines = linesOf(heights, size, sun);
-    if (!lines) return out;
-    const Lines& l = *lines;
-    const double drift = -l.shift * (l.count - 1);  // of a ray from the first line to the last
-    const int first = static_cast<int>(std::floor(std::min(0.0, -drift))) - 1,
-              last = l.length + static_cast<int>(std::ceil(std::max(0.0, -drift))) + 1;
-    std::vector<float> top(static_cast<size_t>(last - first + 1), kNothing);
+namespace {
+
+// Rays `from` to `to` run side by side over the lines, one texel apart, each with the height of the highest that it
+// passed: heights are interpolated once onto a ray and once back, so that a peak's shadow does not wash out with
+// distance. Fills in what lies between two of these rays.
+void sweepBand(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
+    std::vector<float> top(static_cast<size_t>(to - from + 1), kNothing);
     for (int line = 0; line < l.count; ++line) {
         const double offset = -l.shift * line;  // ray j crosses this line at j + offset
-        const int begin = static_cast<int>(std::floor(-offset)), end = begin + l.length;
-        const float share = static_cast<float>(-offset - begin);
-        for (int j = begin; j <= end; ++j) top[static_cast<size_t>(j - first)] -= l.fall;
-        for (int i = 0; i < l.length; ++i) {
-            const float* two = &top[static_cast<size_t>(begin + i - first)];
-            out.metres[l.at(line, i)] = two[0] + (two[1] - two[0]) * share;
+        const int whole = static_cast<int>(std::floor(-offset)), begin = std::max(whole, from),
+                  end = std::min(whole + l.length, to);
+        const float share = static_cast<float>(-offset - whole);
+        for (int j = begin; j <= end; ++j) top[static_cast<size_t>(j - from)] -= l.fall;
+        for (int j = begin; j < end; ++j) {
+            const float* two = &top[static_cast<size_t>(j - from)];
+            out.metres[l.at(line, j - whole)] = two[0] + (two[1] - two[0]) * share;
         }
         for (int j = begin; j <= end; ++j) {
-            float& t = top[static_cast<size_t>(j - first)];
+            float& t = top[static_cast<size_t>(j - from)];
             t = std::max(t, along(heights.metres, l, line, j + offset));
         }
+    }
+}
+
+// The same, on all cores: bands of rays know nothing of each other.
+void sweep(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
+    const int bands = std::clamp((to - from) / 32, 1, workerCount());
+    parallelFor(static_cast<size_t>(bands), [&](size_t i) {
+        const auto begin = [&](size_t band) {
+            return from + static_cast<int>((to - from) * static_cast<int>(band) / bands);
+        };
+        sweepBand(heights, l, begin(i), begin(i + 1), out);
+    });
+}
+
+// The first and last ray that cross any line at all.
+std::pair<int, int> raysOf(const Lines& l) {
+    const double drift = l.shift * (l.count - 1);  // of the last line's texels, in rays
+    return {static_cast<int>(std::floor(std::min(0.0, drift))) - 1,
+            l.length + static_cast<int>(std::ceil(std::max(0.0, drift))) + 1};
+}
+
+}  // namespace
+
+HeightGrid hiddenHeights(const HeightGrid& heights, const glm::dvec2& size, const glm::vec3& sun) {
+    HeightGrid out{heights.width, heights.height, std::vector<float>(heights.metres.size(), kNothing)};
+    if (const std::optional<Lines> lines = linesOf(heights, size, sun)) {
+        const auto [first, last] = raysOf(*lines);
+        sweep(heights, *lines, first, last, out);
     }
     return out;
 }
 
+void updateHiddenHeights(HeightGrid& hidden, const HeightGrid& heights, const glm::dvec2& size, const glm::vec3& sun,
+                         const GridPart& changed) {
+    const std::optional<Lines> lines = linesOf(heights, size, sun);
+    if (!lines || changed.x1 <= changed.x0) return;
+    const auto [first, last] = raysOf(*lines);
+    const auto [i0, i1] = lines->rows ? std::pair{changed.x0, changed.x1} : std::pair{changed.y0, changed.y1};
+    const auto [a, b] = lines->rows ? std::pair{changed.y0, changed.y1} : std::pair{changed.x0, changed.x1};
+    const int line0 = lines->flipped ? lines->count - b : a, line1 = lines->flipped ? lines->count - a : b;
+    const double drift0 = lines->shift * line0, drift1 = lines->shift * (line1 - 1);
+    const int from = static_cast<int>(std::floor(i0 + std::min(drift0, drift1))) - 3,
+              to = static_cast<int>(std::ceil(i1 + std::max(drift0, drift1))) + 3;
+    sweep(heights, *lines, std::max(from, first), std::min(to, last), hidden);
+}
+
 namespace {
 
-void updateHeights(ShadeState& s, const Terrain& t) {
+// What changed of the heights since the last time; everything at first.
+GridPart updateHeights(ShadeState& s, const Terrain& t) {
     const glm::dvec2 repeat = tilingOf(t, t.heightTiling).metres;
-    if (!s.heights.metres.empty() && s.of.sameTiles(t.height.map) && s.range == t.heightRange && s.size == t.size &&
-        s.repeat == repeat)
-        return;
-    s.of = t.height.map, s.range = t.heightRange, s.size = t.size, s.repeat = repeat;
+    const bool same = !s.heights.metres.empty() && s.of.info() == t.height.map.info() && s.range == t.heightRange &&
+                      s.size == t.size && s.repeat == repeat;
+    if (same && s.of.sameTiles(t.height.map)) return {};
+    const Map before = std::exchange(s.of, t.height.map);
+    if (same) return updateShadeHeights(s.heights, before, t);
+    s.range = t.heightRange, s.size = t.size, s.repeat = repeat;
     s.heights = shadeHeights(t);
     s.sun = glm::vec3(0);
+    return {};
 }
 
 void shade(DrawContext& ctx) {
@@ -115,14 +228,19 @@ void shade(DrawContext& ctx) {
     const glm::vec3 sun = ctx.globals.sunDirection;
     if (ctx.globals.sunIsUp <= 0) return;
     const Terrain& t = *ctx.shared.ground.terrain;
-    updateHeights(s, t);
-    if (s.sun != sun) {
+    const GridPart changed = updateHeights(s, t);
+    const bool moved = s.sun != sun;
+    if (moved) {
         s.sun = sun;
-        const HeightGrid hidden = hiddenHeights(s.heights, t.size, sun);
-        if (s.texture.width != hidden.width || s.texture.height != hidden.height)
-            s.texture = makeTexture2D(ctx.gpu, kOwner, GL_R32F, hidden.width, hidden.height);
-        glTextureSubImage2D(s.texture.id(), 0, 0, 0, hidden.width, hidden.height, GL_RED, GL_FLOAT,
-                            hidden.metres.data());
+        s.hidden = hiddenHeights(s.heights, t.size, sun);
+    } else {
+        updateHiddenHeights(s.hidden, s.heights, t.size, sun, changed);
+    }
+    if (moved || changed.x1 > changed.x0) {
+        if (s.texture.width != s.hidden.width || s.texture.height != s.hidden.height)
+            s.texture = makeTexture2D(ctx.gpu, kOwner, GL_R32F, s.hidden.width, s.hidden.height);
+        glTextureSubImage2D(s.texture.id(), 0, 0, 0, s.hidden.width, s.hidden.height, GL_RED, GL_FLOAT,
+                            s.hidden.metres.data());
     }
     glBindTextureUnit(TEX_SHADE, s.texture.id());
 }

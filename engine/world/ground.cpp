@@ -1,5 +1,8 @@
 #include "world/ground.h"
 
+#include <utility>
+
+#include "core/jobs.h"
 #include "core/numerics.h"
 #include "scene/tiling.h"
 
@@ -72,15 +75,43 @@ std::pair<int, int> reach(int i, int side) {
             std::min(static_cast<int>(std::ceil((i + 1) * scale + 0.5)), side - 1)};
 }
 
-std::pair<float, float> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
-    float lo = m.at(xs.first, ys.first), hi = lo;
+// Lowest and highest texel, in steps of its type.
+template <class T>
+std::pair<T, T> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
+    T lo = std::numeric_limits<T>::max(), hi = std::numeric_limits<T>::lowest();
     for (int y = ys.first; y <= ys.second; ++y)
-        for (int x = xs.first; x <= xs.second; ++x) {
-            const float h = m.at(x, y);
-            lo = std::min(lo, h);
-            hi = std::max(hi, h);
+        for (int x = xs.first; x <= xs.second;) {
+            const T* in = reinterpret_cast<const T*>(m.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
+                          y % kTileSize * kTileSize + x % kTileSize;
+            const int run = std::min(kTileSize - x % kTileSize, xs.second + 1 - x);
+            for (int i = 0; i < run; ++i) lo = std::min(lo, in[i]), hi = std::max(hi, in[i]);
+            x += run;
         }
     return {lo, hi};
+}
+
+// The same as Map::at gives it.
+std::pair<float, float> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
+    switch (m.info().type) {
+        case PixelType::U8: {
+            const auto [lo, hi] = boundsOf<uint8_t>(m, xs, ys);
+            return {static_cast<float>(lo) / 255.0f, static_cast<float>(hi) / 255.0f};
+        }
+        case PixelType::U16: {
+            const auto [lo, hi] = boundsOf<uint16_t>(m, xs, ys);
+            return {static_cast<float>(lo) / 65535.0f, static_cast<float>(hi) / 65535.0f};
+        }
+        case PixelType::F32:
+            break;
+    }
+    return boundsOf<float>(m, xs, ys);
+}
+
+bool differs(const Map& a, const Map& b, std::pair<int, int> xs, std::pair<int, int> ys) {
+    for (int ty = ys.first / kTileSize; ty <= ys.second / kTileSize; ++ty)
+        for (int tx = xs.first / kTileSize; tx <= xs.second / kTileSize; ++tx)
+            if (a.tile(tx, ty) != b.tile(tx, ty)) return true;
+    return false;
 }
 
 }  // namespace
@@ -93,21 +124,22 @@ void updateHeightBounds(HeightBounds& b, const Terrain& t) {
     const Map& m = t.height.map;
     const Tiling tiling = tilingOf(t, t.heightTiling);
     b.repeat = tiling.repeats ? tiling.metres : glm::dvec2(0);
-    if (!b.parts.empty() && b.of.sameTiles(m) && b.scale == heightScale(t)) return;
+    const bool sameShape = !b.parts.empty() && b.of.info() == m.info() && b.scale == heightScale(t);
+    if (sameShape && b.of.sameTiles(m)) return;
     b.scale = heightScale(t);
     const auto [offset, scale] = b.scale;
-    b.of = m;
+    const Map before = std::exchange(b.of, m);
     b.parts.resize(static_cast<size_t>(kBoundsGrid) * kBoundsGrid);
+    parallelFor(b.parts.size(), [&, offset = offset, scale = scale](size_t i) {
+        const auto xs = reach(static_cast<int>(i) % kBoundsGrid, m.info().width),
+                   ys = reach(static_cast<int>(i) / kBoundsGrid, m.info().height);
+        if (sameShape && !differs(before, m, xs, ys)) return;
+        const auto [lo, hi] = boundsOf(m, xs, ys);
+        b.parts[i] = {static_cast<float>(offset + scale * lo), static_cast<float>(offset + scale * hi)};
+    });
     b.low = std::numeric_limits<float>::max();
     b.high = -b.low;
-    for (int z = 0; z < kBoundsGrid; ++z)
-        for (int x = 0; x < kBoundsGrid; ++x) {
-            const auto [lo, hi] = boundsOf(m, reach(x, m.info().width), reach(z, m.info().height));
-            auto& part = b.parts[static_cast<size_t>(z) * kBoundsGrid + static_cast<size_t>(x)];
-            part = {static_cast<float>(offset + scale * lo), static_cast<float>(offset + scale * hi)};
-            b.low = std::min(b.low, part.first);
-            b.high = std::max(b.high, part.second);
-        }
+    for (const auto& [lo, hi] : b.parts) b.low = std::min(b.low, lo), b.high = std::max(b.high, hi);
 }
 
 }  // namespace sward

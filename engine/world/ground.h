@@ -25,7 +25,7 @@ double terrainHeight(const Terrain& t, double x, double z);
 std::pair<double, double> heightScale(const Terrain& t);
 
 // Lowest and highest height over a fixed grid of kBoundsGrid x kBoundsGrid parts of the map: bounds depend neither on
-// the map's resolution nor on how often it repeats. Rebuilt when the map's tiles differ.
+// the map's resolution nor on how often it repeats. Parts are rebuilt where the map's tiles differ.
 inline constexpr int kBoundsGrid = 64;
 struct HeightBounds {
     std::vector<std::pair<float, float>> parts;  // row-major, z rows; one part if flat

@@ -10,13 +10,15 @@
 layout(binding = TEX_SCENE) uniform sampler2D map;
 layout(std140, binding = UBO_FORCE) uniform ForceBlock { ForceGlobals force; };
 layout(binding = TEX_FORCE) uniform sampler2D forcesAround;
-const int AMOUNTS = 1, DIRECTIONS = 2, FORCE_KIND = 3;  // beside these: colours
-layout(location = 0) uniform int kind;                  // of the map
-layout(location = 1) uniform float tallest;             // metres: what stands higher is no grass, and keeps its colour
-layout(location = 2) uniform bool painted;              // false: there is no map, only what presses by itself
-layout(location = 3) uniform float tiling;              // of the map, as in shared/grass.h
-layout(location = 4) uniform float pixel;               // metres, at a distance of 1 m
-layout(location = 5) uniform float texels;              // of the map, a metre
+const int AMOUNTS = 1, DIRECTIONS = 2, FORCE_KIND = 3, HEIGHTS = 5;  // beside these: colours
+layout(location = 0) uniform int kind;                               // of the map
+layout(location = 1) uniform float tallest;  // metres: what stands higher is no grass, and keeps its colour
+layout(location = 2) uniform bool painted;   // false: there is no map, only what presses by itself
+layout(location = 3) uniform float tiling;   // of the map, as in shared/grass.h
+layout(location = 4) uniform float pixel;    // metres, at a distance of 1 m
+layout(location = 5) uniform float texels;   // of the map, a metre
+layout(location =
+           6) uniform vec3 relief;  // of the land: its lowest ground seen from the eye, 1 / metres, metres a contour
 out vec4 color;
 
 vec4 mapAt(vec2 place, float level) { return textureLod(map, tiled(mapPlace(place), tiling), level); }
@@ -91,6 +93,14 @@ vec3 srgb(vec3 c) {
     return mix(12.92 * c, 1.055 * pow(max(c, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
+// Low to high as amounts, with lines of equal height where they lie apart by some pixels.
+vec4 heightView(vec2 place) {
+    float up = groundHeight(place) - relief.x, contour = up / relief.z, pixels = 1.0 / max(fwidth(contour), 1e-6);
+    float line = 1.0 - smoothstep(0.6, 1.4, abs(fract(contour + 0.5) - 0.5) * pixels);
+    return mix(vec4(amountColor(clamp(up * relief.y, 0.0, 1.0)), 0.4), vec4(0.03, 0.03, 0.05, 0.8),
+               line * smoothstep(4.0, 10.0, pixels));
+}
+
 void main() {
     float depth = sceneDepth(ivec2(gl_FragCoord.xy));
     if (depth <= 0.0) discard;
@@ -108,6 +118,8 @@ void main() {
         color = directionView(position, place, leanOf(texel), metresPerPixel);
     else if (kind == FORCE_KIND)
         color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
+    else if (kind == HEIGHTS)
+        color = heightView(place);
     else
         color = vec4(srgb(texel.rgb), texel.a * 0.75);
 }

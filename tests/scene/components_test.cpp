@@ -114,9 +114,9 @@ TEST(Components, EveryFieldHasHelpAndSoundRangesAroundItsDefault) {
         }
         if (f.type == FieldType::Map) {
             ASSERT_NE(f.map, nullptr) << path;
-            constexpr int kChannels[] = {1, 2, 4, 4};
+            constexpr int kChannels[] = {1, 2, 4, 4, 1};
             EXPECT_EQ(f.map->channels, kChannels[static_cast<size_t>(f.map->kind)]) << path;
-            EXPECT_FALSE(f.map->role == MapRole::Heights && f.map->type == PixelType::U8) << path;
+            EXPECT_FALSE(f.map->kind == MapKind::Heights && f.map->type == PixelType::U8) << path;
             EXPECT_GT(f.map->texelsPerMetre, 0) << path;
         }
         if (f.type > FieldType::Color || f.type == FieldType::Bool) return;

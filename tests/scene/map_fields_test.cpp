@@ -55,7 +55,7 @@ TEST(MapFields, WhatAMapsRowNamesStandsBesideTheMap) {
         EXPECT_TRUE(!m.heightRange || stands(table, *m.heightRange, FieldType::Vec2));
         EXPECT_TRUE(!m.bladesPerM2 || stands(table, *m.bladesPerM2, FieldType::Float));
         EXPECT_TRUE(!m.packedWith || stands(owner.fields, *m.packedWith, FieldType::Map));
-        EXPECT_EQ(m.heightRange != nullptr, m.role == MapRole::Heights);
+        EXPECT_EQ(m.heightRange != nullptr, m.kind == MapKind::Heights);
         EXPECT_TRUE(!m.bladesPerM2 || m.role == MapRole::Density);
     });
     EXPECT_GE(maps, 10u);
@@ -85,7 +85,7 @@ TEST(MapFields, TilingsAreOfTheComponentOrNone) {
 
 TEST(MapFields, HeightsAreNeverReadFromEightBits) {
     eachMapRow([](const ComponentRow&, std::span<const FieldRow>, const FieldRow& field) {
-        EXPECT_EQ(mapWish(field).isHeight, field.map->role == MapRole::Heights) << field.name;
+        EXPECT_EQ(mapWish(field).isHeight, field.map->kind == MapKind::Heights) << field.name;
         EXPECT_EQ(mapWish(field).channels, field.map->channels) << field.name;
     });
 }

@@ -46,10 +46,10 @@ TEST_F(StatusBar, SaysWhatIsDrawnHowFineAndWhetherItIsSaved) {
 TEST_F(StatusBar, SaysWhatAStrokeAddsAndItsTimeOnceThatWasMeasured) {
     frames(2);
     EXPECT_FALSE(shown("Panel/Stroke"));
-    cost.stroke = -120;
+    cost.stroke = BladeChange{0, 120};
     frames(2);
     EXPECT_EQ(value("Panel/Stroke"), "-120 blades");
-    cost.stroke = 1000, cost.grassMs = 8, counts.stats.bladesGeometry = 4000;
+    cost.stroke = BladeChange{1000, 0}, cost.grassMs = 8, counts.stats.bladesGeometry = 4000;
     frames(2);
     EXPECT_EQ(value("Panel/Stroke"), "+1000 blades, about +2 ms");
 }

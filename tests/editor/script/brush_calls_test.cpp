@@ -67,6 +67,44 @@ TEST(BrushCalls, AStrokeOnMirroredHeightsRaisesTheGroundWhereItWent) {
         expect.near(map.at("height", 9.6, 5), 2, 1e-5))");
 }
 
+TEST(BrushCalls, HeightsAreSculptedInMetres) {
+    EXPECT_RUNS(R"(
+        project.new()
+        local function at(x, z) return map.at("height", x, z) end
+        brush.select{map = "height", mode = "raise", radius = 5, value = 3, falloff = 0.5}
+        brush.stroke{{10, 10}}
+        expect.near(at(10, 10), 3, 1e-4)
+        expect.equal(at(30, 30), 0)
+        local raised = map.hash("height")
+        brush.select{map = "height", mode = "lower", radius = 5, value = 1, strength = 0.5}
+        brush.stroke{{10, 10}}
+        expect.near(at(10, 10), 2.5, 1e-4)
+        edit.undo()
+        expect.equal(map.hash("height"), raised)
+        brush.select{map = "height", mode = "flatten", radius = 2}
+        brush.stroke{{10, 10}, {20, 10}}
+        expect.near(at(20, 10), 3, 1e-3)
+        brush.select{map = "height", mode = "flatten", radius = 2, value = -4}
+        brush.stroke{{20, 10}}
+        expect.near(at(20, 10), -4, 1e-4)
+        edit.undo() edit.undo()
+        brush.select{map = "height", mode = "ramp", radius = 2}
+        brush.stroke{{10, 10}, {30, 10}}
+        expect.near(at(20, 10), 1.5, 0.02)
+        for _, mode in ipairs{"noise", "smooth", "erode"} do
+            local before = map.hash("height")
+            brush.select{map = "height", mode = mode, radius = 8, value = 0.5, bumpSize = 3, talus = 20, water = 1, seed = 2}
+            brush.stroke{{10, 10}, {14, 12}}
+            expect.truthy(map.hash("height") ~= before, mode)
+            edit.undo()
+            expect.equal(map.hash("height"), before)
+        end)");
+    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'erode', radius = 1, talus = 95}").find("talus angle"),
+              std::string::npos);
+    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'raise', radius = 0}").find("radius"),
+              std::string::npos);
+}
+
 TEST(BrushCalls, DirectionsAreCombedAndLaidTowardsAnAngle) {
     EXPECT_EQ(Stage().fault(R"(
         project.new()

@@ -72,6 +72,24 @@ TEST(BrushBook, ThePresetMakesShiftAnEraser) {
     EXPECT_EQ(strokeBrush(b, false, false).mode, "add");
 }
 
+TEST(BrushBook, OnHeightsCtrlSwapsRaiseAndLowerAndShiftSmoothsEvenWithThePreset) {
+    BrushBook b = painting("raise");
+    b.map = "ground.Terrain.height", b.kind = MapKind::Heights;
+    EXPECT_LT(currentBrush(b).value, 0.5f) << "metres a stamp";
+    EXPECT_EQ(strokeBrush(b, true, false).mode, "lower");
+    b.shiftErases = true;
+    EXPECT_EQ(strokeBrush(b, false, true).mode, "smooth");
+    b.tool = "lower";
+    EXPECT_EQ(strokeBrush(b, true, false).mode, "raise");
+    for (const char* tool : {"flatten", "ramp", "erode", "noise"}) {
+        b.tool = tool;
+        EXPECT_EQ(strokeBrush(b, true, false).mode, tool);
+        EXPECT_EQ(strokeBrush(b, false, true).mode, "smooth");
+    }
+    b.tool = "flatten";
+    EXPECT_EQ(currentBrush(b).value, 0);
+}
+
 TEST(BrushBook, SizeAndStrengthKeysStayWithinTheirRanges) {
     BrushSettings b;
     for (int i = 0; i < 200; ++i) growBrush(b, 1), strengthenBrush(b, 1);

@@ -1,0 +1,295 @@
+// Erodes ground. Rain: drops run downhill, take ground along while they can carry more and leave it where they slow
+// down (H. T. Beyer, Implementation of a Method for Hydraulic Erosion, Technische Universitaet Muenchen
+// 2015; heights are counted in texels, so that slopes and not metres decide, and drops dry evenly, so that the end of
+// the way finds them empty). Slopes: what is steeper than the talus angle slides to its neighbours (F. K. Musgrave, C.
+// E. Kolb, R. S. Mace, The Synthesis and Rendering of Eroded Fractal Terrains, SIGGRAPH 1989; between each two
+// neighbours as much goes as comes, so that no ground is lost). Both act by the weight of the stamp and move ground
+// only within it. Drops start where the stamp's number and the seed say, and those of a batch see the ground as it was
+// before the batch: the same on any number of threads. Does not: keep water from stamp to stamp.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "brushes/heights.h"
+#include "core/jobs.h"
+
+namespace sward {
+namespace {
+
+// The tiles under the stamp as one piece with a rim of one texel, heights in metres above that of one texel. What lies
+// beyond the map is as high as its edge, and has no weight, like the rim.
+struct Land {
+    TileRange tiles;
+    int x0 = 0, y0 = 0, width = 0, height = 0;  // texels of the map; width and height whole tiles
+    double texelX = 1, texelY = 1;              // metres
+    std::vector<float> before, now, weight;
+    size_t stride() const { return size_t(width) + 2; }
+    // x from -1 to width, y from -1 to height.
+    size_t at(int x, int y) const { return size_t(y + 1) * stride() + size_t(x + 1); }
+};
+
+template <class T>
+void readTile(const Map& map, int tx, int ty, float base, float unit, Land& land) {
+    const T* in = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
+    const int columns = std::min(kTileSize, map.info().width - tx * kTileSize),
+              rows = std::min(kTileSize, map.info().height - ty * kTileSize);
+    for (int y = 0; y < kTileSize; ++y) {
+        const T* row = in + std::min(y, rows - 1) * kTileSize;
+        float* out = &land.before[land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y)];
+        for (int x = 0; x < kTileSize; ++x) out[x] = static_cast<float>(row[x]) * unit - base;
+        std::fill(out + columns, out + kTileSize, out[columns - 1]);
+    }
+}
+
+void readTile(const Map& map, int tx, int ty, float base, double scale, Land& land) {
+    const auto unit = [scale](double most) { return static_cast<float>(scale / most); };
+    switch (map.info().type) {
+        case PixelType::U8:
+            return readTile<uint8_t>(map, tx, ty, base, unit(255), land);
+        case PixelType::U16:
+            return readTile<uint16_t>(map, tx, ty, base, unit(65535), land);
+        case PixelType::F32:
+            return readTile<float>(map, tx, ty, base, unit(1), land);
+    }
+}
+
+// Calls body(tx, ty) for each tile, on all cores.
+template <class Body>
+void eachTile(const TileRange& t, const Body& body) {
+    parallelFor(t.count(), [&](size_t i) {
+        body(t.x0 + static_cast<int>(i) % (t.x1 - t.x0), t.y0 + static_cast<int>(i) / (t.x1 - t.x0));
+    });
+}
+
+Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
+    Land land;
+    land.tiles = stampTiles(map.info(), stamp);
+    const TileRange& t = land.tiles;
+    land.x0 = t.x0 * kTileSize, land.y0 = t.y0 * kTileSize;
+    land.width = (t.x1 - t.x0) * kTileSize, land.height = (t.y1 - t.y0) * kTileSize;
+    land.texelX = static_cast<double>(brush.radius) / stamp.radiusX;
+    land.texelY = static_cast<double>(brush.radius) / stamp.radiusY;
+    const size_t texels = land.stride() * size_t(land.height + 2);
+    land.before.resize(texels), land.weight.resize(texels);
+    const int cx = static_cast<int>(std::clamp(stamp.x, 0.0, map.info().width - 1.0)),
+              cy = static_cast<int>(std::clamp(stamp.y, 0.0, map.info().height - 1.0));
+    const float base = static_cast<float>(static_cast<double>(map.at(cx, cy)) * brush.metres.y);
+    eachTile(t, [&](int tx, int ty) {
+        readTile(map, tx, ty, base, brush.metres.y, land);
+        const StampWeights weights(map.info(), stamp, brush, tx, ty);
+        for (int y = 0; y < kTileSize; ++y)
+            weights.row(y, &land.weight[land.at(tx * kTileSize - land.x0, ty * kTileSize + y - land.y0)]);
+    });
+    land.now = land.before;
+    return land;
+}
+
+// --- rain --------------------------------------------------------------------------------------------------------
+
+constexpr double kTexelsPerDrop = 60;  // that a stamp of full water has, one drop to so many
+constexpr int kMostDrops = 1000;       // a stamp, whatever its size
+constexpr size_t kBatch = 100;
+constexpr int kSteps = 48;  // texels that a drop runs at most
+constexpr float kInertia = 0.05f, kCapacity = 4, kLeastSlope = 0.01f, kTake = 0.3f, kLeave = 0.3f, kGravity = 1;
+constexpr int kReach = 2;  // texels around a drop from which it takes
+
+struct Move {
+    uint32_t texel;
+    float metres;
+};
+struct Drop {
+    float x, y;  // texels of the land; texel centres at whole numbers
+};
+
+uint32_t mixed(uint32_t h) {
+    h = (h ^ (h >> 16)) * 0x7FEB352Du;
+    h = (h ^ (h >> 15)) * 0x846CA68Bu;
+    return h ^ (h >> 16);
+}
+float unitOf(uint32_t h) { return static_cast<float>(mixed(h) >> 8) * 0x1p-24f; }
+
+// Where the drops of a stamp fall; those beyond its ring do not.
+std::vector<Drop> dropsOf(const Land& land, const Stamp& stamp, const BrushSettings& brush) {
+    const double area = 4 * stamp.radiusX * stamp.radiusY;  // of the square around the stamp
+    const double water = std::clamp<double>(brush.water, 0, 1);
+    const int count = static_cast<int>(std::ceil(water * std::min(area / kTexelsPerDrop, kMostDrops * 1.27)));
+    const uint32_t seed = mixed(static_cast<uint32_t>(brush.seed) + 1) ^ (stamp.turn * 0x9E3779B9u);
+    std::vector<Drop> drops;
+    for (int i = 0; i < count; ++i) {
+        const uint32_t h = seed + static_cast<uint32_t>(i) * 0x85EBCA6Bu;
+        const double right = 2.0 * static_cast<double>(unitOf(h)) - 1,
+                     down = 2.0 * static_cast<double>(unitOf(h ^ 0x68E31DA4u)) - 1;
+        if (right * right + down * down >= 1) continue;
+        drops.push_back({static_cast<float>(stamp.x + right * stamp.radiusX - 0.5 - land.x0),
+                         static_cast<float>(stamp.y + down * stamp.radiusY - 0.5 - land.y0)});
+    }
+    return drops;
+}
+
+// The ground at a place: its height and slope, in texels, and the stamp's weight; bilinear.
+struct Place {
+    float height, slopeX, slopeY, weight;
+    size_t corner;  // of the four texels around
+    float fx, fy;
+};
+bool placeAt(const Land& land, float toTexels, float x, float y, Place& out) {
+    if (!(x >= 0 && y >= 0 && x < static_cast<float>(land.width - 1) && y < static_cast<float>(land.height - 1)))
+        return false;
+    const int ix = static_cast<int>(x), iy = static_cast<int>(y);
+    const float fx = x - static_cast<float>(ix), fy = y - static_cast<float>(iy);
+    const size_t c = land.at(ix, iy), d = c + land.stride();
+    const float a = land.now[c], b = land.now[c + 1], e = land.now[d], f = land.now[d + 1];
+    const float top = a + (b - a) * fx, low = e + (f - e) * fx;
+    const auto mix = [&](const std::vector<float>& v) {
+        const float up = v[c] + (v[c + 1] - v[c]) * fx, down = v[d] + (v[d + 1] - v[d]) * fx;
+        return up + (down - up) * fy;
+    };
+    out = {(top + (low - top) * fy) * toTexels,
+           ((b - a) * (1 - fy) + (f - e) * fy) * toTexels,
+           (low - top) * toTexels,
+           mix(land.weight),
+           c,
+           fx,
+           fy};
+    return out.weight > 0;
+}
+
+// Lays `amount` metres of one texel's ground on the four texels around a place, as far as the stamp reaches them.
+void leave(const Land& land, const Place& p, float amount, std::vector<Move>& moves) {
+    const size_t texels[] = {p.corner, p.corner + 1, p.corner + land.stride(), p.corner + land.stride() + 1};
+    float share[] = {(1 - p.fx) * (1 - p.fy), p.fx * (1 - p.fy), (1 - p.fx) * p.fy, p.fx * p.fy}, sum = 0;
+    for (int i = 0; i < 4; ++i) sum += share[i] = land.weight[texels[i]] > 0 ? share[i] : 0;
+    if (!(sum > 0)) return;
+    for (int i = 0; i < 4; ++i)
+        if (share[i] > 0) moves.push_back({static_cast<uint32_t>(texels[i]), amount * share[i] / sum});
+}
+
+// Takes up to `amount` from around a place, the more the nearer, by the stamp's weight. Returns what came.
+float take(const Land& land, float x, float y, float amount, std::vector<Move>& moves) {
+    const int cx = static_cast<int>(std::lround(x)), cy = static_cast<int>(std::lround(y));
+    std::array<float, (2 * kReach + 1) * (2 * kReach + 1)> share{};
+    float sum = 0, taken = 0;
+    size_t i = 0;
+    for (int dy = -kReach; dy <= kReach; ++dy)
+        for (int dx = -kReach; dx <= kReach; ++dx, ++i) {
+            const float ox = static_cast<float>(cx + dx) - x, oy = static_cast<float>(cy + dy) - y;
+            sum += share[i] = std::max(0.0f, static_cast<float>(kReach) - std::sqrt(ox * ox + oy * oy));
+        }
+    i = 0;
+    for (int ty = cy - kReach; ty <= cy + kReach; ++ty)
+        for (int tx = cx - kReach; tx <= cx + kReach; ++tx, ++i) {
+            if (share[i] <= 0 || tx < -1 || ty < -1 || tx > land.width || ty > land.height) continue;
+            const float metres = amount * share[i] / sum * land.weight[land.at(tx, ty)];
+            if (metres <= 0) continue;
+            moves.push_back({static_cast<uint32_t>(land.at(tx, ty)), -metres});
+            taken += metres;
+        }
+    return taken;
+}
+
+// What one drop moves, from where it falls to where it ends: on level ground, at the stamp's edge, or dry. In sum
+// nothing.
+void runDrop(const Land& land, Drop d, std::vector<Move>& moves) {
+    const float texel = static_cast<float>(std::sqrt(land.texelX * land.texelY)), toTexels = 1 / texel;
+    float wayX = 0, wayY = 0, speed = 1, water = 1, carried = 0;  // metres
+    Place p;
+    if (!placeAt(land, toTexels, d.x, d.y, p)) return;
+    for (int step = 0; step < kSteps; ++step) {
+        wayX = wayX * kInertia - p.slopeX * (1 - kInertia), wayY = wayY * kInertia - p.slopeY * (1 - kInertia);
+        const float length = std::sqrt(wayX * wayX + wayY * wayY);
+        if (length < 1e-7f) break;
+        wayX /= length, wayY /= length;
+        Place next;
+        if (!placeAt(land, toTexels, d.x + wayX, d.y + wayY, next)) break;
+        const float rise = next.height - p.height;
+        const float most = std::max(-rise, kLeastSlope) * speed * water * kCapacity * p.weight * texel;
+        if (rise > 0 || carried > most) {
+            const float left = rise > 0 ? std::min(rise * texel, carried) : (carried - most) * kLeave;
+            if (left > 0) leave(land, p, left, moves);
+            carried -= std::max(left, 0.0f);
+        } else {
+            carried += take(land, d.x, d.y, std::min((most - carried) * kTake, -rise * texel), moves);
+        }
+        d = {d.x + wayX, d.y + wayY};
+        p = next;
+        speed = std::sqrt(std::max(0.0f, speed * speed - rise * kGravity));
+        water = 1 - static_cast<float>(step + 1) / kSteps;
+    }
+    if (carried > 0) leave(land, p, carried, moves);
+}
+
+void rain(Land& land, const Stamp& stamp, const BrushSettings& brush) {
+    const std::vector<Drop> drops = dropsOf(land, stamp, brush);
+    std::vector<std::vector<Move>> moves(std::min(kBatch, drops.size()));
+    for (size_t first = 0; first < drops.size(); first += kBatch) {
+        const size_t count = std::min(kBatch, drops.size() - first);
+        parallelFor(count, [&](size_t i) {
+            moves[i].clear();
+            runDrop(land, drops[first + i], moves[i]);
+        });
+        for (size_t i = 0; i < count; ++i)
+            for (const Move& m : moves[i]) land.now[m.texel] += m.metres;
+    }
+}
+
+// --- slopes ------------------------------------------------------------------------------------------------------
+
+constexpr float kSlide = 0.12f;  // of what is too steep between two texels, that goes over; 8 of them: below 1
+
+// What the texels of a row of a tile get from their neighbours `to` texels on: what lies over the talus, less what they
+// lie over it themselves.
+void slideRow(const Land& land, size_t at, ptrdiff_t to, float steepest, float* __restrict gain) {
+    const float *h = &land.now[at], *w = &land.weight[at], *other = h + to, *otherWeight = w + to;
+    for (int x = 0; x < kTileSize; ++x) {
+        const float over = other[x] - h[x], less = w[x] - positivePart(w[x] - otherWeight[x]);  // the smaller weight
+        gain[x] += less * (positivePart(over - steepest) - positivePart(-over - steepest));
+    }
+}
+
+void slide(Land& land, const BrushSettings& brush) {
+    const double tangent = std::tan(std::clamp<double>(brush.talusDeg, 0, 89.9) * 3.14159265358979323846 / 180);
+    std::vector<float> after = land.now;
+    eachTile(land.tiles, [&](int tx, int ty) {
+        for (int y = 0; y < kTileSize; ++y) {
+            const size_t at = land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y);
+            alignas(64) float gain[kTileSize] = {};
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    if (dx != 0 || dy != 0)
+                        slideRow(land, at, dy * static_cast<ptrdiff_t>(land.stride()) + dx,
+                                 static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY)), gain);
+            for (size_t x = 0; x < kTileSize; ++x) after[at + x] = land.now[at + x] + kSlide * gain[x];
+        }
+    });
+    std::swap(land.now, after);
+}
+
+}  // namespace
+
+void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
+    const bool sound = usableBrush(stamp, brush) && map.info().channels == 1 && brush.radius > 0 &&
+                       std::isfinite(brush.radius) && std::isfinite(brush.talusDeg) && std::isfinite(brush.water) &&
+                       stampTiles(map.info(), stamp).count() > 0;
+    if (!sound) return;
+    Land land = readLand(map, stamp, brush);
+    rain(land, stamp, brush);
+    slide(land, brush);
+    const TileRange& t = land.tiles;
+    std::vector<std::shared_ptr<const Tile>> painted(t.count());
+    const auto slot = [&](int tx, int ty) { return size_t(ty - t.y0) * size_t(t.x1 - t.x0) + size_t(tx - t.x0); };
+    eachTile(t, [&](int tx, int ty) {
+        painted[slot(tx, ty)] = paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
+            using Real = std::remove_cvref_t<decltype(row.scale)>;
+            const Real steps = static_cast<Real>(stepsPerMetre(static_cast<double>(row.scale), brush));
+            const size_t from = land.at(row.x0 - land.x0, row.y - land.y0);
+            const float *now = &land.now[from], *before = &land.before[from];
+            for (int x = 0; x < kTileSize; ++x)
+                row.change[x] = (static_cast<Real>(now[x]) - static_cast<Real>(before[x])) * steps;
+        });
+    });
+    for (int ty = t.y0; ty < t.y1; ++ty)
+        for (int tx = t.x0; tx < t.x1; ++tx) map.setTile(tx, ty, std::move(painted[slot(tx, ty)]));
+}
+
+}  // namespace sward
