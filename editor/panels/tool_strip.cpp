@@ -122,10 +122,6 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
     const float r = (high.x - low.x) * 0.26f;
-    if (tool == kViewTool) return pointer(d, c, r, color);
-    if (tool == "move") return cross(d, c, r, color);
-    if (tool == "turn") return turn(d, c, r, color);
-    if (tool == "scale") return grow(d, c, r, color);
     if (tool == "add" || tool == "subtract") return plus(d, c, r, color, tool == "add");
     if (tool == "set") return level(d, c, r, color);
     if (tool == "smooth") return wave(d, c, r, color);
@@ -142,8 +138,10 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);
 }
 
-// True if it was pressed.
-bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help) {
+using Icon = void (*)(Draw, ImVec2 centre, float radius, ImU32 color);
+
+// True if it was pressed. `own`: its icon, of what is no brush.
+bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help, Icon own = nullptr) {
     const float side = ImGui::GetContentRegionAvail().x;
     if (chosen) ui::pushAccent();
     const bool pressed = ImGui::Button(("##" + tool).c_str(), {side, side});
@@ -151,30 +149,34 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::record(label, ui::Kind::Button, chosen ? "true" : "false");
     ui::tooltip(std::string(label) + "\n" + help);
-    icon(tool, label, low, high, chosen ? IM_COL32_WHITE : ImGui::GetColorU32(ImGuiCol_Text));
+    const ImU32 color = chosen ? IM_COL32_WHITE : ImGui::GetColorU32(ImGuiCol_Text);
+    if (own)
+        own(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, side * 0.26f, color);
+    else
+        icon(tool, label, low, high, color);
     return pressed;
 }
 
 struct ObjectButton {
     GizmoMode mode;
-    const char* name;  // of its icon
+    Icon icon;
     const char* label;
     const char* help;
 };
 constexpr ObjectButton kObjectButtons[] = {
-    {GizmoMode::Select, kViewTool, "Select",
+    {GizmoMode::Select, pointer, "Select",
      "A click or a box chooses objects; Shift adds, Ctrl toggles. V switches between objects and the brush. Right "
      "button and W A S D fly, Alt and left button orbit."},
-    {GizmoMode::Move, "move", "Move", "Chooses and moves objects (W). Ctrl snaps to the grid, Escape lets go."},
-    {GizmoMode::Turn, "turn", "Turn", "Chooses and turns objects (E). Ctrl snaps to steps, Escape lets go."},
-    {GizmoMode::Scale, "scale", "Scale", "Chooses and scales objects (R). Ctrl snaps to steps, Escape lets go."},
+    {GizmoMode::Move, cross, "Move", "Chooses and moves objects (W). Ctrl snaps to the grid, Escape lets go."},
+    {GizmoMode::Turn, turn, "Turn", "Chooses and turns objects (E). Ctrl snaps to steps, Escape lets go."},
+    {GizmoMode::Scale, grow, "Scale", "Chooses and scales objects (R). Ctrl snaps to steps, Escape lets go."},
 };
 
 }  // namespace
 
 void drawToolStrip(const Document& doc, BrushBook& brushes, GizmoMode& mode, Messages& messages) {
     for (const ObjectButton& b : kObjectButtons) {
-        if (!toolButton(brushes.tool == kViewTool && mode == b.mode, b.name, b.label, b.help)) continue;
+        if (!toolButton(brushes.tool == kViewTool && mode == b.mode, b.label, b.label, b.help, b.icon)) continue;
         selectTool(doc, brushes, messages, kViewTool);
         mode = b.mode;
     }

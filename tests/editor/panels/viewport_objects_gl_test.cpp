@@ -99,6 +99,23 @@ TEST_F(EditorObjects, PickedMovedCopiedAndAllUndone) {
     EXPECT_TRUE(asAtFirst());
 }
 
+TEST_F(EditorObjects, SeveralMoveTogetherInOneStep) {
+    ok(ui->click("Outliner/box-a"));
+    click(middle("Viewport/Object box-b"), "shift");
+    EXPECT_EQ(chosen(), (Names{"box-a", "box-b"}));
+    const glm::dvec3 apart = placeOf("box-b") - placeOf("box-a"), before = placeOf("box-a");
+    drag("Viewport/Gizmo move z", {30, 10});
+    EXPECT_GT(glm::length(placeOf("box-a") - before), 0.1);
+    EXPECT_LT(glm::length(placeOf("box-b") - placeOf("box-a") - apart), 1.5e-3) << "to the millimetre";
+    EXPECT_EQ(doc.undoLabel(), "move 2 entities");
+    ok(ui->key("delete"));
+    EXPECT_FALSE(doc.project().entities.contains("box-a"));
+    EXPECT_FALSE(doc.project().entities.contains("box-b"));
+    ok(ui->key("ctrl+z"));
+    ok(ui->key("ctrl+z"));
+    EXPECT_TRUE(asAtFirst());
+}
+
 TEST_F(EditorObjects, EscapeGivesTheObjectBackAndCtrlSnapsItToTheGrid) {
     click(middle("Viewport/Object box-a"));
     const glm::dvec2 at = middle("Viewport/Gizmo move x");

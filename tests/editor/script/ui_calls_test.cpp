@@ -43,14 +43,16 @@ TEST(UiCalls, UiCallsReachTheDriver) {
     r.host.ui = &ui;
     EXPECT_EQ(r.fault(R"(
         ui.click('Menu/File/Save') ui.set('Brush/Radius', 3) ui.set('Brush/Mode', 'add') ui.key('ctrl+z')
+        ui.rightClick('Outliner/bench') ui.drop('test.lua')
         ui.drag(1, 2, 3.5, 4) ui.drag(1, 2, 3, 4, 'ctrl+shift') ui.wait(5) ui.wait() ui.screenshot('shot.png')
         expect.equal(ui.get('Brush/Radius'), '2.5')
         expect.equal({ui.rect('Brush/Radius')}, {10, 20, 30.5, 40})
         expect.truthy(ui.exists('Brush/Radius')) expect.truthy(not ui.exists('Brush/Smell')))"),
               "");
-    EXPECT_EQ(ui.calls, (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
-                                                  "key ctrl+z", "drag 1 2 3.5 4", "drag 1 2 3 4 ctrl+shift", "wait 5",
-                                                  "wait 1", "screenshot shot.png"}));
+    EXPECT_EQ(ui.calls,
+              (std::vector<std::string>{"click Menu/File/Save", "set Brush/Radius 3", "set Brush/Mode add",
+                                        "key ctrl+z", "right click Outliner/bench", "drop test.lua", "drag 1 2 3.5 4",
+                                        "drag 1 2 3 4 ctrl+shift", "wait 5", "wait 1", "screenshot shot.png"}));
     EXPECT_FAULT(r, "ui.get('Brush/Smell')", "no widget Brush/Smell");
     EXPECT_FAULT(r, "ui.rect('Brush/Smell')", "no widget Brush/Smell");
     EXPECT_FAULT(r, "ui.wait(1e9)", "frames");
@@ -58,8 +60,9 @@ TEST(UiCalls, UiCallsReachTheDriver) {
 }
 
 TEST(UiCalls, UiCallsWithoutAWindowSaySo) {
-    for (const char* call : {"ui.click('x')", "ui.set('x', 1)", "ui.get('x')", "ui.exists('x')", "ui.key('a')",
-                             "ui.drag(1, 2, 3, 4)", "ui.rect('x')", "ui.wait(1)", "ui.screenshot('x.png')"})
+    for (const char* call :
+         {"ui.click('x')", "ui.set('x', 1)", "ui.get('x')", "ui.exists('x')", "ui.key('a')", "ui.drag(1, 2, 3, 4)",
+          "ui.rect('x')", "ui.wait(1)", "ui.screenshot('x.png')", "ui.rightClick('x')", "ui.drop('test.lua')"})
         EXPECT_FAULT(Stage(), call, "test.lua:1: ui.* needs the editor's window");
 }
 

@@ -92,6 +92,16 @@ TEST(InputQueue, RepeatsAndCodesOutOfRangeAreDropped) {
     EXPECT_FALSE(q.pending());
 }
 
+TEST(InputQueue, DroppedFilesComeInOneFrameInTheirOrderAndAfterAPressInTheNext) {
+    InputQueue q;
+    const InputEvent a{InputKind::Drop, 0, 0, 0, false, "/a.glb"}, b{InputKind::Drop, 0, 0, 0, false, "/b.glb"};
+    pushAll(q, {move(5, 5), a, b, button(0, true), a});
+    const FrameInput first = q.next();
+    EXPECT_EQ(first.dropped, (std::vector<std::string>{"/a.glb", "/b.glb"}));
+    EXPECT_EQ(q.next().dropped, (std::vector<std::string>{"/a.glb"}));
+    EXPECT_TRUE(q.next().dropped.empty());
+}
+
 TEST(InputQueue, WheelNotchesAddUpUntilThePointerMoves) {
     InputQueue q;
     pushAll(q, {move(5, 5), {InputKind::Wheel, 0, 1, 0, false}, {InputKind::Wheel, 0, 2, 0, false}, move(50, 5)});
