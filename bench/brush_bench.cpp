@@ -105,8 +105,8 @@ Terrain hillyLand(PixelType type) {
     return t;
 }
 
-// A stamp of a sculpting stroke and all that follows for it to be seen: its tiles sent to the GPU, bounds of the ground,
-// shadows of hills. The least of many, since other work on the machine only adds.
+// A stamp of a sculpting stroke and all that follows for it to be seen: its tiles sent to the GPU, bounds of the
+// ground, shadows of hills. The least of many, since other work on the machine only adds.
 double sculptMs(PixelType type, const char* mode) {
     Terrain t = hillyLand(type);
     const glm::vec3 sun = glm::normalize(glm::vec3(0.6f, 0.5f, 0.3f));

@@ -1,6 +1,9 @@
 // The tools: looking without painting, then one a brush. Icons are drawn, so that no font must have them.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "panels/panels.h"
 #include "tools/brush_target.h"
 #include "ui/theme.h"
@@ -112,9 +115,15 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);
 }
 
+// As wide as the strip, but no larger than lets all of them fit one above the other.
+float buttonSide(size_t buttons) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    return std::max(8.f, std::min(room.x, std::floor((room.y - 2 * gap) / static_cast<float>(buttons) - gap)));
+}
+
 // True if it was pressed.
-bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help) {
-    const float side = ImGui::GetContentRegionAvail().x;
+bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help, float side) {
     if (chosen) ui::pushAccent();
     const bool pressed = ImGui::Button(("##" + tool).c_str(), {side, side});
     if (chosen) ui::popAccent();
@@ -128,8 +137,9 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
 }  // namespace
 
 void drawToolStrip(const Document& doc, BrushBook& brushes, Messages& messages) {
+    const float side = buttonSide(brushRows().size() + 1);
     const auto tool = [&](const std::string& name, const char* label, const std::string& help) {
-        if (toolButton(brushes.tool == name, name, label, help)) selectTool(doc, brushes, messages, name);
+        if (toolButton(brushes.tool == name, name, label, help, side)) selectTool(doc, brushes, messages, name);
     };
     tool(kViewTool, "Look",
          "No painting. V switches to it and back. Right button and W A S D fly, Alt and left button orbit.");
