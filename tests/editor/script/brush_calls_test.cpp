@@ -101,7 +101,8 @@ TEST(BrushCalls, HeightsAreSculptedInMetres) {
         end)");
     EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'erode', radius = 1, talus = 95}").find("talus angle"),
               std::string::npos);
-    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'raise', radius = 0}").find("radius"), std::string::npos);
+    EXPECT_NE(Stage().fault("brush.select{map = 'height', mode = 'raise', radius = 0}").find("radius"),
+              std::string::npos);
 }
 
 TEST(BrushCalls, DirectionsAreCombedAndLaidTowardsAnAngle) {
