@@ -1,6 +1,9 @@
 // The tools: choosing and moving objects, then one a brush. Icons are drawn, so that no font must have them.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "panels/panels.h"
 #include "tools/brush_target.h"
 #include "tools/gizmo.h"
@@ -140,9 +143,16 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
 
 using Icon = void (*)(Draw, ImVec2 centre, float radius, ImU32 color);
 
+// As wide as the strip, but no larger than lets all of them fit one above the other.
+float buttonSide(size_t buttons) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    return std::max(8.f, std::min(room.x, std::floor((room.y - 2 * gap) / static_cast<float>(buttons) - gap)));
+}
+
 // True if it was pressed. `own`: its icon, of what is no brush.
-bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help, Icon own = nullptr) {
-    const float side = ImGui::GetContentRegionAvail().x;
+bool toolButton(bool chosen, const std::string& tool, const char* label, const std::string& help, float side,
+                Icon own = nullptr) {
     if (chosen) ui::pushAccent();
     const bool pressed = ImGui::Button(("##" + tool).c_str(), {side, side});
     if (chosen) ui::popAccent();
@@ -175,14 +185,15 @@ constexpr ObjectButton kObjectButtons[] = {
 }  // namespace
 
 void drawToolStrip(const Document& doc, BrushBook& brushes, GizmoMode& mode, Messages& messages) {
+    const float side = buttonSide(std::size(kObjectButtons) + brushRows().size());
     for (const ObjectButton& b : kObjectButtons) {
-        if (!toolButton(brushes.tool == kViewTool && mode == b.mode, b.label, b.label, b.help, b.icon)) continue;
+        if (!toolButton(brushes.tool == kViewTool && mode == b.mode, b.label, b.label, b.help, side, b.icon)) continue;
         selectTool(doc, brushes, messages, kViewTool);
         mode = b.mode;
     }
     ImGui::Spacing();
     for (const BrushRow& row : brushRows())
-        if (toolButton(brushes.tool == row.name, row.name, row.label, row.help))
+        if (toolButton(brushes.tool == row.name, row.name, row.label, row.help, side))
             selectTool(doc, brushes, messages, row.name);
 }
 

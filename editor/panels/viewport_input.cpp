@@ -25,6 +25,25 @@ void takePivot(FlyCamera& camera, std::optional<glm::dvec3> point) {
     if (point) camera.distance = std::max(0.05, glm::dot(*point - camera.eye, forwardOf(camera)));
 }
 
+// The ground under the pointer, as a stroke that is under way sees it: where it paints on heights, as they were when it
+// began. Ground that rises towards the eye would draw the stroke after it, the farther the slower the machine. The
+// height is that of now.
+std::optional<glm::dvec3> paintedAt(const Document& doc, const FlyCamera& camera, const Rect& view, double x,
+                                    double y) {
+    const std::map<std::string, Map>* before = doc.stroking() ? doc.strokeBefore() : nullptr;
+    const Ground ground = findGround(doc.project());
+    if (!before || !ground.terrain) return groundAt(doc, camera, view, x, y);
+    const auto heights = before->find(entityOf(doc.project(), *ground.terrain) + ".Terrain.height");
+    if (heights == before->end()) return groundAt(doc, camera, view, x, y);
+    Terrain then = *ground.terrain;
+    then.height.map = heights->second;
+    std::optional<glm::dvec3> at =
+        pickGround(Ground{&then, ground.origin}, viewOf(camera), static_cast<int>(view.w), static_cast<int>(view.h),
+                   x - static_cast<double>(view.x), y - static_cast<double>(view.y));
+    if (at) at->y = ground.origin.y + terrainHeight(*ground.terrain, at->x - ground.origin.x, at->z - ground.origin.z);
+    return at;
+}
+
 void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
     const std::optional<glm::dvec3> at = groundAt(p.doc, camera, hand.rect, in.x, in.y);
     if (!at) return;
@@ -93,7 +112,7 @@ void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, 
         if (hand.gesture == Gesture::Choose) dragChoosing(parts.objects, x, y);
         if (hand.gesture == Gesture::Gizmo) dragGizmo(parts.objects, x, y, in.ctrl());
         if (hand.gesture != Gesture::Paint) continue;
-        if (const auto at = groundAt(p.doc, camera, hand.rect, x, y)) {
+        if (const auto at = paintedAt(p.doc, camera, hand.rect, x, y)) {
             p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
             hand.strokeEnd = *at;
         }
@@ -226,7 +245,7 @@ void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand
     if (camera.eye != before || hand.gesture == Gesture::Orbit || hand.gesture == Gesture::Pan)
         stayAbove(paint.doc, camera.eye);
     if (hand.gesture != Gesture::None && !buttonHeld(hand.gesture, in)) endGesture(hand, parts, in);
-    hand.ground = input.over || hand.gesture == Gesture::Paint ? groundAt(paint.doc, camera, hand.rect, in.x, in.y)
+    hand.ground = input.over || hand.gesture == Gesture::Paint ? paintedAt(paint.doc, camera, hand.rect, in.x, in.y)
                                                                : std::nullopt;
 }
 

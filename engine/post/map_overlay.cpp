@@ -71,7 +71,7 @@ void draw(DrawContext& ctx) {
     glUniform1f(4, metresPerPixel);
     glUniform1f(5, texelsPerMetre);
     const glm::vec3 relief = reliefOf(ctx);
-    glUniform3fv(6, 1, &relief.x);
+    glUniform3f(6, relief.x, relief.y, relief.z);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -82,12 +82,13 @@ void draw(DrawContext& ctx) {
 
 const ProgramRow kPrograms[] = {
     {"post/map-overlay", "post/fullscreen.vert.glsl", "post/map_overlay.frag.glsl", nullptr, depthVariants}};
-const Pass kPasses[] = {{"post/map-overlay",
-                         Stage::Overlay,
-                         kViewMain,
-                         {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces}, .writes = {Slot::Image}},
-                         kPrograms,
-                         draw}};
+const Pass kPasses[] = {
+    {"post/map-overlay",
+     Stage::Overlay,
+     kViewMain,
+     {.reads = {Slot::SceneDepth, Slot::Image, Slot::Grass, Slot::Forces, Slot::Ground}, .writes = {Slot::Image}},
+     kPrograms,
+     draw}};
 
 }  // namespace
 

@@ -14,7 +14,11 @@ ViewCamera viewOf(const Camera& c) { return {c.eye, c.target, c.fovDeg, c.exposu
 
 std::optional<glm::dvec3> pickGround(const Project& p, const ViewCamera& c, int width, int height, double px,
                                      double py) {
-    const Ground ground = findGround(p);
+    return pickGround(findGround(p), c, width, height, px, py);
+}
+
+std::optional<glm::dvec3> pickGround(const Ground& ground, const ViewCamera& c, int width, int height, double px,
+                                     double py) {
     if (!ground.terrain || width <= 0 || height <= 0) return {};
     const glm::dvec3 forward = glm::normalize(c.target - c.eye);
     const glm::dvec3 up = std::abs(forward.y) > 0.9999 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);

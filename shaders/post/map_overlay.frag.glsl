@@ -119,7 +119,7 @@ void main() {
     else if (kind == FORCE_KIND)
         color = withArrows(forceColor(forceAt(place, level)), position, place, metresPerPixel);
     else if (kind == HEIGHTS)
-        color = heightView(place);
+        color = heightView(footOf(position, place));
     else
         color = vec4(srgb(texel.rgb), texel.a * 0.75);
 }

@@ -161,6 +161,20 @@ TEST_F(Sculptor, TheStatusSaysWhatAClickErased) {
     EXPECT_EQ(app->brushCost.stroke->added, 0);
 }
 
+// Ground that rises under a hand that rests would otherwise come nearer to the eye, and the stroke with it.
+TEST_F(Sculptor, GroundThatRisesUnderTheHandDoesNotDrawTheStrokeAlong) {
+    take("Raise", "2", "0.8");
+    const auto at = ground(0.5f, 0.7f);
+    ASSERT_TRUE(at);
+    press(x(0.5f), y(0.7f));
+    for (int i = 0; i < 6; ++i) moveTo(x(0.5f) + (i % 2), y(0.7f));
+    ASSERT_TRUE(app->hand.ground);
+    EXPECT_NEAR(app->hand.ground->x, at->x, 0.1);
+    EXPECT_NEAR(app->hand.ground->z, at->z, 0.1);
+    EXPECT_NEAR(heightAt(*at), 0.4, 0.02) << "one stamp of strength 0.5";
+    release();
+}
+
 TEST_F(Sculptor, TheRingLiesOnTheGroundThatItMakesAndHeightsHaveAnOverlay) {
     take("Raise", "4", "1");
     press(x(0.5f), y(0.8f));
