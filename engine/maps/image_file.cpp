@@ -121,6 +121,7 @@ OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
     if (info.channels == 2) spec.channelnames = {"R", "G"};
     if (info.channels == 2) spec.alpha_channel = -1;
     spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("DateTime", "");  // else the clock is written, and equal pictures are not equal files
     // The levels that cost half the time of the defaults for a few hundredths of size: saving is waited for.
     spec.attribute("compression", format == "exr" ? "zip:1" : "zip");
     spec.attribute("png:compressionLevel", 2);
