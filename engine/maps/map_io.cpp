@@ -285,7 +285,12 @@ Status checkMapLimits(const fs::path& file, const MapInfo& info) {
 
 Status checkImage(const fs::path& file) {
     const auto opened = ImageReader::open(file);
-    return opened ? Status() : Status(opened.error());
+    if (!opened) return opened.error();
+    const MapInfo& info = (*opened)->info();
+    std::vector<std::byte> band(size_t(info.width) * size_t(info.channels) * pixelBytes(info.type) * kTileSize);
+    for (int y = 0; y < info.height; y += kTileSize)
+        if (Status s = (*opened)->readRows(y, std::min(kTileSize, info.height - y), band.data()); !s) return s;
+    return {};
 }
 
 }  // namespace sward

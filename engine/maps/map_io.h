@@ -51,7 +51,7 @@ struct Image {
 };
 // Any image the same limits allow; values that are not finite become 0, or stay where `keepNonFinite` asks for it.
 Result<Image> readImage(const std::filesystem::path& file, bool keepNonFinite = false);
-// Whether readImage would accept the file, as far as its header tells.
+// Whether readImage would accept the file: all of it is decoded.
 Status checkImage(const std::filesystem::path& file);
 
 }  // namespace sward
