@@ -186,12 +186,17 @@ void addSplineCases(std::vector<FormulaRow>& rows) {
         .tolerance = kSplineTolerance, .methodTolerance = 2e-8, .low = -1e6, .high = 1e6
     });
     rows.push_back({
-        .id = "J-9", .name = "mean blades of texels that expect less than one", .inputs = 1, .outputs = 1,
-        .ours = BODY(int total = 0; for (int i = 0; i < 4096; i++) {
-            total += bladeCount(x[0], hashUnit(hash2(uint(i), 9u)));
+        .id = "J-9", .name = "mean blades of cells that expect few, where density is painted", .inputs = 2,
+        .outputs = 1,
+        .ours = BODY(int total = 0; Sown s = sownOf(x[0]); int n = sownBlades(x[0]); for (int i = 0; i < 4096; i++) {
+            for (int rank = 0; rank < n; rank++) {
+                real threshold = real(thresholdStep(n) * (rank + 1)) / real(kThresholds);
+                total += thresholdIn(threshold, s, cellChance(i % 64, i / 64, 9u)) <= x[1] ? 1 : 0;
+            }
         } y[0] = real(total) / 4096.0f;),
-        .published = BODY(y[0] = floor(x[0]);),
-        .samples = listed({{0}, {0.05}, {0.5}, {0.9}, {1}, {2.5}}, {{0}, {0.05}, {0.5}, {0.9}, {1}, {2.5}}),
+        .published = BODY(y[0] = floor(x[0] * x[1]);),
+        .samples = listed({{0, 1}, {0.05, 1}, {0.5, 1}, {0.9, 1}, {0.9, 0.5}, {1, 1}, {1, 0.3}, {2.5, 1}, {2.5, 0}},
+                          {{0}, {0.05}, {0.5}, {0.9}, {0.45}, {1}, {0.3}, {2.5}, {0}}),
         .tolerance = 0.024, .methodTolerance = 0.024, .low = 0, .high = 4
     });
 }

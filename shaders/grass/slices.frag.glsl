@@ -13,6 +13,7 @@ in vec3 foot;
 flat in vec4 images;
 flat in vec4 axes;
 flat in float lightLayer;
+flat in float chance;
 in vec3 gain;
 in vec3 brighter;
 in vec4 lamp[3];
@@ -50,8 +51,7 @@ void main() {
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
-    float alpha =
-        coveredAlpha(TRANSPARENCY, texelOpacity(stored.x, stored.y, density, slices.fade, level), grain(level));
+    float alpha = coveredAlpha(TRANSPARENCY, storedOpacity(stored, density, level, chance), grain(level));
     if (!(alpha > 0.0)) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);
