@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_light.glsl"
+#include "lib/sliver.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
 #include "numerics/hash.h"
@@ -52,7 +53,7 @@ void main() {
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
     float alpha = coveredAlpha(TRANSPARENCY, storedOpacity(stored, density, level, chance), grain(level));
-    if (!(alpha > 0.0)) discard;
+    if (!(alpha > 0.0) || !lies(vec2(0.5 * texel.x, texel.y))) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     vec3 light = clamp(sliceRadiance(spotHere(), leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
