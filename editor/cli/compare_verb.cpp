@@ -22,6 +22,14 @@ Status checkOptions(const CompareOptions& o) {
     return {};
 }
 
+// A picture that is not there is no unsound file: the work fails.
+Status checkThere(const CompareOptions& o) {
+    std::error_code fault;
+    for (const std::string& file : {o.a, o.b, o.mask})
+        if (!file.empty() && !fs::exists(file, fault)) return failed("does not exist", "check the name").at(file);
+    return {};
+}
+
 // Alpha is ignored: gray and gray with alpha are one kind, RGB and RGBA the other.
 bool gray(const Image& i) { return i.channels < 3; }
 
@@ -39,6 +47,7 @@ Result<std::vector<float>> readMask(const std::string& file, const Image& like) 
 }
 
 Result<PicturePair> readPair(const CompareOptions& o) {
+    if (Status s = checkThere(o); !s) return s.error();
     auto a = readImage(o.a, true), b = readImage(o.b, true);
     if (!a) return a.error();
     if (!b) return b.error();

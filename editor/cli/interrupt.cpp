@@ -7,16 +7,28 @@
 namespace sward {
 namespace {
 
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t pressed = 0;
-void press(int) { pressed = 1; }
+void press(int which) {
+    if (pressed) {
+        std::signal(which, SIG_DFL);
+        std::raise(which);
+    }
+    pressed = 1;
+}
 
 }  // namespace
 
 Interruptible::Interruptible() {
     pressed = 0;
-    before_ = std::signal(SIGINT, press);
+    for (size_t i = 0; i < std::size(kSignals); ++i) {
+        before_[i] = std::signal(kSignals[i], press);
+        if (before_[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN);  // as under nohup
+    }
 }
-Interruptible::~Interruptible() { std::signal(SIGINT, before_); }
+Interruptible::~Interruptible() {
+    for (size_t i = 0; i < std::size(kSignals); ++i) std::signal(kSignals[i], before_[i]);
+}
 bool interrupted() { return pressed != 0; }
 
 std::function<bool(double)> progressLine(const std::string& name) {

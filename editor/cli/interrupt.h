@@ -1,4 +1,5 @@
-// Ctrl+C while a verb works long: the work is cancelled, so that no file is left half-written; and how far it is.
+// Ctrl+C, or another polite signal to end, while a verb works long: the work is cancelled, so that no file is left
+// half-written; and how far it is.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -9,7 +10,7 @@
 
 namespace sward {
 
-// While one lives, Ctrl+C is noted instead of ending the program.
+// While one lives, Ctrl+C, SIGTERM and SIGHUP are noted instead of ending the program; the second of them ends it.
 class Interruptible {
   public:
     Interruptible();
@@ -18,7 +19,7 @@ class Interruptible {
     Interruptible& operator=(const Interruptible&) = delete;
 
   private:
-    void (*before_)(int);
+    void (*before_[3])(int);
 };
 // Whether it was pressed since the last Interruptible was made.
 bool interrupted();

@@ -66,6 +66,8 @@ struct Shot {
     std::string camera;
     double time;
     ViewCamera view;
+    // A shard's file is a part for merge, also of a picture that is one shard: whoever starts N of them need not ask.
+    bool isPart() const { return !options.shard.empty(); }
 };
 
 uint64_t partHash(const Shot& s) {
@@ -83,7 +85,7 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
     auto truth = waitFor(job, 0);
     if (!truth) return truth.error();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (s.settings.shards == 1) {
+    if (!s.isPart()) {
         if (Status st = writeTruth(*truth, file); !st) return st.error();
     } else {
         if (Status st = makeFolderOf(file); !st) return st.error();
@@ -98,7 +100,7 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
     j["samples"] = s.settings.samples;
     j["lighting"] = kReferenceLightings[s.settings.lighting], j["seconds"] = seconds;
     j["size"].push(s.settings.width), j["size"].push(s.settings.height);
-    if (s.settings.shards == 1) j["mean_error"] = meanOf(truth->error), j["grass"] = meanOf(truth->grass);
+    if (!s.isPart()) j["mean_error"] = meanOf(truth->error), j["grass"] = meanOf(truth->grass);
     j["memory"]["host_peak_bytes"] = int64_t(used.ru_maxrss) * 1024;
     return j;
 }
@@ -107,7 +109,7 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
 fs::path fileOf(const ReferenceOptions& o, const Project& p, const std::string& camera, bool several,
                 const ReferenceSettings& s) {
     const fs::path file = outputOf(o, p, camera, several);
-    if (s.shards == 1 || (!several && !o.out.empty())) return file;
+    if (o.shard.empty() || (!several && !o.out.empty())) return file;
     return fs::path(file).replace_extension(fmt::format(".{}-of-{}.part", s.shard, s.shards));
 }
 
@@ -151,7 +153,7 @@ Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
     s.lighting = o.lighting == "direct" ? ReferenceLighting::Direct : ReferenceLighting::Full;
     if (o.view != "final") return usage("the reference shows light alone", "leave --view out");
     if (o.frames < 0) return usage("--frames takes a number from 0");
-    if (s.shards > 1 && o.fps > 0) return usage("a film has no shards", "leave --shard or --fps out");
+    if (!o.shard.empty() && o.fps > 0) return usage("a film has no shards", "leave --shard or --fps out");
     return s;
 }
 

@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "cli/interrupt.h"
 #include "core/log.h"
 #include "model/bakes.h"
 #include "model/document.h"
@@ -84,6 +85,8 @@ int scriptVerb(const ScriptOptions& o) {
     LazyUi lazy(document);
     std::unique_ptr<UiDriver> window;
     ScriptHost host{document};
+    const Interruptible here;  // a script that is stopped takes its temporary folders along
+    host.stopped = interrupted;
     host.ui = &lazy;
     offerBakes(host);
     host.useCamera = [&](const std::string& name) { lazy.useCamera(name); };

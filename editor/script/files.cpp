@@ -55,11 +55,13 @@ fs::path firstExisting(const std::vector<fs::path>& folders, const fs::path& giv
 
 fs::path readablePath(lua_State* L, const std::string& given) {
     State& state = stateOf(L);
+    if (given.empty()) raise(L, usage("an empty name is no file", "name one"));
     return checked(L, firstExisting({state.folder, projectDir(state)}, given), given);
 }
 
 fs::path writablePath(lua_State* L, const std::string& given) {
     State& state = stateOf(L);
+    if (given.empty()) raise(L, usage("an empty name is no file, and no folder", "name one"));
     const fs::path base = state.folder.empty() ? projectDir(state) : state.folder;
     return checked(L, fs::path(given).is_absolute() ? fs::path(given) : base / given, given);
 }

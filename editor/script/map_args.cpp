@@ -1,16 +1,54 @@
 #include "script/map_args.h"
 
+#include "maps/map_repair.h"
+#include "scene/map_fields.h"
+
 #include "tools/stroke.h"
 
 namespace sward::script {
 
-NamedMap mapArg(lua_State* L, int arg) {
+MapUnits unitsOf(const ConstFieldRef& field, PixelType type) {
+    const FieldRow* range = field.row->map->heightRange;
+    if (!range || type == PixelType::F32) return {};
+    const glm::dvec2& metres = *static_cast<const glm::dvec2*>(fieldBeside(field, *range).value);
+    return {metres.x, metres.y - metres.x};
+}
+
+Map inUnits(const Map& map, const MapUnits& units) {
+    return units.plain() ? map : convertMap(map, PixelType::F32, std::pair(units.low, units.low + units.scale));
+}
+
+Map fromUnits(const Map& values, const MapUnits& units, PixelType type, const Map& before) {
+    if (units.plain()) return values;
+    const std::pair<double, double> range(units.low, units.low + units.scale);
+    const Map texels = convertMap(values, type, range);
+    if (before.empty()) return texels;
+    const Map was = convertMap(before, PixelType::F32, range);
+    Map out = before;
+    for (int y = 0; y < values.info().height; ++y)
+        for (int x = 0; x < values.info().width; ++x)
+            if (values.at(x, y) != was.at(x, y)) out.set(x, y, 0, texels.at(x, y));
+    return out;
+}
+
+namespace {
+NamedMap storedMap(lua_State* L, int arg) {
     const Project& p = openProject(L);
     const ConstFieldRef field = orRaise(L, findMap(p, stateOf(L).rows(), textArg(L, arg)));
     const auto& value = *static_cast<const MapField*>(field.value);
     if (!value.present()) raise(L, usage(field.path + ": there is no map", "create or import one first"));
     const MapScale scale = orRaise(L, mapScale(p, field));
-    return {field, value.map, scale.width, scale.depth, scale.repeats, scale.mirrored};
+    return {field,       value.map,   value.map,     unitsOf(field, value.map.info().type),
+            scale.width, scale.depth, scale.repeats, scale.mirrored};
+}
+}  // namespace
+
+NamedMap mapArg(lua_State* L, int arg) {
+    NamedMap m = storedMap(L, arg);
+    if (m.units.plain()) return m;
+    charge(L, uint64_t(m.stored.info().width) * uint64_t(m.stored.info().height));
+    m.map = inUnits(m.stored, m.units);
+    return m;
 }
 
 namespace {
@@ -26,7 +64,7 @@ const NamedMap& readMapArg(lua_State* L, int arg) {
     const char* name = luaL_checkstring(L, arg);
     auto* last = static_cast<LastMap*>(state.lastMap.get());
     if (!last || last->name != name || last->revision != state.document().revision()) {
-        auto found = std::make_shared<LastMap>(LastMap{name, state.document().revision(), mapArg(L, arg)});
+        auto found = std::make_shared<LastMap>(LastMap{name, state.document().revision(), storedMap(L, arg)});
         last = found.get();
         state.lastMap = std::move(found);
     }
@@ -34,6 +72,7 @@ const NamedMap& readMapArg(lua_State* L, int arg) {
 }
 
 void giveBack(lua_State* L, const NamedMap& of, Map map, const std::string& label) {
+    if (!of.units.plain()) map = fromUnits(map, of.units, of.stored.info().type, of.stored);
     orRaise(L, stateOf(L).document().setMap(of.field.path, std::move(map), label));
 }
 

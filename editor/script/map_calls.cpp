@@ -44,12 +44,16 @@ int create(lua_State* L, State& state) {
     if (info.channels != field.row->map->channels)
         raise(L, fmt::format("{} has {} channels, not {}", field.path, field.row->map->channels, info.channels));
     checkMapBytes(L, info);
-    Map map(info);
+    const MapUnits units = unitsOf(field, info.type);
+    Map map = inUnits(Map(info), units);
+    std::array<float, 4> value{};
     if (options.push("value")) {
         charge(L, texelCount(map) / 8);
-        fillMap(map, valueAt(L, -1, info.channels, "value"));
+        value = valueAt(L, -1, info.channels, "value");
         lua_pop(L, 1);
     }
+    if (value != std::array<float, 4>{} || !units.plain()) fillMap(map, value);
+    map = fromUnits(map, units, info.type);
     options.finish();
     orRaise(L, state.document().setMap(field.path, std::move(map), "create " + field.path));
     return 0;
@@ -164,7 +168,7 @@ int curve(lua_State* L, State&) {
     return 0;
 }
 
-// map.copy(to, from): the texels of another map of as many channels, in the field's own type; a map that is there is
+// map.copy(to, from): the values of another map of as many channels, in the field's own type; a map that is there is
 // replaced.
 int copy(lua_State* L, State& state) {
     const ConstFieldRef to = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
@@ -176,7 +180,10 @@ int copy(lua_State* L, State& state) {
     info.type = to.row->map->type;
     checkMapBytes(L, info);
     charge(L, texelCount(from.map) / 8);
-    orRaise(L, state.document().setMap(to.path, convertMap(from.map, info.type), "copy " + from.field.path));
+    const MapUnits units = unitsOf(to, info.type);
+    Map map = units.plain() ? convertMap(from.map, info.type)
+                            : fromUnits(convertMap(from.map, PixelType::F32), units, info.type);
+    orRaise(L, state.document().setMap(to.path, std::move(map), "copy " + from.field.path));
     return 0;
 }
 
@@ -266,7 +273,7 @@ int channelArg(lua_State* L, int arg, const Map& map) {
 int mean(lua_State* L, State&) {
     const NamedMap& m = readMapArg(L, 1);
     charge(L, texelCount(m.map) / 8);
-    lua_pushnumber(L, m.map.mean(channelArg(L, 2, m.map)));
+    lua_pushnumber(L, m.units.valueOf(m.map.mean(channelArg(L, 2, m.map))));
     return 1;
 }
 
@@ -276,7 +283,8 @@ int at(lua_State* L, State&) {
     const Tiling tiling{{m.width, m.depth}, m.repeats};
     const double x = numberArg(L, 2), z = numberArg(L, 3);
     for (int c = 0; c < m.map.info().channels; ++c)
-        lua_pushnumber(L, m.mirrored ? mirroredSample(m.map, tiling, x, z) : tiledSample(m.map, tiling, x, z, c));
+        lua_pushnumber(
+            L, m.units.valueOf(m.mirrored ? mirroredSample(m.map, tiling, x, z) : tiledSample(m.map, tiling, x, z, c)));
     return m.map.info().channels;
 }
 

@@ -1,13 +1,24 @@
-// What a script may do and how much: libraries, memory, instructions.
+// What a script may do and how much: libraries, memory, instructions, time.
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 #include "script/state.h"
 
 namespace sward::script {
 namespace {
 
-constexpr uint64_t kHookEvery = 1000;  // instructions between two looks at the bound
+constexpr uint64_t kHookEvery = 1000;  // instructions between two looks at the bounds
+constexpr uint64_t kRefusalCost = 100'000;
+
+// Of this thread, in seconds.
+double processorTime() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+double wallTime() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void* allocate(void* user, void* block, size_t oldSize, size_t newSize) {
     State& state = *static_cast<State*>(user);
@@ -17,7 +28,10 @@ void* allocate(void* user, void* block, size_t oldSize, size_t newSize) {
         state.memory -= oldSize;
         return nullptr;
     }
-    if (newSize > oldSize && state.memory + (newSize - oldSize) > state.host.limits.memoryBytes) return nullptr;
+    if (newSize > oldSize && state.memory + (newSize - oldSize) > state.host.limits.memoryBytes) {
+        state.instructions += kRefusalCost + state.memory;  // Lua looks through all that it holds for something to free
+        return nullptr;
+    }
     void* moved = std::realloc(block, newSize);
     if (moved) state.memory += newSize - oldSize;
     return moved;
@@ -26,15 +40,29 @@ void* allocate(void* user, void* block, size_t oldSize, size_t newSize) {
 // Level 0 is the running function (for the hook), 1 the one that called it (for calls of ours).
 void count(lua_State* L, uint64_t instructions, int level);
 
-// Once the bound is reached every further instruction raises, so that no pcall can carry on.
+// Once a bound is reached every further instruction raises, so that no pcall can carry on.
 void countHook(lua_State* L, lua_Debug*) { count(L, kHookEvery, 0); }
+
+// Which bound the script has reached; empty: none. A thread's own time is asked for only where so much has passed.
+std::string boundReached(State& state) {
+    const ScriptLimits& limits = state.host.limits;
+    if (state.instructions > limits.instructions)
+        return fmt::format("the script used up its {} instructions", limits.instructions);
+    if (wallTime() - state.wallBegan > limits.seconds && processorTime() - state.timeBegan > limits.seconds)
+        return fmt::format("the script used up its {} s of the processor's time", limits.seconds);
+    if (state.host.stopped && state.host.stopped()) {
+        state.stopped = true;
+        return "interrupted";
+    }
+    return {};
+}
 
 void count(lua_State* L, uint64_t instructions, int level) {
     State& state = stateOf(L);
     const uint64_t most = state.host.limits.instructions;
-    state.instructions = std::min(state.instructions, most) + std::min(instructions, most + 1);
-    if (state.instructions <= most) return;
-    state.limitHit = fmt::format("the script used up its {} instructions", most);
+    state.instructions = std::min(state.instructions, most + 1) + std::min(instructions, most + 1);
+    if (state.limitHit.empty()) state.limitHit = boundReached(state);
+    if (state.limitHit.empty()) return;
     lua_sethook(L, countHook, LUA_MASKCOUNT, 1);
     luaL_where(L, level);
     lua_pushstring(L, state.limitHit.c_str());
@@ -109,29 +137,64 @@ int handledCall(lua_State* L, State&) {
     return 2;
 }
 
+// The library's function below its arguments, which is the upvalue of what stands in for it.
+int callWrapped(lua_State* L) {
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    return lua_gettop(L);
+}
+
 // A new coroutine's first instructions are not looked at: it pays for them in advance.
 int payForCoroutine(lua_State* L) {
     charge(L, kHookEvery);
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_insert(L, 1);
-    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
-    return lua_gettop(L);
+    return callWrapped(L);
 }
 
-// table.move works off any range in one call.
-int payForMove(lua_State* L) {
-    const double from = luaL_checknumber(L, 2), to = luaL_checknumber(L, 3);
-    if (to > from) charge(L, static_cast<uint64_t>(std::min(to - from, 1e18)));
-    lua_pushvalue(L, lua_upvalueindex(1));
-    lua_insert(L, 1);
-    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
-    return lua_gettop(L);
+void chargeSteps(lua_State* L, double steps) {
+    if (steps > 0) charge(L, static_cast<uint64_t>(std::min(steps, 1e18)));
 }
 
-void wrap(lua_State* L, const char* table, const char* name, lua_CFunction with) {
+// What the table library works off in one call are elements that are there, or a range that the call names: a length
+// that a metatable states would be neither.
+double ownLength(lua_State* L) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+    if (luaL_getmetafield(L, 1, "__len") != LUA_TNIL) raise(L, "the table's length is not its own (__len)");
+    return static_cast<double>(lua_rawlen(L, 1));
+}
+// table.insert(t, at, value), table.remove(t, at): what lies behind moves. The second upvalue is the number of
+// arguments with which nothing does.
+int payForShift(lua_State* L) {
+    const double length = ownLength(L), at = luaL_optnumber(L, 2, length);
+    if (lua_gettop(L) != lua_tointeger(L, lua_upvalueindex(2))) chargeSteps(L, length - at);
+    return callWrapped(L);
+}
+// Comparisons without a function of the script's are no instructions.
+int payForSort(lua_State* L) {
+    const double length = ownLength(L);
+    chargeSteps(L, 4 * length * std::log2(length + 2));
+    return callWrapped(L);
+}
+// table.move(t, from, to, …), table.concat(t, separator, from, to), table.unpack(t, from, to): ranges. The second
+// upvalue is the argument in which a range begins.
+int payForRange(lua_State* L) {
+    const int first = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2)));
+    const bool given = !lua_isnoneornil(L, first + 1);
+    chargeSteps(L, (given ? luaL_checknumber(L, first + 1) : ownLength(L)) - luaL_optnumber(L, first, 1));
+    return callWrapped(L);
+}
+// string.rep of nothing still counts.
+int payForRepeats(lua_State* L) {
+    chargeSteps(L, luaL_checknumber(L, 2) / 8);
+    return callWrapped(L);
+}
+
+// argument: the closure's second upvalue.
+void wrap(lua_State* L, const char* table, const char* name, lua_CFunction with, int argument = 0) {
     lua_getglobal(L, table);
     lua_getfield(L, -1, name);
-    lua_pushcclosure(L, with, 1);
+    lua_pushinteger(L, argument);
+    lua_pushcclosure(L, with, 2);
     lua_setfield(L, -2, name);
     lua_pop(L, 1);
 }
@@ -158,7 +221,13 @@ void openLibraries(lua_State* L) {
     lua_register(L, "xpcall", luaCall<handledCall>);
     wrap(L, LUA_COLIBNAME, "create", payForCoroutine);
     wrap(L, LUA_COLIBNAME, "wrap", payForCoroutine);
-    wrap(L, LUA_TABLIBNAME, "move", payForMove);
+    wrap(L, LUA_TABLIBNAME, "move", payForRange, 2);
+    wrap(L, LUA_TABLIBNAME, "concat", payForRange, 3);
+    wrap(L, LUA_TABLIBNAME, "unpack", payForRange, 2);
+    wrap(L, LUA_TABLIBNAME, "insert", payForShift, 2);  // two arguments append
+    wrap(L, LUA_TABLIBNAME, "remove", payForShift, 1);  // one takes the last
+    wrap(L, LUA_TABLIBNAME, "sort", payForSort);
+    wrap(L, LUA_STRLIBNAME, "rep", payForRepeats);
 }
 
 int openAll(lua_State* L) {
@@ -193,6 +262,7 @@ Error failureOf(lua_State* L, int status, const std::string& token, const std::f
     Error error = located(message, token, file);
     if (!state.limitHit.empty() && !message.ends_with(state.limitHit)) error.message = state.limitHit;
     if (error.file.empty()) error.file = file.string();
+    if (state.stopped) error.code = ExitCode::Interrupted;
     // A call's error keeps its exit code if it is what ended the script.
     if (state.lastError && state.limitHit.empty() && message.ends_with(state.lastError->text()))
         error.code = state.lastError->code;
@@ -217,6 +287,8 @@ Status runChunk(lua_State* L, int nargs, const std::string& token, const std::fi
     State& state = stateOf(L);
     state.instructions = 0;
     state.limitHit.clear();
+    state.stopped = false;
+    state.wallBegan = wallTime(), state.timeBegan = processorTime();
     state.lastError.reset();
     lua_sethook(L, countHook, LUA_MASKCOUNT, static_cast<int>(kHookEvery));
     const int status = lua_pcall(L, nargs, LUA_MULTRET, 0);

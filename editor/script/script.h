@@ -1,8 +1,8 @@
 // Runs Lua scripts on the open document: the same calls serve tests, batch work, map making and the editor's console.
 // The calls are described in docs/scripting.md.
 // Does not: open windows; ui.* goes to the UiDriver that the host has, and fails without one.
-// Scripts are Lua 5.4 text without os, io, debug, load and require, bounded in instructions and memory, and reach only
-// files in the script's folder, the open project's and temporary copies that they make.
+// Scripts are Lua 5.4 text without os, io, debug, load and require, bounded in instructions, time and memory, and reach
+// only files in the script's folder, the open project's and temporary copies that they make.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +18,7 @@ namespace sward {
 
 struct ScriptLimits {
     uint64_t instructions = 4'000'000'000;   // about half a minute; map operations count by their texels
+    double seconds = 600;                    // of the processor's time in the script's thread
     size_t memoryBytes = size_t(512) << 20;  // of Lua's values
     size_t mapBytes = size_t(2) << 30;       // of all maps of the project together, for what scripts create
 };
@@ -34,6 +35,7 @@ struct ScriptHost {
     std::string camera{};                    // the last that camera.use named
     BrushSettings brush{};                   // the last that brush.select chose
     ScriptLimits limits{};
+    std::function<bool()> stopped{};  // asked now and then: true ends the script, with the exit code of interruptions
 };
 
 // Runs a script file. An error carries the script's file and line, and the exit code of what failed (1 for the

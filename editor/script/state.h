@@ -17,6 +17,8 @@ struct State {
     std::vector<std::filesystem::path> tempDirs;  // made by tempCopy and new; removed at the end
     uint64_t instructions = 0;                    // used so far
     size_t memory = 0;                            // held now
+    double wallBegan = 0, timeBegan = 0;          // when the chunk began: by the clock, and of this thread; seconds
+    bool stopped = false;                         // ScriptHost::stopped ended it
     std::string limitHit;                         // message of the bound that ended the script
     std::optional<Error> lastError;               // the last error a call raised, with its exit code
     std::shared_ptr<void> lastMap;                // the map last read (map_args.cpp), for calls texel by texel

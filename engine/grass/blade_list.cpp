@@ -58,9 +58,10 @@ struct Lister {
         const float density = q.cells.density ? tiledSample(*q.cells.density, tiling, place.x, place.y) : 1.0f;
         const float slack = q.cells.density ? kSlack + (tiling.repeats ? tiledSlack(place) : 0) : 0;
         const float weight = f32::lodRamp(distance * (1 - kSlack) - kSlack, q.cells.range.min, q.cells.range.inv);
+        const float threshold = thresholdIn(q.cells, cell, b);
         const float slices = f32::sliceOpacity(std::max(density - slack, 0.0f), std::max(weight - kSlack, 0.0f),
-                                               b.threshold, q.cells.fade);
-        return f32::opacityConserving(std::min(density + slack, 1.0f), b.threshold, q.cells.fade) - slices;
+                                               threshold, q.cells.fade);
+        return f32::opacityConserving(std::min(density + slack, 1.0f), threshold, q.cells.fade) - slices;
     }
 
     // Four roundings of the place's coordinates, in texels: densities of neighbours differ by at most 1.

@@ -79,6 +79,13 @@ struct CellSelection {
                               down = f32::cellTexels(z, texels.y, info.height);
         return texelRange(*q.density, across.first, across.last, down.first, down.last);
     }
+    // Whether the cell has any of the patch's blades.
+    bool grows(int x, int z) const {
+        const float most = density(x, z).second;
+        const float t = f32::highestThresholdDrawn(most, rule.fade) + 1e-5f;
+        return most > 0 && q.patch.upTo[static_cast<size_t>(
+                               f32::thresholdNumber(f32::patchThreshold(rule, t, chanceOf(q, x, z))))] > 0;
+    }
     int quadsAt(float distance) const {
         if (q.levels.smoothness > 0)
             return f32::tessMost(static_cast<float>(q.levels.smoothness), distance, q.levels.maxDistance,
@@ -87,7 +94,7 @@ struct CellSelection {
     }
     std::pair<uint32_t, uint32_t> share(int x, int z, float nearest, float least, float most) const {
         if (!q.unique) {
-            const f32::CellShare s = f32::cellShare(rule, nearest, least, most);
+            const f32::CellShare s = f32::cellShare(rule, nearest, least, most, chanceOf(q, x, z));
             return {q.patch.upTo[static_cast<size_t>(s.low)], q.patch.upTo[static_cast<size_t>(s.high)]};
         }
         const float slices = f32::sliceDensity(least, f32::lodRamp(nearest, rule.rangeMin, rule.rangeInv));
@@ -127,7 +134,16 @@ f32::CellGrid cellGrid(const CellQuery& q) {
     return {glm::vec2(cell), glm::vec2(eye - cell * q.cellSize), glm::vec2(q.terrain.size - eye),
             static_cast<float>(q.cellSize)};
 }
-f32::CellRule cellRule(const CellQuery& q) { return {q.fade, q.thinning, q.range.min, q.range.inv}; }
+f32::CellRule cellRule(const CellQuery& q) {
+    const float unspread = 1 / q.patch.sown.spread;
+    return {q.fade, q.thinning, q.range.min, q.range.inv, unspread, q.patch.sown.step * unspread};
+}
+float chanceOf(const CellQuery& q, int x, int z) {
+    return q.patch.sown.step > 0 ? f32::cellChance(x, z, q.sowSeed) : 0.5f;
+}
+float thresholdIn(const CellQuery& q, const CellDraw& c, const Blade& b) {
+    return f32::thresholdIn(b.threshold, q.patch.sown, chanceOf(q, c.cellX, c.cellZ));
+}
 glm::vec2 texelsPerCell(const CellQuery& q) {
     return glm::vec2(q.cellSize / q.densityTiling.metres *
                      glm::dvec2(q.density->info().width, q.density->info().height));
@@ -161,6 +177,7 @@ CellQuery cellQuery(const QueryOf& of, const QueryFrom& from) {
             of.blades,
             isUnique(of.field) ? 0 : of.fade,
             static_cast<uint32_t>(of.field.seed),
+            sowingSeed(s, static_cast<uint32_t>(of.field.seed)),
             s.segments,
             from.pixelsPerMetre,
             from.eye,
@@ -211,9 +228,9 @@ std::vector<CellNode> selectNodes(const CellQuery& q, uint64_t* looked) {
 NodeBounds nodeBounds(const CellQuery& q, const CellNode& n) {
     const CellSelection s(q, 0);
     const float nearest = std::sqrt(f32::boxNearest2(f32::cellBox(s.grid, n.x, n.z, f32::kNodeSide, n.low, n.high)));
-    const f32::CellShare share = f32::cellShare(s.rule, nearest, 0, 1);
-    return {q.patch.upTo[static_cast<size_t>(share.high)] - q.patch.upTo[static_cast<size_t>(share.low)],
-            s.quadsAt(nearest), nearest};
+    const int low = f32::cellShare(s.rule, nearest, 0, 1, 0).low, high = f32::cellShare(s.rule, nearest, 0, 1, 1).high;
+    return {q.patch.upTo[static_cast<size_t>(high)] - q.patch.upTo[static_cast<size_t>(low)], s.quadsAt(nearest),
+            nearest};
 }
 
 std::vector<CellDraw> selectCells(const CellQuery& q, uint64_t* looked) {
@@ -228,7 +245,7 @@ std::vector<SliceCell> selectSliceCells(const CellQuery& q, float near, float fa
     CellSelection s(q, far);
     std::vector<std::pair<float, SliceCell>> found;
     s.eachCell([&](int x, int z, const Box& b) {
-        if (std::sqrt(f32::boxFarthest2(b)) <= near || s.density(x, z).second <= 0) return;
+        if (std::sqrt(f32::boxFarthest2(b)) <= near || !s.grows(x, z)) return;
         const f32::CellVersion v = f32::cellVersion(x, z, q.seed);
         found.push_back({f32::boxNearest2(b), {x, z, b.low.x, b.low.z, v.mirror, v.shift}});
     });
@@ -258,7 +275,7 @@ uint64_t visibleInCell(const CellQuery& q, const CellDraw& c) {
         const float density =
             q.density ? tiledSample(*q.density, q.densityTiling, u * q.terrain.size.x, v * q.terrain.size.y) : 1.0f;
         const float weight = f32::lodRamp(glm::length(at), q.range.min, q.range.inv);
-        n += f32::geometryOpacity(density, weight, b.threshold, q.fade) > 0 && q.frustum.touches(at, at);
+        n += f32::geometryOpacity(density, weight, thresholdIn(q, c, b), q.fade) > 0 && q.frustum.touches(at, at);
     }
     return n;
 }

@@ -70,6 +70,7 @@ struct CellQuery {
     FadeRange range;       // where blades are drawn one by one
     float fade;            // omega
     uint32_t seed;         // the field's
+    uint32_t sowSeed;      // sowingSeed
     int segments;          // the species': the most that are drawn
     float pixelsPerMetre;  // at a distance of 1 m
     glm::dvec3 eye;        // relative to the terrain's corner
@@ -107,6 +108,9 @@ struct CellNode {
 };
 f32::CellGrid cellGrid(const CellQuery& q);
 f32::CellRule cellRule(const CellQuery& q);
+// A cell's chance (numerics/sowing.h), and the threshold that a blade of the patch has there.
+float chanceOf(const CellQuery& q, int x, int z);
+float thresholdIn(const CellQuery& q, const CellDraw& c, const Blade& b);
 // Whether the GPU knows how to choose these cells: not blades of each cell's own, nor by a density map that repeats.
 bool gpuMayChoose(const CellQuery& q);
 // Cells along x and z of the whole field.

@@ -56,6 +56,9 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     g.fade = isUnique(f) ? 0 : field.of->settings<GrassDrawing>().fade;
     g.index = static_cast<int>(index);
     g.translucency = sp.translucency, g.gloss = sp.gloss, g.roughness = sp.roughness;
+    const f32::Sown& sown = s.drawn().sown;
+    g.spread = sown.spread, g.step = sown.step, g.sownShare = sown.share;
+    g.sowSeed = sowingSeed(sp, g.seed);
     g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }

@@ -55,25 +55,32 @@ struct Section {
         }
     }
     // A blade seen along z, with its root at x metres. Its strip tapers as its texture's alpha does.
-    void blade(const Blade& b, float x) {
+    void blade(const Blade& b, float threshold, float x) {
         const float seenWidth = 0.5f * b.width * std::abs(b.facing.y) * metre;
         glm::vec2 before(x * metre, 0);
         for (int i = 1; i <= kSteps; ++i) {
             const float v0 = static_cast<float>(i - 1) / kSteps, v1 = static_cast<float>(i) / kSteps;
             const glm::vec3 p = f32::bladePosition(b.control, b.tip, v1);
             const glm::vec2 now((x + p.x) * metre, p.y * metre);
-            piece(before, now, seenWidth * (1 - v0 * v0), seenWidth * (1 - v1 * v1), b.threshold);
+            piece(before, now, seenWidth * (1 - v0 * v0), seenWidth * (1 - v1 * v1), threshold);
             before = now;
         }
     }
 };
 
-// All blades whose roots lie in [0, length) x [0, thickness) of the field that repeats the patch.
+// All blades whose roots lie in [0, length) x [0, thickness) of the field that repeats the patch, each with its
+// threshold there.
 void drawSection(Section& s, const Patch& patch, float cellSize, float length, float thickness) {
-    for (float z0 = 0; z0 < thickness; z0 += cellSize)
-        for (float x0 = 0; x0 < length; x0 += cellSize)
+    int row = 0;
+    for (float z0 = 0; z0 < thickness; z0 += cellSize, ++row) {
+        int column = 0;
+        for (float x0 = 0; x0 < length; x0 += cellSize, ++column) {
+            const float chance = f32::cellChance(column, row, 0);
             for (const Blade& b : patch.blades)
-                if (x0 + b.root.x < length && z0 + b.root.y < thickness) s.blade(b, x0 + b.root.x);
+                if (x0 + b.root.x < length && z0 + b.root.y < thickness)
+                    s.blade(b, f32::thresholdIn(b.threshold, patch.sown, chance), x0 + b.root.x);
+        }
+    }
 }
 
 // Share of a texel's places that are free at a density.

@@ -464,7 +464,7 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.slices = s.slices.slices;
     g.reflectScale = s.slices.reflectScale;
     g.area = {s.look.across, s.look.above}, g.laidArea = {s.look.laidAcross, s.look.laidAbove};
-    g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth;
+    g.farHeight = images.farHeight * s.slices.top, g.farDepth = s.slices.farDepth * s.patch.sown.share;
     g.eyeCell = cell, g.inCell = eye - cell;
     g.fade = field.view->settings<GrassDrawing>().fade;
     g.seed = static_cast<uint32_t>(f.seed);
@@ -480,6 +480,9 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.meanHeight = s.look.height / f.cellSize;
     g.sharpness = std::exp2(-images.sharpness);
     g.layers = s.slices.layers;
+    const f32::Sown& sown = s.patch.sown;
+    g.spread = sown.spread, g.step = sown.step, g.sownShare = sown.share;
+    g.sowSeed = sowingSeed(sp, g.seed);
     return g;
 }
 

@@ -36,8 +36,13 @@ std::optional<PixelType> typeOf(const OIIO::TypeDesc& type) {
             return PixelType::U8;
         case OIIO::TypeDesc::UINT16:
             return PixelType::U16;
+        case OIIO::TypeDesc::INT8:
+        case OIIO::TypeDesc::INT16:
+        case OIIO::TypeDesc::INT32:
+        case OIIO::TypeDesc::UINT32:
         case OIIO::TypeDesc::HALF:
         case OIIO::TypeDesc::FLOAT:
+        case OIIO::TypeDesc::DOUBLE:
             return PixelType::F32;
         default:
             return {};
@@ -50,17 +55,55 @@ OIIO::TypeDesc descOf(PixelType type) {
                                     : OIIO::TypeDesc::FLOAT;
 }
 
+// The type in which a file is read: integers that become floats as they are, before the library makes shares of them.
+OIIO::TypeDesc readAs(const OIIO::TypeDesc& stored, PixelType type) {
+    const bool numbers = !stored.is_floating_point() && type == PixelType::F32;
+    return numbers ? OIIO::TypeDesc(static_cast<OIIO::TypeDesc::BASETYPE>(stored.basetype)) : descOf(type);
+}
+
+template <class T>
+void toFloats(const std::vector<std::byte>& in, float* out) {
+    for (size_t i = 0; i < in.size() / sizeof(T); ++i) {
+        T value;
+        std::memcpy(&value, in.data() + i * sizeof(T), sizeof(T));
+        out[i] = static_cast<float>(value);
+    }
+}
+void numbersToFloats(const OIIO::TypeDesc& type, const std::vector<std::byte>& in, float* out) {
+    switch (type.basetype) {
+        case OIIO::TypeDesc::INT8:
+            return toFloats<int8_t>(in, out);
+        case OIIO::TypeDesc::INT16:
+            return toFloats<int16_t>(in, out);
+        case OIIO::TypeDesc::INT32:
+            return toFloats<int32_t>(in, out);
+        default:
+            return toFloats<uint32_t>(in, out);
+    }
+}
+
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 class OiioReader final : public ImageReader {
   public:
-    OiioReader(std::filesystem::path file, std::unique_ptr<OIIO::ImageInput> input, MapInfo info)
-        : file_(std::move(file)), input_(std::move(input)), info_(info), first_(input_->spec().y) {}
+    OiioReader(std::filesystem::path file, std::unique_ptr<OIIO::ImageInput> input, MapInfo info,
+               std::optional<double> noData)
+        : file_(std::move(file)),
+          input_(std::move(input)),
+          info_(info),
+          noData_(noData),
+          first_(input_->spec().y),
+          type_(readAs(input_->spec().format, info.type)) {}
     const MapInfo& info() const override { return info_; }
+    std::optional<double> noData() const override { return noData_; }
 
     Status readRows(int y0, int rows, void* out) override {
         try {
-            return tiled() ? readFromTiles(y0, rows, out) : readFromScanlines(y0, rows, out);
+            if (type_ == descOf(info_.type)) return read(y0, rows, out);
+            std::vector<std::byte> numbers(rowBytes() * size_t(rows));
+            if (Status s = read(y0, rows, numbers.data()); !s) return s;
+            numbersToFloats(type_, numbers, static_cast<float*>(out));
+            return {};
         } catch (const std::exception& e) {
             return truncated(e.what());
         }
@@ -68,52 +111,63 @@ class OiioReader final : public ImageReader {
 
   private:
     bool tiled() const { return input_->spec().tile_width > 0; }
+    size_t rowBytes() const { return size_t(info_.width) * size_t(info_.channels) * type_.size(); }
+    Status read(int y0, int rows, void* out) {
+        return tiled() ? readFromTiles(y0, rows, out) : readFromScanlines(y0, rows, out);
+    }
     Error truncated(const std::string& why) const {
         return unsound(fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again").at(file_);
     }
     Status readFromScanlines(int y0, int rows, void* out) {
-        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, descOf(info_.type),
-                                   out))
-            return {};
+        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, type_, out)) return {};
         return truncated(input_->geterror());
     }
     // Tiles may be of any height, so the whole image is read at the first call.
     Status readFromTiles(int y0, int rows, void* out) {
-        const size_t rowBytes = size_t(info_.width) * size_t(info_.channels) * pixelBytes(info_.type);
         if (whole_.empty()) {
-            whole_.resize(rowBytes * size_t(info_.height));
-            if (!input_->read_image(0, 0, 0, info_.channels, descOf(info_.type), whole_.data()))
+            whole_.resize(rowBytes() * size_t(info_.height));
+            if (!input_->read_image(0, 0, 0, info_.channels, type_, whole_.data()))
                 return truncated(input_->geterror());
         }
-        std::memcpy(out, whole_.data() + rowBytes * size_t(y0), rowBytes * size_t(rows));
+        std::memcpy(out, whole_.data() + rowBytes() * size_t(y0), rowBytes() * size_t(rows));
         return {};
     }
 
     std::filesystem::path file_;
     std::unique_ptr<OIIO::ImageInput> input_;
     MapInfo info_;
+    std::optional<double> noData_;
     int first_;
+    OIIO::TypeDesc type_;  // in which the library gives texels
     std::vector<std::byte> whole_;
 };
 
-Result<std::unique_ptr<ImageReader>> openFormat(const std::filesystem::path& file, const std::string& format) {
+// Why the library did not open a file whose header is sound.
+Error openFault(const std::string& why) {
+    if (why.find("ubsampled") != std::string::npos)
+        return unsound("has channels of different sizes (subsampled)", "export every channel at the full size");
+    if (why.find("upport") != std::string::npos)
+        return unsound("is of a kind that is not read", "export floats, or integers of 8, 16 or 32 bits");
+    return unsound(fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again");
+}
+
+Result<std::unique_ptr<ImageReader>> openFormat(const std::filesystem::path& file, const ImageHead& head) {
+    const std::string& format = head.format;
     auto input = OIIO::ImageInput::create(format == "exr" ? "openexr" : format == "tif" ? "tiff" : format);
     if (!input) return unsound(fmt::format("cannot be read: this OpenImageIO has no {}", format)).at(file);
     OIIO::ImageSpec spec;
-    if (!input->open(file.string(), spec, asStored()))
-        return unsound(fmt::format("is truncated or damaged: {}", firstLine(input->geterror())), "export it again")
-            .at(file);
+    if (!input->open(file.string(), spec, asStored())) return openFault(input->geterror()).at(file);
     const std::optional<PixelType> type = typeOf(spec.format);
     if (!type || spec.deep || spec.depth > 1)
         return unsound(fmt::format("holds {}{}", spec.format.c_str(),
                                    spec.deep        ? ", deep"
                                    : spec.depth > 1 ? ", a volume"
                                                     : ""),
-                       "use 8 or 16 bits, half or float")
+                       "export one flat image of floats, or of integers of 8, 16 or 32 bits")
             .at(file);
     if (Status s = checkLimits(file, spec.width, spec.height, spec.nchannels, pixelBytes(*type)); !s) return s.error();
     const MapInfo info{spec.width, spec.height, spec.nchannels, *type};
-    return std::unique_ptr<ImageReader>(std::make_unique<OiioReader>(file, std::move(input), info));
+    return std::unique_ptr<ImageReader>(std::make_unique<OiioReader>(file, std::move(input), info, head.noData));
 }
 
 OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
@@ -121,6 +175,7 @@ OIIO::ImageSpec specFor(const std::string& format, const MapInfo& info) {
     if (info.channels == 2) spec.channelnames = {"R", "G"};
     if (info.channels == 2) spec.alpha_channel = -1;
     spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("DateTime", "");  // else the clock is written, and equal pictures are not equal files
     // The levels that cost half the time of the defaults for a few hundredths of size: saving is waited for.
     spec.attribute("compression", format == "exr" ? "zip:1" : "zip");
     spec.attribute("png:compressionLevel", 2);
@@ -152,7 +207,7 @@ Result<std::unique_ptr<ImageReader>> ImageReader::open(const std::filesystem::pa
     if (Status s = checkLimits(file, head->width, head->height, 1, 1); !s) return s.error();
     useAllCores();
     try {
-        return openFormat(file, head->format);
+        return openFormat(file, *head);
     } catch (const std::exception& e) {
         return unsound(fmt::format("is truncated or damaged: {}", firstLine(e.what())), "export it again").at(file);
     }

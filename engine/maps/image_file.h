@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
@@ -12,15 +13,19 @@
 
 namespace sward {
 
-// Reads rows of a file in its own type (half floats as F32), channels interleaved, first row on top.
+// Reads rows of a file, channels interleaved, first row on top. 8 and 16-bit integers without a sign are shares of
+// their full scale, and stay what they are. All else comes as F32: floats of any size, and integers with a sign or of
+// 32 bits by their values, as those of elevation models, which are metres.
 class ImageReader {
   public:
     // Reads the header only. Unsound error if the file cannot be read, is of another format, damaged, of size 0,
-    // beyond kMaxMapSide or kMaxMapBytes, has more than four channels, or another type than 8- or 16-bit integers and
-    // floats. Sizes are checked before the library sees the file.
+    // beyond kMaxMapSide or kMaxMapBytes, has more than four channels, channels of different sizes, or integers of 64
+    // bits. Sizes are checked before the library sees the file.
     static Result<std::unique_ptr<ImageReader>> open(const std::filesystem::path& file);
     virtual ~ImageReader() = default;
     virtual const MapInfo& info() const = 0;
+    // ImageHead::noData, in the file's own numbers.
+    virtual std::optional<double> noData() const = 0;
     // Rows in order: y0 = 0 first, then where the last call ended; `out` takes rows * width texels.
     virtual Status readRows(int y0, int rows, void* out) = 0;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
@@ -13,6 +14,7 @@ namespace sward {
 struct ImageHead {
     std::string format;  // "png", "exr" or "tif"
     int64_t width = 0, height = 0;
+    std::optional<double> noData;  // of a GeoTIFF: the value of texels of which nothing is known
 };
 // Unsound error if the file cannot be read, is empty or truncated within its header, or of none of these formats.
 // The chunks of a PNG and the strips or tiles of a TIFF must lie within the file.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/file.h"
 #include "core/json.h"
@@ -13,6 +14,8 @@ namespace fs = std::filesystem;
 
 namespace sward {
 namespace {
+
+constexpr float kNoTexel = std::numeric_limits<float>::quiet_NaN();
 
 using Range = std::optional<std::pair<double, double>>;
 
@@ -55,11 +58,13 @@ void writeFlipped(Map& map, int y0, int rows, const std::byte* in, bool flip) {
     for (int i = 0; i < rows; ++i) map.writeRows(map.info().height - 1 - (y0 + i), 1, in + size_t(i) * rowBytes);
 }
 
-Result<Map> readPixels(const fs::path& file, const MapWish& wish) {
+// noData: as ImageReader has it, if given.
+Result<Map> readPixels(const fs::path& file, const MapWish& wish, std::optional<double>* noData = nullptr) {
     auto opened = ImageReader::open(file);
     if (!opened) return opened.error();
     ImageReader& reader = **opened;
     const MapInfo own = reader.info();
+    if (noData) *noData = reader.noData();
     if (Status s = checkWish(file, own, wish); !s) return s.error();
     MapInfo info = own;
     if (wish.channels != 0) info.channels = wish.channels;
@@ -173,11 +178,44 @@ Status writeSidecar(const fs::path& r16, const MapInfo& info, const Range& range
 }
 
 // --- readMap -----------------------------------------------------------------------------------------------------
-void describeRepair(const TexelRepair& r, std::vector<std::string>& out) {
+// noData: how many of them the file says to have none.
+void describeRepair(const TexelRepair& r, size_t noData, std::vector<std::string>& out) {
     const std::string place = fmt::format("texel ({}, {})", r.firstX, r.firstY);
-    const std::string count = r.count == 1 ? place + " is" : fmt::format("{} and {} more are", place, r.count - 1);
-    out.push_back(count + " not finite; replaced by " +
-                  (r.anyFinite ? "the nearest finite texel" : "0, for there is no finite texel"));
+    const std::string count = r.count == 1 ? place : fmt::format("{} and {} more", place, r.count - 1);
+    const std::string verb = noData == 0         ? (r.count == 1 ? "is not finite" : "are not finite")
+                             : noData == r.count ? (r.count == 1 ? "has no data" : "have no data")
+                                                 : "are not finite or have no data";
+    out.push_back(fmt::format("{} {}; replaced by {}", count, verb,
+                              r.anyFinite ? "the nearest finite texel" : "0, for there is no finite texel"));
+}
+
+// Texels of that value, in the file's numbers, become NaN; returns their count. Integers become floats for it.
+size_t markNoData(Map& map, double value) {
+    const MapInfo info = map.info();
+    const double full = info.type == PixelType::U8 ? 255 : info.type == PixelType::U16 ? 65535 : 1;
+    const float wanted = static_cast<float>(value / full);
+    Map marked = info.type == PixelType::F32 ? map : convertMap(map, PixelType::F32);
+    size_t n = 0;
+    for (int y = 0; y < info.height; ++y)
+        for (int x = 0; x < info.width; ++x)
+            for (int c = 0; c < info.channels; ++c)
+                if (marked.at(x, y, c) == wanted) marked.set(x, y, c, kNoTexel), n += c == 0;
+    if (n > 0) map = std::move(marked);
+    return n;
+}
+
+struct Repaired {
+    TexelRepair texels;
+    size_t noData = 0;
+};
+// Gives every texel a value; the map keeps its type.
+Repaired repair(Map& map, const std::optional<double>& noData) {
+    const PixelType type = map.info().type;
+    Repaired r;
+    if (noData && std::isfinite(*noData)) r.noData = markNoData(map, *noData);
+    r.texels = repairTexels(map);
+    if (map.info().type != type) map = convertMap(map, type);
+    return r;
 }
 
 // --- writing -----------------------------------------------------------------------------------------------------
@@ -226,13 +264,14 @@ Status writePlain(const fs::path& file, const char* format, const MapInfo& info,
 Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::string>* repaired) {
     Range range = wish.range;
     Range stated;  // by an R16's sidecar
-    Result<Map> map = extensionOf(file) == ".r16" ? readR16(file, wish, stated) : readPixels(file, wish);
+    std::optional<double> noData;
+    Result<Map> map = extensionOf(file) == ".r16" ? readR16(file, wish, stated) : readPixels(file, wish, &noData);
     if (!map) return map;
     if (!range) range = stated;
     std::vector<std::string> said;
     if (map->info().width == 1 && map->info().height == 1)
         said.push_back("texel (0, 0) is the only one; the map is constant");
-    if (const TexelRepair r = repairTexels(*map); r.count > 0) describeRepair(r, said);
+    if (const Repaired r = repair(*map, noData); r.texels.count > 0) describeRepair(r.texels, r.noData, said);
     if (repaired) repaired->insert(repaired->end(), said.begin(), said.end());
     return wish.type ? convertMap(*map, *wish.type, range) : std::move(*map);
 }
@@ -285,7 +324,12 @@ Status checkMapLimits(const fs::path& file, const MapInfo& info) {
 
 Status checkImage(const fs::path& file) {
     const auto opened = ImageReader::open(file);
-    return opened ? Status() : Status(opened.error());
+    if (!opened) return opened.error();
+    const MapInfo& info = (*opened)->info();
+    std::vector<std::byte> band(size_t(info.width) * size_t(info.channels) * pixelBytes(info.type) * kTileSize);
+    for (int y = 0; y < info.height; y += kTileSize)
+        if (Status s = (*opened)->readRows(y, std::min(kTileSize, info.height - y), band.data()); !s) return s;
+    return {};
 }
 
 }  // namespace sward

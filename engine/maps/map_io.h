@@ -1,4 +1,6 @@
-// Maps from and to files: PNG 8/16, EXR half or float, TIFF 8/16/half/float, R16 with a JSON sidecar.
+// Maps from and to files: PNG 8/16, EXR half or float, TIFF 8/16/half/float, R16 with a JSON sidecar. From files also
+// integers with a sign or of 32 bits, and double, as floats of the same values; a GeoTIFF's texels without data are
+// replaced as those that are not finite.
 // Headers are checked against kMaxMapSide and kMaxMapBytes before any pixel is read, so a refusal costs milliseconds.
 // R16: 16-bit little-endian texels without a header, one channel; FILE.r16 goes with FILE.json (or FILE.r16.json):
 // {"height", "range", "width"}, where range (optional) says what 0 and full scale stand for.
@@ -51,7 +53,7 @@ struct Image {
 };
 // Any image the same limits allow; values that are not finite become 0, or stay where `keepNonFinite` asks for it.
 Result<Image> readImage(const std::filesystem::path& file, bool keepNonFinite = false);
-// Whether readImage would accept the file, as far as its header tells.
+// Whether readImage would accept the file: all of it is decoded.
 Status checkImage(const std::filesystem::path& file);
 
 }  // namespace sward

@@ -1,6 +1,7 @@
 // The first directory of a TIFF or BigTIFF: its size, and whether its strips or tiles lie within the file.
-// Source: TIFF 6.0 (Adobe 1992), section 2; BigTIFF as libtiff reads it.
+// Source: TIFF 6.0 (Adobe 1992), section 2; BigTIFF as libtiff reads it; GDAL's tag for what has no data (42113).
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "core/file.h"
@@ -20,7 +21,8 @@ enum Tag : uint16_t {
     kSamples = 277,
     kStripBytes = 279,
     kTileOffsets = 324,
-    kTileBytes = 325
+    kTileBytes = 325,
+    kNoData = 42113  // a number as text
 };
 
 struct Tiff {
@@ -50,7 +52,8 @@ struct Entry {
 int valueBytes(uint64_t type) {
     switch (type) {
         case 1:
-            return 1;  // BYTE
+        case 2:
+            return 1;  // BYTE, ASCII
         case 3:
             return 2;  // SHORT
         case 4:
@@ -84,6 +87,17 @@ uint64_t first(Tiff& t, const std::map<uint64_t, Entry>& entries, Tag tag, uint6
     return it == entries.end() ? absent : t.number(it->second.values, it->second.bytes);
 }
 
+std::optional<double> noDataOf(Tiff& t, const std::map<uint64_t, Entry>& entries) {
+    const auto it = entries.find(kNoData);
+    if (it == entries.end()) return {};
+    std::string text;
+    for (uint64_t i = 0; i < std::min<uint64_t>(it->second.count, 64); ++i)
+        text += static_cast<char>(t.number(it->second.values + i, 1));
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    return t.ok && end != text.c_str() ? std::optional(value) : std::nullopt;
+}
+
 // Whether every piece lies within the file, and uncompressed pieces hold all texels.
 bool piecesFit(Tiff& t, const std::map<uint64_t, Entry>& entries, uint64_t texelBits, uint64_t texels) {
     const bool tiled = entries.contains(kTileOffsets);
@@ -114,7 +128,7 @@ Result<ImageHead> readTiffHead(const std::filesystem::path& file, std::istream& 
     if (!t.ok || !entries.contains(kWidth) || !entries.contains(kHeight))
         return refuse("is truncated or has a damaged header");
     const ImageHead head{"tif", int64_t(std::min<uint64_t>(first(t, entries, kWidth, 0), 1u << 31)),
-                         int64_t(std::min<uint64_t>(first(t, entries, kHeight, 0), 1u << 31))};
+                         int64_t(std::min<uint64_t>(first(t, entries, kHeight, 0), 1u << 31)), noDataOf(t, entries)};
     const bool withinLimits =
         head.width >= 1 && head.height >= 1 && head.width <= kMaxMapSide && head.height <= kMaxMapSide;
     const uint64_t bits =

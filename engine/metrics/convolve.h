@@ -5,14 +5,18 @@
 
 namespace sward {
 
-struct Plane {
+template <class T>
+struct PlaneOf {
     int width = 0, height = 0;
-    std::vector<float> values;
+    std::vector<T> values;
 };
+using Plane = PlaneOf<float>;
 // Weights at -r to r.
 using Taps = std::vector<double>;
 // e^(-x^2 / (2 sigma^2)) at -r to r, scaled to a sum of 1. sigma in pixels.
 Taps gaussianTaps(double sigma, int radius);
-Plane convolve(const Plane& plane, const Taps& across, const Taps& down);
+// T: float or double.
+template <class T>
+PlaneOf<T> convolve(const PlaneOf<T>& plane, const Taps& across, const Taps& down);
 
 }  // namespace sward

@@ -22,6 +22,7 @@ struct ShadowState : EffectState {
     Tally tally;
     ShadowMap map[SHADOW_CASCADES];
     glm::vec3 right{0}, up{0}, sun{0};  // the sun's axes
+    glm::dvec3 origin{0};               // of the terrain in the world: texels lie at the same places of it
 };
 // From a view's eye to the maps, which all views share.
 struct ShadowView : EffectState {
@@ -70,11 +71,12 @@ void setAxes(ShadowState& s, const glm::vec3& sun) {
     s.up = glm::cross(sun, s.right);
 }
 
-// From eye-relative positions to a map around `centre`, its texels at the same places of the world whatever the centre.
+// From eye-relative positions to a map around `centre`, its texels at the same places of the terrain whatever the
+// centre, and wherever the terrain stands.
 glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3& eye, double half) {
     const double texel = 2 * half / kSide;
     const auto middle = [&](const glm::dvec3& axis) {
-        return std::round(glm::dot(centre, axis) / texel) * texel - glm::dot(eye, axis);
+        return std::round(glm::dot(centre - s.origin, axis) / texel) * texel - glm::dot(eye - s.origin, axis);
     };
     const double scale = 0.5 / half;
     glm::mat4 m(0);
@@ -102,8 +104,9 @@ void aim(DrawContext& ctx) {
     ShadowView& view = ctx.ofView<ShadowView>();
     const glm::vec3 sun = ctx.globals.sunDirection;
     if (ctx.globals.sunIsUp > 0) {
-        if (s.sun != sun) {
+        if (s.sun != sun || s.origin != ctx.shared.ground.origin) {
             setAxes(s, sun);
+            s.origin = ctx.shared.ground.origin;
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
         for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, view.values, i, ctx.around, ctx.camera.eye);
@@ -153,7 +156,7 @@ void draw(DrawContext& ctx) {
     glDisable(GL_DEPTH_CLAMP);
 }
 
-const System kSystems[] = {{"objects/aim", {.reads = {Slot::Sun}}, aim}};
+const System kSystems[] = {{"objects/aim", {.reads = {Slot::Sun, Slot::Ground}}, aim}};
 const ProgramRow kPrograms[] = {{"objects/shadow", "objects/shadow.vert.glsl", "objects/shadow.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"objects/shadow",
                          Stage::Shadow,

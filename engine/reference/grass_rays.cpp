@@ -153,6 +153,7 @@ Status addKinds(RayField& f, const Project& p, const JobControl& control) {
         auto kind = std::make_unique<Kind>();
         kind->species = &s;
         kind->patch = makePatch(s, f.grass->cellSize, static_cast<uint32_t>(f.grass->seed));
+        kind->sowSeed = sowingSeed(s, static_cast<uint32_t>(f.grass->seed));
         if (isUnique(*f.grass)) kind->unique = makeUnique(s, *f.grass, *f.terrain);
         if (kind->blades().empty()) continue;
         const Rgba8 image = bladeImage(p, s);

@@ -40,6 +40,7 @@ struct PlantedBlade {
 struct MeshKind {
     const Species* species;
     Patch patch;
+    uint32_t sowSeed;
     TexelGrid image;
     float leanAtFull;
     glm::vec3 clumps;
@@ -156,7 +157,9 @@ std::optional<PlantedBlade> plant(const Planting& p, const MeshKind& kind, const
     PlantedBlade out{};
     out.uv = glm::vec2((glm::dvec2(cell.x, cell.z) * size + glm::dvec2(inCell)) / p.uvLength);
     const MapField& density = p.on.grows->density;
-    if (density.present() && paintedAt(density.map, glm::dvec2(out.uv), 1, false).x < b.threshold) return std::nullopt;
+    const float grown = density.present() ? paintedAt(density.map, glm::dvec2(out.uv), 1, false).x : 1.0f,
+                chance = f32::cellChance(cell.x, cell.z, kind.sowSeed);
+    if (grown < f32::thresholdIn(b.threshold, kind.patch.sown, chance)) return std::nullopt;
     const glm::dvec3 normal = mixed(&CarrierVertex::normal);
     const glm::vec3 n(glm::normalize(p.turn * normal));
     const CarrierFrame f = carrierFrame(n, glm::vec3(p.turn * mixed(&CarrierVertex::alongU)),
@@ -258,8 +261,13 @@ Status makeScene(MeshShell& s) {
 }
 
 MeshKind kindOf(const Project& p, const Species& s, const GrassField& field) {
-    return {&s, makePatch(s, field.cellSize, static_cast<uint32_t>(field.seed)), texelGridOf(bladeImage(p, s)),
-            leanAtFull(s), clumpStrengths(s)};
+    const uint32_t seed = static_cast<uint32_t>(field.seed);
+    return {&s,
+            makePatch(s, field.cellSize, seed),
+            sowingSeed(s, seed),
+            texelGridOf(bladeImage(p, s)),
+            leanAtFull(s),
+            clumpStrengths(s)};
 }
 
 // Blades that stand on a mesh at a density of 1.

@@ -128,7 +128,7 @@ Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, 
                      place = onMaps(f, ground);
     if (rootPlace) *rootPlace = place;
     if (ground.x > f.terrain->size.x || ground.y > f.terrain->size.y ||
-        densityAt(f, *kind.species, ground) < b.threshold)
+        densityAt(f, *kind.species, ground) < f32::thresholdIn(b.threshold, kind.sown(), cell.chance))
         return {};
     const f32::BladeStand stand = standAt(f, kind, cell, {x, z}, b, inCell, ground, place);
     const f32::BladeLean at = f32::leanOf(stand, b.facing * cell.version.mirror);
@@ -271,6 +271,11 @@ bool pressedBetween(const RayField& f, const glm::dvec2& from, const glm::dvec2&
 
 int classOf(float value, float step) { return static_cast<int>(std::ceil(value / step - 1e-4f)); }
 
+// The greatest of the patch's own thresholds that is `most` or less in a cell of this chance, or a little more.
+float patchThreshold(const f32::Sown& s, float most, float chance) {
+    return s.step > 0 ? (most + chance * s.step) / s.spread * 1.00001f : most;
+}
+
 // Which scene serves a cell; null if nothing grows there.
 RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, double x0, double z0) {
     const double size = static_cast<double>(f.grass->cellSize);
@@ -282,18 +287,21 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, 
                                  .second
                            : 1.0f;
     SceneKey key{};
+    const float highest = patchThreshold(kind.sown(), most, cell.chance);
     while (key.prefix + 1 < static_cast<int>(std::size(kPrefixes)) &&
-           static_cast<float>(kPrefixes[key.prefix]) / 255 < most)
+           static_cast<float>(kPrefixes[key.prefix]) / 255 < highest)
         ++key.prefix;
     std::span<const Blade> blades(kind.patch.blades.data(),
                                   kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])]);
+    if (kind.unique.empty() && kind.patch.upTo[static_cast<size_t>(f32::thresholdNumber(highest + 1e-5f))] == 0)
+        return nullptr;
     if (!kind.unique.empty()) {
         const auto [first, last] = kind.unique.range(x, z, 0, 1);
         blades = std::span(kind.unique.patch.blades).subspan(first, last - first);
         key.prefix = 0, key.cell = 1 + cellKey(0, x, z);
         cell.first = first;
     }
-    if (most < 1.0f / 255 || blades.empty()) return nullptr;
+    if (blades.empty()) return nullptr;
     const auto [paint, differs] = paintOver(*f.grass, from, to);
     const float half = 0.5f * f.grass->cellSize;
     const glm::vec2 lean = (paint * kind.leanAtFull + windLeanIn(f, cell, glm::vec2(half), -1)) * cell.version.mirror;
@@ -319,6 +327,8 @@ const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z)
     c.first = 0;
     c.version = isUnique(*f.grass) ? f32::CellVersion{glm::vec2(1), glm::vec2(0)}
                                    : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
+    const Kind& of = *f.kinds[kind];
+    c.chance = of.sown().step > 0 ? f32::cellChance(x, z, of.sowSeed) : 0.5f;
     c.base = terrainHeight(*f.terrain, x0, z0);
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
     if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = f.kinds[kind]->gust;

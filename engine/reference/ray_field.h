@@ -35,8 +35,9 @@ struct Cell {
     uint64_t key = ~uint64_t(0);
     RTCScene scene = nullptr;  // null: nothing grows
     f32::CellVersion version{glm::vec2(1), glm::vec2(0)};
-    double base = 0;     // height of the plane at the cell's corner
-    WindGlobals wind{};  // about the cell's corner, as strong as the kind feels it; unused in a calm
+    float chance = 0.5f;  // numerics/sowing.h
+    double base = 0;      // height of the plane at the cell's corner
+    WindGlobals wind{};   // about the cell's corner, as strong as the kind feels it; unused in a calm
     CellGround ground;
     uint32_t first = 0;  // of its blades among the kind's
 };
@@ -68,8 +69,10 @@ struct BoxScene {
 struct Kind {
     const Species* species = nullptr;
     Patch patch;
-    UniqueBlades unique;  // empty: cells repeat the patch
+    UniqueBlades unique;   // empty: cells repeat the patch
+    uint32_t sowSeed = 0;  // sowingSeed
     const std::vector<Blade>& blades() const { return unique.empty() ? patch.blades : unique.patch.blades; }
+    const f32::Sown& sown() const { return unique.empty() ? patch.sown : unique.patch.sown; }
     TexelGrid image;
     Look look;
     float leanAtFull = 0, reach = 0;

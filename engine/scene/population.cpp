@@ -66,18 +66,34 @@ Blade makeBlade(const Species& s, const glm::vec2& root, uint32_t seed, uint32_t
     return b;
 }
 
+// What a cell has where the density is 1, in the mean.
+double bladesOfCell(const Species& s, float cellSize) {
+    return std::min<double>(double(s.bladesPerM2) * double(cellSize) * double(cellSize), kMaxPatchBlades);
+}
+f32::Sown sownIn(double expected) {
+    const f64::Sown s = f64::sownOf(expected);
+    return {static_cast<float>(s.spread), static_cast<float>(s.step), static_cast<float>(s.share)};
+}
+// Of the blade of a rank, 1 to 255.
+int thresholdNumberOf(uint32_t rank, double expected) {
+    const int n = f64::sownBlades(expected);
+    if (f64::isSownEvenly(expected)) return 1 + static_cast<int>(int64_t(rank) * 255 / n);
+    return f64::thresholdStep(n) * (1 + static_cast<int>(int64_t(rank) * f64::thresholdClasses(n) / n));
+}
+
 }  // namespace
 
 Patch makePatch(const Species& species, float cellSize, uint32_t seed) {
-    const int n = static_cast<int>(
-        std::min<double>(std::lround(double(species.bladesPerM2) * cellSize * cellSize), kMaxPatchBlades));
+    const double expected = bladesOfCell(species, cellSize);
+    const int n = f64::sownBlades(expected);
     const auto roots = stratifiedRoots(n, cellSize, seed);
     const auto ranks = shuffledRanks(n, seed);
     Patch patch;
+    patch.sown = sownIn(expected);
     patch.blades.resize(static_cast<size_t>(n));
     for (int i = 0; i < n; ++i) {
         const uint32_t rank = ranks[static_cast<size_t>(i)];
-        const int k = 1 + static_cast<int>(int64_t(rank) * 255 / n);
+        const int k = thresholdNumberOf(rank, expected);
         patch.blades[rank] = makeBlade(species, roots[static_cast<size_t>(i)], seed, static_cast<uint32_t>(i), k);
         ++patch.upTo[static_cast<size_t>(k)];
     }
@@ -106,6 +122,10 @@ glm::vec3 clumpStrengths(const Species& s) {
             0.8f * clumps * s.heightVariation, 0.2f * clumps};
 }
 
+uint32_t sowingSeed(const Species& species, uint32_t seed) {
+    return seed ^ static_cast<uint32_t>(hashBytes(species.name.data(), species.name.size()));
+}
+
 uint64_t patchKey(const Species& s, float cellSize, uint32_t seed) {
     const float read[] = {static_cast<float>(seed),
                           s.bladesPerM2,
@@ -117,7 +137,8 @@ uint64_t patchKey(const Species& s, float cellSize, uint32_t seed) {
                           s.hueVariationDeg,
                           s.lightnessVariation,
                           cellSize,
-                          static_cast<float>(s.segments)};
+                          static_cast<float>(s.segments),
+                          sownIn(bladesOfCell(s, cellSize)).step};
     return hashBytes(read, sizeof(read));
 }
 

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/numerics.h"
 #include "scene/components.h"
 #include "shared/grass.h"  // Blade
 
@@ -15,16 +16,20 @@ namespace sward {
 // Sorted by threshold, so that what a range of densities needs is one contiguous range of blades.
 struct Patch {
     std::vector<Blade> blades;
-    std::array<uint32_t, 256> upTo{};  // upTo[k]: blades with threshold <= k/255; upTo[0] = 0
+    std::array<uint32_t, 256> upTo{};    // upTo[k]: blades with threshold <= k/255; upTo[0] = 0
+    f32::Sown sown = f32::sownEvenly();  // how cells take its thresholds (numerics/sowing.h)
 };
 
 inline constexpr int kMaxPatchBlades = 4'000'000;  // a patch has no more
-// round(bladesPerM2 * cellSize^2) blades with stratified roots (each in a stratum of its own, B-24). Equal arguments
-// give equal patches. cellSize: metres, above 0.
+// bladesPerM2 * cellSize^2 blades, or so many that they are whole, with stratified roots (each in a stratum of its own,
+// B-24): where cells have fewer, or no whole number, `sown` says which of them each has. Equal arguments give equal
+// patches. cellSize: metres, above 0.
 Patch makePatch(const Species& species, float cellSize, uint32_t seed);
 // `blades` blades of a cell that has its own (scene/unique.h), sorted by threshold: any number in ]0, 1], even also
 // where they are few.
 std::vector<Blade> cellBlades(const Species& species, float cellSize, uint32_t seed, int blades);
+// What a species' chances of cells (cellChance) are made of; seed: the field's.
+uint32_t sowingSeed(const Species& species, uint32_t seed);
 // Hash over all that makePatch reads, to know when a patch is stale.
 uint64_t patchKey(const Species& species, float cellSize, uint32_t seed);
 

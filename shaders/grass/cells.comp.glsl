@@ -2,6 +2,7 @@
 // Jahrmann and Wimmer 2013, section 6.1; Boulanger, Pattanaik and Bouatouch 2006, section 3.4.
 #include "lib/cull.glsl"
 #include "numerics/cells.h"
+#include "numerics/sowing.h"
 #include "numerics/tess.h"
 #include "shared/bindings.h"
 #include "shared/cells.h"
@@ -74,8 +75,11 @@ void main() {
         rule.thinning = cull.thinning;
         rule.rangeMin = cull.rangeMin;
         rule.rangeInv = cull.rangeInv;
+        rule.unspread = cull.unspread;
+        rule.unstep = cull.unstep;
         vec2 d = densityIn(c.cell);
-        CellShare share = cellShare(rule, sqrt(boxNearest2(b)), d.x, d.y);
+        float chance = cellChance(c.cell.x, c.cell.y, cull.sowSeed);
+        CellShare share = cellShare(rule, sqrt(boxNearest2(b)), d.x, d.y, chance);
         uint first = upTo[share.low], last = upTo[share.high];
         if (d.y > 0.0 && first < last) {
             precise float drawn = float(last - first) * cull.detail;

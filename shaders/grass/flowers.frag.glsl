@@ -1,6 +1,7 @@
 // A fragment of a flower: its image, coloured, in the light of its corners; covers its pixel as blades do.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/sliver.glsl"
 #include "lib/transparency.glsl"
 #include "numerics/flower.h"
 #include "shared/bindings.h"
@@ -19,7 +20,7 @@ out vec4 color;
 void main() {
     vec4 t = texture(image, uv);
     float alpha = coveredAlpha(COVERAGE, t.a, grain);
-    if (!(alpha > 0.0)) discard;
+    if (!(alpha > 0.0) || !lies(uv)) discard;
     vec3 light = flowerColor(t.rgb, petal, flowers.center, flowers.stem, flowers.made != 0) * lit.rgb;
     vec2 way = (gl_FragCoord.xy * frame.pixelShare * 2.0 - 1.0);
     vec4 there = frame.invViewProj * vec4(way, 1.0, 1.0);

@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/shadow.glsl"
 #include "lib/slice_light.glsl"
+#include "lib/sliver.glsl"
 #include "lib/slices.glsl"
 #include "lib/transparency.glsl"
 #include "numerics/hash.h"
@@ -13,6 +14,7 @@ in vec3 foot;
 flat in vec4 images;
 flat in vec4 axes;
 flat in float lightLayer;
+flat in float chance;
 in vec3 gain;
 in vec3 brighter;
 in vec4 lamp[3];
@@ -50,9 +52,8 @@ void main() {
     vec4 stored = textureLod(sliceThreshold, texel, level);
     vec2 uv = mapPlace(foot.xz + frame.eye.xz);
     float density = sliceDensity(fieldDensity(uv), weights.x) * weights.y;
-    float alpha =
-        coveredAlpha(TRANSPARENCY, texelOpacity(stored.x, stored.y, density, slices.fade, level), grain(level));
-    if (!(alpha > 0.0)) discard;
+    float alpha = coveredAlpha(TRANSPARENCY, storedOpacity(stored, density, level, chance), grain(level));
+    if (!(alpha > 0.0) || !lies(vec2(0.5 * texel.x, texel.y))) discard;
     vec4 leaf = textureLod(sliceReflectance, texel, fine);
     leaf.rgb = paintedOver(leaf.rgb, uv);
     vec3 light = clamp(sliceRadiance(spotHere(), leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));

@@ -26,9 +26,10 @@ flat out vec4 images;  // sun: weights of the view's images: facing, side +, sid
                        // with LIGHT_COSINE its direction: facing, side, above
 flat out vec4 axes;    // w: 0 slices across x, 1 across z; x: side of it that is seen, in the patch; y, z: mirror
 flat out float lightLayer;
-out vec3 gain;      // of light from the sun
-out vec3 brighter;  // of any light
-out vec4 lamp[3];   // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
+flat out float chance;  // of the cell
+out vec3 gain;          // of light from the sun
+out vec3 brighter;      // of any light
+out vec4 lamp[3];       // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
 out vec3 ambient;
 out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
 out vec2 weights;  // by distance, of what slices draw; by distance and view, of that what this family shows
@@ -81,6 +82,7 @@ void main() {
     int layer = ((signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5)) % n;
     texel = vec3((signs.y > 0.0 ? 1.0 + end : 2.0 - end) - begin.y, top, float(axis * (slices.layers - n) + layer));
     lightLayer = float(side > 0.0 ? 0 : slices.layers);
+    chance = chanceOf(cell);
     float level = max(length(foot.xz), 1e-4);
     float far = max(length(foot), 1e-4);
     float turned = CONSERVING ? verticalShare(-foot.y / far) * abs(axis == 0 ? foot.x : foot.z) / level : 1.0;

@@ -11,6 +11,7 @@
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 #include "numerics/population.h"
+#include "numerics/sowing.h"
 #include "numerics/stand.h"
 #include "shared/bindings.h"
 #include "shared/grass.h"
@@ -24,6 +25,7 @@ struct Stand {
     vec3 root;                // relative to the eye
     float v, across;          // along the blade, 0 to 1; across it, -1/2 or 1/2
     float density, opacity;
+    float threshold;  // of the blade in this cell
 };
 
 float density(vec2 uv) {
@@ -40,6 +42,13 @@ float density(vec2 uv) {
                        t.fx, t.fy);
 }
 
+// The blade's threshold in its cell.
+float thresholdHere(ivec2 cell, float threshold) {
+    if (!(species.step > 0.0)) return threshold;
+    Sown s = Sown(species.spread, species.step, species.sownShare);
+    return thresholdIn(threshold, s, cellChance(cell.x, cell.y, species.sowSeed));
+}
+
 Stand standAt(CellInstance cell, Blade b, float v, float across) {
     Stand s;
     s.cell = cell;
@@ -51,7 +60,8 @@ Stand standAt(CellInstance cell, Blade b, float v, float across) {
     s.root = vec3(cell.corner.x + s.inCell.x, groundHeight(s.ground), cell.corner.y + s.inCell.y);
     s.density = density(s.uv);
     float weight = lodRamp(length(s.root), field.minGeom, field.geomInv);
-    s.opacity = geometryOpacity(s.density, weight, b.threshold, species.fade);
+    s.threshold = thresholdHere(cell.cell, b.threshold);
+    s.opacity = geometryOpacity(s.density, weight, s.threshold, species.fade);
     return s;
 }
 bool exists(Stand s) {

@@ -2,6 +2,7 @@
 // shaders only. Needs: const bool BLADE_SHADOWS, CASTING_LIGHTS; const int TRANSPARENCY.
 #include "lib/frame.glsl"
 #include "lib/mask.glsl"
+#include "lib/sliver.glsl"
 #include "lib/transparency.glsl"
 #include "shared/bindings.h"
 
@@ -28,6 +29,6 @@ vec4 bladePixel(vec4 t, float alpha) {
 // t: the texture's colour and alpha there.
 void drawBlade(vec4 t) {
     float alpha = coveredAlpha(TRANSPARENCY, t.a * strip.z, grain);
-    if (!(alpha > 0.0)) discard;
+    if (!(alpha > 0.0) || !lies(strip.xy)) discard;
     color = bladePixel(t, alpha);
 }

@@ -5,7 +5,6 @@
 #include "lib/frame.glsl"
 #include "lib/slices.glsl"
 #include "numerics/correction.h"
-#include "numerics/opacity.h"
 #include "numerics/population.h"
 
 struct Repeated {
@@ -64,6 +63,6 @@ float farOpacity(sampler2DArray thresholds, Repeated r, float density, float tal
     float pixel = max(length(r.dx), length(r.dy)) / slices.sharpness, wide = max(pixel, crossed);
     float level = clamp(log2(wide * slices.farTexels), 0.0, 16.0);
     stored = textureLod(thresholds, r.texel, level);
-    return correctionPow(texelOpacity(stored.x, stored.y, density, slices.fade, level),
+    return correctionPow(storedOpacity(stored, density, level, chanceOf(r.cell)),
                          depthFactor(sine, vertical, laid) * tall);
 }

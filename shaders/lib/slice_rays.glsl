@@ -9,7 +9,6 @@
 #include "lib/transparency.glsl"
 #include "numerics/correction.h"
 #include "numerics/hash.h"
-#include "numerics/opacity.h"
 #include "numerics/population.h"
 #include "numerics/rays.h"
 
@@ -51,9 +50,10 @@ struct Met {
     float lightLayer;
     vec2 mirror;
     float side;
-    vec2 at;      // x, z in cells from slices.eyeCell
-    float above;  // metres over the ground
-    float t;      // metres from the start
+    vec2 at;       // x, z in cells from slices.eyeCell
+    float above;   // metres over the ground
+    float t;       // metres from the start
+    float chance;  // of the cell
 };
 
 // What grows there, as texelOpacity takes it; share of the sun that is seen from there; and the field's colour over the
@@ -90,6 +90,7 @@ Met metAt(SliceHit hit, Shell shell) {
     m.at = axis == 0 ? vec2(here, along) : vec2(along, here);
     m.above = shell.height + height;
     m.t = hit.t;
+    m.chance = chanceOf(ivec2(slices.eyeCell) + cell);
     return m;
 }
 
@@ -99,7 +100,7 @@ float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored) {
     float density = grownAt(m, shell, pixel);
     if (!(density > 0.0)) return 0.0;
     stored = textureLod(sliceThreshold, m.texel, level);
-    return texelOpacity(stored.x, stored.y, density, slices.fade, level);
+    return storedOpacity(stored, density, level, m.chance);
 }
 
 vec3 lightOf(Met m, Shell shell, vec3 at, int axis, float fine, float pixel, vec4 stored) {

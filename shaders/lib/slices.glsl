@@ -6,6 +6,8 @@
 #include "lib/frame.glsl"
 #include "lib/lamps.glsl"
 #include "numerics/leaf.h"
+#include "numerics/opacity.h"
+#include "numerics/sowing.h"
 #include "numerics/weights.h"
 #include "shared/bindings.h"
 #include "shared/slices.h"
@@ -55,6 +57,13 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
         leant;
     if (!FORCES && !FORCE_MAP) return gain;
     return gain * mix(vec3(1.0), mixTap(t, a.laid, b.laid, c.laid, d.laid), press);
+}
+
+// The chance of a cell (numerics/sowing.h), and the opacity of what a slice stores there (texelOpacity).
+float chanceOf(ivec2 cell) { return slices.step > 0.0 ? cellChance(cell.x, cell.y, slices.sowSeed) : 0.5; }
+float storedOpacity(vec4 stored, float density, float level, float chance) {
+    Sown s = Sown(slices.spread, slices.step, slices.sownShare);
+    return texelOpacity(stored.x, stored.y, density, slices.fade, level, s, chance);
 }
 
 // Share of its height that a slice keeps where it is pressed: it has no blades to lay down each its own way, so it

@@ -39,7 +39,7 @@ TessBlade tessBlade(TessCell c, uint index) {
     Stand s = standAt(CellInstance(c.cell, c.corner, c.mirror, c.shift), b, 0.0, 0.0);
     if (!exists(s)) return t;
     float distance = length(s.root), kept = densityKept(1.0, distance, tess.thinning);
-    float high = geometryOpacity(s.density * kept, 0.0, b.threshold, species.fade) / s.opacity *
+    float high = geometryOpacity(s.density * kept, 0.0, s.threshold, species.fade) / s.opacity *
                  heightKept(distance, tess.maxDistance, tess.lowerInv);
     if (!(high > 0.0)) return t;
     t.pose = poseHere(b, s, t.lightness);

@@ -2,6 +2,7 @@
 // clang-format off
 #include "numerics/basics.h"
 #include "numerics/hash.h"
+#include "numerics/sowing.h"
 #include "numerics/bilinear.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"

@@ -103,6 +103,8 @@ struct CellRule {
     real thinning;  // share of the blades that is missing at each metre
     real rangeMin;  // as lodRamp takes them
     real rangeInv;
+    real unspread;  // 1 / Sown.spread; chances take off Sown.step * unspread
+    real unstep;
 };
 // The thresholds of its blades that may be drawn, as numbers of 0 to 255: above `low`, up to `high`.
 struct CellShare {
@@ -110,11 +112,19 @@ struct CellShare {
     int high;
 };
 FN int thresholdNumber(real t) { return int(clamp(floor(t * 255.0f), real(0.0), real(255.0))); }
-FN CellShare cellShare(CellRule r, real nearest, real least, real most) {
+// The patch's threshold that is t in a cell of this chance (thresholdIn).
+FN real patchThreshold(CellRule r, real t, real chance) {
+    precise real own = t * r.unspread;
+    precise real here = own + chance * r.unstep;
+    return here;
+}
+FN CellShare cellShare(CellRule r, real nearest, real least, real most, real chance) {
     real slices = sliceDensity(least, lodRamp(nearest, r.rangeMin, r.rangeInv));
     CellShare s;
-    s.low = thresholdNumber(lowestThresholdDrawn(slices, r.fade) - real(1e-5));
-    s.high = thresholdNumber(highestThresholdDrawn(densityKept(most, nearest, r.thinning), r.fade) + real(1e-5));
+    real low = lowestThresholdDrawn(slices, r.fade) - real(1e-5);
+    real high = highestThresholdDrawn(densityKept(most, nearest, r.thinning), r.fade) + real(1e-5);
+    s.low = thresholdNumber(patchThreshold(r, low, chance));
+    s.high = thresholdNumber(patchThreshold(r, high, chance));
     return s;
 }
 

@@ -3,6 +3,7 @@
 
 #ifndef __cplusplus
 #include "numerics/glsl.h"
+#include "numerics/sowing.h"
 #endif
 
 // Threshold number k of 255; k in 1..255, because 0 is reserved for "no blade".
@@ -72,10 +73,12 @@ FN real lowestThresholdDrawn(real densityTimesWs, real omega) {
 // blades' own threshold wherever the texel shows one blade, however little of it, so that no outline is left of a
 // hidden one (B-14). Texels of many blades (level: of detail) cannot be compared: there, the mean is what n blades one
 // behind the other leave of the texel, 1 - (1 - density)^n. Their least threshold is 1 / (n + 1) in the mean, which
-// gives n: the surer, the more blades are in it.
-FN real texelOpacity(real thresholdAlpha, real alpha, real density, real omega, real level) {
+// gives n: the surer, the more blades are in it. s, chance: of the patch and the cell (numerics/sowing.h).
+FN real texelOpacity(real thresholdAlpha, real alpha, real density, real omega, real level, Sown s, real chance) {
     real threshold = thresholdAlpha / max(alpha, real(1.0 / 512.0));
-    real least = clamp(mix(real(0.5), threshold, clamp(level / 6.0f, real(0.0), real(1.0))), real(0.05), real(0.75));
-    real many = 1.0f - pow(clamp(1.0f - density, real(0.0), real(1.0)), 1.0f / least - 1.0f);
-    return alpha * mix(opacityConserving(density, threshold, omega), many, clamp(level / 3.0f, real(0.0), real(1.0)));
+    real middle = thresholdIn(threshold, s, real(0.5)) * s.share;
+    real least = clamp(mix(real(0.5), middle, clamp(level / 6.0f, real(0.0), real(1.0))), real(0.05), real(0.75));
+    real many = 1.0f - pow(clamp(1.0f - density * s.share, real(0.0), real(1.0)), 1.0f / least - 1.0f);
+    return alpha * mix(opacityConserving(density, thresholdIn(threshold, s, chance), omega), many,
+                       clamp(level / 3.0f, real(0.0), real(1.0)));
 }

@@ -66,7 +66,3 @@ FN int macroLevel(real distance, real radius, real base, int most) {
     return level;
 }
 FN real macroLevelPublished(real distance, real radius, real base) { return floor(log2((distance - radius) / base)); }
-
-// How many blades a texel of `expected` blades grows: the mean over uniform h in [0, 1) is `expected`, where floor
-// alone gives none below 1.
-FN int bladeCount(real expected, real h) { return int(floor(max(expected, real(0.0)) + h)); }

@@ -34,6 +34,9 @@ struct STD140 CullGlobals {
     float drawn;       // share of the chosen blades that is drawn
     int counts;        // 1 if they are to be counted
     int unique;        // 1 if each cell has blades of its own
+    float unspread;    // as CellRule
+    float unstep;
+    uint sowSeed;  // of cells' chances
 };
 
 // Of the cells that were chosen, without those of which only shadows are seen.

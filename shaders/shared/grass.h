@@ -56,6 +56,10 @@ struct STD140 SpeciesGlobals {
     float roughness;   // of the gloss
     float maskRadius;  // of its shadow mask (m)
     float maskHeight;  // m
+    float spread;      // as Sown
+    float step;
+    float sownShare;
+    uint sowSeed;  // of cells' chances
 };
 
 // A blade of a patch (scene/population.h). control and tip are relative to the root, metres.

@@ -51,6 +51,10 @@ struct STD140 SliceGlobals {
     float meanHeight;  // cells
     float sharpness;   // 2^-(levels finer than a pixel)
     int layers;        // of the vertical slices' images: those across z are the last `slices` of them
+    float spread;      // as Sown
+    float step;
+    float sownShare;
+    uint sowSeed;  // of cells' chances
     LookGain gains[LOOK_VIEWS];
 };
 

@@ -56,6 +56,44 @@ TEST(FormulaRows, BothFormsOfABodyRunOverAllSamples) {
     EXPECT_EQ(runDouble(row, row.ours, samples), (std::vector<double>{0.25, 2.25}));
 }
 
+// The row of a name, and its one sample of a group's record.
+std::pair<FormulaRow, FormulaSamples> rowOf(const std::string& name, const std::string& group, ExpectedRecord record) {
+    for (const FormulaRow& row : formulaRows())
+        if (row.name == name) return {row, samplesOf(row, {{group, {std::move(record)}}})};
+    ADD_FAILURE() << "no row " << name;
+    return {};
+}
+
+TEST(FormulaRows, ALevelJustOverAWholeNumberMayBeOneLessAndNothingElse) {
+    const auto passes = [](double d, double want, double got) {
+        const auto [row, samples] = rowOf("tessellation level by distance", "tess_level",
+                                          {{"s", {8}}, {"d", {d}}, {"dmax", {100}}, {"level", {want}}});
+        return largestError(row, samples, {got}) <= row.tolerance;
+    };
+    const double over = static_cast<double>(99.99999237060547f);
+    EXPECT_TRUE(passes(over, 1, 1));
+    EXPECT_TRUE(passes(over, 1, 0));
+    EXPECT_FALSE(passes(over, 1, 2)) << "one more";
+    EXPECT_FALSE(passes(over, 1, 10));
+    EXPECT_FALSE(passes(over, 3, 1)) << "two less";
+    EXPECT_TRUE(passes(50, 4, 4));
+    EXPECT_FALSE(passes(50, 4, 3)) << "a whole number is exact";
+}
+
+TEST(FormulaRows, PlacesOfASplineFarFromTheOriginMayBeHalfAStepOff) {
+    const auto most = [](double at) {
+        ExpectedRecord r;
+        for (const char* name : {"left", "right"}) r[name] = std::vector<double>(9, at);
+        r["side"] = {1, 0, 0}, r["u"] = {0.5}, r["v"] = {0.5};
+        r["pos"] = std::vector<double>(3, at), r["T"] = r["B"] = r["N"] = {0, 0, 0};
+        const auto [row, samples] = rowOf("frame of a blade between two splines", "spline_frames", r);
+        return row.tolerance * samples.scale.at(0);
+    };
+    EXPECT_NEAR(most(0), 2e-6, 1e-12);
+    EXPECT_NEAR(most(30), 4e-6, 1e-12);
+    EXPECT_NEAR(most(90000), 0.00390625, 1e-9) << "floats lie 1/128 apart there";
+}
+
 TEST(FormulaRows, EachHasANameOfItsOwnAndABodyOfItsSize) {
     std::set<std::string> names;
     for (const FormulaRow& row : formulaRows()) {

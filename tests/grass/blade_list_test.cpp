@@ -48,7 +48,7 @@ Seen mustBeListed(const CellQuery& q, const std::vector<float>& least, const std
             const float density =
                 q.density->sample((cells[c].cellX * 0.5 + root.x) / 20, (cells[c].cellZ * 0.5 + root.y) / 20);
             const float opacity = f32::geometryOpacity(density, f32::lodRamp(glm::length(at), q.range.min, q.range.inv),
-                                                       b.threshold, q.fade);
+                                                       thresholdIn(q, cells[c], b), q.fade);
             if (opacity > 0 && opacity >= least[i] &&
                 q.frustum.touches(at - glm::vec3(q.reach, 0, q.reach), at + q.reach))
                 out.emplace(c, i);

@@ -76,8 +76,9 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
                 const glm::vec2 in = f32::rootInCell(b.root, v.mirror, v.shift, 0.5f);
                 const double x = cx * 0.5 + in.x, z = cz * 0.5 + in.y;
                 const float d = static_cast<float>(glm::length(glm::dvec3(x, 0, z) - f.eye));
+                const float threshold = f32::thresholdIn(b.threshold, f.patch.sown, chanceOf(q, cx, cz));
                 const float opacity = f32::geometryOpacity(
-                    q.density->sample(x / 20, z / 20), f32::lodRamp(d, q.range.min, q.range.inv), b.threshold, q.fade);
+                    q.density->sample(x / 20, z / 20), f32::lodRamp(d, q.range.min, q.range.inv), threshold, q.fade);
                 const bool inRange = cell != drawn.end() && i >= cell->second.first && i < cell->second.last;
                 seen += opacity > 0;
                 missing += opacity > 0 && !inRange;

@@ -94,7 +94,10 @@ TEST(GpuCells, ASpeciesWithoutADensityMapGrowsEverywhereWhateverAnothersMap) {
             for (int frame = 0; frame < 2; ++frame)
                 EXPECT_TRUE(expected == pictureOf(bare, p, culling, eyeHeight()))
                     << nameOf(technique) << " " << kCullings[static_cast<size_t>(culling)] << " frame " << frame;
-            EXPECT_EQ(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
+            // Where there is a map, blades that the CPU lists are those that may be there: roundings of the GPU's
+            // included.
+            EXPECT_GE(painted.stats().bladesGeometry, bare.stats().bladesGeometry);
+            EXPECT_LE(painted.stats().bladesGeometry, bare.stats().bladesGeometry * 1.001);
         }
 }
 

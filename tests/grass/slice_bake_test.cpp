@@ -130,7 +130,8 @@ TEST(SliceBake, MeanOpacityIsTheSameOnEveryMip) {
 double shown(const SliceLevel& l, int level, double density, double fade) {
     double sum = 0;
     for (size_t i = 0; i < l.threshold.size(); i += 4)
-        sum += f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, density, fade, level);
+        sum += f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, density, fade, level,
+                                 f64::sownEvenly(), 0.5);
     return 4 * sum / static_cast<double>(l.threshold.size());
 }
 // The greatest error over levels and densities, held against images so fine that a texel is a part of one blade.
@@ -173,7 +174,9 @@ TEST(SliceBake, HiddenBladesLeaveNoOutline) {
         if (below <= 0) continue;
         const SliceLevel l = baked(s).vertical[0];
         for (size_t i = 0; i < l.threshold.size(); i += 4)
-            EXPECT_LT(f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, below, 0, 0), 1e-9)
+            EXPECT_LT(f64::texelOpacity(l.threshold[i] / 255.0, l.threshold[i + 1] / 255.0, below, 0, 0,
+                                        f64::sownEvenly(), 0.5),
+                      1e-9)
                 << "opacity " << int(l.threshold[i + 1]);
     }
 }

@@ -67,7 +67,7 @@ TEST(TessellatedLevels, ThinnedCellsSendEveryBladeThatIsLeft) {
             const glm::vec2 root = f32::rootInCell(patch.blades[i].root, c.mirror, c.shift, 0.5f);
             const float d = glm::length(glm::vec3(c.x + root.x, -1, c.z + root.y));
             const bool drawn = d < 20 && f32::geometryOpacity(f32::densityKept(1, d, q.thinning), 0,
-                                                              patch.blades[i].threshold, field.fade) > 0;
+                                                              thresholdIn(q, c, patch.blades[i]), field.fade) > 0;
             left += drawn;
             if (drawn) {
                 EXPECT_TRUE(i >= c.first && i < c.last) << d;

@@ -1,7 +1,9 @@
 // Image files: what is written comes back.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <limits>
+#include <thread>
 
 #include "maps/map_io.h"
 #include "tests/support.h"
@@ -25,6 +27,21 @@ TEST(Images, PngAndExrComeBackAsWritten) {
     EXPECT_TRUE(exr->linear);
     EXPECT_EQ(exr->pixels, (std::vector<float>{0.25f, 3, 0}));
     EXPECT_TRUE(checkImage(dir / "i.exr"));
+}
+
+// Also a second later: no file holds the clock.
+TEST(Images, EqualPicturesAreEqualFiles) {
+    TempDir dir;
+    const std::vector<float> floats{0.25f, 3, 1};
+    Map map({3, 2, 1, PixelType::U16});
+    for (const char* name : {"a", "b"}) {
+        ASSERT_TRUE(writeImageExr(dir / (std::string(name) + ".exr"), 1, 1, 3, floats));
+        ASSERT_TRUE(writeMap(dir / (std::string(name) + ".tif"), map));
+        if (*name == 'a') std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    }
+    for (const char* ext : {".exr", ".tif"})
+        EXPECT_EQ(readText(dir / ("a" + std::string(ext))), readText(dir / ("b" + std::string(ext)))) << ext;
+    for (const char* stamp : {"capDate", ":20"}) EXPECT_EQ(readText(dir / "a.tif").find(stamp), std::string::npos);
 }
 
 }  // namespace

@@ -69,4 +69,26 @@ inline std::string tiffBomb(uint32_t width, uint32_t height) {
            entry(277, 3, 1) + entry(278, 4, height) + entry(279, 4, 100) + littleEndian32(0);
 }
 
+// A little-endian TIFF of one channel, uncompressed: `bytes` are its texels of `bits` bits; format: 1 unsigned, 2
+// signed, 3 floats. noData: what GDAL writes into its tag; empty: none.
+inline std::string tiffOf(uint32_t width, uint32_t height, uint32_t bits, uint32_t format, const std::string& bytes,
+                          const std::string& noData = "") {
+    const auto entry = [](uint16_t tag, uint16_t type, uint32_t count, uint32_t value) {
+        return std::string{char(tag & 255), char(tag >> 8), char(type), 0} + littleEndian32(count) +
+               littleEndian32(value);
+    };
+    const uint32_t entries = noData.empty() ? 10 : 11, data = 8 + 2 + 12 * entries + 4,
+                   text = data + uint32_t(bytes.size());
+    std::string out = std::string("II*\0", 4) + littleEndian32(8) + std::string{char(entries), 0} +
+                      entry(256, 4, 1, width) + entry(257, 4, 1, height) + entry(258, 3, 1, bits) +
+                      entry(259, 3, 1, 1) + entry(262, 3, 1, 1) + entry(273, 4, 1, data) + entry(277, 3, 1, 1) +
+                      entry(278, 4, 1, height) + entry(279, 4, 1, uint32_t(bytes.size())) + entry(339, 3, 1, format);
+    if (!noData.empty()) out += entry(42113, 2, uint32_t(noData.size()) + 1, text);
+    return out + littleEndian32(0) + bytes + noData + '\0';
+}
+template <class T>
+std::string bytesOf(const std::vector<T>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
 }  // namespace sward::test

@@ -24,8 +24,18 @@ TEST(Ssim, IsWhatTheFormulaGivesForAWindow) {
     const double va = aa / weights - ma * ma, vb = bb / weights - mb * mb, cov = ab / weights - ma * mb;
     const double expected = (2 * ma * mb + 1e-4) * (2 * cov + 9e-4) / ((ma * ma + mb * mb + 1e-4) * (va + vb + 9e-4));
     const ErrorMap map = ssimMap(pairOf(a, b));
-    EXPECT_NEAR(map[60], expected, 1e-4);
+    EXPECT_NEAR(map[60], expected, 1e-6);
     EXPECT_EQ(std::count_if(map.begin(), map.end(), [](float v) { return std::isfinite(v); }), 1);
+}
+
+// Even grey has no variance at all: what rounding makes of it must not add to the likeness.
+TEST(Ssim, IsNeverAboveOne) {
+    for (int grey = 0; grey < 255; ++grey) {
+        const auto even = [](int level) { return plain(16, 16, glm::vec3(static_cast<float>(level) / 255)); };
+        const ErrorMap map = ssimMap(pairOf(even(grey), even(grey + 1)));
+        for (const float v : map)
+            if (std::isfinite(v)) ASSERT_TRUE(v <= 1 && v > 0.3f) << grey << ": " << v;
+    }
 }
 
 }  // namespace

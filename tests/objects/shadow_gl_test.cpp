@@ -46,6 +46,28 @@ TEST(Shadows, ACubesShadowIsAsLongAsItIsHighUnderASunAt45Degrees) {
     EXPECT_NEAR(share[7], 1, 0.01) << "none towards the sun";
 }
 
+// Texels of the maps lie at the same places of the terrain, wherever that stands.
+TEST(Shadows, LieTheSameWhereverTheTerrainStands) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeScene(dir.path);
+    Renderer renderer(gpu(), tables());
+    const ViewCamera slanted{{6, 4, 3}, {10, 0, 9}, 60, 0};
+    ASSERT_TRUE(renderer.draw(p, slanted, large()));
+    const std::vector<float> here = renderer.readLinear();
+    for (const glm::dvec3 by : {glm::dvec3(10, 0, 0), glm::dvec3(-1003, 0, 77), glm::dvec3(0)}) {
+        put<Transform>(p, "ground").position = by;
+        p.registry.get<Transform>(findEntity(p, "cube"))->position = glm::dvec3(10, 0, 10) + by;
+        ViewCamera moved = slanted;
+        moved.eye += by, moved.target += by;
+        ASSERT_TRUE(renderer.draw(p, moved, large()));
+        const std::vector<float> there = renderer.readLinear();
+        size_t differ = 0;
+        for (size_t i = 0; i < here.size(); ++i) differ += here[i] != there[i];
+        EXPECT_EQ(differ, 0u) << by.x << ' ' << by.y << ' ' << by.z;
+    }
+}
+
 TEST(Shadows, ALitFaceIsNotShadedByItself) {
     NoGlErrors errors;
     const TempDir dir;

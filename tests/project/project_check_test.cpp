@@ -251,6 +251,26 @@ TEST(RefusedProjects, ImagesThatCannotBeUsed) {
         std::string::npos);
 }
 
+// Its header is sound: only who decodes it all finds the fault.
+TEST(RefusedProjects, ImagesWithADamagedByte) {
+    TempDir dir;
+    std::vector<uint8_t> pixels(64 * 64 * 4);
+    for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<uint8_t>(i * i >> 3);
+    ASSERT_TRUE(writeImagePng(dir / "sound.png", 64, 64, 4, pixels));
+    const std::string sound = readText(dir / "sound.png");
+    const std::string fields[] = {entity("\"Terrain\": {\"groundTexture\": \"t.png\"}"),
+                                  entity("\"GrassField\": {\"species\": [{\"name\": \"a\", \"texture\": \"t.png\"}]}")};
+    for (const std::string& field : fields) {
+        std::string broken = sound;
+        broken[broken.size() / 2] = static_cast<char>(broken[broken.size() / 2] ^ 0x10);
+        writeText(dir / "p/t.png", broken);
+        const Error e = refusal(dir, field);
+        EXPECT_EQ(e.code, ExitCode::Unsound);
+        EXPECT_NE(e.message.find("exture: is truncated or damaged"), std::string::npos) << e.text();
+        EXPECT_TRUE(e.file.ends_with("t.png")) << e.text();
+    }
+}
+
 TEST(RefusedProjects, EntitiesAndListsThatCannotBe) {
     TempDir dir;
     EXPECT_NE(refusal(dir, "{\"entities\": {\"a b\": {}}}").message.find("cannot name an entity"), std::string::npos);

@@ -109,12 +109,14 @@ struct BruteForce {
                                                          : std::span(own.patch.blades).subspan(first, last - first);
         const f32::CellVersion version = own.empty() ? f32::cellVersion(x, z, static_cast<uint32_t>(f.seed))
                                                      : f32::CellVersion{glm::vec2(1), glm::vec2(0)};
+        const float chance = f32::cellChance(x, z, sowingSeed(f.species[0], static_cast<uint32_t>(f.seed)));
+        const f32::Sown sown = own.empty() ? patch.sown : own.patch.sown;
         for (const Blade& b : those) {
             const glm::vec2 in = f32::rootInCell(b.root, version.mirror, version.shift, f.cellSize);
             const glm::dvec2 at = glm::dvec2(x, z) * static_cast<double>(f.cellSize) + glm::dvec2(in),
                              place = at / mapExtent(t);
             if (tiledSample(f.species[0].density.map, tilingOf(t, f.species[0].densityTiling), at.x, at.y) <
-                b.threshold)
+                f32::thresholdIn(b.threshold, sown, chance))
                 continue;
             const float share = f.bladeHeight.present()
                                     ? tiledSample(f.bladeHeight.map, tilingOf(t, f.bladeHeightTiling), at.x, at.y)

@@ -17,9 +17,66 @@ Species species(float bladesPerM2) {
 
 TEST(Population, APatchHoldsDensityTimesArea) {
     EXPECT_EQ(makePatch(species(2000), 0.5f, 1).blades.size(), 500u);
-    EXPECT_EQ(makePatch(species(87815), 0.5f, 1).blades.size(), 21954u);
+    EXPECT_EQ(makePatch(species(87815), 0.5f, 1).blades.size(), 21954u) << "21953.75: the last is not in every cell";
     EXPECT_EQ(makePatch(species(0), 0.5f, 1).blades.size(), 0u);
     EXPECT_EQ(makePatch(species(4), 0.5f, 1).blades.size(), 1u);
+}
+
+// Blades of 512 x 512 cells where the density is 1 or painted; by their thresholds there.
+double countBlades(const Patch& p, float density, uint32_t seed) {
+    uint64_t n = 0;
+    for (int z = 0; z < 512; ++z)
+        for (int x = 0; x < 512; ++x) {
+            const float chance = f32::cellChance(x, z, seed);
+            for (const Blade& b : p.blades) {
+                if (f32::thresholdIn(b.threshold, p.sown, chance) > density) break;
+                ++n;
+            }
+        }
+    return static_cast<double>(n);
+}
+
+// 0.1 to 100,000 blades a m2 in cells of 0.05 to 4 m: within three deviations, of which a cell has at most half a
+// blade's, and half a per cent.
+TEST(Population, FieldsHaveTheirBladesHoweverFewACellHas) {
+    for (const float perM2 : {0.1f, 1.0f, 2.0f, 5.9f, 37.0f, 100.0f, 250.5f, 1999.0f, 20000.3f, 100000.0f})
+        for (const float size : {0.05f, 0.13f, 0.25f, 0.5f, 1.0f, 4.0f}) {
+            const double expected = static_cast<double>(perM2) * static_cast<double>(size) * static_cast<double>(size);
+            if (expected > 3000) continue;  // none is of few blades, and counting takes long
+            const Species s = species(perM2);
+            const Patch p = makePatch(s, size, 7);
+            for (const float density : {1.0f, 0.5f, 0.1f}) {
+                if (p.sown.step == 0 && density < 1) continue;  // as before: within one blade a cell
+                const double all = expected * static_cast<double>(density) * 512 * 512,
+                             share = expected * static_cast<double>(density) -
+                                     std::floor(expected * static_cast<double>(density)),
+                             off = std::abs(countBlades(p, density, sowingSeed(s, 7)) - all);
+                const double few =
+                    expected < 255 ? 0 : static_cast<double>(512 * 512);  // blades that share a threshold
+                EXPECT_LE(off, 3 * 512 * std::sqrt(share * (1 - share)) + 1e-5 * all + (density < 1 ? few : 0))
+                    << perM2 << " a m2, " << size << " m, density " << density;
+                if (all > 40000 && expected < 255)
+                    EXPECT_LE(off, 0.005 * all) << perM2 << ' ' << size << ' ' << density;
+            }
+        }
+}
+
+TEST(Population, WholeNumbersOfManyBladesAreTheSameInEveryCell) {
+    for (const float perM2 : {512.0f, 1000.0f, 8000.0f, 80000.0f}) {
+        const Patch p = makePatch(species(perM2), 0.5f, 1);
+        EXPECT_EQ(p.sown.step, 0);
+        EXPECT_EQ(p.blades.size(), static_cast<size_t>(perM2 / 4));
+        for (const Blade& b : p.blades)
+            for (const float chance : {0.0f, 0.3f, 0.999f})
+                ASSERT_EQ(f32::thresholdIn(b.threshold, p.sown, chance), b.threshold);
+    }
+}
+
+TEST(Population, BareGroundIsBareWhateverACellsChance) {
+    for (const float perM2 : {0.1f, 1.0f, 3.0f, 40.0f, 1001.0f})
+        for (const Blade& b : makePatch(species(perM2), 0.5f, 1).blades)
+            for (const float chance : {0.0f, 0.5f, 0.9999999f})
+                ASSERT_GT(f32::thresholdIn(b.threshold, makePatch(species(perM2), 0.5f, 1).sown, chance), 0) << perM2;
 }
 
 TEST(Population, BladesAreSortedByThresholdsOfWholeTwoHundredFiftyFifths) {

@@ -57,7 +57,6 @@ TEST_F(CompareVerb, NamesBothSizesThatDiffer) {
 }
 TEST_F(CompareVerb, RefusesOtherKindsAndWhatItCannotRead) {
     EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1, 1), png("b.png", 20, 20, 1, 3)}).code, 3);
-    EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), (dir / "none.png").string()}).code, 3);
     writeText(dir / "broken.png", "no image");
     EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1), (dir / "broken.png").string()}).code, 3);
     EXPECT_EQ(run({"compare", exr("c.exr", std::vector<float>(1200, 1)), png("a.png", 20, 20, 1), "--linear"}).code, 3);
@@ -66,6 +65,15 @@ TEST_F(CompareVerb, RefusesOtherKindsAndWhatItCannotRead) {
     EXPECT_EQ(
         run({"compare", png("a.png", 20, 20, 1), png("b.png", 20, 20, 1), "--heatmap", (dir / "h.jpg").string()}).code,
         2);
+}
+TEST_F(CompareVerb, FailsWhereAPictureIsNotThere) {
+    const std::string there = png("a.png", 20, 20, 1), gone = (dir / "none.png").string();
+    for (const auto& [a, b] : {std::pair(there, gone), std::pair(gone, there)}) {
+        const Said said = run({"compare", a, b});
+        EXPECT_EQ(said.code, 1);
+        EXPECT_NE(said.log.find("none.png: does not exist"), std::string::npos) << said.log;
+    }
+    EXPECT_EQ(run({"compare", there, there, "--mask", gone}).code, 1);
 }
 TEST_F(CompareVerb, IgnoresAlpha) {
     std::vector<uint8_t> rgba;

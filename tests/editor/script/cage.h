@@ -16,9 +16,12 @@ struct Cage {
     TempDir dir;
     Document doc{tables()};
     ScriptHost host{doc};
-    std::string fault(const std::string& text) {
+    Status run(const std::string& text) {
         test::writeText(dir / "inside/test.lua", text);
-        const Status s = runScript(dir / "inside/test.lua", host);
+        return runScript(dir / "inside/test.lua", host);
+    }
+    std::string fault(const std::string& text) {
+        const Status s = run(text);
         return s ? "" : s.error().text();
     }
 };

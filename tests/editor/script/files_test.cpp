@@ -27,6 +27,16 @@ TEST(ScriptFiles, FilesOutsideAreOutOfReach) {
     EXPECT_FALSE(fs::exists(c.dir / "new.png"));
 }
 
+TEST(ScriptFiles, AnEmptyNameIsNoFolder) {
+    Cage c;
+    ASSERT_EQ(c.fault("project.new('p')"), "");
+    for (const char* call :
+         {"project.saveAs('')", "project.new('')", "map.export('density', '')", "map.import('density', '')"})
+        EXPECT_TRUE(says(c.fault(call), "an empty name is no file")) << call;
+    EXPECT_FALSE(fs::exists(c.dir / "inside/project.json"));
+    EXPECT_FALSE(fs::exists(c.dir / "inside/maps"));
+}
+
 TEST(ScriptFiles, SymbolicLinksCountAsWhereTheyLead) {
     Cage c;
     ASSERT_EQ(c.fault("project.new('p') map.export('density', 'ok.png')"), "");

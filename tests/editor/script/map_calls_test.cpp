@@ -34,6 +34,43 @@ TEST(MapCalls, MapsAreCreatedFilledAndRead) {
         expect.truthy(not map.exists('height')))");
 }
 
+TEST(MapCalls, HeightsOfSixteenBitsAreMetres) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set('ground.Terrain.heightRange', {-2, 6})
+        map.create{path = 'height', width = 64, height = 64, type = 'u16'}
+        expect.near(map.at('height', 3, 3), 0, 1e-4)
+        map.fill('height', 4)
+        expect.near(map.mean('height'), 4, 1e-4)
+        map.disc('height', {x = 10, z = 10, radius = 4, mode = 'add', value = 1.5})
+        expect.near(map.at('height', 10, 10), 5.5, 1e-3)
+        expect.near(map.at('height', 30, 30), 4, 1e-4)
+        map.noise('height', {scale = 5, amount = 0.25, seed = 3, mode = 'set'})
+        expect.less(map.mean('height'), 0.25)
+        expect.less(0, map.mean('height'))
+        map.curve('height', {{0, -1}, {0.25, 3}})
+        expect.less(-1.001, map.at('height', 12, 12))
+        map.fill('height', function(x, z) return x / 10 end)
+        expect.near(map.at('height', 25, 5), 2.5, 0.01)
+        map.fill('height', 99)                                  -- beyond the range: cut
+        expect.near(map.mean('height'), 6, 1e-4)
+        local w, h, c, t = map.size('height')
+        expect.equal(t, 'u16'))");
+}
+
+// What a call leaves as it was keeps its bits, however narrow the range is beside its own height.
+TEST(MapCalls, HeightsThatAreNotTouchedKeepTheirBits) {
+    EXPECT_RUNS(R"(
+        project.new()
+        entity.set('ground.Terrain.heightRange', {0, 1})
+        map.create{path = 'height', width = 300, height = 300, type = 'u16'}
+        map.noise('height', {scale = 9, amount = 1, seed = 1, mode = 'set'})
+        entity.set('ground.Terrain.heightRange', {8000, 8001})
+        local before = map.hash('height')
+        map.disc('height', {x = 20, z = 20, radius = 0, value = 8000.5})
+        expect.equal(map.hash('height'), before))");
+}
+
 TEST(MapCalls, MapHashFollowsTheTexels) {
     EXPECT_RUNS(R"(
         project.new()
@@ -72,7 +109,7 @@ TEST(MapCalls, MapsAreExportedAndImported) {
         expect.near(map.at('density', 20, 10), 0.75, 0.01)
         edit.undo()
         expect.equal(map.hash('density'), hash)
-        map.create{path = 'height', width = 16, height = 16, type = 'u16', value = 0.5}
+        map.create{path = 'height', width = 16, height = 16, type = 'u16', value = 5}
         map.export('height', 'h.png')
         map.import('height', 'h.png', {range = {-2, 6}})
         expect.equal(entity.get('ground.Terrain.heightRange'), {-2, 6})

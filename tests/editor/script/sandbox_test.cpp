@@ -61,6 +61,13 @@ TEST(ScriptSandbox, EndlessScriptsEndAndSayTheirBound) {
              "local t = setmetatable({}, {__close = function() while true do end end}) do local x <close> = t end",
              "table.move({}, 1, 1 << 53, 2)",
              "table.sort({3, 2, 1}, function() while true do end end)",
+             "table.concat(setmetatable({}, {__index = type}), '', 1, 1 << 53)",
+             "table.unpack(setmetatable({}, {__index = type}), 1, 1 << 53)",
+             "string.rep('', 1 << 53)",
+             "local t = {} for i = 1, 10000 do t[i] = i end while true do table.insert(t, 1, 0) table.remove(t, 1) end",
+             "local t = {} for i = 1, 10000 do t[i] = i % 7 end while true do table.sort(t) end",
+             "local s = ('x'):rep(1 << 20) while true do pcall(function() local t = s while true do t = t .. t end "
+             "end) end",
              "print(setmetatable({}, {__tostring = function() while true do end end}))",
              "project.new() while true do map.noise('density', {scale = 1, octaves = 16}) end",
              "project.new() while true do map.disc('density', {x = 20, z = 20, radius = 30}) end",
@@ -69,6 +76,46 @@ TEST(ScriptSandbox, EndlessScriptsEndAndSayTheirBound) {
              "project.new() local i = 0 while true do i = i + 1 entity.add('e' .. i) end",
          })
         EXPECT_TRUE(says(c.fault(endless), bound)) << endless << "\n" << c.fault(endless);
+}
+
+TEST(ScriptSandbox, ALengthThatAMetatableStatesIsNotWorkedOff) {
+    Cage c;
+    for (const char* call : {"table.insert(t, 1, 0)", "table.insert(t, 0)", "table.remove(t, 1)", "table.remove(t)",
+                             "table.concat(t)", "table.unpack(t)", "table.sort(t)"})
+        EXPECT_TRUE(
+            says(c.fault(std::string("local t = setmetatable({}, {__len = function() return 1 << 62 end}) ") + call),
+                 "not its own"))
+            << call;
+    EXPECT_EQ(c.fault(R"(
+        local t = {}
+        for i = 1, 100000 do table.insert(t, i) end          -- appending costs nothing that grows
+        for i = 1, 99990 do table.remove(t) end
+        table.insert(t, 2, 'x')
+        expect.equal(table.concat(t, ' '), '1 x 2 3 4 5 6 7 8 9 10')
+        expect.equal({table.remove(t, 2), table.remove(t), #t}, {'x', 10, 9})
+        table.sort(t, function(a, b) return a > b end)
+        expect.equal({table.unpack(t, 1, 3)}, {9, 8, 7})
+        expect.equal(('ab'):rep(3, '-'), 'ab-ab-ab'))"),
+              "");
+}
+
+TEST(ScriptSandbox, TimeIsBounded) {
+    Cage c;
+    c.host.limits.seconds = 0.2;
+    const std::string bound = "the script used up its 0.2 s of the processor's time";
+    EXPECT_TRUE(says(c.fault("while true do end"), bound));
+    EXPECT_TRUE(says(c.fault("local s = ('x'):rep(1e6) while true do pcall(string.reverse, s) end"), bound));
+}
+
+TEST(ScriptSandbox, AHostMayStopAScript) {
+    Cage c;
+    int asked = 0;
+    c.host.stopped = [&] { return ++asked > 50; };
+    const Status ended = c.run("while true do pcall(function() while true do end end) end");
+    ASSERT_FALSE(ended);
+    EXPECT_EQ(ended.error().code, ExitCode::Interrupted);
+    c.host.stopped = {};
+    EXPECT_EQ(c.fault("local x = 1"), "");
 }
 
 TEST(ScriptSandbox, TheBoundIsToldWithTheLineThatReachedIt) {

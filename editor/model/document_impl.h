@@ -1,0 +1,79 @@
+// What a Document keeps: for its own sources alone (document.cpp, document_strokes.cpp).
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "model/document.h"
+#include "model/history.h"
+#include "playtest/playtest.h"
+#include "project/project_files.h"
+#include "tools/stroke.h"
+
+namespace sward {
+
+struct Document::Impl {
+    Tables tables;
+    History history;
+    std::optional<Project> project;
+    Project saved;  // as it is on disk
+    uint64_t revision = 1;
+    std::unique_ptr<Playtest> play;
+    struct {
+        uint64_t revision = 0;
+        bool value = false;
+    } dirtyAt;
+    struct {
+        uint64_t revision = 0;
+        std::optional<Project> project;  // none: nothing is hidden
+    } visible;
+
+    double saveWaitSeconds = kLockWaitSeconds;
+    int groupDepth = 0;
+    UndoStep group;
+
+    struct StrokePart {
+        std::string path;  // canonical
+        Stroke work;
+    };
+    struct ActiveStroke {
+        std::vector<StrokePart> parts;  // one a map
+        std::vector<Change> changes;    // one a component; `after` is filled in at the end
+        std::string label;              // "Comb lawn.GrassField.orientation"
+        glm::dvec2 last{0};             // point
+        double metres = 0;              // that it went
+        bool ended = false;
+        // "Comb lawn.GrassField.orientation, 42 m"
+        std::string told() const { return metres > 0 ? fmt::format("{}, {:.3g} m", label, metres) : label; }
+        bool idle() const {
+            return std::all_of(parts.begin(), parts.end(), [](const StrokePart& p) { return p.work.idle(); });
+        }
+    };
+    std::optional<ActiveStroke> stroke;
+    struct {
+        std::map<std::string, Map> before;  // what it paints, as it was, by PATH
+        uint64_t revision = 0;              // that it left
+    } lastStroke;
+
+    Impl(const Tables& t, size_t undoBytes) : tables(t), history(undoBytes) {}
+    std::span<const ComponentRow> rows() const { return tables.components; }
+
+    std::shared_ptr<void> stateOf(const std::string& entity, const ComponentRow& row) const {
+        const void* value = componentOf(*project, entity, row);
+        return value ? row.clone(value) : nullptr;
+    }
+    Status ready() const;
+    void show(Project p);
+    void record(const std::string& label, std::vector<Change> changes);
+    Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
+    Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
+    void pump(double budgetMs);
+    void letGo();  // no more points
+    void finishStroke();
+    bool step(bool forward);
+};
+
+}  // namespace sward
