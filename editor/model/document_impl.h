@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/document.h"
+#include "model/field_walk.h"
 #include "model/history.h"
 #include "playtest/playtest.h"
 #include "project/project_files.h"
