@@ -74,7 +74,7 @@ void colorField(const FieldParts& parts, const ConstFieldRef& f) {
 
 void boolField(const FieldParts& parts, const ConstFieldRef& f) {
     bool value = *static_cast<const bool*>(f.value);
-    if (ui::checkbox(f.path, value)) set(parts, f.path, value ? "true" : "false");
+    if (ui::checkbox(f.path, value, false)) set(parts, f.path, value ? "true" : "false");
 }
 
 void choiceField(const FieldParts& parts, const ConstFieldRef& f) {

@@ -130,8 +130,8 @@ bool button(const std::string& label, float width, bool accent) {
     return pressed;
 }
 
-bool checkbox(const std::string& label, bool& value) {
-    const bool changed = ImGui::Checkbox((shown(label) + "#" + idOf(label)).c_str(), &value);
+bool checkbox(const std::string& label, bool& value, bool titled) {
+    const bool changed = ImGui::Checkbox(((titled ? shown(label) : "") + "#" + idOf(label)).c_str(), &value);
     record(label, Kind::Checkbox, value ? "true" : "false");
     return changed;
 }

@@ -87,8 +87,8 @@ void tooltip(const std::string& text);
 
 // True if it was pressed. Width 0: as the label needs; `accent`: it is the usual choice, or is switched on.
 bool button(const std::string& label, float width = 0, bool accent = false);
-// True if the value was changed.
-bool checkbox(const std::string& label, bool& value);
+// True if the value was changed. Not `titled`: the label stands elsewhere.
+bool checkbox(const std::string& label, bool& value, bool titled = true);
 // A line of a list; true if it was pressed.
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
 // A section that opens and closes; true while open. `title` is what is shown of it.

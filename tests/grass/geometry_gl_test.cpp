@@ -74,11 +74,18 @@ TEST(GrassPicture, TheCpuCountsWhatTheShaderDraws) {
     EXPECT_DOUBLE_EQ(r.stats().bladesVirtual, 200.0 * 400 * f.species[0].density.map.mean());
     const uint64_t seen = visibleBlades(p, tables(), c, s.width, s.height);
     EXPECT_NEAR(static_cast<double>(seen), 200.0 * 400 / 2, 200.0 * 400 / 255);
-    EXPECT_EQ(r.stats().bladesGeometry, seen)
-        << "constant density: the contiguous range is exactly the blades that exist";
+    // Each cell of 50 blades moves thresholds by a number of its own, so that some lie within the slack for rounding,
+    // 1e-5, beyond the density: 0.8 of 80,000 in the mean. The shader leaves them out.
+    EXPECT_GE(r.stats().bladesGeometry, seen);
+    EXPECT_LE(r.stats().bladesGeometry, seen + 5);
     const PassStats& pass = passOf(r, "grass/geometry");
     EXPECT_GE(pass.vertices, 4 * seen) << "two rows of two vertices a blade";
     EXPECT_FALSE(r.stats().features.empty());
+    // Of 200 a cell all cells have the same.
+    f.species[0].bladesPerM2 = 800;
+    ASSERT_TRUE(r.draw(p, c, s));
+    EXPECT_EQ(r.stats().bladesGeometry, visibleBlades(p, tables(), c, s.width, s.height))
+        << "constant density: the contiguous range is exactly the blades that exist";
 }
 
 TEST(GrassPicture, CallsDoNotGrowWithTheFieldAndFlatDrawsNone) {

@@ -42,7 +42,7 @@ class Sculptor : public EditorTools {
         ui = makeUiDriver(*app);
         ok(ui->wait(3));
         app->view.camera = camera;
-        ok(ui->click("Tools/Look"));
+        ok(ui->click("Tools/Select"));
         return picture();
     }
 };
@@ -87,7 +87,7 @@ TEST_F(Sculptor, APictureAfterStrokesEqualsThatOfTheProjectSavedAndOpenedAnew) {
     drag(0.3f, 0.75f, 0.6f, 0.75f);
     take("Ramp", "1");
     drag(0.5f, 0.75f, 0.8f, 0.9f);
-    ok(ui->click("Tools/Look"));
+    ok(ui->click("Tools/Select"));
     const std::vector<uint8_t> sculpted = picture();
     EXPECT_NE(sculpted, flat);
     ok(ui->key("ctrl+s"));
@@ -100,7 +100,7 @@ TEST_F(Sculptor, ObjectsStandOnTheGroundThatIsMadeUnderThem) {
     ASSERT_TRUE(doc.open(std::filesystem::path(SWARD_SOURCE_DIR) / "projects/rockery"));
     ASSERT_TRUE(doc.saveAs(dir / "rockery"));
     ok(ui->wait(3));
-    ok(ui->click("Tools/Look"));
+    ok(ui->click("Tools/Select"));
     const std::vector<uint8_t> before = picture();
     BrushSettings brush;
     brush.map = kHeight, brush.mode = "raise", brush.radius = 2, brush.value = 0.3f;

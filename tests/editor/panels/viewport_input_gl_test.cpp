@@ -89,6 +89,8 @@ TEST_F(EditorTools, PressingInTheViewportMakesTheMapAndPushesTheWayTheHandGoes) 
 TEST_F(EditorTools, CtrlShiftErasesEverySpeciesInOneStep) {
     ok(ui->click("Inspector/lawn.GrassField.species/Add species"));
     const std::string second = "lawn.GrassField.species[grass].density";
+    EXPECT_EQ(mapOf(second).map.mean(), 0) << "what is new grows nowhere yet";
+    ok(doc.setField(second, ""));  // everywhere
     const uint64_t before = density();
     ok(ui->set("Brush/Map", "species[lawn].density"));
     const Rect& r = app->hand.rect;
