@@ -119,13 +119,12 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     add(sum, light, alpha, e.t);
 }
 
-// The curvature by which the surface lies `below` the ray after `far` metres, as it was drawn: what triangles and dents
-// make of the even bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the
-// surface.
-float bendSeen(float k, float above, float sinks, float far, float below) {
-    if (!(far > 0.0)) return k;
-    float off = abs(above - below + sinks * far + 0.5 * k * far * far) / slices.top, most = kMostBent / slices.top;
-    float seen = clamp(-2.0 * (above - below + sinks * far) / (far * far), -most, most);
+// The curvature by which the surface comes to where the scene's depth has it: what triangles and dents make of the even
+// bend `k`. Only of what lies about there: another thing beyond the outline says nothing of the surface.
+float bendSeen(float k, float above, float sinks, float scene) {
+    if (!(scene > 0.0)) return k;
+    float off = abs(above + sinks * scene + 0.5 * k * scene * scene) / slices.top, most = kMostBent / slices.top;
+    float seen = clamp(-2.0 * (above + sinks * scene) / (scene * scene), -most, most);
     return mix(seen, k, smoothstep(0.5, 1.5, off));
 }
 
@@ -133,7 +132,7 @@ float bendSeen(float k, float above, float sinks, float far, float below) {
 // metres on. Of a ray that leaves it is known how steeply: so the surface may bend more there than here.
 vec2 bendHere(float k, float above, float sinks, float scene, float leaves) {
     vec2 leaving = texelFetch(shellLeaving, ivec2(gl_FragCoord.xy), 0).rg;
-    if (!(leaves > 0.0 && leaves < scene && leaving.g == part)) return vec2(bendSeen(k, above, sinks, scene, 0.0), 0.0);
+    if (!(leaves > 0.0 && leaves < scene && leaving.g == part)) return vec2(bendSeen(k, above, sinks, scene), 0.0);
     float higher = (endsAt - above) / leaves, rises = leaving.r;
     return vec2((6.0 * higher - 4.0 * sinks - 2.0 * rises) / leaves,
                 (6.0 * (sinks + rises) - 12.0 * higher) / (leaves * leaves));
