@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "frame/renderer.h"
+#include "programs_once.h"
 #include "scene/project.h"
 #include "techniques.h"
 #include "world/view_camera.h"
@@ -16,7 +17,9 @@ inline Gpu& gpu() {
         if (!made) ADD_FAILURE() << made.error().text();
         return made ? std::move(*made) : std::make_unique<Gpu>();
     }();
+    static ProgramsOnce programs;
     makeCurrent(*instance);
+    programs.makeCurrent();
     return *instance;
 }
 // Fails the test if OpenGL reported an error since it was made.

@@ -12,6 +12,7 @@
 
 #include "editor/app/app.h"
 #include "editor/ui/driver.h"
+#include "programs_once.h"
 #include "support.h"
 #include "techniques.h"
 
@@ -24,8 +25,11 @@ class EditorFixture : public testing::Test {
         auto made = makeHeadlessGpu();
         ASSERT_TRUE(made) << made.error().text();
         gpu = made->release();
+        programs = std::make_unique<ProgramsOnce>();
+        programs->makeCurrent();
     }
     static void TearDownTestSuite() {
+        programs.reset();
         delete gpu;
         gpu = nullptr;
     }
@@ -62,6 +66,7 @@ class EditorFixture : public testing::Test {
     }
 
     static inline Gpu* gpu = nullptr;
+    static inline std::unique_ptr<ProgramsOnce> programs;
     TempDir dir;
     Document doc{tables()};
     std::unique_ptr<EditorApp> app;
