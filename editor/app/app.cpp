@@ -54,7 +54,7 @@ void followBake(EditorApp& app) {
     if (accept(app.messages, *end)) say(app.messages, "ambient occlusion is baked");
 }
 
-// What the renderer makes beside is shown once it is there; strips drawn with its draft are drawn anew.
+// What the renderer makes beside is shown once it is there; what was drawn with its draft is drawn anew.
 void followRenderer(const Renderer& renderer, bool open, std::vector<JobNews>& making, ViewportPicture& picture) {
     std::vector<JobNews> jobs = renderer.jobs();
     const bool done = std::any_of(jobs.begin(), jobs.end(), [](const JobNews& j) { return j.finished; });

@@ -9,23 +9,41 @@ namespace {
 // Steps of a sixteenth, so that the renderer's targets are not made anew for every frame.
 double quantized(double scale) { return std::clamp(std::floor(scale * 16 + 0.5) / 16, kMinScale, 1.0); }
 
-void beginStrips(Resolution& r) {
-    r.done = 0;
-    r.stripsMs = 0;
-    r.strip = r.fullMs <= kSlowMs ? 1 : std::clamp(kStripMs / r.fullMs, kMinStrip, 1.0);
+constexpr double kMinArea = kMinRow * kMinWidth;
+
+// The row that begins at `top`, of a height for pieces of this area.
+PicturePiece rowAt(double top, double area) {
+    PicturePiece row{0, 1, top, top + std::max(area, kMinRow)};
+    if (1 - row.to < kMinRow) row.to = 1;  // no sliver remains
+    return row;
 }
 
-void nextStrip(Resolution& r, ResolutionPlan& plan) {
-    if (r.done <= 0 || r.stale) beginStrips(r);
+void nextPiece(Resolution& r, ResolutionPlan& plan) {
+    if (r.stale || r.row.to <= 0) {
+        r.pieceArea = r.fullMs <= kSlowMs ? 1 : std::clamp(kPieceMs / r.fullMs, kMinArea, 1.0);
+        r.piecesMs = 0;
+        r.row = rowAt(0, r.pieceArea);
+    }
     plan.draw = true;
-    plan.from = r.done;
-    plan.to = r.done + r.strip;
-    if (1 - plan.to < r.strip / 2) plan.to = 1;  // no sliver remains
+    plan.piece = r.row;
+    plan.piece.right = plan.piece.left + std::max(kMinWidth, r.pieceArea / (r.row.to - r.row.from));
+    if (1 - plan.piece.right < kMinWidth) plan.piece.right = 1;
+}
+
+// A piece says little of the next one: the sky costs nothing, the grass below it much. So that pieces grow slowly, and
+// never to more than four of them would cost if the picture's cost were even.
+void learnPiece(Resolution& r, const PicturePiece& piece, double ms) {
+    const double even = r.fullMs > kSlowMs ? 4 * kPieceMs / r.fullMs : 1;
+    const double area = piece.area() * std::clamp(kPieceMs / std::max(ms, 0.1), 0.3, 1.5);
+    r.pieceArea = std::clamp(area, kMinArea, std::max(kMinArea, std::min(1.0, even)));
+    r.piecesMs = piece.first() ? ms : r.piecesMs + ms;
+    r.row = {piece.right, 1, piece.from, piece.to};
+    if (r.row.left >= 1 && r.row.to < 1) r.row = rowAt(r.row.to, r.pieceArea);
 }
 
 // Detail gives way when the smallest image is still too slow, and comes back first.
 void learnMoving(Resolution& r, const ResolutionPlan& plan, double ms) {
-    r.done = 0;
+    r.row.to = 0;
     r.drawnScale = plan.scale * 0.999;  // a whole image with fewer blades is not the full one yet
     if (r.fullMs <= 0) r.fullMs = ms / (plan.scale * plan.scale);
     const double ratio = kTargetMs / std::max(ms, 0.1);
@@ -60,7 +78,7 @@ ResolutionPlan planDrawing(Resolution& r, double now, bool changed) {
         plan.scale = quantized(r.movingScale);
         plan.detail = r.movingDetail;
     } else if (r.stale || (!moving && r.drawnScale < 1)) {
-        nextStrip(r, plan);
+        nextPiece(r, plan);
     }
     plan.msaa = plan.scale < 1 ? 1 : 4;
     return plan;
@@ -69,15 +87,13 @@ ResolutionPlan planDrawing(Resolution& r, double now, bool changed) {
 void learnDrawing(Resolution& r, const ResolutionPlan& plan, double ms) {
     r.stale = false;
     if (plan.scale < 1 || plan.detail < 1) return learnMoving(r, plan, ms);
-    r.stripsMs = plan.from <= 0 ? ms : r.stripsMs + ms;
-    r.done = plan.to;
-    r.strip = std::clamp((plan.to - plan.from) * std::clamp(kStripMs / std::max(ms, 0.1), 0.4, 2.0), kMinStrip, 1.0);
-    if (plan.to < 1) {
+    learnPiece(r, plan.piece, ms);
+    if (r.row.left < 1) {
         r.drawnScale = std::min(r.drawnScale, 0.999);
         return;
     }
-    r.done = 0;
-    learnFull(r, r.stripsMs);
+    r.row.to = 0;
+    learnFull(r, r.piecesMs);
 }
 
 double secondsToRefine(const Resolution& r, double now) {

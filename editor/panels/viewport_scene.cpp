@@ -14,7 +14,7 @@
 namespace sward {
 namespace {
 
-constexpr double kStripsMs = 35;  // of a frame, for strips of the full picture
+constexpr double kPiecesMs = 25;  // of a frame, for pieces of the full picture
 
 bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
     return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
@@ -31,8 +31,7 @@ ResolutionPlan nextPlan(Resolution& r, const FrameClock& clock, bool measure, bo
     ResolutionPlan plan;
     if (!clock.fixed && !clock.refineNow) {
         plan = planDrawing(r, clock.now, changed);
-        if (measure && plan.scale >= 1 && plan.detail >= 1)
-            plan.from = 0, plan.to = 1;  // numbers are of whole pictures
+        if (measure && plan.scale >= 1 && plan.detail >= 1) plan.piece = {};  // numbers are of whole pictures
         return plan;
     }
     plan.draw = changed || r.stale || (clock.refineNow && r.drawnScale < 1);
@@ -57,12 +56,23 @@ void ensurePicture(ViewportPicture& v, int width, int height) {
     v.hasImage = false;
 }
 
-// Puts the renderer's image into its rows of the picture, stretched if it is coarser.
-void place(ViewportPicture& v, unsigned image, const ViewSettings& drawn, int y, int height) {
+int pixelAt(int size, double share) { return static_cast<int>(std::lround(size * share)); }
+
+// The pixels of a piece, first row at the bottom.
+struct PixelRect {
+    int x, y, width, height;
+};
+PixelRect pixelsOf(const PicturePiece& p, int width, int height) {
+    const int left = pixelAt(width, p.left), above = pixelAt(height, p.from), below = pixelAt(height, p.to);
+    return {left, height - below, pixelAt(width, p.right) - left, below - above};
+}
+
+// Puts the renderer's image where it belongs in the picture, stretched if it is coarser.
+void place(ViewportPicture& v, unsigned image, const ViewSettings& drawn, const PixelRect& on) {
     glNamedFramebufferTexture(v.source, GL_COLOR_ATTACHMENT0, image, 0);
     glDisable(GL_SCISSOR_TEST);
-    glBlitNamedFramebuffer(v.source, v.target, 0, 0, drawn.width, drawn.height, 0, y, v.width, y + height,
-                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(v.source, v.target, 0, 0, drawn.width, drawn.height, on.x, on.y, on.x + on.width,
+                           on.y + on.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     v.hasImage = true;
 }
 
@@ -86,34 +96,31 @@ double drawTimed(const SceneParts& p, const ViewCamera& camera, const ViewSettin
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Strips meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave
+// Pieces meet the same cells twice, so their counts are not those of the picture: the coarse drawing before them gave
 // these.
 void keepStats(ViewCounts& v, const FrameStats& stats, const ResolutionPlan& plan, double ms) {
-    v.lastMs = plan.from <= 0 ? ms : v.lastMs + ms;
-    if (!plan.whole()) return;
+    v.lastMs = plan.piece.first() ? ms : v.lastMs + ms;
+    if (!plan.piece.whole()) return;
     v.stats = stats;
     v.stats.bladesGeometry = static_cast<uint64_t>(static_cast<double>(stats.bladesGeometry) / plan.detail);
 }
 
-void drawStrip(const SceneParts& p, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
+void drawPiece(const SceneParts& p, const ViewCamera& camera, const ViewSettings& whole, const ResolutionPlan& plan) {
     ViewSettings s = whole;
     s.msaa = plan.msaa;
     s.detail = static_cast<float>(plan.detail);
-    int y = 0, height = whole.height;
-    if (!plan.whole()) {
-        const int above = static_cast<int>(std::lround(whole.height * plan.from)),
-                  below = static_cast<int>(std::lround(whole.height * plan.to));
-        s.height = height = below - above;
-        y = whole.height - below;
-        s.part = {0, y, whole.width, whole.height};
+    const PixelRect on = pixelsOf(plan.piece, whole.width, whole.height);
+    if (!plan.piece.whole()) {
+        s.width = on.width, s.height = on.height;
+        s.part = {on.x, on.y, whole.width, whole.height};
     } else {
         s.width = std::max(1, static_cast<int>(whole.width * plan.scale));
         s.height = std::max(1, static_cast<int>(whole.height * plan.scale));
     }
     double ms = 0;
-    if (height > 0) {
+    if (on.width > 0 && on.height > 0) {
         ms = drawTimed(p, camera, s);
-        place(p.picture, p.renderer.image(), s, y, height);
+        place(p.picture, p.renderer.image(), s, on);
         keepStats(p.counts, p.renderer.stats(), plan, ms);
     }
     learnDrawing(p.picture.resolution, plan, ms);
@@ -163,8 +170,8 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
     const bool changed =
         revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(wanted, v.drawnSettings);
     ResolutionPlan plan = nextPlan(v.resolution, clock, wanted.measure, changed);
-    // Input first: strips wait for it, and what moves is drawn now and then, so that it is seen to move.
-    const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.whole();
+    // Input first: pieces wait for it, and what moves is drawn now and then, so that it is seen to move.
+    const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.piece.whole();
     if (plan.draw && inputWaits && v.hasImage && !clock.refineNow && (refining || ++v.skipped < 6)) return;
     v.skipped = 0;
     ensurePicture(v, wanted.width, wanted.height);
@@ -172,9 +179,9 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
     const double& last = parts.counts.lastMs;
     for (double spent = 0; plan.draw;) {
         const double before = last;
-        drawStrip(parts, camera, wanted, plan);
-        spent += plan.from <= 0 ? last : last - before;
-        if (plan.whole() || spent > kStripsMs) break;
+        drawPiece(parts, camera, wanted, plan);
+        spent += plan.piece.first() ? last : last - before;
+        if (plan.piece.whole() || spent > kPiecesMs) break;
         plan = nextPlan(v.resolution, clock, wanted.measure, false);
     }
     countAtRest(parts, camera);

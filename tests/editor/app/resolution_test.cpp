@@ -15,7 +15,7 @@ struct Machine {
     double step(double now, bool changed) {
         plan = planDrawing(r, now, changed);
         if (!plan.draw) return 0;
-        const double ms = fixedMs + (bladeMs * plan.detail + fullMs * plan.scale * plan.scale) * (plan.to - plan.from);
+        const double ms = fixedMs + (bladeMs * plan.detail + fullMs * plan.scale * plan.scale) * plan.piece.area();
         learnDrawing(r, plan, ms);
         return ms;
     }
@@ -34,7 +34,7 @@ TEST(Resolution, AFastRendererAlwaysDrawsInFullAndWhole) {
         m.step(i * 0.016, true);
         EXPECT_EQ(m.plan.scale, 1);
         EXPECT_EQ(m.plan.msaa, 4);
-        EXPECT_TRUE(m.plan.whole());
+        EXPECT_TRUE(m.plan.piece.whole());
         EXPECT_EQ(m.plan.detail, 1);
     }
 }
@@ -70,39 +70,67 @@ TEST(Resolution, WhereTheSmallestImageIsTooSlowBladesGiveWayAndComeBack) {
     EXPECT_EQ(m.plan.scale, 1);
 }
 
-TEST(Resolution, AtRestStripsCoverThePictureOnceAndNoneTakesLong) {
+TEST(Resolution, AtRestPiecesCoverThePictureOnceAndNoneTakesLong) {
     Machine m{2, 1200, 800};
     for (int i = 0; i < 20; ++i) m.step(i * 0.06, true);
     const double rest = 19 * 0.06 + kRestSeconds + 0.01;
     EXPECT_FALSE(planDrawing(m.r, rest - 0.1, false).draw);
     EXPECT_NEAR(secondsToRefine(m.r, rest - 0.06), 0.05, 1e-9);
     double covered = 0;
-    int strips = 0;
-    for (; strips < 200; ++strips) {
-        const double ms = m.step(rest + strips * 0.05, false);
+    PicturePiece last{0, 1, 0, 0};
+    int pieces = 0;
+    for (; pieces < 2000; ++pieces) {
+        const double ms = m.step(rest + pieces * 0.05, false);
         if (!m.plan.draw) break;
-        EXPECT_EQ(m.plan.from, covered);
-        EXPECT_GT(m.plan.to, m.plan.from);
+        const PicturePiece piece = m.plan.piece;
+        if (piece.left > 0) {
+            EXPECT_EQ(piece.left, last.right);
+            EXPECT_EQ(piece.from, last.from);
+            EXPECT_EQ(piece.to, last.to);
+        } else {
+            EXPECT_EQ(piece.from, last.to);
+            EXPECT_EQ(last.right, 1);
+        }
         EXPECT_EQ(m.plan.msaa, 4);
         EXPECT_EQ(m.plan.detail, 1);
-        EXPECT_LT(ms, 250);
-        covered = m.plan.to;
-        EXPECT_EQ(m.r.drawnScale >= 1, covered >= 1);
+        EXPECT_LE(ms, 30);
+        covered += piece.area();
+        last = piece;
+        EXPECT_EQ(m.r.drawnScale >= 1, piece.right >= 1 && piece.to >= 1);
     }
-    EXPECT_EQ(covered, 1);
-    EXPECT_GT(strips, 5);
+    EXPECT_NEAR(covered, 1, 1e-9);
+    EXPECT_GT(pieces, 60) << "of the 2000 ms no more than 30 a piece";
+    EXPECT_LT(pieces, 400);
     EXPECT_LT(secondsToRefine(m.r, 1e6), 0);
 }
 
-TEST(Resolution, AChangeBetweenStripsBeginsAnew) {
+// Sky above, then grass: a thousand times as dear.
+TEST(Resolution, PiecesGrowSlowlyWhereTheyCostNothing) {
+    Resolution r;
+    r.movingScale = 0.25;
+    ResolutionPlan plan = planDrawing(r, 0, true);
+    learnDrawing(r, plan, 100);  // 1600 ms in full
+    double most = 0, now = 1;
+    for (int i = 0; i < 2000 && (plan = planDrawing(r, now, false)).draw; ++i, now += 0.05) {
+        const PicturePiece& p = plan.piece;
+        const double grass = std::max(0.0, p.to - std::max(p.from, 0.4)) * (p.right - p.left);
+        const double ms = 1 + 1 * p.area() + 2500 * grass;
+        learnDrawing(r, plan, ms);
+        most = std::max(most, ms);
+    }
+    EXPECT_EQ(r.drawnScale, 1);
+    EXPECT_LT(most, 170) << "the first piece of grass alone is a surprise";
+}
+
+TEST(Resolution, AChangeBetweenPiecesBeginsAnew) {
     Machine m{2, 1200};
     for (int i = 0; i < 20; ++i) m.step(i * 0.06, true);
     for (int i = 0; i < 3; ++i) m.step(2 + i * 0.05, false);
-    EXPECT_GT(m.r.done, 0);
+    EXPECT_GT(m.r.row.from, 0);
     m.step(2.2, true);
     EXPECT_LT(m.plan.scale, 1);
     m.step(4, false);
-    EXPECT_EQ(m.plan.from, 0);
+    EXPECT_TRUE(m.plan.piece.first());
 }
 
 TEST(Resolution, AChangeThatWasNotDrawnYetIsNotForgotten) {
