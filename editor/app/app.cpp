@@ -164,7 +164,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     if (gpu.software)
         picture.resolution.movingScale = picture.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)
-        if (const auto file = layoutFile()) layout = loadLayout(*file);
+        if (const auto file = layoutFile()) layout = loadLayout(*file), bindings = loadBindings(*bindingsFile());
     start = loadStart(keepLayout ? recentFile() : std::filesystem::path(), resource("projects"));
     start.keep = keepLayout;
     brushes.shiftErases = layout.shiftErases;

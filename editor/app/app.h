@@ -12,6 +12,7 @@
 
 #include "accuracy/accuracy.h"
 #include "app/background_work.h"
+#include "app/bindings.h"
 #include "app/console.h"
 #include "app/edits.h"
 #include "app/file_tasks.h"
@@ -19,6 +20,7 @@
 #include "app/layout.h"
 #include "app/messages.h"
 #include "app/object_actions.h"
+#include "app/palette.h"
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
@@ -88,6 +90,9 @@ struct EditorApp {
     StartScreen start;
     UnsavedDialog unsaved;
     RenameDialog rename;
+    Palette palette;
+    KeysDialog keys;
+    Bindings bindings;
 
     // --- the program
     bool keepLayout = false;

@@ -84,14 +84,6 @@ void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
 void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
-// What is chosen and has a place, else what is under the pointer.
-void focusChosen(EditorApp& app) {
-    FlyCamera& camera = app.view.camera;
-    const std::optional<Extent> extent = extentOf(objectParts(app));
-    if (!extent) return focusGround(camera, app.hand.ground, currentBrush(app.brushes).radius);
-    const double half = std::sin(glm::radians(static_cast<double>(camera.fovDeg)) / 2);
-    focus(camera, extent->middle, std::max(2.0, 1.3 * extent->radius / half));
-}
 template <GizmoMode Mode>
 void takeMode(EditorApp& app) {
     selectTool(app.doc, app.brushes, app.messages, kViewTool);
@@ -159,15 +151,13 @@ constexpr Command kCommands[] = {
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
     {"View", "Focus", "f", "", focusChosen, opened},
+    {"View", "Command Palette...", "ctrl+shift+p", "f3", [](App& a) { openPalette(a.palette); }, always},
+    {"Help", "Keys...", "f1", "", [](App& a) { openKeys(a.keys); }, always},
 };
 
-bool matches(const char* chord, const Chord& pressed) {
-    const std::optional<Chord> wanted = chord[0] ? parseChord(chord) : std::nullopt;
-    return wanted && *wanted == pressed;
-}
-
 bool dialogOpen(const EditorApp& a) {
-    return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty();
+    return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty() ||
+           a.palette.open || a.keys.open;
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }
@@ -182,10 +172,19 @@ void refuseInPlay(const Command& c, const Chord& pressed, bool captured, Message
 
 std::span<const Command> commands() { return kCommands; }
 
+void focusChosen(EditorApp& app) {
+    FlyCamera& camera = app.view.camera;
+    const std::optional<Extent> extent = extentOf(objectParts(app));
+    if (!extent) return focusGround(camera, app.hand.ground, currentBrush(app.brushes).radius);
+    const double half = std::sin(glm::radians(static_cast<double>(camera.fovDeg)) / 2);
+    focus(camera, extent->middle, std::max(2.0, 1.3 * extent->radius / half));
+}
+
 std::vector<CommandState> commandStates(EditorApp& app) {
     std::vector<CommandState> states;
     for (const Command& c : kCommands)
-        states.push_back({&c, c.enabled(app) && (c.inPlay || !playing(app.doc)), c.checked && c.checked(app)});
+        states.push_back({&c, chordOf(app.bindings, c), c.enabled(app) && (c.inPlay || !playing(app.doc)),
+                          c.checked && c.checked(app)});
     return states;
 }
 
@@ -195,7 +194,7 @@ void runShortcuts(EditorApp& app) {
         const Chord pressed{key, app.in.ctrl(), app.in.shift(), app.in.alt()};
         const bool flying = app.hand.gesture == Gesture::Look && !pressed.ctrl;  // letters move the camera then
         for (const Command& c : commands()) {
-            if (!matches(c.chord, pressed) && !matches(c.chord2, pressed)) continue;
+            if (!runsBy(app.bindings, c, pressed)) continue;
             const bool text = hasKeyboard(app.book);
             if (playing(app.doc) && !c.inPlay && !text) {
                 refuseInPlay(c, pressed, app.play.captured, app.messages);

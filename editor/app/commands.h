@@ -2,6 +2,7 @@
 // Does not: hold the view modes and panels, which the View menu lists from their own tables.
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
 namespace sward {
@@ -26,10 +27,13 @@ std::span<const Command> commands();
 // How a menu shows a command now.
 struct CommandState {
     const Command* command;
+    std::string chord;  // as bound now
     bool enabled, checked;
 };
 // All of them, in the table's order: those of a menu lie together.
 std::vector<CommandState> commandStates(EditorApp& app);
+// Brings what is chosen and has a place before the camera, else what is under the pointer.
+void focusChosen(EditorApp& app);
 // Runs the commands of the keys that went down in this frame, unless a text line or a dialog has the keyboard.
 void runShortcuts(EditorApp& app);
 

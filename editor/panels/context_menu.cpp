@@ -18,7 +18,8 @@ const Command* drawContextMenu(std::span<const CommandState> states, const std::
     const Command* chosen = nullptr;
     for (const CommandState& state : states) {
         const Command& c = *state.command;
-        if (std::string(c.menu) == "Object" && ui::menuItem(c.label, chordText(c.chord), state.checked, state.enabled))
+        if (std::string(c.menu) == "Object" &&
+            ui::menuItem(c.label, chordText(state.chord), state.checked, state.enabled))
             chosen = &c;
     }
     ImGui::EndPopup();

@@ -43,7 +43,7 @@ const Command* commandItems(const std::string& menu, const Document& doc, std::s
         const Command& c = *state.command;
         if (menu != c.menu) continue;
         const std::string label = c.label;
-        if (ui::menuItem(label, chordText(c.chord), state.checked, state.enabled)) chosen = &c;
+        if (ui::menuItem(label, chordText(state.chord), state.checked, state.enabled)) chosen = &c;
         if (label == "Undo" && doc.canUndo()) ui::tooltip("takes back: " + doc.undoLabel());
         if (label == "Redo" && doc.canRedo()) ui::tooltip("does again: " + doc.redoLabel());
     }

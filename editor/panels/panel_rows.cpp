@@ -151,6 +151,24 @@ void contextMenu(EditorApp& a) {
     if (const Command* c = drawContextMenu(commandStates(a), shownEntity(a.selection), a.objects.menu))
         a.edits.deferred.push_back([&a, c] { c->run(a); });
 }
+void palette(EditorApp& a) {
+    if (!a.palette.open) return;
+    std::vector<std::string> entities;
+    if (a.doc.isOpen())
+        for (const auto& [name, e] : a.doc.project().entities) entities.push_back(name);
+    const std::optional<PaletteLine> line = drawPalette(a.palette, commandStates(a), entities, a.in);
+    if (!line) return;
+    const Command* command = line->state ? line->state->command : nullptr;
+    a.edits.deferred.push_back([&a, command, entity = line->label] {
+        if (command) return command->run(a);
+        choose(a.selection, entity);
+        focusChosen(a);
+    });
+}
+void keysDialog(EditorApp& a) {
+    if (!drawKeysDialog(a.keys, a.bindings, a.in) || !a.keepLayout) return;
+    if (const auto file = bindingsFile()) saveBindings(*file, a.bindings);
+}
 void recoveryDialog(EditorApp& a) {
     if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
 }
@@ -182,6 +200,8 @@ constexpr PanelRow kPanels[] = {
     {"Recovery", Dock::Dialog, recoveryDialog, false},
     {"Rename", Dock::Dialog, renameDialog, false},
     {"Context", Dock::Dialog, contextMenu, false},
+    {"Palette", Dock::Dialog, palette, false},
+    {"Keys", Dock::Dialog, keysDialog, false},
 };
 
 }  // namespace

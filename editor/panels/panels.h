@@ -3,8 +3,10 @@
 // Does not: keep state; that is in those parts.
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/layout.h"
 #include "frame/renderer.h"
@@ -15,6 +17,7 @@ class Document;
 struct Accuracy;
 struct Autosave;
 struct BackgroundWork;
+struct Bindings;
 struct BrushBook;
 struct BrushCost;
 struct Command;
@@ -24,9 +27,13 @@ struct EditorApp;
 struct Edits;
 struct FieldParts;
 struct FileDialog;
+struct FrameInput;
+struct KeysDialog;
 struct MeasureParts;
 struct Messages;
 struct ObjectTool;
+struct Palette;
+struct PaletteLine;
 struct RenameDialog;
 struct Selection;
 struct TierView;
@@ -98,6 +105,11 @@ void drawRenameDialog(RenameDialog& dialog, Document& document, Edits& edits,
 // The commands of the menu Object, at the pointer, once `opening` was set. The one that was chosen in this frame, or
 // null.
 const Command* drawContextMenu(std::span<const CommandState> states, const std::string& title, bool& opening);
+// While it is open: what was chosen in this frame, if anything.
+std::optional<PaletteLine> drawPalette(Palette& palette, std::span<const CommandState> states,
+                                       const std::vector<std::string>& entities, const FrameInput& in);
+// While it is open: all keys, and others for commands. True if a command's keys changed.
+bool drawKeysDialog(KeysDialog& dialog, Bindings& bindings, const FrameInput& in);
 // True while it waits for the editor's first frames, which must then come.
 bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
 

@@ -38,7 +38,26 @@ int keyNamed(const std::string& name) {
     return 0;
 }
 
+std::string nameOf(int key) {
+    const std::string typed(1, keyChar(key));
+    if (keyNamed(typed) == key) return typed;
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "f" + std::to_string(key - GLFW_KEY_F1 + 1);
+    for (const NamedKey& k : kNamed)
+        if (key == k.key) return k.name;
+    return "";
+}
+
 }  // namespace
+
+std::string chordName(const Chord& chord) {
+    const std::string key = nameOf(chord.key);
+    if (key.empty()) return "";
+    std::string name;
+    if (chord.ctrl) name += "ctrl+";
+    if (chord.shift) name += "shift+";
+    if (chord.alt) name += "alt+";
+    return name + key;
+}
 
 std::optional<Chord> parseChord(const std::string& text) {
     Chord chord;

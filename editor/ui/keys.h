@@ -14,6 +14,8 @@ struct Chord {
 
 // "ctrl+z", "F5", "[", "shift+left"; case does not matter. Nothing if a part is unknown.
 std::optional<Chord> parseChord(const std::string& text);
+// What parseChord reads as this; "" for a key that has no name there.
+std::string chordName(const Chord& chord);
 // As menus show it: "Ctrl+Shift+Z".
 std::string chordText(const std::string& chord);
 // The character a key types without modifiers (US layout), or 0.

@@ -11,7 +11,7 @@ constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.t
 
 void loadFont(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    static const ImWchar ranges[] = {0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x45F, 0x2010, 0x2026, 0x25CF, 0x25CF, 0};
+    static const ImWchar ranges[] = {0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x45F, 0x2010, 0x203A, 0x25CF, 0x25CF, 0};
     for (const char* file : kFonts) {
         std::error_code error;
         if (std::filesystem::exists(file, error) &&

@@ -17,7 +17,8 @@ class MenuBar : public test::PanelStage {
             if (const Command* c = drawMenuBar(doc, states, mode, layout)) chosen = c;
         };
     }
-    std::vector<CommandState> states{{&kSave, true, false}, {&kQuit, false, false}, {&kFocus, true, true}};
+    std::vector<CommandState> states{
+        {&kSave, kSave.chord, true, false}, {&kQuit, kQuit.chord, false, false}, {&kFocus, kFocus.chord, true, true}};
     ViewMode mode = ViewMode::Final;
     Layout layout;
     const Command* chosen = nullptr;

@@ -21,6 +21,19 @@ TEST(Keys, WhatIsNoChordIsRefused) {
         EXPECT_EQ(parseChord(text), std::nullopt) << text;
 }
 
+TEST(Keys, ANamedChordIsReadAsItWas) {
+    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_F12; ++key)
+        for (const bool held : {false, true}) {
+            const Chord chord{key, held, !held, held};
+            const std::string name = chordName(chord);
+            if (!name.empty()) EXPECT_EQ(parseChord(name), chord) << name;
+        }
+    EXPECT_EQ(chordName({GLFW_KEY_EQUAL, true, false, false}), "ctrl+=");
+    EXPECT_EQ(chordName({GLFW_KEY_PAGE_UP, false, true, true}), "shift+alt+pageup");
+    EXPECT_EQ(chordName({GLFW_KEY_F11, false, false, false}), "f11");
+    EXPECT_EQ(chordName({GLFW_KEY_CAPS_LOCK, false, false, false}), "");
+}
+
 TEST(Keys, MenusShowChordsCapitalised) { EXPECT_EQ(chordText("ctrl+shift+z"), "Ctrl+Shift+Z"); }
 
 }  // namespace
