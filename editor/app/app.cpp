@@ -157,7 +157,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     imgui = ImGui::CreateContext();
     ImGui::SetCurrentContext(imgui);
     ui::setUpContext();
-    ui::applyTheme(surface->contentScale());
+    ui::applyTheme(ui::densityOf(*surface));
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
     clock.fixed = surface->fixedStep() > 0;

@@ -204,6 +204,9 @@ struct Verbs {
         s->add_option("file", script.file, "Lua file")->required();
         s->add_option("--project", script.project, "project to open first");
         s->add_flag("--window", script.window, "show the editor's window while it runs");
+        s->add_option("--size", script.size, "WxH of the editor without a window (default: 1280x800)");
+        s->add_option("--density", script.density, "its pixels a point, as on a dense screen (default: 1)")
+            ->check(CLI::Range(1.0, 4.0));
     }
     Verbs() {
         app.set_version_flag("--version", std::string("sward ") + SWARD_VERSION);

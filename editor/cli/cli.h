@@ -108,6 +108,8 @@ int explainVerb(const std::string& project, bool json);
 int hardcasesVerb(bool json);
 struct ScriptOptions {
     std::string file, project;
+    std::string size = "1280x800";  // of the editor without a window, in points
+    float density = 1;              // its pixels a point
     bool window = false;
 };
 // `sward script`: a Lua file, without a window unless one is asked for.

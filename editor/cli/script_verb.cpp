@@ -13,7 +13,8 @@ namespace {
 // The editor without a window, made at the first ui.* call: scripts that only make maps need no OpenGL context.
 class LazyUi final : public UiDriver {
   public:
-    explicit LazyUi(Document& document) : document_(document) {}
+    LazyUi(Document& document, std::pair<int, int> size, float density)
+        : document_(document), size_(size), density_(density) {}
     Status click(const std::string& label) override {
         return with([&](UiDriver& d) { return d.click(label); });
     }
@@ -61,7 +62,7 @@ class LazyUi final : public UiDriver {
         auto gpu = makeHeadlessGpu();
         if (!gpu) return gpu.error();
         gpu_ = std::move(*gpu);
-        driver_ = makeHeadlessUi(document_, *gpu_, 1280, 800);
+        driver_ = makeHeadlessUi(document_, *gpu_, size_.first, size_.second, density_);
         if (camera_.empty() || document_.play()) return {};  // in play the view is the walker's
         return driver_->set("Viewport/Camera", camera_);
     }
@@ -71,6 +72,8 @@ class LazyUi final : public UiDriver {
         return f(*driver_);
     }
     Document& document_;
+    std::pair<int, int> size_;
+    float density_;
     std::unique_ptr<Gpu> gpu_;
     std::unique_ptr<UiDriver> driver_;
     std::string camera_;
@@ -79,10 +82,12 @@ class LazyUi final : public UiDriver {
 }  // namespace
 
 int scriptVerb(const ScriptOptions& o) {
+    const auto size = parseSize(o.size);
+    if (!size) return report(size.error());
     Document document(tables());
     if (!o.project.empty())
         if (Status s = document.open(o.project); !s) return report(s.error());
-    LazyUi lazy(document);
+    LazyUi lazy(document, *size, o.density);
     std::unique_ptr<UiDriver> window;
     ScriptHost host{document};
     const Interruptible here;  // a script that is stopped takes its temporary folders along

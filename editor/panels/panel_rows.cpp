@@ -72,8 +72,7 @@ void takeInput(EditorApp& a, const RingParts& rings, bool over) {
 // What the next picture is to show.
 ViewSettings wantedSettings(EditorApp& a) {
     ViewSettings s;
-    const float dense =
-        static_cast<float>(a.surface->pixelWidth()) / static_cast<float>(std::max(1, a.surface->width()));
+    const float dense = ui::densityOf(*a.surface);
     s.width = static_cast<int>(a.hand.rect.w * dense), s.height = static_cast<int>(a.hand.rect.h * dense);
     s.mode = a.view.mode;
     s.time = timeShown(a.doc);

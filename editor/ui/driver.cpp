@@ -344,8 +344,8 @@ class OwningDriver final : public UiDriver {
 
 std::unique_ptr<UiDriver> makeUiDriver(EditorApp& app) { return std::make_unique<Driver>(app); }
 
-std::unique_ptr<UiDriver> makeHeadlessUi(Document& document, Gpu& gpu, int width, int height) {
-    return std::make_unique<OwningDriver>(document, &gpu, nullptr, ui::makeHeadlessSurface(width, height));
+std::unique_ptr<UiDriver> makeHeadlessUi(Document& document, Gpu& gpu, int width, int height, float density) {
+    return std::make_unique<OwningDriver>(document, &gpu, nullptr, ui::makeHeadlessSurface(width, height, density));
 }
 
 Result<std::unique_ptr<UiDriver>> makeWindowUi(Document& document, int width, int height) {

@@ -10,8 +10,9 @@ namespace sward {
 
 // Drives an editor that outlives it.
 std::unique_ptr<UiDriver> makeUiDriver(EditorApp& app);
-// An editor without a window over a document, in the current GL context, and its driver in one.
-std::unique_ptr<UiDriver> makeHeadlessUi(Document& document, Gpu& gpu, int width, int height);
+// An editor without a window over a document, in the current GL context, and its driver in one. Sizes in points, of
+// `density` pixels each.
+std::unique_ptr<UiDriver> makeHeadlessUi(Document& document, Gpu& gpu, int width, int height, float density = 1);
 // The same in a window. ExitCode::NoContext without a display.
 Result<std::unique_ptr<UiDriver>> makeWindowUi(Document& document, int width, int height);
 

@@ -1,5 +1,7 @@
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "ui/surface.h"
@@ -9,9 +11,9 @@ namespace {
 
 class HeadlessSurface final : public Surface {
   public:
-    HeadlessSurface(int width, int height) : width_(width), height_(height) {
+    HeadlessSurface(int width, int height, float density) : width_(width), height_(height), density_(density) {
         glCreateTextures(GL_TEXTURE_2D, 1, &texture_);
-        glTextureStorage2D(texture_, 1, GL_RGBA8, width, height);
+        glTextureStorage2D(texture_, 1, GL_RGBA8, pixelWidth(), pixelHeight());
         glCreateFramebuffers(1, &framebuffer_);
         glNamedFramebufferTexture(framebuffer_, GL_COLOR_ATTACHMENT0, texture_, 0);
         glObjectLabel(GL_TEXTURE, texture_, -1, "editor/headless");
@@ -22,6 +24,8 @@ class HeadlessSurface final : public Surface {
     }
     int width() const override { return width_; }
     int height() const override { return height_; }
+    int pixelWidth() const override { return static_cast<int>(std::lround(static_cast<float>(width_) * density_)); }
+    int pixelHeight() const override { return static_cast<int>(std::lround(static_cast<float>(height_) * density_)); }
     void poll(InputQueue&, double) override {}
     void bind() override { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
     void present() override {}
@@ -29,13 +33,19 @@ class HeadlessSurface final : public Surface {
 
   private:
     int width_, height_;
+    float density_;
     unsigned texture_ = 0, framebuffer_ = 0;
 };
 
 }  // namespace
 
-std::unique_ptr<Surface> makeHeadlessSurface(int width, int height) {
-    return std::make_unique<HeadlessSurface>(width, height);
+float densityOf(const Surface& surface) {
+    const int points = surface.width();
+    return points > 0 ? std::max(1.f, static_cast<float>(surface.pixelWidth()) / static_cast<float>(points)) : 1;
+}
+
+std::unique_ptr<Surface> makeHeadlessSurface(int width, int height, float density) {
+    return std::make_unique<HeadlessSurface>(width, height, density);
 }
 
 std::vector<uint8_t> readSurface(Surface& surface) {

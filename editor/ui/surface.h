@@ -15,14 +15,14 @@ enum class Cursor { Arrow, Text, ResizeEW, ResizeNS };
 class Surface {
   public:
     virtual ~Surface() = default;
-    // Size in window coordinates (of the pointer) and in pixels (of images); equal unless the screen is dense.
+    // Size in points, in which panels, fonts and the pointer are measured: a pixel of a screen of usual density, and
+    // more pixels on a denser one, so that everything keeps its size to the eye.
     virtual int width() const = 0;
     // Of the same.
     virtual int height() const = 0;
     // In pixels.
     virtual int pixelWidth() const { return width(); }
     virtual int pixelHeight() const { return height(); }
-    virtual float contentScale() const { return 1; }
     // Moves what came from the person since the last call into the queue; waits up to `seconds` for something.
     virtual void poll(InputQueue& queue, double seconds) = 0;
     // The person asked to close the window, and takeCloseRequest has not been called since.
@@ -45,7 +45,10 @@ class Surface {
 // RGBA8 pixels of what is bound by bind(), first row on top.
 std::vector<uint8_t> readSurface(Surface& surface);
 
-// A framebuffer of the current context; frames of 1/60 s.
-std::unique_ptr<Surface> makeHeadlessSurface(int width, int height);
+// Pixels a point, at least 1.
+float densityOf(const Surface& surface);
+
+// A framebuffer of the current context, in points, with `density` pixels a point; frames of 1/60 s.
+std::unique_ptr<Surface> makeHeadlessSurface(int width, int height, float density = 1);
 
 }  // namespace sward::ui

@@ -9,17 +9,17 @@ namespace {
 constexpr const char* kFonts[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                                   "/usr/share/fonts/TTF/DejaVuSans.ttf"};
 
-void loadFont(float scale) {
+void loadFont(float density) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     static const ImWchar ranges[] = {0x20, 0x17F, 0x370, 0x3FF, 0x400, 0x45F, 0x2010, 0x203A, 0x25CF, 0x25CF, 0};
     for (const char* file : kFonts) {
         std::error_code error;
         if (std::filesystem::exists(file, error) &&
-            atlas.AddFontFromFileTTF(file, std::round(14 * scale), nullptr, ranges))
+            atlas.AddFontFromFileTTF(file, std::round(14 * density), nullptr, ranges))
             return;
     }
     ImFontConfig config;
-    config.SizePixels = std::round(13 * scale);
+    config.SizePixels = std::round(13 * density);
     atlas.AddFontDefault(&config);
 }
 
@@ -65,8 +65,9 @@ void setColors(ImVec4* c) {
 
 }  // namespace
 
-void applyTheme(float scale) {
-    loadFont(scale);
+void applyTheme(float density) {
+    loadFont(density);
+    ImGui::GetIO().FontGlobalScale = 1 / density;
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle{};
@@ -84,7 +85,6 @@ void applyTheme(float scale) {
     style.GrabMinSize = 9;
     style.WindowBorderSize = 0;
     style.WindowMinSize = {16, 16};
-    style.ScaleAllSizes(scale);
 }
 
 void pushAccent() {

@@ -11,8 +11,8 @@ inline constexpr ImU32 kErrorBack = IM_COL32(140, 38, 34, 245);
 inline constexpr ImU32 kWarningText = IM_COL32(232, 186, 92, 255);
 inline constexpr ImU32 kDimText = IM_COL32(150, 152, 150, 255);
 
-// Font (DejaVu Sans as packaged, else ImGui's own) and style, for a screen whose pixels are `scale` times denser.
-void applyTheme(float scale);
+// Font (DejaVu Sans as packaged, else ImGui's own), sharp at `density` pixels a point, and style.
+void applyTheme(float density);
 // Buttons between these two are shown as chosen.
 void pushAccent();
 // Ends the last pushAccent.

@@ -3,7 +3,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
+
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 #include "ui/imgui_compat.h"
@@ -87,24 +89,22 @@ class Window final : public Surface {
         glfwDestroyWindow(window_);
         glfwTerminate();
     }
-    int width() const override { return size(glfwGetWindowSize).first; }
-    int height() const override { return size(glfwGetWindowSize).second; }
+    int width() const override { return points(size(glfwGetWindowSize).first); }
+    int height() const override { return points(size(glfwGetWindowSize).second); }
     int pixelWidth() const override { return size(glfwGetFramebufferSize).first; }
     int pixelHeight() const override { return size(glfwGetFramebufferSize).second; }
-    float contentScale() const override {
-        float x = 1, y = 1;
-        glfwGetWindowContentScale(window_, &x, &y);
-        return std::max(1.f, x * static_cast<float>(width()) / static_cast<float>(std::max(1, pixelWidth())));
-    }
     void poll(InputQueue& queue, double seconds) override {
         if (seconds > 0)
             glfwWaitEventsTimeout(seconds);
         else
             glfwPollEvents();
-        for (const InputEvent& e : events_.list) queue.push(e);
+        if (std::exchange(events_.refresh, false)) onMove(window_, events_.x, events_.y);  // any event makes a frame
+        const double unit = coordinatesPerPoint();
+        for (InputEvent& e : events_.list) {
+            if (e.kind == InputKind::Move) e.x /= unit, e.y /= unit;
+            queue.push(e);
+        }
         events_.list.clear();
-        if (std::exchange(events_.refresh, false))
-            queue.push({InputKind::Move, events_.x, events_.y, 0, false});  // any event makes a frame
     }
     bool closeRequested() const override { return events_.close; }
     bool takeCloseRequest() override { return std::exchange(events_.close, false); }
@@ -125,6 +125,14 @@ class Window final : public Surface {
     GLFWwindow* handle() const { return window_; }
 
   private:
+    // Of the window's coordinates, which some systems scale for dense screens and others do not.
+    double coordinatesPerPoint() const {
+        float x = 1, y = 1;
+        glfwGetWindowContentScale(window_, &x, &y);
+        const double coordinates = std::max(1, size(glfwGetWindowSize).first), pixels = std::max(1, pixelWidth());
+        return std::max(1.0, static_cast<double>(x) * coordinates / pixels);
+    }
+    int points(int coordinates) const { return static_cast<int>(std::lround(coordinates / coordinatesPerPoint())); }
     std::pair<int, int> size(void (*get)(GLFWwindow*, int*, int*)) const {
         int w = 0, h = 0;
         get(window_, &w, &h);

@@ -1,25 +1,26 @@
-// The surface without a window: what it shows is read back whole.
+// A dense screen: panels keep their places and sizes in points, pictures and letters get more pixels.
 #include "editor/editor_fixture.h"
-#include "maps/map_io.h"
 
 namespace sward {
 namespace {
 
 using test::EditorUi;
 
-TEST_F(EditorUi, AScreenshotShowsTheWholeWindow) {
-    ok(ui->screenshot(dir / "editor.png"));
-    const Result<Image> image = readImage(dir / "editor.png");
-    ASSERT_TRUE(image);
-    EXPECT_EQ(image->width, 800);
-    EXPECT_EQ(image->height, 600);
-    const auto at = [&](int x, int y) {
-        return image
-            ->pixels[(static_cast<size_t>(y) * 800 + static_cast<size_t>(x)) * static_cast<size_t>(image->channels)];
-    };
-    const Rect& r = app->hand.rect;
-    EXPECT_GT(at(static_cast<int>(r.x + r.w / 2), static_cast<int>(r.y + 10)), 0.4f);  // sky
-    EXPECT_LT(at(790, 300), 0.35f);                                                    // a dark panel
+TEST_F(EditorUi, OnADenseScreenAllKeepsItsSizeAndIsDrawnFiner) {
+    const auto button = [&] { return *ui->rect("Tabs/History"); };
+    const std::array<double, 4> usual = button();
+    const Rect view = app->hand.rect;
+    EXPECT_EQ(app->picture.width, static_cast<int>(view.w));
+    app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(800, 600, 2), false);
+    ui = makeUiDriver(*app);
+    ok(ui->wait(3));
+    EXPECT_EQ(app->surface->pixelWidth(), 1600);
+    EXPECT_EQ(ui::readSurface(*app->surface).size(), 1600u * 1200 * 4);
+    for (size_t i = 0; i < 4; ++i) EXPECT_NEAR(button()[i], usual[i], 3) << i;
+    EXPECT_NEAR(app->hand.rect.w, view.w, 3);
+    EXPECT_EQ(app->picture.width, static_cast<int>(app->hand.rect.w * 2));
+    ok(ui->click("Tabs/History"));
+    EXPECT_EQ(app->layout.tab, "History");
 }
 
 }  // namespace
