@@ -37,9 +37,17 @@ struct Console {
     LogBook log;
     std::string line;  // being typed
     std::vector<std::string> history;
+    size_t recalled = 0;                               // lines back from its end that the line is of; 0: newly typed
+    std::string typed;                                 // what stood there before a former line was recalled
     std::function<Status(const std::string&)> runLua;  // the console's line; empty: the console only shows
+    std::function<std::vector<std::string>(const std::string& word)> completions;  // of a word in it; may be empty
     std::deque<std::string> luaLines;  // entered, run before the next frame: they may run frames themselves
 };
+// The line `step` further in the history (-1: an older one), which begins anew with each line entered; beyond its end
+// what was being typed.
+std::string recall(Console& console, const std::string& text, int step);
+// The text with its last word completed as far as all that it may become agree; several are told in the log.
+std::string completed(const Console& console, const std::string& text);
 // Runs the lines that were entered, in order; what fails is logged. Returns how many ran.
 int runEntered(Console& console);
 

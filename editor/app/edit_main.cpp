@@ -42,6 +42,7 @@ int editMain(const std::filesystem::path& project) {
     offerBakes(host);
     ScriptConsole console(host);
     app.console.runLua = [&console](const std::string& line) { return console.run(line); };
+    app.console.completions = [&console](const std::string& word) { return console.completions(word); };
     runUntilQuit(app);
     return 0;
 }

@@ -25,7 +25,8 @@ void enter(Console& console) {
     const std::string line = console.line;
     if (line.empty()) return;
     console.line.clear();
-    console.history.push_back(line);
+    console.recalled = 0;
+    if (console.history.empty() || console.history.back() != line) console.history.push_back(line);
     logInfo("> " + line);
     console.luaLines.push_back(line);
 }
@@ -41,7 +42,9 @@ void drawConsole(Console& console, bool inputWaits) {
     if (!console.runLua) return;
     ImGui::SetNextItemWidth(-1);
     bool entered = false;
-    ui::input("Command", console.line, "a line of Lua, such as  map.mean(\"density\")", &entered);
+    ui::input("Command", console.line, "a line of Lua, such as  map.mean(\"density\");  help()  lists all", &entered,
+              {[&](const std::string& text, int step) { return recall(console, text, step); },
+               [&](const std::string& text) { return completed(console, text); }});
     if (!entered) return;
     enter(console);
     if (!inputWaits) ImGui::SetKeyboardFocusHere(-1);  // else a click that waits would lose to it

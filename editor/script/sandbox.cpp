@@ -234,7 +234,7 @@ int openAll(lua_State* L) {
     openLibraries(L);
     for (const auto open :
          {openProjectCalls, openEntityCalls, openCameraCalls, openMapCalls, openMapShapeCalls, openMeshCalls,
-          openBakeCalls, openBrushCalls, openEditCalls, openPlayCalls, openUiCalls, openExpectCalls})
+          openBakeCalls, openBrushCalls, openEditCalls, openPlayCalls, openUiCalls, openExpectCalls, openHelp})
         open(L);
     return 0;
 }

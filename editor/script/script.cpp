@@ -74,6 +74,11 @@ struct ScriptConsole::Impl {
 ScriptConsole::ScriptConsole(ScriptHost& host) : impl_(std::make_unique<Impl>(host)) {}
 ScriptConsole::~ScriptConsole() = default;
 
+std::vector<std::string> ScriptConsole::completions(const std::string& word) {
+    lua_State* L = impl_->L.get();
+    return L ? completionsOf(L, word) : std::vector<std::string>{};
+}
+
 Status ScriptConsole::run(const std::string& line) {
     lua_State* L = impl_->L.get();
     if (!L) return noMemory();

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "model/document.h"
 #include "script/ui_driver.h"
@@ -50,6 +51,8 @@ class ScriptConsole {
     ~ScriptConsole();
     // Runs one line; the values of an expression are printed.
     Status run(const std::string& line);
+    // What a word that is being typed may become, sorted: "map.me" becomes "map.mean" and "map.median".
+    std::vector<std::string> completions(const std::string& word);
 
   private:
     struct Impl;

@@ -129,5 +129,9 @@ void openEditCalls(lua_State* L);
 void openPlayCalls(lua_State* L);
 void openUiCalls(lua_State* L);
 void openExpectCalls(lua_State* L);
+// The global help().
+void openHelp(lua_State* L);
+// What begins with a word that is being typed, "ma" or "map.me", sorted: globals, or what lies in one of them.
+std::vector<std::string> completionsOf(lua_State* L, const std::string& word);
 
 }  // namespace sward::script

@@ -54,11 +54,27 @@ void feedKeys(ImGuiIO& io, const FrameInput& in) {
 #endif
 }
 
-int grow(ImGuiInputTextCallbackData* data) {
-    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
-    std::string& text = *static_cast<std::string*>(data->UserData);
-    text.resize(static_cast<size_t>(data->BufTextLen));
-    data->Buf = text.data();
+struct TypedLine {
+    std::string& text;
+    const LineHelp& help;
+};
+
+void replace(ImGuiInputTextCallbackData* data, const std::string& with) {
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, with.c_str());
+}
+
+int onTyping(ImGuiInputTextCallbackData* data) {
+    TypedLine& line = *static_cast<TypedLine*>(data->UserData);
+    if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+        line.text.resize(static_cast<size_t>(data->BufTextLen));
+        data->Buf = line.text.data();
+    } else if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+        replace(data, line.help.recall(std::string(data->Buf, static_cast<size_t>(data->BufTextLen)),
+                                       data->EventKey == ImGuiKey_UpArrow ? -1 : 1));
+    } else if (data->EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
+        replace(data, line.help.complete(std::string(data->Buf, static_cast<size_t>(data->BufTextLen))));
+    }
     return 0;
 }
 
@@ -95,9 +111,12 @@ void feedInput(const FrameInput& in, float deltaSeconds, int width, int height, 
 
 ImTextureID textureId(unsigned glTexture) { return (ImTextureID)(intptr_t)glTexture; }
 
-bool inputText(const char* id, const char* hint, std::string& text) {
-    const int flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll;
-    ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, flags, grow, &text);
+bool inputText(const char* id, const char* hint, std::string& text, const LineHelp& help) {
+    int flags = ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_AutoSelectAll;
+    if (help.recall) flags |= ImGuiInputTextFlags_CallbackHistory;
+    if (help.complete) flags |= ImGuiInputTextFlags_CallbackCompletion;
+    TypedLine line{text, help};
+    ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1, flags, onTyping, &line);
     return ImGui::IsItemDeactivated() && enterPressed();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/input_queue.h"
+#include "ui/widgets.h"
 
 namespace sward::ui {
 
@@ -16,7 +17,7 @@ void feedInput(const FrameInput& in, float deltaSeconds, int width, int height, 
 // A GL texture as ImGui takes it.
 ImTextureID textureId(unsigned glTexture);
 // An input line on a std::string; true when Enter was pressed. Fills the item width set before.
-bool inputText(const char* id, const char* hint, std::string& text);
+bool inputText(const char* id, const char* hint, std::string& text, const LineHelp& help = {});
 // The key is pressed in this frame (not repeated).
 bool enterPressed();
 // Likewise for Escape.

@@ -151,8 +151,8 @@ bool section(const std::string& label, const std::string& title, bool openAtFirs
     return open;
 }
 
-bool input(const std::string& label, std::string& text, const char* hint, bool* entered) {
-    const bool enter = inputText(idOf(label).c_str(), hint, text);
+bool input(const std::string& label, std::string& text, const char* hint, bool* entered, const LineHelp& help) {
+    const bool enter = inputText(idOf(label).c_str(), hint, text, help);
     const bool left = ImGui::IsItemDeactivatedAfterEdit();
     record(label, Kind::Text, text);
     if (entered) *entered = enter;

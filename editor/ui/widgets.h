@@ -3,6 +3,7 @@
 // Does not: lay panels out, nor change any document: widgets hand back what the person did.
 // The book of the current ImGui context is bound by beginBook (io.UserData); all calls between NewFrame and Render.
 #pragma once
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -93,8 +94,14 @@ bool checkbox(const std::string& label, bool& value, bool titled = true);
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
 // A section that opens and closes; true while open. `title` is what is shown of it.
 bool section(const std::string& label, const std::string& title, bool openAtFirst = true);
+// What arrows and Tab make of the text that is being typed; empty functions leave it.
+struct LineHelp {
+    std::function<std::string(const std::string& text, int step)> recall;  // up: -1, down: 1
+    std::function<std::string(const std::string& text)> complete;
+};
 // One line of text; true when it was changed and left, or Enter was pressed.
-bool input(const std::string& label, std::string& text, const char* hint = "", bool* entered = nullptr);
+bool input(const std::string& label, std::string& text, const char* hint = "", bool* entered = nullptr,
+           const LineHelp& help = {});
 // A line over a value kept elsewhere: what was typed, once it was left or Enter was pressed; nothing while unchanged.
 // Escape gives up.
 std::optional<std::string> textField(const std::string& label, const std::string& value);

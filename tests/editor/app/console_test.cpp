@@ -58,5 +58,32 @@ TEST(Console, RunsEnteredLinesInOrderAndLogsWhatFails) {
     EXPECT_EQ(runEntered(console), 0);
 }
 
+TEST(Console, FormerLinesComeBackAndGoAgain) {
+    Console c;
+    c.history = {"one()", "two()"};
+    EXPECT_EQ(recall(c, "thr", -1), "two()");
+    EXPECT_EQ(recall(c, "two()", -1), "one()");
+    EXPECT_EQ(recall(c, "one()", -1), "one()") << "there is none before the first";
+    EXPECT_EQ(recall(c, "one()", 1), "two()");
+    EXPECT_EQ(recall(c, "two()", 1), "thr") << "what was being typed";
+    EXPECT_EQ(recall(c, "thr", 1), "thr");
+}
+
+TEST(Console, AWordIsCompletedAsFarAsAllAgree) {
+    Console c;
+    EXPECT_EQ(completed(c, "map.me"), "map.me") << "nobody knows any names";
+    c.completions = [](const std::string& word) {
+        std::vector<std::string> all;
+        for (const char* name : {"map.mean", "map.median", "map.size"})
+            if (std::string(name).starts_with(word)) all.push_back(name);
+        return all;
+    };
+    EXPECT_EQ(completed(c, "x = map.s"), "x = map.size");
+    EXPECT_EQ(completed(c, "print(map.me"), "print(map.me");
+    EXPECT_EQ(completed(c, "map.mean"), "map.mean");
+    EXPECT_EQ(completed(c, "nothing"), "nothing");
+    EXPECT_EQ(completed(c, "x = "), "x = ");
+}
+
 }  // namespace
 }  // namespace sward

@@ -2,6 +2,8 @@
 #include "app/console.h"
 
 #include <deque>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 
@@ -31,6 +33,26 @@ TEST_F(ConsolePanel, AnEnteredLineWaitsToBeRunAndIsRemembered) {
     EXPECT_EQ(console.line, "");
     type("Panel/Command", "");
     EXPECT_EQ(console.luaLines.size(), 1u) << "an empty line is none";
+}
+
+TEST_F(ConsolePanel, ArrowsAndTabChangeTheLineBeingTyped) {
+    console.runLua = [](const std::string&) { return Status{}; };
+    console.completions = [](const std::string& word) { return std::vector<std::string>{word + "e"}; };
+    const auto tap = [&](int key) {
+        queue.push({InputKind::Key, 0, 0, key, true});
+        queue.push({InputKind::Key, 0, 0, key, false});
+        frames(3);
+    };
+    type("Panel/Command", "first()");
+    click("Panel/Command");
+    queue.push({InputKind::Char, 0, 0, 'm', false});
+    frames(2);
+    tap(GLFW_KEY_TAB);
+    EXPECT_EQ(console.line, "me");
+    tap(GLFW_KEY_UP);
+    EXPECT_EQ(console.line, "first()");
+    tap(GLFW_KEY_DOWN);
+    EXPECT_EQ(console.line, "me");
 }
 
 }  // namespace
