@@ -56,13 +56,15 @@ TEST(LayeredPictures, FollowAStrokeBelowAndAMutedLayer) {
 
 TEST(LayeredPictures, LeaveNothingWhereAProjectHasNoLayers) {
     const NoGlErrors none;
-    Renderer with(gpu(), tables()), never(gpu(), tables());
-    picture(with, layered());
+    Renderer r(gpu(), tables());
     const Project bare = rampLawn(40);
-    EXPECT_EQ(picture(with, bare), picture(never, bare));
-    EXPECT_TRUE(with.layerNotes().empty());
-    EXPECT_EQ(with.stats().gpuBytes, never.stats().gpuBytes);
-    EXPECT_EQ(never.explain(bare, false).find("ayers"), std::string::npos);
+    const std::vector<uint8_t> before = picture(r, bare);
+    const uint64_t bytes = r.stats().gpuBytes;
+    picture(r, layered());
+    EXPECT_EQ(picture(r, bare), before);
+    EXPECT_TRUE(r.layerNotes().empty());
+    EXPECT_EQ(r.stats().gpuBytes, bytes);
+    EXPECT_EQ(r.explain(bare, false).find("ayers"), std::string::npos);
 }
 
 TEST(LayeredPictures, AreExplained) {
