@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "core/overhauser.h"
+
 namespace sward {
 namespace {
 
 struct Station {
-    double seconds;
-    glm::dvec3 eye, target;
-    double fov;
+    double seconds = 0;
+    glm::dvec3 eye{0}, target{0};
+    double fov = 0;
 };
 Station operator+(const Station& a, const Station& b) {
     return {a.seconds + b.seconds, a.eye + b.eye, a.target + b.target, a.fov + b.fov};
@@ -26,16 +28,13 @@ std::vector<Station> stationsOf(const CameraPath& path) {
 // Change a second between two stations; none across a cut.
 Station rate(const Station& a, const Station& b) {
     const double dt = b.seconds - a.seconds;
-    return dt > 0 ? (1 / dt) * (b + -1.0 * a) : Station{0, {}, {}, 0};
+    return dt > 0 ? (1 / dt) * (b + -1.0 * a) : Station{};
 }
-// Slope at s[i], of the parabola through it and its neighbours; at an end or a cut that of the one side there is.
+// Slope at s[i]; at an end or a cut that of the one side there is.
 Station slopeAt(const std::vector<Station>& s, size_t i) {
-    const double before = i > 0 ? s[i].seconds - s[i - 1].seconds : 0,
-                 after = i + 1 < s.size() ? s[i + 1].seconds - s[i].seconds : 0;
-    if (before <= 0 && after <= 0) return {0, {}, {}, 0};
-    if (before <= 0) return rate(s[i], s[i + 1]);
-    if (after <= 0) return rate(s[i - 1], s[i]);
-    return (1 / (before + after)) * (after * rate(s[i - 1], s[i]) + before * rate(s[i], s[i + 1]));
+    const Station &before = s[i > 0 ? i - 1 : i], &after = s[i + 1 < s.size() ? i + 1 : i];
+    return overhauserSlope(s[i].seconds - before.seconds, rate(before, s[i]), after.seconds - s[i].seconds,
+                           rate(s[i], after));
 }
 Station between(const std::vector<Station>& s, size_t i, double seconds) {
     const double dt = s[i + 1].seconds - s[i].seconds, t = (seconds - s[i].seconds) / dt, u = 1 - t;
