@@ -9,6 +9,7 @@
 #include "model/field_walk.h"
 #include "model/new_map.h"
 #include "scene/unique.h"
+#include "world/drawn_project.h"
 
 namespace fs = std::filesystem;
 
@@ -77,7 +78,8 @@ Result<std::vector<std::string>> Document::save() {
     p.repairedMaps.clear();
     impl_->saved = snapshot(p, impl_->rows());
     ++impl_->revision;
-    if (Status s = checkUnique(p); !s) logWarning("saved, but it cannot be drawn: " + s.error().text());
+    if (Status s = checkUnique(DrawnProject().of(p, impl_->rows())); !s)
+        logWarning("saved, but it cannot be drawn: " + s.error().text());
     return written;
 }
 

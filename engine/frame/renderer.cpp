@@ -6,6 +6,7 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -241,6 +242,7 @@ struct Renderer::Impl {
     FrameStats stats;
     GpuTimer timer{gpu};
     PopulationCount population;
+    DrawnProject drawn;
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -388,9 +390,10 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
+    const Project& project = r.drawn.of(painted, r.tables.components);
     r.stats = {};
     r.replan(project);
     if (Status s = r.check(project); !s) return s;
@@ -435,7 +438,8 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(const Project& project, bool json) {
+std::string Renderer::explain(const Project& painted, bool json) {
+    const Project& project = impl_->drawn.of(painted, impl_->tables.components);
     impl_->replan(project);
     return explainPlan(impl_->main.plan, project, impl_->tables, impl_->gpu, impl_->programs, json);
 }

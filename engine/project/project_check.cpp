@@ -4,6 +4,7 @@
 #include "project/project_json.h"
 #include "scene/field_limits.h"
 #include "scene/unique.h"
+#include "world/drawn_project.h"
 
 namespace sward {
 namespace {
@@ -18,7 +19,7 @@ const Json* valueOf(const Json& root, const std::string& entity, const char* com
 }
 
 void checkPopulation(const SceneToCheck& s, CheckReport& report) {
-    Status counted = checkUnique(s.project);
+    Status counted = checkUnique(DrawnProject().of(s.project, s.rows));
     if (counted) return;
     Error e = counted.error();
     if (const Json* at = valueOf(s.root, uniqueField(s.project), "GrassField", "population"))

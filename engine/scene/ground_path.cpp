@@ -126,7 +126,6 @@ constexpr FieldRow kPointFields[] = {
 };
 constexpr ListRow kPointList = listRow<PathPoint>(kPointFields);
 constexpr FieldRow kFields[] = {
-    listOf("points", offsetof(GroundPath, points), &kPointList, "places that the path passes, in order"),
     flag("closed", offsetof(GroundPath, closed), "the last point leads back to the first"),
     real("width", offsetof(GroundPath, width), "m", {0, 1e5, 0.2, 10}, "across, where it has its full effect"),
     real("falloff", offsetof(GroundPath, falloff), "m", {0, 1e5, 0, 5},
@@ -135,6 +134,10 @@ constexpr FieldRow kFields[] = {
          "-1: no grass grows on it; 0: as painted; 1: as dense as a full map"),
     real("flowers", offsetof(GroundPath, flowers), "", {-1, 1, -1, 1},
          "-1: no flowers grow on it; 0: as painted; 1: as dense as a full map"),
+    real("tint", offsetof(GroundPath, tint), "", kShare, "share of its colour over the ground's own; 0: none"),
+    color("color", offsetof(GroundPath, color), kReflectance, "reflectance of the tinted ground"),
+    under("Points",
+          listOf("points", offsetof(GroundPath, points), &kPointList, "places that the path passes, in order")),
 };
 
 void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& out) {

@@ -18,6 +18,7 @@ namespace sward {
 struct PathPoint {
     std::string name;
     glm::dvec2 at{0};
+    bool operator==(const PathPoint&) const = default;
 };
 
 // A path over the terrain and what it does to what grows there. Its height is the terrain's.
@@ -28,6 +29,9 @@ struct GroundPath {
     float falloff = 0.5f;  // metres beside that over which the effect fades
     float grass = -1;      // -1: nothing grows on it; 0: as painted; 1: as dense as can be
     float flowers = -1;    // the same of flowers
+    float tint = 0;        // share of `color` over the ground's own; 0: none
+    glm::vec3 color{0.2f, 0.16f, 0.11f};
+    bool operator==(const GroundPath&) const = default;
 };
 
 ComponentRow groundPathRow();

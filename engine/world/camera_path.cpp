@@ -1,6 +1,7 @@
 #include "world/camera_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/overhauser.h"
 
@@ -59,6 +60,33 @@ double secondsOf(const CameraPath& path) {
     double last = 0;
     for (const CameraKey& k : path.keys) last = std::max(last, static_cast<double>(k.seconds));
     return last;
+}
+
+CameraPath cameraAlong(const GroundPath& path, const Ground& ground, double eyeHeight, double speed) {
+    constexpr double kApart = 1.5, kMostKeys = 400, kAhead = 4, kLongest = 86400;
+    const GroundCurve curve = groundCurve(path);
+    const std::vector<CurveStation> stations = stationsOn(curve);
+    const double length = stations.empty() ? 0 : stations.back().metres;
+    CameraPath out;
+    if (!(length > 0)) return out;
+    const glm::dvec2 end = glm::normalize(stations.back().at - stations[stations.size() - 2].at);
+    // Beyond the end of an open path it goes straight on; a closed one begins again.
+    const auto eyeAt = [&](double metres) {
+        const double along = curve.closed ? std::fmod(metres, length) : metres;
+        const glm::dvec2 at = placeAlong(stations, along) + end * std::max(0.0, along - length);
+        const double height = ground.terrain ? terrainHeight(*ground.terrain, at.x, at.y) : 0;
+        return ground.origin + glm::dvec3(at.x, height + eyeHeight, at.y);
+    };
+    const int gaps = static_cast<int>(std::clamp(std::ceil(length / kApart), 1.0, kMostKeys - 1));
+    const double seconds = std::min(length / speed, kLongest);
+    for (int i = 0; i <= gaps; ++i) {
+        const double share = static_cast<double>(i) / gaps;
+        // A closed path's last key is its first.
+        const double metres = curve.closed && i == gaps ? 0 : share * length;
+        out.keys.push_back(
+            {fmt::format("key {}", i), static_cast<float>(share * seconds), eyeAt(metres), eyeAt(metres + kAhead)});
+    }
+    return out;
 }
 
 }  // namespace sward
