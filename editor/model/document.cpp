@@ -10,6 +10,7 @@
 #include "model/new_map.h"
 #include "scene/map_layers.h"
 #include "scene/unique.h"
+#include "world/drawn_project.h"
 
 namespace fs = std::filesystem;
 
@@ -78,7 +79,8 @@ Result<std::vector<std::string>> Document::save() {
     p.repairedMaps.clear();
     impl_->saved = snapshot(p, impl_->rows());
     ++impl_->revision;
-    if (Status s = checkUnique(p); !s) logWarning("saved, but it cannot be drawn: " + s.error().text());
+    if (Status s = checkUnique(DrawnProject().of(p, impl_->rows())); !s)
+        logWarning("saved, but it cannot be drawn: " + s.error().text());
     return written;
 }
 

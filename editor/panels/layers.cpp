@@ -7,6 +7,7 @@
 #include "model/layer_edits.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
+#include "scene/ground_path.h"
 #include "tools/brush_target.h"
 #include "tools/layer_view.h"
 #include "ui/theme.h"
@@ -83,11 +84,13 @@ void name(const FieldParts& parts, const std::string& path, const std::string& v
 
 // --- masks of a rule
 
-void objectOf(const FieldParts& parts, const std::string& path, const std::string& object) {
+void objectOf(const FieldParts& parts, const std::string& path, MaskBy by, const std::string& object) {
     std::vector<std::string> names;
     const Project& p = parts.doc.project();
     for (const auto& [entity, e] : p.entities)
-        if (p.registry.get<Transform>(e) || p.registry.get<StaticMesh>(e)) names.push_back(entity);
+        if (by == MaskBy::Path ? bool(p.registry.get<GroundPath>(e))
+                               : p.registry.get<Transform>(e) || p.registry.get<StaticMesh>(e))
+            names.push_back(entity);
     int chosen = static_cast<int>(std::find(names.begin(), names.end(), object) - names.begin());
     ImGui::SetNextItemWidth(em(8));
     if (ui::combo(path, names, chosen)) setField(parts, path, names[static_cast<size_t>(chosen)], labelOf(path));
@@ -105,7 +108,7 @@ void mask(const FieldParts& parts, const std::string& path, const MapMask& m) {
         spec.softMin = least, spec.softMax = row.softMax, spec.unit = row.unit;
         number(parts, path + "." + end, em(6), spec);
     }
-    if (m.by == MaskBy::Object) beside(), objectOf(parts, path + ".object", m.object);
+    if (m.by == MaskBy::Object || m.by == MaskBy::Path) beside(), objectOf(parts, path + ".object", m.by, m.object);
     if (m.by == MaskBy::Noise) {
         beside(), caption("size"), number(parts, path + ".size", em(5));
         beside(), caption("seed"), number(parts, path + ".seed", em(4));

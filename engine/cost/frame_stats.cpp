@@ -9,7 +9,7 @@
 #include "gpu/timer.h"
 #include "grass/cells.h"
 #include "grass/drawing.h"
-#include "world/map_stacks.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -102,7 +102,7 @@ Json recordJson(const FrameRecord& r, const Project& project, const Gpu& gpu, in
 // What is looked at, for counts.
 struct Counted {
     const Project& project;
-    const Tables& tables;
+    std::span<const TechniqueRow> techniques;
     const ViewCamera& camera;
     int width, height;
 };
@@ -112,23 +112,20 @@ float fadeOf(const FieldEntity& field) { return field.settings<GrassDrawing>().f
 // count(query) over the species of all fields.
 template <class F>
 uint64_t sumOverSpecies(const Counted& c, F&& count) {
-    const std::optional<Project> layered = withLayers(c.project, c.tables.components);
-    const Project& project = layered ? *layered : c.project;
-    const Ground ground = findGround(project);
+    const Ground ground = findGround(c.project);
     if (!ground.terrain) return 0;
     HeightBounds bounds;
     updateHeightBounds(bounds, *ground.terrain);
     const Frustum frustum = frustumOf(viewProjection(c.camera, c.width, c.height));
     const QueryFrom from{c.camera.eye - ground.origin, frustum, pixelsPerMetre(c.camera, c.height)};
     uint64_t sum = 0;
-    for (const auto& [name, field] : fieldsOf(project)) {
+    for (const auto& [name, field] : fieldsOf(c.project)) {
         const GrassField& f = field.grows;
         for (const Species& s : f.species) {
             const UniqueBlades own = isUnique(f) ? makeUnique(s, f, *ground.terrain) : UniqueBlades{};
             const Patch patch = isUnique(f) ? own.patch : makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed));
             CellQuery q = cellQuery(
-                {*ground.terrain, bounds, f, s, patch, tiersOf(c.tables.techniques, field).blades, fadeOf(field)},
-                from);
+                {*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades, fadeOf(field)}, from);
             if (!own.empty()) q.unique = &own;
             sum += count(q);
         }
@@ -139,16 +136,20 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
 }  // namespace
 
 uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height) {
-    return sumOverSpecies({project, tables, camera, width, height}, [](const CellQuery& q) { return countVisible(q); });
+    DrawnProject drawn;
+    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
+                          [](const CellQuery& q) { return countVisible(q); });
 }
 
 uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width,
                          int height) {
-    return sumOverSpecies({project, tables, camera, width, height}, [](const CellQuery& q) {
-        uint64_t sum = 0;
-        for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
-        return sum;
-    });
+    DrawnProject drawn;
+    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
+                          [](const CellQuery& q) {
+                              uint64_t sum = 0;
+                              for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
+                              return sum;
+                          });
 }
 
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,

@@ -6,7 +6,7 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
-#include "world/map_stacks.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -242,9 +242,9 @@ struct Renderer::Impl {
     FrameStats stats;
     GpuTimer timer{gpu};
     PopulationCount population;
-    MapStacks stacks;
+    DrawnProject drawn;
 
-    Impl(Gpu& g, const Tables& t) : gpu(g), tables(t), stacks(t.components) { empty = makeVertexArray("frame/empty"); }
+    Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
     void replan(const Project& project) {
         const FeatureSet features = sceneFeatures(project.registry, tables),
@@ -390,11 +390,11 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(const Project& given, const ViewCamera& camera, const ViewSettings& settings) {
+Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& settings) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
+    const Project& project = r.drawn.of(painted, r.tables.components);
     r.stats = {};
-    const Project& project = r.stacks.shown(given);
     r.replan(project);
     if (Status s = r.check(project); !s) return s;
     ensureTargets(r.gpu, r.targets, settings.width, settings.height, settings.msaa, r.main.plan.stencil);
@@ -429,7 +429,7 @@ std::vector<JobNews> Renderer::jobs() const {
     for (const auto& [row, view] : impl_->within) add(view.states);
     return out;
 }
-const std::vector<LayerNote>& Renderer::layerNotes() const { return impl_->stacks.notes(); }
+const std::vector<LayerNote>& Renderer::layerNotes() const { return impl_->drawn.layerNotes(); }
 void Renderer::finish() { glFinish(); }
 std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }
 
@@ -439,8 +439,8 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(const Project& given, bool json) {
-    const Project& project = impl_->stacks.shown(given);
+std::string Renderer::explain(const Project& painted, bool json) {
+    const Project& project = impl_->drawn.of(painted, impl_->tables.components);
     impl_->replan(project);
     return explainPlan({impl_->main.plan, project, layerNotes()}, impl_->tables, impl_->gpu, impl_->programs, json);
 }

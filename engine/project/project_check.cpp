@@ -4,7 +4,7 @@
 #include "project/project_json.h"
 #include "scene/field_limits.h"
 #include "scene/unique.h"
-#include "world/map_stacks.h"
+#include "world/drawn_project.h"
 
 namespace sward {
 namespace {
@@ -75,10 +75,9 @@ void checkComponent(const SceneToCheck& s, const std::string& name, Entity e, co
 }  // namespace
 
 void checkScene(const SceneToCheck& given, CheckReport& report) {
-    std::vector<LayerNote> notes;
-    const std::optional<Project> layered = withLayers(given.project, given.rows, &notes);
-    const SceneToCheck scene{layered ? *layered : given.project, given.rows, given.root};
-    for (const LayerNote& note : notes)
+    DrawnProject drawn;
+    const SceneToCheck scene{drawn.of(given.project, given.rows), given.rows, given.root};
+    for (const LayerNote& note : drawn.layerNotes())
         report.noticed.push_back({placeOf(given, nullptr), note.layer + ": " + note.message});
     if (report.refused.empty())
         checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow

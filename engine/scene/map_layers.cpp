@@ -15,17 +15,18 @@ constexpr FieldRow reach(const char* name, size_t offset, Range r, const char* h
 
 constexpr FieldRow kMaskFields[] = {
     text("name", offsetof(MapMask, name), "what this mask is called"),
-    choice(
-        "by", &MapMask::by, offsetof(MapMask, by), kMaskBys,
-        "what it goes by: slope in degrees, height in metres, noise from 0 to 1, distance to water or to an object in "
-        "metres"),
+    choice("by", &MapMask::by, offsetof(MapMask, by), kMaskBys,
+           "what it goes by: slope in degrees, height in metres, noise from 0 to 1, distance to water, an object or a "
+           "path in "
+           "metres"),
     reach("from", offsetof(MapMask, from), kMeasure, "it is 1 from here on ..."),
     reach("to", offsetof(MapMask, to), kMeasure, "... to here; inf: without end"),
     real("falloff", offsetof(MapMask, falloff), "", {0, 1e6, 0, 20}, "how far beyond both ends it falls to 0"),
     flag("invert", offsetof(MapMask, invert), "0 inside and 1 outside instead"),
     real("size", offsetof(MapMask, size), "m", {0.01, 1e5, 0.5, 30}, "of the noise's spots"),
     whole("seed", offsetof(MapMask, seed), "", {0, 2147483647, 0, 1000}, "another number: another noise"),
-    entityName("object", offsetof(MapMask, object), "the entity whose distance counts, where it goes by an object"),
+    entityName("object", offsetof(MapMask, object),
+               "the entity whose distance counts, where it goes by an object or a path"),
 };
 constexpr ListRow kMaskList = listRow<MapMask>(kMaskFields);
 

@@ -14,8 +14,8 @@
 namespace sward {
 
 // What a mask goes by; what each measures and in which unit: maskRows() (world/layer_masks.h), in this order.
-enum class MaskBy { Slope, Height, Noise, Water, Object };
-inline constexpr auto kMaskBys = enumNames<MaskBy>("slope", "height", "noise", "water", "object");
+enum class MaskBy { Slope, Height, Noise, Water, Object, Path };
+inline constexpr auto kMaskBys = enumNames<MaskBy>("slope", "height", "noise", "water", "object", "path");
 
 // Where a layer counts: 1 from `from` to `to`, falling over `falloff` beyond both ends to 0.
 struct MapMask {
@@ -26,7 +26,7 @@ struct MapMask {
     bool invert = false;      // 1 outside, 0 inside
     float size = 3;           // metres of the noise's spots
     int seed = 1;             // of the noise
-    std::string object;       // the entity whose distance counts
+    std::string object;       // the entity whose distance counts: an object, or a path
 };
 
 // Where a layer's amounts come from; layerKindRows() (world/map_stacks.h), in this order.

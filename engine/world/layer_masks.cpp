@@ -1,4 +1,4 @@
-// Index: slope, height · noise · water · object · rows.
+// Index: slope, height · noise · water · object · path · rows.
 #include "world/layer_masks.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "core/numerics.h"
 #include "maps/distances.h"
 #include "mesh/mesh_io.h"
+#include "scene/ground_path.h"
 #include "scene/tiling.h"
 #include "world/placement.h"
 #include "world/water.h"
@@ -193,11 +194,40 @@ std::string objectInputs(MaskScene& scene, const MapMask& mask) {
     return text;
 }
 
+// --- path ----------------------------------------------------------------------------------------------------------
+const GroundPath* pathOf(const MaskScene& scene, const MapMask& mask) {
+    return scene.project->registry.get<GroundPath>(findEntity(*scene.project, mask.object));
+}
+
+// Metres beside the path's width; infinite beyond where the mask can tell a difference.
+Result<Measure> measurePath(MaskScene& scene, const MapMask& mask) {
+    const GroundPath* path = pathOf(scene, mask);
+    if (!path)
+        return unsound(mask.object.empty() ? "it names no path" : fmt::format("there is no path \"{}\"", mask.object),
+                       "name an entity with a GroundPath");
+    GroundCurve curve = groundCurve(*path);
+    if (curve.pieces.empty()) return unsound(fmt::format("the path \"{}\" has no points", mask.object), "give it some");
+    const double half = static_cast<double>(path->width) / 2,
+                 last = static_cast<double>(std::isfinite(mask.to) ? mask.to : mask.from),
+                 reach = half + std::max(last, 0.0) + static_cast<double>(mask.falloff);
+    return Measure([curve = std::move(curve), half, reach](double x, double z) {
+        return static_cast<float>(std::max(nearestOn(curve, {x, z}, reach).distance - half, 0.0));
+    });
+}
+
+std::string pathInputs(MaskScene& scene, const MapMask& mask) {
+    const GroundPath* path = pathOf(scene, mask);
+    if (!path) return "none";
+    std::string text = fmt::format("{} {}", path->width, path->closed);
+    for (const PathPoint& point : path->points) text += fmt::format(" {} {}", point.at.x, point.at.y);
+    return text;
+}
+
 // --- rows ----------------------------------------------------------------------------------------------------------
 constexpr MaskRow kRows[] = {
     {"deg", 0, 90, true, measureSlope, nullptr},      {"m", -10, 100, true, measureHeight, nullptr},
     {"", 0, 1, false, measureNoise, nullptr},         {"m", 0, 50, false, measureWater, waterInputs},
-    {"m", 0, 50, false, measureObject, objectInputs},
+    {"m", 0, 50, false, measureObject, objectInputs}, {"m", 0, 20, false, measurePath, pathInputs},
 };
 static_assert(std::size(kRows) == kMaskBys.size());
 

@@ -1,5 +1,5 @@
-// What masks of layers measure of the scene, one row a kind: slope, height, noise, distance to water, to an object.
-// Places are metres relative to the terrain's corner. Does not: know maps or texels (world/map_stacks.h).
+// What masks of layers measure of the scene, one row a kind: slope, height, noise, distance to water, to an object, to
+// a path. Places are metres relative to the terrain's corner. Does not: know maps or texels (world/map_stacks.h).
 // Accuracy: a slope is the rise over two texels of the height map; distance to water is that of a raster of at most
 // 1024 cells a side (docs/maps.md), to an object that to its outline as seen from above (mesh/footprint.h).
 #pragma once

@@ -432,16 +432,17 @@ bool MapStacks::Impl::stackEntity(const std::string& entity, const MapLayers& of
     return any;
 }
 
-MapStacks::MapStacks(std::span<const ComponentRow> rows) : impl_(std::make_unique<Impl>()) { impl_->rows = rows; }
+MapStacks::MapStacks() : impl_(std::make_unique<Impl>()) {}
 MapStacks::~MapStacks() = default;
 MapStacks::MapStacks(MapStacks&&) noexcept = default;
 MapStacks& MapStacks::operator=(MapStacks&&) noexcept = default;
 
-const Project& MapStacks::shown(const Project& p) {
+const Project& MapStacks::shown(const Project& p, std::span<const ComponentRow> rows) {
     Impl& m = *impl_;
+    m.rows = rows;
     m.notes.clear();
     if (!hasLayers(p)) {
-        if (m.made) *this = MapStacks(m.rows);
+        if (m.made) *this = MapStacks();
         return p;
     }
     m.look(p);
@@ -457,13 +458,5 @@ const Project& MapStacks::shown(const Project& p) {
 
 const std::vector<LayerNote>& MapStacks::notes() const { return impl_->notes; }
 size_t MapStacks::evaluatedTiles() const { return impl_->scene.evaluated; }
-
-std::optional<Project> withLayers(const Project& p, std::span<const ComponentRow> rows, std::vector<LayerNote>* notes) {
-    if (!hasLayers(p)) return std::nullopt;
-    MapStacks stacks(rows);
-    const Project& shown = stacks.shown(p);
-    if (notes) *notes = stacks.notes();
-    return &shown == &p ? std::nullopt : std::optional(snapshot(shown, rows));
-}
 
 }  // namespace sward

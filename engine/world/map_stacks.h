@@ -31,14 +31,14 @@ std::span<const LayerKindRow> layerKindRows();
 
 class MapStacks {
   public:
-    explicit MapStacks(std::span<const ComponentRow> rows);
+    MapStacks();
     ~MapStacks();
     MapStacks(MapStacks&&) noexcept;
     MapStacks& operator=(MapStacks&&) noexcept;
 
     // The project with each layered map replaced by what it comes to, and the amounts of each rule that counts by its
     // coverage; `p` itself if no layer does anything. The result holds until the next call, or as long as `p`.
-    const Project& shown(const Project& p);
+    const Project& shown(const Project& p, std::span<const ComponentRow> rows);
     // Of the last call: layers that are skipped or hide everything, in the order of entities and layers.
     const std::vector<LayerNote>& notes() const;
     // Tiles that the last call evaluated, of all layers and maps.
@@ -48,10 +48,5 @@ class MapStacks {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-// The same once, for who reads a project and is done: a copy with its maps as they are shown; none if no layer does
-// anything. `notes` gets what there is to know of its layers.
-std::optional<Project> withLayers(const Project& p, std::span<const ComponentRow> rows,
-                                  std::vector<LayerNote>* notes = nullptr);
 
 }  // namespace sward

@@ -1,6 +1,7 @@
 // What masks measure: known slopes, heights and distances, and what is said where there is nothing to measure.
 #include "world/layer_masks.h"
 
+#include "scene/ground_path.h"
 #include "tests/objects.h"
 #include "tests/world/layered.h"
 
@@ -110,6 +111,28 @@ TEST(LayerMasks, DistanceToAnObjectIsThatToItsOutlineOrItsPlace) {
     EXPECT_NEAR(m.at(mask, 10, 12), 3, 0.1f);
     m.project.registry.get<StaticMesh>(findEntity(m.project, "box"))->rotationDeg.y = 90;
     EXPECT_NEAR(m.at(mask, 14.5, 6), 1.5f, 0.1f) << "turned";
+}
+
+TEST(LayerMasks, DistanceToAPathCountsFromItsEdge) {
+    Project p = lawn();
+    GroundPath path;
+    path.points = {{"a", {5, 0}}, {"b", {5, 10}}, {"c", {5, 20}}};
+    path.width = 2;
+    put(p, "way", path);
+    Measured m(std::move(p));
+    MapMask mask = maskBy(MaskBy::Path, 0, 4, 3);
+    mask.object = "way";
+    EXPECT_EQ(m.at(mask, 5.5, 7), 0);
+    EXPECT_NEAR(m.at(mask, 9, 7), 3, 1e-3f);
+    EXPECT_NEAR(m.at(mask, 0, 12), 4, 1e-3f);
+    EXPECT_GE(m.at(mask, 19, 12), 7) << "beyond its falloff it need not be exact";
+    const std::string before = maskRows()[static_cast<size_t>(MaskBy::Path)].inputs(m.scene, mask);
+    m.project.registry.get<GroundPath>(findEntity(m.project, "way"))->points[1].at.x = 6;
+    EXPECT_NE(maskRows()[static_cast<size_t>(MaskBy::Path)].inputs(m.scene, mask), before) << "it follows the path";
+    m.project.registry.get<GroundPath>(findEntity(m.project, "way"))->points.clear();
+    EXPECT_EQ(m.by(mask).error().message, "the path \"way\" has no points");
+    mask.object = "sun";
+    EXPECT_EQ(m.by(mask).error().message, "there is no path \"sun\"");
 }
 
 TEST(LayerMasks, SayWhatTheyMiss) {

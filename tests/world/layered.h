@@ -7,6 +7,7 @@
 #include "scene/map_layers.h"
 #include "techniques.h"
 #include "tests/scenes.h"
+#include "world/map_stacks.h"
 
 namespace sward::test {
 
@@ -46,6 +47,13 @@ inline MapLayer ruleLayer(const std::string& name, std::vector<MapMask> masks,
 // Over the lawn's maps, in this order.
 inline MapLayers& lay(Project& p, std::vector<MapLayer> layers) {
     return put(p, "grass", MapLayers{std::move(layers)});
+}
+
+// The project as its layers leave it; none if no layer does anything.
+inline std::optional<Project> withLayers(const Project& p, std::span<const ComponentRow> rows) {
+    MapStacks stacks;
+    const Project& shown = stacks.shown(p, rows);
+    return &shown == &p ? std::nullopt : std::optional(snapshot(shown, rows));
 }
 
 inline Map& painted(Project& p) { return p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density.map; }

@@ -19,8 +19,8 @@ MapLayer paintedLayer(const std::string& name, float amount, LayerOperation oper
 
 TEST(MapStacks, HandAProjectWithoutLayersThrough) {
     const Project p = rampLawn(40);
-    MapStacks stacks(rows());
-    EXPECT_EQ(&stacks.shown(p), &p);
+    MapStacks stacks;
+    EXPECT_EQ(&stacks.shown(p, rows()), &p);
     EXPECT_EQ(stacks.evaluatedTiles(), 0u);
     EXPECT_FALSE(withLayers(p, rows()));
 }
@@ -29,19 +29,19 @@ TEST(MapStacks, NoGrassAbove35DegreesAndNoneBelowOneMetreLeavesWhatWasPainted) {
     Project p = rampLawn(40);
     lay(p, {ruleLayer("not steep", {maskBy(MaskBy::Slope, 0, 35)})});
     const Map before = painted(p);
-    MapStacks stacks(rows());
-    const Project& steep = stacks.shown(p);
+    MapStacks stacks;
+    const Project& steep = stacks.shown(p, rows());
     EXPECT_NEAR(at(density(steep), 5, 5), 0.8f, 1e-4f);
     EXPECT_EQ(at(density(steep), 15, 5), 0);
     EXPECT_TRUE(painted(p).sameTiles(before)) << "the painted map is as it was";
     EXPECT_EQ(density(steep).info(), before.info());
     lay(p, {ruleLayer("not low", {maskBy(MaskBy::Height, 1, std::numeric_limits<float>::infinity())})});
-    const Project& low = stacks.shown(p);
+    const Project& low = stacks.shown(p, rows());
     EXPECT_EQ(at(density(low), 5, 5), 0);
     EXPECT_NEAR(at(density(low), 15, 5), 0.8f, 1e-4f);
     lay(p, {ruleLayer("not steep", {maskBy(MaskBy::Slope, 0, 35)}),
             ruleLayer("not low", {maskBy(MaskBy::Height, 1, std::numeric_limits<float>::infinity())})});
-    EXPECT_EQ(density(stacks.shown(p)).mean(), 0) << "steep where it is not low";
+    EXPECT_EQ(density(stacks.shown(p, rows())).mean(), 0) << "steep where it is not low";
 }
 
 TEST(MapStacks, CombineAsTheirOperationsSay) {
@@ -126,14 +126,14 @@ Project wide() {
 
 TEST(MapStacks, EvaluateOnlyTheTilesThatAStrokeChanged) {
     Project p = wide();
-    MapStacks stacks(rows());
-    const Map first = density(stacks.shown(p));
+    MapStacks stacks;
+    const Map first = density(stacks.shown(p, rows()));
     EXPECT_EQ(stacks.evaluatedTiles(), 3u * 64);
-    EXPECT_TRUE(density(stacks.shown(p)).sameTiles(first));
+    EXPECT_TRUE(density(stacks.shown(p, rows())).sameTiles(first));
     EXPECT_EQ(stacks.evaluatedTiles(), 0u);
     for (int y = 150; y < 250; ++y)
         for (int x = 260; x < 380; ++x) painted(p).set(x, y, 0, 0.1f);
-    const Map second = density(stacks.shown(p));
+    const Map second = density(stacks.shown(p, rows()));
     EXPECT_EQ(stacks.evaluatedTiles(), 1u);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) EXPECT_EQ(second.tile(x, y) == first.tile(x, y), x != 2 || y != 1);
@@ -146,11 +146,11 @@ TEST(MapStacks, EvaluateMasksOfSlopeAnewWhereHeightsChanged) {
     Terrain& t = *p.registry.get<Terrain>(findEntity(p, "ground"));
     Map heights({512, 512, 1, PixelType::F32});
     t.height.map = heights;
-    MapStacks stacks(rows());
-    const Map first = density(stacks.shown(p));
+    MapStacks stacks;
+    const Map first = density(stacks.shown(p, rows()));
     for (int y = 300; y < 310; ++y)
         for (int x = 300; x < 310; ++x) t.height.map.set(x, y, 0, static_cast<float>(x - 300));
-    const Map second = density(stacks.shown(p));
+    const Map second = density(stacks.shown(p, rows()));
     EXPECT_GT(stacks.evaluatedTiles(), 0u);
     EXPECT_LT(stacks.evaluatedTiles(), 20u) << "of 192";
     EXPECT_LT(at(second, 305.5 / 512 * 20, 305.5 / 512 * 20), 0.01f);
@@ -159,18 +159,18 @@ TEST(MapStacks, EvaluateMasksOfSlopeAnewWhereHeightsChanged) {
 
 TEST(MapStacks, SettingsOfOneLayerLeaveTheOthersAsTheyAre) {
     Project p = wide();
-    MapStacks stacks(rows());
-    stacks.shown(p);
+    MapStacks stacks;
+    stacks.shown(p, rows());
     MapLayers& layers = *p.registry.get<MapLayers>(findEntity(p, "grass"));
     layers.layers[1].opacity = 0.5f;
-    stacks.shown(p);
+    stacks.shown(p, rows());
     EXPECT_EQ(stacks.evaluatedTiles(), 64u) << "combined anew";
     layers.layers[1].masks[0].seed = 7;
-    stacks.shown(p);
+    stacks.shown(p, rows());
     EXPECT_GT(stacks.evaluatedTiles(), 64u) << "one of two layers evaluated anew ...";
     EXPECT_LE(stacks.evaluatedTiles(), 128u) << "... and combined where it differs";
     layers.layers.clear();
-    EXPECT_EQ(&stacks.shown(p), &p);
+    EXPECT_EQ(&stacks.shown(p, rows()), &p);
     EXPECT_EQ(stacks.evaluatedTiles(), 0u);
 }
 
@@ -218,8 +218,8 @@ TEST(MapStacks, SkipLayersWithoutWhatTheyGoByAndSaySo) {
         Project p = rampLawn(40);
         lay(p, {ruleLayer("it", {maskBy(MaskBy::Slope, 0, 35)})});
         row.change(p);
-        MapStacks stacks(rows());
-        const bool changed = &stacks.shown(p) != &p;
+        MapStacks stacks;
+        const bool changed = &stacks.shown(p, rows()) != &p;
         EXPECT_EQ(changed, !row.skipped) << row.what;
         ASSERT_EQ(stacks.notes().size(), 1u) << row.what;
         EXPECT_EQ(stacks.notes()[0].layer, "grass.MapLayers.layers[it]");

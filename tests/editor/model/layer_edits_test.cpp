@@ -99,12 +99,12 @@ TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
     f.doc.endStroke();
     f.doc.pumpStroke(0);
     EXPECT_LT(f.layer(0).amounts.map.mean(), 1);
-    const auto shown = withLayers(f.doc.project(), tables().components);
-    ASSERT_TRUE(shown);
+    MapStacks stacks;
+    const Project& shown = stacks.shown(f.doc.project(), tables().components);
     const auto mean = [](const Project& p) {
         return static_cast<const MapField*>(findMap(p, tables().components, kDensity)->value)->map.mean();
     };
-    EXPECT_LT(mean(*shown), mean(f.doc.project()));
+    EXPECT_LT(mean(shown), mean(f.doc.project()));
     EXPECT_TRUE(f.doc.undo());
     EXPECT_EQ(f.layer(0).amounts.map.mean(), 1);
 }
@@ -143,8 +143,8 @@ TEST(LayerEdits, WhatALayerLiesOverMayGoAndComeBack) {
     const std::string map = "lawn.GrassField.species[" + added + "].density";
     ASSERT_TRUE(addLayer(f.doc, map, LayerKind::Rule));
     ASSERT_TRUE(f.doc.removeListElement("lawn.GrassField.species[" + added + "]"));
-    MapStacks stacks(tables().components);
-    stacks.shown(f.doc.project());
+    MapStacks stacks;
+    stacks.shown(f.doc.project(), tables().components);
     ASSERT_EQ(stacks.notes().size(), 1u);
     EXPECT_NE(stacks.notes()[0].message.find("there is no map " + map), std::string::npos);
     EXPECT_TRUE(f.doc.undo());
