@@ -211,7 +211,6 @@ void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of) {
 }
 
 void addButtons(const FieldParts& parts, const std::string& map) {
-    caption("Add");
     for (size_t i = 0; i < kLayerKinds.size(); ++i) {
         if (i > 0) beside(3);
         if (ui::button(fmt::format("Add {}", kLayerKinds[i])))

@@ -79,11 +79,40 @@ constexpr Box kEverywhere{-1e9, -1e9, 1e9, 1e9};
 
 bool meet(const Box& a, const Box& b) { return a.x0 <= b.x1 && b.x0 <= a.x1 && a.z0 <= b.z1 && b.z0 <= a.z1; }
 
-// A tile of a map that lies on the terrain once, and `margin` texels around it.
-Box boxOf(const MapInfo& info, int tx, int ty, double margin) {
-    const double texels = kTileSize;
-    return {(tx * texels - margin) / info.width, (ty * texels - margin) / info.height,
-            ((tx + 1) * texels + margin) / info.width, ((ty + 1) * texels + margin) / info.height};
+// Texels of a map: from x0, y0 to before x1, y1.
+struct Texels {
+    int x0, y0, x1, y1;
+};
+Texels tileTexels(int tx, int ty) {
+    return {tx * kTileSize, ty * kTileSize, (tx + 1) * kTileSize, (ty + 1) * kTileSize};
+}
+
+// Texels of a map that lies on the terrain once, and `margin` of them around.
+Box boxOf(const MapInfo& info, const Texels& t, double margin) {
+    return {(t.x0 - margin) / info.width, (t.y0 - margin) / info.height, (t.x1 + margin) / info.width,
+            (t.y1 + margin) / info.height};
+}
+
+// The smallest rectangle in which two tiles of a map differ; empty (x0 = x1) if they do not.
+Texels differing(const Map& map, int tx, int ty, const Tile& a, const Tile& b) {
+    const size_t texel = map.texelBytes(), row = texel * kTileSize;
+    const auto at = [&](const Tile& t, int y) { return t.bytes.data() + static_cast<size_t>(y) * row; };
+    Texels out{kTileSize, kTileSize, 0, 0};
+    for (int y = 0; y < kTileSize; ++y) {
+        if (std::equal(at(a, y), at(a, y) + row, at(b, y))) continue;
+        out.y0 = std::min(out.y0, y), out.y1 = y + 1;
+        const auto first = std::mismatch(at(a, y), at(a, y) + row, at(b, y)).first - at(a, y);
+        const auto last =
+            std::mismatch(std::make_reverse_iterator(at(a, y) + row), std::make_reverse_iterator(at(a, y)),
+                          std::make_reverse_iterator(at(b, y) + row))
+                .first.base() -
+            at(a, y);
+        out.x0 = std::min(out.x0, static_cast<int>(static_cast<size_t>(first) / texel));
+        out.x1 = std::max(out.x1, static_cast<int>((static_cast<size_t>(last) + texel - 1) / texel));
+    }
+    if (out.x0 >= out.x1) return {0, 0, 0, 0};
+    const Texels whole = tileTexels(tx, ty);
+    return {whole.x0 + out.x0, whole.y0 + out.y0, whole.x0 + out.x1, whole.y0 + out.y1};
 }
 
 // Where maps differ, and as far around as a texel's neighbours read.
@@ -92,8 +121,14 @@ std::vector<Box> changedBoxes(const Map& before, const Map& now) {
     std::vector<Box> out;
     for (int ty = 0; ty < now.tilesY(); ++ty)
         for (int tx = 0; tx < now.tilesX(); ++tx)
-            if (before.tile(tx, ty) != now.tile(tx, ty)) out.push_back(boxOf(now.info(), tx, ty, 2));
+            if (before.tile(tx, ty) != now.tile(tx, ty))
+                if (const Texels t = differing(now, tx, ty, *before.tile(tx, ty), *now.tile(tx, ty)); t.x0 < t.x1)
+                    out.push_back(boxOf(now.info(), t, 2));
     return out;
+}
+
+bool isIn(const std::vector<Box>& boxes, double u, double v) {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return meet(b, {u, v, u, v}); });
 }
 
 struct TilePlace {
@@ -104,7 +139,7 @@ std::vector<TilePlace> tilesIn(const Map& map, const std::vector<Box>& boxes) {
     for (int ty = 0; ty < map.tilesY(); ++ty)
         for (int tx = 0; tx < map.tilesX(); ++tx)
             if (std::any_of(boxes.begin(), boxes.end(),
-                            [&](const Box& b) { return meet(b, boxOf(map.info(), tx, ty, 0)); }))
+                            [&](const Box& b) { return meet(b, boxOf(map.info(), tileTexels(tx, ty), 0)); }))
                 out.push_back({tx, ty});
     return out;
 }
@@ -231,10 +266,14 @@ Status updateCoverage(Coverage& c, Scene& scene, const MapLayer& layer, const Ma
     evaluate(c.map, tiles, [&](TilePlace at, Numbers& out) {
         const int w = std::min(kTileSize, info.width - at.x * kTileSize),
                   h = std::min(kTileSize, info.height - at.y * kTileSize);
+        readTile(c.map, at.x, at.y, out);
         for (int y = 0; y < h; ++y)
-            for (int x = 0; x < w; ++x)
-                out[static_cast<size_t>(y) * kTileSize + static_cast<size_t>(x)] =
-                    (*places)((at.x * kTileSize + x + 0.5) / info.width, (at.y * kTileSize + y + 0.5) / info.height);
+            for (int x = 0; x < w; ++x) {
+                const double u = (at.x * kTileSize + x + 0.5) / info.width,
+                             v = (at.y * kTileSize + y + 0.5) / info.height;
+                if (isIn(changed, u, v))
+                    out[static_cast<size_t>(y) * kTileSize + static_cast<size_t>(x)] = (*places)(u, v);
+            }
     });
     scene.evaluated += tiles.size();
     c.zero = isZero(c.map);

@@ -1,9 +1,9 @@
 // What maps with layers come to: a painted map at the bottom, the layers of MapLayers over it, one by one. Whoever
-// draws, traces, counts or exports asks for the project as it is shown, and reads maps there as if there were no
-// layers. Evaluated tile by tile, and again only where something changed: a stroke where its tiles did, heights under
-// masks that follow them, all of it where a setting did. Does not: change the project. A project without layers is
-// handed through: nothing is made, nothing is held. Cost: about 0.3 us a texel and mask of slope on one core, 10 ns a
-// texel and layer to combine; 2 bytes a texel and rule.
+// reads the project as it is drawn (world/drawn_project.h) reads maps there as if there were no layers. Evaluated tile
+// by tile, and again only where something changed: below a stroke, where heights changed under masks that follow them,
+// all of it where a setting did or water moved. Does not: change the project. A project without layers is handed
+// through: nothing is made, nothing is held. Cost: about 0.3 us a texel and mask of slope on one core, 10 ns a texel
+// and layer to combine; 2 bytes a texel and layer.
 #pragma once
 #include <memory>
 #include <optional>

@@ -1,4 +1,5 @@
 // The panel Layers, clicked: what it changes is what the project has, one undo step each.
+#include "app/viewport.h"
 #include "model/layer_edits.h"
 #include "panel_stage.h"
 #include "panels/panels.h"
@@ -88,6 +89,21 @@ TEST_F(LayersPanel, PreviewsALayerOverTheScene) {
     click("Layers/" + kRule + "/On");
     click("Layers/" + kRule + "/Preview");
     EXPECT_NE(overlayOf(doc, brushes).map, kRule + ".amounts");
+}
+
+TEST_F(LayersPanel, TheInspectorShowsMasksWithinLayersToo) {
+    click("Layers/Add rule");
+    ViewState looking;
+    name = "Inspector";
+    draw = [&] { drawInspector(fieldParts(), "lawn", looking); };
+    frames(2);
+    const std::string mask = kRule + ".masks[mask]";
+    EXPECT_EQ(value("Inspector/" + mask + ".to"), "35");
+    EXPECT_TRUE(shown("Inspector/" + kRule + ".masks/Add masks"));
+    ASSERT_TRUE(shown("Inspector/" + mask + "/Remove"));
+    ASSERT_TRUE(doc.removeListElement(mask));
+    frames(2);
+    EXPECT_FALSE(shown("Inspector/" + mask + ".to"));
 }
 
 TEST_F(LayersPanel, RulesHaveNoMapToPaintOn) {
