@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/json.h"
 #include "model/entity_edits.h"
 #include "panels/viewport_input.h"
 #include "tools/rings.h"
@@ -180,11 +179,6 @@ std::optional<PathHover> pathAt(const ObjectParts& parts, const glm::dvec2& poin
 
 // --- edits -------------------------------------------------------------------------------------------------------
 
-std::string placeText(const glm::dvec2& at) {
-    const glm::dvec2 rounded = roundedPlace(at);
-    return fmt::format("[{}, {}]", shortestText(rounded.x), shortestText(rounded.y));
-}
-
 // From here on the hand holds the undo step that `label` names.
 void hold(const ObjectParts& parts, const std::string& entity, const std::string& label) {
     parts.edits.holding = entity + ".GroundPath";
@@ -308,9 +302,12 @@ void dragPath(const ObjectParts& parts, double x, double y) {
     drag->moved = true;
     const std::string entity = pathInHand(parts);
     const auto place = placeUnder(parts, x + drag->offset.x, y + drag->offset.y);
-    if (!place || entity.empty()) return;
-    const std::string path = fmt::format("{}.GroundPath.points[{}].at", entity, drag->point);
-    if (!accept(parts.messages, parts.doc.setField(path, placeText(*place)))) drag.reset();
+    const GroundPath* path = pathNamed(parts, entity);
+    if (!place || !path || drag->point >= path->points.size()) return;
+    GroundPath moved = *path;
+    moved.points[drag->point].at = roundedPlace(*place);
+    if (!(moved == *path) && !accept(parts.messages, parts.doc.assignComponent(entity, pathRow(parts.doc), &moved)))
+        drag.reset();
 }
 
 void releasePath(const ObjectParts& parts) { parts.tool.path.drag.reset(); }
