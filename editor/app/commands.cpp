@@ -86,10 +86,6 @@ void strength(EditorApp& app) {
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
-void newPath(EditorApp& app) {
-    selectTool(app.doc, app.brushes, app.messages, kViewTool);
-    beginPath(objectParts(app));
-}
 void flattenPath(EditorApp& app) {
     const std::string entity = pathMeant(app.doc, app.selection);
     if (accept(app.messages, flattenAlong(app.doc, entity))) say(app.messages, "level across " + entity);
@@ -114,6 +110,15 @@ template <GizmoMode Mode>
 void takeMode(EditorApp& app) {
     selectTool(app.doc, app.brushes, app.messages, kViewTool);
     app.objects.mode = Mode;
+}
+// What was to be placed is laid down.
+void takePath(EditorApp& app) {
+    takeMode<GizmoMode::Path>(app);
+    app.objects.placing.clear();
+}
+void newPath(EditorApp& app) {
+    takePath(app);
+    beginPath(objectParts(app));
 }
 template <GizmoMode Mode>
 bool inMode(EditorApp& app) {
@@ -161,7 +166,7 @@ constexpr Command kCommands[] = {
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
     {"Object", "Scale", "r", "", takeMode<GizmoMode::Scale>, opened, true, inMode<GizmoMode::Scale>},
-    {"Object", "Path", "p", "", takeMode<GizmoMode::Path>, opened, true, inMode<GizmoMode::Path>},
+    {"Object", "Path", "p", "", takePath, opened, true, inMode<GizmoMode::Path>},
     {"Object", "New Path", "shift+p", "", newPath, opened},
     {"Object", "End Path", "enter", "escape", [](App& a) { endPath(objectParts(a)); }, drawsPath},
     {"Object", "Flatten Along Path", "", "", flattenPath, pathChosen},

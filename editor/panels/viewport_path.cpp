@@ -345,7 +345,6 @@ void beginPath(const ObjectParts& parts) {
     parts.edits.holding.clear();
     if (!name) return;
     parts.doc.endGroup();
-    parts.tool.mode = GizmoMode::Path;
     say(parts.messages, *name + " begins here: click on the ground where it goes on, Enter ends");
 }
 

@@ -31,7 +31,7 @@ void cancelPath(const ObjectParts& parts);
 // --- by keys
 // Removes the chosen point. False: there is none, or it is not the tool.
 bool removePathPoint(const ObjectParts& parts);
-// A new path whose first point lies where the view's middle meets the ground; it is in the hand then.
+// A new path whose first point lies where the middle of the view meets the ground; it is chosen then.
 void beginPath(const ObjectParts& parts);
 // The tool is laid down; the path stays chosen.
 void endPath(const ObjectParts& parts);
