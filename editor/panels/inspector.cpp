@@ -78,8 +78,8 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         const void* element = l.at(list, i);
         const std::string name = *static_cast<const std::string*>(
             static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
-        const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
-        const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
+        const std::string called = name.empty() ? std::to_string(i) : name, at = path + "[" + called + "]";
+        const bool open = header(at, fieldTitle(row.name) + ": " + called, l.size(list) < 3);
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);

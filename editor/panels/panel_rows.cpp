@@ -14,6 +14,7 @@
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_path.h"
 #include "panels/viewport_place.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
@@ -103,6 +104,7 @@ void drawAids(EditorApp& a, const RingParts& rings) {
     drawRings(rings);
     const ObjectParts objects = objectParts(a);
     drawObjects(objects);
+    drawPaths(objects);
     drawGizmo(objects);
     drawPlacing(objects, a.hand.ground);
 }

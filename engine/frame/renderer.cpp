@@ -6,6 +6,8 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "scene/map_fields.h"
+#include "scene/tiling.h"
 #include "world/drawn_project.h"
 #include "world/view_camera.h"
 
@@ -390,10 +392,23 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& settings) {
+namespace {
+// The overlay shows the map that is drawn, which does not repeat where paths lie over it.
+ViewSettings overDrawn(const ViewSettings& wanted, const Project& drawn, const Tables& tables) {
+    ViewSettings s = wanted;
+    const Terrain* terrain = firstOf<Terrain>(drawn);
+    const Result<ConstFieldRef> map = findField(drawn, tables.components, s.overlay.map);
+    if (terrain && map && map->row->type == FieldType::Map)
+        s.overlay.tiling = static_cast<double>(shaderTiling(*terrain, mapTiling(*map)));
+    return s;
+}
+}  // namespace
+
+Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& wanted) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
     const Project& project = r.drawn.of(painted, r.tables.components);
+    const ViewSettings settings = &project == &painted ? wanted : overDrawn(wanted, project, r.tables);
     r.stats = {};
     r.replan(project);
     if (Status s = r.check(project); !s) return s;

@@ -114,7 +114,7 @@ Quintic distanceSlope(const CurvePiece& piece, const glm::dvec2& place) {
 double distanceToBox(const CurvePiece& piece, const glm::dvec2& place) {
     glm::dvec2 low = piece.bezier[0], high = low;
     for (const glm::dvec2& p : piece.bezier) low = glm::min(low, p), high = glm::max(high, p);
-    return lengthOf(glm::max(glm::max(low - place, place - high), glm::dvec2(0)));
+    return glm::length(glm::max(glm::max(low - place, place - high), glm::dvec2(0)));
 }
 
 // --- the row -----------------------------------------------------------------------------------------------------

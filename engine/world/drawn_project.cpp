@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/jobs.h"
 #include "core/numerics.h"
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
@@ -101,11 +102,20 @@ GroundBox tileBox(const Map& m, const glm::dvec2& extent, int tx, int ty) {
                      low = glm::dvec2(tx, ty) * static_cast<double>(kTileSize) * texel;
     return {low, low + static_cast<double>(kTileSize) * texel};
 }
-// The pieces of a path that reach into a box. A texel more on all sides, for what is filtered.
-GroundCurve piecesIn(const PathOver& over, const GroundBox& box, double texel) {
+// Adds the parts of a piece, halved so many times, that reach into a box: short ones lie close in their own boxes, so
+// that most of the others' texels are passed over.
+void addParts(const CurvePiece& piece, const GroundBox& box, double reach, int halvings, GroundCurve& out) {
+    if (!meet(boxOf({{piece}}, reach), box)) return;
+    if (halvings == 0) return out.pieces.push_back(piece);
+    const auto& [a, b, c, d] = piece.bezier;
+    const glm::dvec2 ab = 0.5 * (a + b), bc = 0.5 * (b + c), cd = 0.5 * (c + d), abc = 0.5 * (ab + bc),
+                     bcd = 0.5 * (bc + cd), middle = 0.5 * (abc + bcd);
+    addParts({{a, ab, abc, middle}, piece.from}, box, reach, halvings - 1, out);
+    addParts({{middle, bcd, cd, d}, piece.from}, box, reach, halvings - 1, out);
+}
+GroundCurve partsIn(const PathOver& over, const GroundBox& box, double reach) {
     GroundCurve out;
-    for (const CurvePiece& piece : over.curve.pieces)
-        if (meet(boxOf({{piece}}, reachOf(over.path) + texel), box)) out.pieces.push_back(piece);
+    for (const CurvePiece& piece : over.curve.pieces) addParts(piece, box, reach, 3, out);
     return out;
 }
 
@@ -121,26 +131,35 @@ void layOver(Map& m, const glm::dvec2& extent, int tx, int ty, const PathOver& o
     const MapInfo& info = m.info();
     const glm::dvec2 size = extent / glm::dvec2(info.width, info.height);
     const double texel = std::max(size.x, size.y);
-    const GroundCurve curve = piecesIn(over, tileBox(m, extent, tx, ty), texel);
-    if (curve.pieces.empty()) return;
-    for (int y = ty * kTileSize; y < std::min((ty + 1) * kTileSize, info.height); ++y)
+    const double reach = reachOf(over.path) + texel;  // a texel more, for what is filtered
+    const GroundCurve curve = partsIn(over, tileBox(m, extent, tx, ty), reach);
+    for (int y = ty * kTileSize; y < std::min((ty + 1) * kTileSize, info.height) && !curve.pieces.empty(); ++y)
         for (int x = tx * kTileSize; x < std::min((tx + 1) * kTileSize, info.width); ++x) {
-            const glm::dvec2 at = (glm::dvec2(x, y) + 0.5) * size;
-            const double distance = nearestOn(curve, at, reachOf(over.path) + texel).distance;
+            const double distance = nearestOn(curve, (glm::dvec2(x, y) + 0.5) * size, reach).distance;
             if (!std::isfinite(distance)) continue;
             const float share = effect.amount(over.path) * meanWeight(over.path, distance, texel);
             if (share != 0) effect.blend(m, x, y, over.path, share);
         }
 }
 
-// Where a path acts that is not the same in both lists.
+// Where a path acts that is not the same in both: around the pieces that only one of them has.
+void addChanges(const PathOver& a, const PathOver& b, double texel, std::vector<GroundBox>& out) {
+    GroundPath like = a.path;
+    like.points = b.path.points;
+    const bool same = like == b.path;  // but for its points
+    const auto has = [&](const PathOver& in, const CurvePiece& piece) {
+        return same && std::any_of(in.curve.pieces.begin(), in.curve.pieces.end(),
+                                   [&](const CurvePiece& p) { return p.bezier == piece.bezier; });
+    };
+    for (const auto& [from, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+        for (const CurvePiece& piece : from->curve.pieces)
+            if (!has(*other, piece)) out.push_back(boxOf({{piece}}, reachOf(from->path) + texel));
+}
 std::vector<GroundBox> changedBoxes(const std::vector<PathOver>& a, const std::vector<PathOver>& b, double texel) {
+    const PathOver none;
     std::vector<GroundBox> out;
-    for (size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
-        if (i < a.size() && i < b.size() && a[i] == b[i]) continue;
-        for (const auto* list : {&a, &b})
-            if (i < list->size()) out.push_back(boxOf((*list)[i].curve, reachOf((*list)[i].path) + texel));
-    }
+    for (size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+        addChanges(i < a.size() ? a[i] : none, i < b.size() ? b[i] : none, texel, out);
     return out;
 }
 
@@ -179,15 +198,19 @@ void layPaths(LaidMap& laid, const Map& was, bool fresh, const PathEffect& effec
     const std::vector<GroundBox> changed = changedBoxes(laid.paths, paths, texel);
     laid.paths = std::move(paths);
     if (fresh) laid.drawn = laid.base;
+    std::vector<glm::ivec2> tiles;
     for (int ty = 0; ty < laid.base.tilesY(); ++ty)
         for (int tx = 0; tx < laid.base.tilesX(); ++tx) {
             const GroundBox box = tileBox(laid.base, laid.extent, tx, ty);
             const bool moved =
                 std::any_of(changed.begin(), changed.end(), [&](const GroundBox& b) { return meet(b, box); });
-            if (!fresh && !moved && laid.base.tile(tx, ty) == was.tile(tx, ty)) continue;
-            laid.drawn.setTile(tx, ty, laid.base.tile(tx, ty));
-            for (const PathOver& over : laid.paths) layOver(laid.drawn, laid.extent, tx, ty, over, effect);
+            if (fresh || moved || laid.base.tile(tx, ty) != was.tile(tx, ty)) tiles.push_back({tx, ty});
         }
+    parallelFor(tiles.size(), [&](size_t i) {
+        const glm::ivec2 at = tiles[i];
+        laid.drawn.setTile(at.x, at.y, laid.base.tile(at.x, at.y));
+        for (const PathOver& over : laid.paths) layOver(laid.drawn, laid.extent, at.x, at.y, over, effect);
+    });
 }
 
 // Puts what is drawn in the place of what is painted.

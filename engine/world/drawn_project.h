@@ -22,7 +22,6 @@ namespace sward {
 struct PathOver {
     GroundPath path;
     GroundCurve curve;
-    bool operator==(const PathOver& o) const { return path == o.path; }
 };
 
 // A map and the paths over it.

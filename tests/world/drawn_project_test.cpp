@@ -110,6 +110,22 @@ TEST(DrawnProject, AMovedPathLeavesNothingBehindAndPaintShowsThrough) {
     EXPECT_EQ(after.at(100, 50), 1);
     EXPECT_EQ(after.tile(3, 3), moved.tile(3, 3)) << "tiles without a stroke stay";
 }
+TEST(DrawnProject, OnePointMovedMakesOnlyItsSurroundingsAnew) {
+    Project p = lawn();
+    p.registry.get<GrassField>(findEntity(p, "grass"))->species[0].density = painted(0.5f, 512);
+    GroundPath path = across(1, 0.5f);
+    path.points = {{"", {1, 2}}, {"", {5.5, 2}}, {"", {11, 2}}, {"", {14, 2}}, {"", {19, 2}}};
+    put(p, "way", path);
+    DrawnProject drawn;
+    const Map before = speciesOf(drawn.of(p, rows())).density.map;
+    path.points.back().at.y = 9;
+    put(p, "way", path);
+    const Map after = speciesOf(drawn.of(p, rows())).density.map;
+    EXPECT_EQ(after.tile(0, 0), before.tile(0, 0));
+    EXPECT_NE(after.tile(3, 1), before.tile(3, 1));
+    DrawnProject anew;
+    EXPECT_EQ(after.hash(), speciesOf(anew.of(p, rows())).density.map.hash());
+}
 TEST(DrawnProject, AMapThatRepeatsIsLaidOutBeforeThePathIsCut) {
     Project p = lawn();
     Species& s = p.registry.get<GrassField>(findEntity(p, "grass"))->species[0];
