@@ -4,7 +4,7 @@
 #include "maps/map_io.h"
 #include "maps/map_repair.h"
 #include "scene/map_fields.h"
-#include "world/drawn_project.h"
+#include "world/map_stacks.h"
 
 namespace sward {
 namespace {
@@ -115,8 +115,8 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
 
 Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                     const std::filesystem::path& file, const ImportOptions& options) {
-    DrawnProject drawn;
-    const Project& shown = drawn.of(p, rows);
+    MapStacks stacks;
+    const Project& shown = stacks.shown(p, rows);
     const Result<ConstFieldRef> density = findMap(shown, rows, mapName);
     if (!density) return density.error();
     const Result<ConstFieldRef> height = bladeHeightBeside(shown, rows, *density);

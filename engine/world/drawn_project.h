@@ -1,4 +1,4 @@
-// The project as it is drawn, traced, counted and exported: its maps as painted, with their layers (world/map_stacks.h)
+// The project as it is drawn, traced and counted: its maps as painted, with their layers (world/map_stacks.h)
 // and then the scene's paths laid over them. What is painted stays as it is in the project itself. Each path acts in
 // the order of entities' names: on the densities of grass and flowers, and on the terrain's colours.
 // A map keeps its size in texels, and a path is as fine as they are. Where there is none, and where one repeats, the

@@ -443,6 +443,7 @@ bool MapStacks::Impl::stackMap(const std::string& path,
         Coverage& c = coverages[layer];
         asked.insert(layer);
         if (const Status done = updateCoverage(c, scene, *of, info); !done) {
+            c = {};  // what changes meanwhile would be missed
             skip(layer, done.error());
             continue;
         }

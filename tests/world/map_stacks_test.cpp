@@ -235,6 +235,25 @@ TEST(MapStacks, GoOnWithTheOtherLayersWhereOneIsSkipped) {
     EXPECT_NEAR(at(density(*withLayers(p, rows())), 5, 5), 0.8f, 1e-4f);
 }
 
+TEST(MapStacks, ALayerThatWasSkippedComesBackWithWhatChangedMeanwhile) {
+    Project p = rampLawn(40, 1);
+    lay(p, {ruleLayer("dry and level", {maskBy(MaskBy::Slope, 0, 35),
+                                        maskBy(MaskBy::Water, 0.5f, std::numeric_limits<float>::infinity())})});
+    put<Water>(p, "pond").level = -1;
+    MapStacks stacks;
+    EXPECT_EQ(at(density(stacks.shown(p, rows())), 5, 5), 1);
+    removeEntity(p, "pond");
+    EXPECT_EQ(&stacks.shown(p, rows()), &p);
+    Map& heights = p.registry.get<Terrain>(findEntity(p, "ground"))->height.map;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) heights.set(x, y, 0, static_cast<float>(x) * 0.2f);
+    stacks.shown(p, rows());
+    put<Water>(p, "pond").level = -1;
+    const Map back = density(stacks.shown(p, rows()));
+    EXPECT_EQ(at(back, 5, 5), 0);
+    EXPECT_EQ(back.hash(), density(*withLayers(p, rows())).hash());
+}
+
 TEST(MapStacks, ShowTheCoverageOfARuleAsItsAmounts) {
     Project p = rampLawn(40);
     lay(p, {ruleLayer("not steep", {maskBy(MaskBy::Slope, 0, 35)})});
