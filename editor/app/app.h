@@ -30,6 +30,7 @@
 #include "model/document.h"
 #include "tools/brush_book.h"
 #include "tools/brush_cost.h"
+#include "tools/layer_view.h"
 #include "tools/object_tool.h"
 #include "tools/tier_view.h"
 #include "ui/surface.h"
@@ -74,6 +75,7 @@ struct EditorApp {
     BrushBook brushes;
     BrushCost brushCost;
     TierView tierView;
+    LayerView layerView;
     Selection selection;
     ObjectTool objects;
     Edits edits;

@@ -6,10 +6,13 @@
 #include <imgui.h>
 
 #include "app/app.h"
+#include "app/path_actions.h"
 #include "model/blade_height.h"
 #include "model/float_heights.h"
+#include "model/path_ground.h"
 #include "model/whole_map.h"
 #include "panels/viewport_objects.h"
+#include "panels/viewport_path.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -83,11 +86,31 @@ void strength(EditorApp& app) {
 void play(EditorApp& app) { togglePlay(playParts(app), app.view.camera, app.hand, app.edits, ui::typing(app.book)); }
 void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); }
 void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
+void flattenPath(EditorApp& app) {
+    const std::string entity = pathMeant(app.doc, app.selection);
+    if (accept(app.messages, flattenAlong(app.doc, entity))) say(app.messages, "level across " + entity);
+}
+// With the path tool the point that is chosen, else what is chosen.
+void remove(EditorApp& app) {
+    if (!removePathPoint(objectParts(app))) removeChosen(app.doc, app.selection, app.messages);
+}
+void walk(EditorApp& app) {
+    walkPath(playParts(app), app.selection, app.view.camera, app.hand, app.edits, ui::typing(app.book));
+}
 void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
 template <GizmoMode Mode>
 void takeMode(EditorApp& app) {
     selectTool(app.doc, app.brushes, app.messages, kViewTool);
     app.objects.mode = Mode;
+}
+// What was to be placed is laid down.
+void takePath(EditorApp& app) {
+    takeMode<GizmoMode::Path>(app);
+    app.objects.placing.clear();
+}
+void newPath(EditorApp& app) {
+    takePath(app);
+    beginPath(objectParts(app));
 }
 template <GizmoMode Mode>
 bool inMode(EditorApp& app) {
@@ -110,6 +133,9 @@ bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.em
 bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
 bool hasMap(EditorApp& app) { return app.doc.isOpen() && !app.brushes.map.empty() && atRest(app); }
+bool hasPath(EditorApp& app) { return !pathMeant(app.doc, app.selection).empty(); }
+bool pathChosen(EditorApp& app) { return atRest(app) && !pathInHand(objectParts(app)).empty(); }
+bool drawsPath(EditorApp& app) { return atRest(app) && inMode<GizmoMode::Path>(app); }
 bool anyChosen(EditorApp& app) { return app.doc.isOpen() && !app.selection.entities.empty() && atRest(app); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
@@ -125,13 +151,19 @@ constexpr Command kCommands[] = {
     {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
-    {"Object", "Delete", "delete", "", [](App& a) { removeChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Delete", "delete", "", remove, anyChosen},
     {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
     {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
     {"Object", "Objects or Brush", "v", "", lookOnly, opened},
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
     {"Object", "Scale", "r", "", takeMode<GizmoMode::Scale>, opened, true, inMode<GizmoMode::Scale>},
+    {"Object", "Path", "p", "", takePath, opened, true, inMode<GizmoMode::Path>},
+    {"Object", "New Path", "shift+p", "", newPath, opened},
+    {"Object", "End Path", "enter", "escape", [](App& a) { endPath(objectParts(a)); }, drawsPath},
+    {"Object", "Flatten Along Path", "", "", flattenPath, pathChosen},
+    {"Object", "Camera Path from Path", "", "", [](App& a) { cameraFromPath(a.doc, a.selection, a.messages); },
+     pathChosen},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},
@@ -147,6 +179,7 @@ constexpr Command kCommands[] = {
     {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},
     {"Play", "Pause", "f6", "", [](App& a) { togglePause(playParts(a)); }, opened, true, nullptr, true},
     {"Play", "One Step", "f11", "", [](App& a) { stepOnce(playParts(a)); }, opened, true, nullptr, true},
+    {"Play", "Walk Along Path", "", "", walk, hasPath, true, nullptr, true},
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},

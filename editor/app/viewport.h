@@ -21,7 +21,7 @@ struct ViewState {
 };
 
 // What the left, right or middle button is doing in the viewport since it went down there.
-enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split, Choose, Gizmo };
+enum class Gesture { None, Look, Orbit, Pan, Paint, Ring, Split, Choose, Gizmo, Path };
 struct ViewportHand {
     Rect rect;  // of the image, window coordinates
     bool hovered = false;

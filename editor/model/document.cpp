@@ -8,7 +8,9 @@
 #include "model/document_impl.h"
 #include "model/field_walk.h"
 #include "model/new_map.h"
+#include "scene/map_layers.h"
 #include "scene/unique.h"
+#include "world/drawn_project.h"
 
 namespace fs = std::filesystem;
 
@@ -77,7 +79,8 @@ Result<std::vector<std::string>> Document::save() {
     p.repairedMaps.clear();
     impl_->saved = snapshot(p, impl_->rows());
     ++impl_->revision;
-    if (Status s = checkUnique(p); !s) logWarning("saved, but it cannot be drawn: " + s.error().text());
+    if (Status s = checkUnique(DrawnProject().of(p, impl_->rows())); !s)
+        logWarning("saved, but it cannot be drawn: " + s.error().text());
     return written;
 }
 
@@ -191,12 +194,46 @@ Status Document::Impl::changeField(const std::string& label, const FieldRef& fie
     return {};
 }
 
+// The maps that the entity's layers lie over, null where one is not there.
+std::vector<const void*> Document::Impl::layeredMaps(const std::string& entity) const {
+    std::vector<const void*> maps;
+    if (const MapLayers* of = project->registry.get<MapLayers>(findEntity(*project, entity)))
+        for (const MapLayer& layer : of->layers) {
+            const auto map = findField(std::as_const(*project), rows(), layeredPath(entity, layer));
+            maps.push_back(map ? map->value : nullptr);
+        }
+    return maps;
+}
+
+// Layers name their map by its PATH; where an edit has changed that, they go along.
+void Document::Impl::followMaps(const std::string& entity, const std::vector<const void*>& maps) {
+    const std::vector<const void*> now = layeredMaps(entity);
+    if (now == maps) return;
+    MapLayers& of = *project->registry.get<MapLayers>(findEntity(*project, entity));
+    const ComponentRow& row =
+        *std::find_if(rows().begin(), rows().end(), [](const ComponentRow& r) { return isRowOf<MapLayers>(r); });
+    std::shared_ptr<void> before = stateOf(entity, row);
+    for (const ConstFieldRef& map : allMaps(std::as_const(*project), rows(), true))
+        for (size_t i = 0; i < maps.size(); ++i)
+            if (maps[i] == map.value && now[i] != map.value) of.layers[i].map = map.path.substr(entity.size() + 1);
+    record("", {{entity, &row, std::move(before), stateOf(entity, row)}});
+}
+
 Status Document::setField(const std::string& path, const std::string& text) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), path);
     if (!field) return field.error();
-    return impl_->changeField("set " + field->path, *field, [&] { return setFieldText(*field, text); });
+    const std::string label = "set " + field->path;
+    const auto edit = [&] { return setFieldText(*field, text); };
+    const std::vector<const void*> layered =
+        field->row->type == FieldType::String ? impl_->layeredMaps(field->entity) : std::vector<const void*>();
+    if (layered.empty()) return impl_->changeField(label, *field, edit);
+    beginGroup(label);
+    const Status done = impl_->changeField(label, *field, edit);
+    if (done) impl_->followMaps(field->entity, layered);
+    endGroup();
+    return done;
 }
 
 Status Document::addEntity(const std::string& name) {
@@ -277,23 +314,59 @@ Status Document::addListElement(const std::string& listPath) {
     });
 }
 
+namespace {
+
+// An element of a list, by its PATH.
+struct ListElement {
+    FieldRef list;
+    size_t index;
+};
+Result<ListElement> findListElement(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
+    const size_t open = path.rfind('[');
+    if (open == std::string::npos || !path.ends_with("]"))
+        return usage(path + " names no element of a list", "write entity.Component.list[name]");
+    Result<FieldRef> field = findField(p, rows, path.substr(0, open));
+    if (!field) return field.error();
+    if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
+    const Result<size_t> index = findElement(*field, path.substr(open + 1, path.size() - open - 2));
+    if (!index) return index.error();
+    return ListElement{*field, *index};
+}
+
+}  // namespace
+
 Status Document::removeListElement(const std::string& elementPath) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
-    const size_t open = elementPath.rfind('[');
-    if (open == std::string::npos || !elementPath.ends_with("]"))
-        return usage(elementPath + " names no element of a list", "write entity.Component.list[name]");
-    const Result<FieldRef> field = findField(*impl_->project, impl_->rows(), elementPath.substr(0, open));
-    if (!field) return field.error();
-    if (field->row->type != FieldType::List) return usage(field->path + " is not a list");
-    const Result<size_t> index = findElement(*field, elementPath.substr(open + 1, elementPath.size() - open - 2));
-    if (!index) return index.error();
-    const ListRow& list = *field->row->list;
-    return impl_->changeField("remove " + elementPath, *field, [&]() -> Status {
-        const size_t n = list.size(field->value);
-        for (size_t i = *index; i + 1 < n; ++i)
-            copyFields(list.fields, list.editAt(field->value, i), list.at(field->value, i + 1));
-        list.resize(field->value, n - 1);
+    const Result<ListElement> element = findListElement(*impl_->project, impl_->rows(), elementPath);
+    if (!element) return element.error();
+    const FieldRef& field = element->list;
+    const ListRow& list = *field.row->list;
+    return impl_->changeField("remove " + elementPath, field, [&]() -> Status {
+        const size_t n = list.size(field.value);
+        for (size_t i = element->index; i + 1 < n; ++i)
+            copyFields(list.fields, list.editAt(field.value, i), list.at(field.value, i + 1));
+        list.resize(field.value, n - 1);
+        return {};
+    });
+}
+
+Status Document::moveListElement(const std::string& elementPath, size_t to) {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    const Result<ListElement> element = findListElement(*impl_->project, impl_->rows(), elementPath);
+    if (!element) return element.error();
+    const FieldRef& field = element->list;
+    const ListRow& list = *field.row->list;
+    const size_t n = list.size(field.value), from = element->index;
+    if (to >= n) return usage(fmt::format("{}: there is no place {} in a list of {}", elementPath, to, n));
+    return impl_->changeField("move " + elementPath, field, [&]() -> Status {
+        list.resize(field.value, n + 1);  // room for the one that moves
+        copyFields(list.fields, list.editAt(field.value, n), list.at(field.value, from));
+        for (size_t i = from; i != to; i = i < to ? i + 1 : i - 1)
+            copyFields(list.fields, list.editAt(field.value, i), list.at(field.value, i < to ? i + 1 : i - 1));
+        copyFields(list.fields, list.editAt(field.value, to), list.at(field.value, n));
+        list.resize(field.value, n);
         return {};
     });
 }

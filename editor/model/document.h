@@ -84,6 +84,8 @@ class Document {
     Status addListElement(const std::string& listPath);
     // "lawn.GrassField.species[clover]".
     Status removeListElement(const std::string& elementPath);
+    // To another place in its list, counted from 0; the others keep their order. Fails if the list is shorter.
+    Status moveListElement(const std::string& elementPath, size_t to);
     // A map that is not there yet, as model/new_map.h makes it; nothing if it is there.
     Status createMap(const std::string& mapPath);
     // Replaces a map's texels (imports, fills). A new map's file name follows the convention

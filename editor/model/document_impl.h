@@ -70,6 +70,8 @@ struct Document::Impl {
     void show(Project p);
     void record(const std::string& label, std::vector<Change> changes);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
+    std::vector<const void*> layeredMaps(const std::string& entity) const;
+    void followMaps(const std::string& entity, const std::vector<const void*>& maps);
     Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
     void pump(double budgetMs);
     void letGo();  // no more points

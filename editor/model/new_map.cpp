@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "scene/map_fields.h"
 #include "tools/stroke.h"
 
 namespace sward {
@@ -27,12 +26,7 @@ std::vector<std::byte> rowOf(const MapInfo& info, const glm::vec4& value) {
 
 }  // namespace
 
-MapInfo newMapInfo(const Project& p, const ConstFieldRef& map) {
-    const MapRow& row = *map.row->map;
-    const double texels = std::clamp(extentOf(p, map) * row.texelsPerMetre, 256.0, 4096.0);
-    const int side = static_cast<int>(std::exp2(std::ceil(std::log2(texels))));
-    return {side, side, row.channels, row.type};
-}
+MapInfo newMapInfo(const Project& p, const ConstFieldRef& map) { return newMapInfo(*map.row->map, extentOf(p, map)); }
 
 Map newMap(const Project& p, const ConstFieldRef& map) {
     const MapInfo info = newMapInfo(p, map);

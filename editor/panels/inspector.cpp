@@ -71,21 +71,22 @@ void drawGroups(const std::string& path, std::span<const FieldRow> fields,
     }
 }
 
-void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const void* list) {
+void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const std::string& path,
+               const void* list) {
     const ListRow& l = *row.list;
-    const std::string path = owner.path() + "." + row.name;
     for (size_t i = 0; i < l.size(list); ++i) {
         const void* element = l.at(list, i);
         const std::string name = *static_cast<const std::string*>(
             static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
-        const std::string at = path + "[" + (name.empty() ? std::to_string(i) : name) + "]";
-        const bool open = header(at, fieldTitle(row.name) + ": " + name, l.size(list) < 3);
+        const std::string called = name.empty() ? std::to_string(i) : name, at = path + "[" + called + "]";
+        const bool open = header(at, fieldTitle(row.name) + ": " + called, l.size(list) < 3);
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
         drawGroups(at, l.fields, [&](const FieldRow& f) {
             const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
+            if (f.type == FieldType::List) return listField(parts, owner, f, at + "." + f.name, value);
             drawField(parts, {value, &f, &owner.component, owner.entity, at + "." + f.name}, fallback);
         });
         ImGui::Unindent(8);
@@ -105,7 +106,7 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
     drawGroups(path, row.fields, [&](const FieldRow& f) {
         const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
-            listField(parts, owner, f, field);
+            listField(parts, owner, f, path + "." + f.name, field);
         else
             drawField(parts, {field, &f, &row, owner.entity, path + "." + f.name},
                       static_cast<const char*>(row.defaults()) + f.offset);

@@ -110,8 +110,10 @@ void colours(const Rect& r, const std::string& title, const MapRow& row, const g
 }  // namespace
 
 void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw, const Rect& view) {
-    const std::optional<ConstFieldRef> map = chosenMap(document, brushes);
-    if (overlayOf(document, brushes).map.empty() || !map) return;
+    const std::string shown = overlayOf(document, brushes).map;
+    if (shown.empty()) return;
+    const Result<ConstFieldRef> map = findField(document.project(), document.tables().components, shown);
+    if (!map) return;
     const std::string title = map->path;
     const MapKind kind = map->row->map->kind;
     if (kind == MapKind::Amounts || kind == MapKind::Heights) amounts(view, title, *map->row->map);

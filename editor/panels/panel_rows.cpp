@@ -14,6 +14,7 @@
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
 #include "panels/viewport_input.h"
+#include "panels/viewport_path.h"
 #include "panels/viewport_place.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
@@ -102,6 +103,7 @@ void drawAids(EditorApp& a, const RingParts& rings) {
     drawRings(rings);
     const ObjectParts objects = objectParts(a);
     drawObjects(objects);
+    drawPaths(objects);
     drawGizmo(objects);
     drawPlacing(objects, a.hand.ground);
 }
@@ -193,6 +195,9 @@ constexpr PanelRow kPanels[] = {
      true},
     {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
      "Objects Panel", true},
+    {"Layers", Dock::Bottom,
+     [](App& a) { drawLayers(fieldParts(a), a.brushes, a.layerView, a.renderer->layerNotes()); }, true, "Layers Panel",
+     true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},

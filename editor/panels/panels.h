@@ -29,6 +29,8 @@ struct FieldParts;
 struct FileDialog;
 struct FrameInput;
 struct KeysDialog;
+struct LayerNote;
+struct LayerView;
 struct MeasureParts;
 struct Messages;
 struct ObjectTool;
@@ -86,6 +88,8 @@ void drawConsole(Console& console, bool inputWaits);
 void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
 // The project's objects, to be placed by clicks in the viewport.
 void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Messages& messages);
+// The layers over the map that the brush paints. `notes`: of those that the last drawing showed.
+void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, const std::vector<LayerNote>& notes);
 // The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
 void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& counts, bool measured);

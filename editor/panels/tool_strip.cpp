@@ -1,4 +1,5 @@
-// The tools: choosing and moving objects, then one a brush. Icons are drawn, so that no font must have them.
+// The tools: choosing and moving objects, drawing paths, then one a brush. Icons are drawn, so that no font must have
+// them.
 #include <imgui.h>
 
 #include <algorithm>
@@ -43,6 +44,13 @@ void turn(Draw d, ImVec2 c, float r, ImU32 color) {
     d.PathStroke(color, 0, 2);
     d.AddTriangleFilled({c.x + r * 0.35f, c.y - r * 0.9f}, {c.x + r * 1.3f, c.y - r * 0.85f},
                         {c.x + r * 0.95f, c.y + r * 0.05f}, color);
+}
+
+// A winding line between two points.
+void winding(Draw d, ImVec2 c, float r, ImU32 color) {
+    const ImVec2 from{c.x - r, c.y + r * 0.8f}, to{c.x + r, c.y - r * 0.8f};
+    d.AddBezierCubic(from, {c.x + r * 1.4f, c.y + r * 0.9f}, {c.x - r * 1.4f, c.y - r * 0.9f}, to, color, 2.2f);
+    for (const ImVec2& end : {from, to}) d.AddCircleFilled(end, r * 0.3f, color);
 }
 
 // A small square that grows into a large one.
@@ -180,6 +188,10 @@ constexpr ObjectButton kObjectButtons[] = {
     {GizmoMode::Move, cross, "Move", "Chooses and moves objects (W). Ctrl snaps to the grid, Escape lets go."},
     {GizmoMode::Turn, turn, "Turn", "Chooses and turns objects (E). Ctrl snaps to steps, Escape lets go."},
     {GizmoMode::Scale, grow, "Scale", "Chooses and scales objects (R). Ctrl snaps to steps, Escape lets go."},
+    {GizmoMode::Path, winding, "Path",
+     "Draws paths on which nothing grows (P). A click on the ground adds a point, on the curve inserts one, a drag "
+     "moves "
+     "it, Delete removes it; Enter or Escape ends."},
 };
 
 }  // namespace

@@ -167,7 +167,7 @@ void hoverGizmo(const ObjectParts& parts, const FrameInput& in, bool free) {
 void drawGizmo(const ObjectParts& parts) {
     ObjectTool& t = parts.tool;
     t.shown.clear();
-    if (!parts.active || t.mode == GizmoMode::Select || !t.placing.empty()) return;
+    if (!parts.active || t.mode == GizmoMode::Select || t.mode == GizmoMode::Path || !t.placing.empty()) return;
     const std::vector<Handle> handles = handlesOf(parts);
     if (handles.empty()) return;
     std::vector<HandleKind> kinds;

@@ -10,6 +10,7 @@
 
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
+#include "panels/viewport_path.h"
 #include "panels/viewport_place.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
@@ -87,6 +88,8 @@ void beginGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand,
         hand.gesture = Gesture::Ring;
     } else if (grabGizmo(parts.objects, in)) {
         hand.gesture = Gesture::Gizmo;
+    } else if (drawsPaths(parts.objects)) {
+        if (grabPath(parts.objects, in)) hand.gesture = Gesture::Path;
     } else if (parts.objects.active && !parts.objects.tool.placing.empty()) {
         if (!placeObject(parts.objects, in.x, in.y)) say(p.messages, "there is no ground to place it on");
     } else if (parts.objects.active) {
@@ -111,6 +114,7 @@ void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, 
         if (hand.gesture == Gesture::Split) dragSplit(parts.comparison, hand.rect, x);
         if (hand.gesture == Gesture::Choose) dragChoosing(parts.objects, x, y);
         if (hand.gesture == Gesture::Gizmo) dragGizmo(parts.objects, x, y, in.ctrl());
+        if (hand.gesture == Gesture::Path) dragPath(parts.objects, x, y);
         if (hand.gesture != Gesture::Paint) continue;
         if (const auto at = paintedAt(p.doc, camera, hand.rect, x, y)) {
             p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
@@ -135,6 +139,7 @@ void endGesture(ViewportHand& hand, const HandParts& parts, const FrameInput& in
     if (hand.gesture == Gesture::Ring) releaseRing(parts.rings.tiers);
     if (hand.gesture == Gesture::Choose) endChoosing(parts.objects, in);
     if (hand.gesture == Gesture::Gizmo) releaseGizmo(parts.objects);
+    if (hand.gesture == Gesture::Path) releasePath(parts.objects);
     if (hand.gesture == Gesture::Look && hand.way < kClick && parts.objects.active)
         chooseForMenu(parts.objects, in.x, in.y);
     hand.gesture = Gesture::None;
@@ -174,15 +179,17 @@ void wheel(FlyCamera& camera, const ViewportHand& hand, double notches, Messages
     }
 }
 
-// Escape lets a ring or a handle go where it was, and chooses nothing.
+// Escape lets a ring, a handle or a path's point go where it was, and chooses nothing.
 void cancelByKey(ViewportHand& hand, const FrameInput& in, const HandParts& parts) {
     const std::vector<int>& keys = in.pressedKeys;
     if (std::find(keys.begin(), keys.end(), GLFW_KEY_ESCAPE) == keys.end()) return;
     const PaintParts& p = parts.paint;
     if (hand.gesture == Gesture::Ring) cancelRing(parts.rings.tiers, p.doc, p.edits, p.messages);
     if (hand.gesture == Gesture::Gizmo) cancelGizmo(parts.objects);
+    if (hand.gesture == Gesture::Path) cancelPath(parts.objects);
     if (hand.gesture == Gesture::Choose) parts.objects.tool.box.reset();
-    if (hand.gesture == Gesture::Ring || hand.gesture == Gesture::Gizmo || hand.gesture == Gesture::Choose)
+    if (hand.gesture == Gesture::Ring || hand.gesture == Gesture::Gizmo || hand.gesture == Gesture::Path ||
+        hand.gesture == Gesture::Choose)
         hand.gesture = Gesture::None;
     else
         parts.objects.tool.placing.clear();
@@ -235,6 +242,7 @@ void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand
     const bool free = input.over && !parts.comparison.gripHovered && hand.gesture == Gesture::None;
     hoverRing(parts.rings, in, free && !in.ctrl() && !in.shift() && !in.alt());
     hoverGizmo(parts.objects, in, free && !parts.rings.tiers.hover && !in.alt());
+    hoverPath(parts.objects, in, free && !parts.rings.tiers.hover && !in.alt());
     if (hand.gesture == Gesture::None && input.over && in.pressed.any())
         beginGesture(parts, camera, hand, in);
     else if (hand.gesture != Gesture::None)

@@ -1,4 +1,5 @@
-// What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint, choose and move objects.
+// What the pointer and the keys do in the viewport: fly, look, orbit, pan, paint, choose and move objects, draw
+// paths.
 // Does not: draw.
 #pragma once
 #include <optional>

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/viewport_input.h"
+#include "scene/ground_path.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -229,6 +230,11 @@ std::optional<Extent> extentOf(const ObjectParts& parts) {
             for (const glm::dvec3& corner : *corners) all.add(corner);
         else if (const Handle handle = handleOf(p, ground, name, parts.seconds); handle.kind != HandleKind::None)
             all.add(handle.at);
+        if (const GroundPath* path = p.registry.get<GroundPath>(findEntity(p, name)))
+            for (const PathPoint& point : path->points) {
+                const double x = ground.origin.x + point.at.x, z = ground.origin.z + point.at.y;
+                all.add({x, groundHeight(ground, x, z), z});
+            }
     }
     if (all.low.x > all.high.x) return std::nullopt;
     return Extent{(all.low + all.high) / 2.0, glm::length(all.high - all.low) / 2};

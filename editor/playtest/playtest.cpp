@@ -72,7 +72,23 @@ Result<std::unique_ptr<Playtest>> Playtest::start(const Project& p, std::span<co
     return play;
 }
 
+void Playtest::hold(const PlayInput& input) {
+    if (glm::length(input.move) > 0 || input.jump) walk_.reset();
+    input_ = input;
+}
+
+Status Playtest::walkAlong(const std::string& entity) {
+    const Entity e = findEntity(project_, entity);
+    const GroundPath* path = e == kNoEntity ? nullptr : project_.registry.get<GroundPath>(e);
+    if (!path) return usage(entity + " has no GroundPath to walk along", "name an entity with one");
+    PathWalk walk = pathWalk(*path, world_.origin);
+    if (walk.stations.empty()) return usage(entity + ".GroundPath has no points", "draw some: the path tool (P)");
+    walk_ = std::move(walk);
+    return {};
+}
+
 void Playtest::takeStep() {
+    if (walk_ && !steer(*walk_, now_.walker, input_)) walk_.reset();
     stepPlay(now_, world_, input_);
     tracks_.press(project_, now_);
 }

@@ -4,9 +4,12 @@
 // Cost: starting copies no map, only pointers to their tiles.
 #pragma once
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "frame/renderer.h"
+#include "playtest/path_walk.h"
 #include "playtest/play_state.h"
 #include "playtest/tracks.h"
 #include "world/view_camera.h"
@@ -25,8 +28,8 @@ class Playtest {
     static Result<std::unique_ptr<Playtest>> start(const Project& p, std::span<const ComponentRow> rows,
                                                    const PlayStart& start);
 
-    // Held from the next step on.
-    void hold(const PlayInput& input) { input_ = input; }
+    // Held from the next step on. A walk along a path goes on unless the input moves or jumps.
+    void hold(const PlayInput& input);
     const PlayInput& held() const { return input_; }
     void step(int64_t steps = 1);
     // Takes the steps due after so many seconds of the clock, at most a quarter of a second's. True if the picture
@@ -35,6 +38,11 @@ class Playtest {
     void pause(bool paused) { paused_ = paused; }
     bool paused() const { return paused_; }
     bool runs() const { return byClock_ && !paused_; }  // by the clock
+    // The walker goes to the beginning of an entity's GroundPath and along it, round and round where it is closed,
+    // until its end, or until other input moves it. Usage error if there is no such path.
+    Status walkAlong(const std::string& entity);
+    void endWalk() { walk_.reset(); }
+    bool walking() const { return walk_.has_value(); }
 
     const PlayState& state() const { return now_; }
     const PlayWorld& world() const { return world_; }
@@ -55,6 +63,7 @@ class Playtest {
     PlayWorld world_;
     PlayState before_, now_;
     PlayInput input_;
+    std::optional<PathWalk> walk_;
     Tracks tracks_;
     ViewCamera view_;  // field of view and exposure
     double due_ = 0;   // ticks of the clock, not yet taken; in [0, 1)

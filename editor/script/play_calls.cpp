@@ -1,5 +1,5 @@
-// play.*: start, stop, pause, step, input, hash, state of the playtest. Steps are exact: the same script gives the same
-// hashes.
+// play.*: start, stop, pause, step, input, walkAlong, hash, state of the playtest. Steps are exact: the same script
+// gives the same hashes.
 #include "core/hash.h"
 #include "core/json.h"
 #include "playtest/playtest.h"
@@ -116,7 +116,15 @@ int input(lua_State* L, State& state) {
     in.run = options.flag("run", false);
     in.jump = options.flag("jump", false);
     options.finish();
+    play.endWalk();
     play.hold(in);
+    return 0;
+}
+
+// play.walkAlong("path"): until its end, or the next input.
+int walkAlong(lua_State* L, State& state) {
+    Playtest& play = playing(L, state);
+    orRaise(L, play.walkAlong(luaL_checkstring(L, 1)));
     return 0;
 }
 
@@ -139,8 +147,8 @@ void pushPlace(lua_State* L, const glm::dvec3& at) {
     field(L, "x", at.x), field(L, "y", at.y), field(L, "z", at.z);
 }
 
-// play.state(): {tick, time, paused, walker = {x, y, z, yaw, pitch, onGround, speed}, rolling = {NAME = {x, y, z}},
-// contacts = {{x, y, z, radius, pressed}}}; nil while nothing is played.
+// play.state(): {tick, time, paused, walking, walker = {x, y, z, yaw, pitch, onGround, speed}, rolling = {NAME = {x, y,
+// z}}, contacts = {{x, y, z, radius, pressed}}}; nil while nothing is played.
 int stateTable(lua_State* L, State& state) {
     const Playtest* play = state.document().play();
     if (!play) return lua_pushnil(L), 1;
@@ -150,7 +158,7 @@ int stateTable(lua_State* L, State& state) {
     lua_pushinteger(L, s.tick);
     lua_setfield(L, -2, "tick");
     field(L, "time", static_cast<double>(s.tick) / kTicksPerSecond);
-    field(L, "paused", play->paused());
+    field(L, "paused", play->paused()), field(L, "walking", play->walking());
     pushPlace(L, w.position);
     field(L, "yaw", glm::degrees(w.yaw)), field(L, "pitch", glm::degrees(w.pitch));
     field(L, "onGround", w.onGround), field(L, "speed", glm::length(w.velocity));
@@ -174,9 +182,10 @@ int stateTable(lua_State* L, State& state) {
 }  // namespace
 
 void openPlayCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"start", luaCall<start>},     {"stop", luaCall<stop>},   {"pause", luaCall<pause>},
-                                   {"step", luaCall<step>},       {"input", luaCall<input>}, {"hash", luaCall<hash>},
-                                   {"state", luaCall<stateTable>}};
+    constexpr NamedCall calls[] = {{"start", luaCall<start>},      {"stop", luaCall<stop>},
+                                   {"pause", luaCall<pause>},      {"step", luaCall<step>},
+                                   {"input", luaCall<input>},      {"hash", luaCall<hash>},
+                                   {"state", luaCall<stateTable>}, {"walkAlong", luaCall<walkAlong>}};
     registerCalls(L, "play", calls);
 }
 

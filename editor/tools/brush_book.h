@@ -22,6 +22,7 @@ struct BrushBook {
     std::map<MapKind, std::string> lastTool;                                // by the kind that it painted
     std::map<std::string, glm::vec3> colors;                                // by map, for all tools alike: sRGB
     std::map<std::string, bool> overlays;                                   // by map: what the person chose
+    std::string preview;       // PATH of the layer whose amounts the overlay shows; empty: of none
     bool shiftErases = false;  // the preset of those who know Shift as eraser
 };
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/map_layers.h"
 #include "tools/stroke.h"
 #include "world/ground.h"
+#include "world/map_stacks.h"
 
 namespace sward {
 namespace {
@@ -49,6 +51,15 @@ void remember(BrushBook& book, MapKind kind) {
     if (book.tool != kViewTool) book.lastTool[kind] = book.tool;
 }
 
+// Whether the map is a layer's that takes its amounts from elsewhere.
+bool isOfRule(const Project& p, const ConstFieldRef& map) {
+    const MapLayers* of =
+        isRowOf<MapLayers>(*map.component) ? p.registry.get<MapLayers>(findEntity(p, map.entity)) : nullptr;
+    return of && std::any_of(of->layers.begin(), of->layers.end(), [&](const MapLayer& layer) {
+               return &layer.amounts == map.value && !layerKindRows()[static_cast<size_t>(layer.kind)].ownMap;
+           });
+}
+
 }  // namespace
 
 std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
@@ -58,7 +69,7 @@ std::vector<ConstFieldRef> paintableMaps(const Document& doc) {
     std::erase_if(maps, [&p](const ConstFieldRef& f) {
         const GrassField* grass = p.registry.get<GrassField>(findEntity(p, f.entity));
         const bool unread = grass && !grass->onTerrain && isRowOf<GrassField>(*f.component);
-        return f.row->map->onMesh || unread;
+        return f.row->map->onMesh || unread || isOfRule(p, f);
     });
     return maps;
 }
@@ -168,7 +179,17 @@ bool overlayShown(const Document& doc, const BrushBook& book) {
 
 void toggleOverlay(const Document& doc, BrushBook& book) { book.overlays[book.map] = !overlayShown(doc, book); }
 
+namespace {
+// The layer that the person looks at, while it is there and counts.
+MapOverlay previewOf(const Document& doc, const BrushBook& book) {
+    if (book.preview.empty() || !doc.isOpen() || !findGround(doc.project()).terrain) return {};
+    const Result<ConstFieldRef> muted = findField(doc.project(), doc.tables().components, book.preview + ".muted");
+    return muted && !*static_cast<const bool*>(muted->value) ? MapOverlay{book.preview + ".amounts", 0} : MapOverlay{};
+}
+}  // namespace
+
 MapOverlay overlayOf(const Document& doc, const BrushBook& book) {
+    if (const MapOverlay preview = previewOf(doc, book); !preview.map.empty()) return preview;
     const std::optional<ConstFieldRef> map = chosenMap(doc, book);
     if (!map || !overlayShown(doc, book) || !(present(*map) || showsSources(doc, *map))) return {};
     const Result<MapScale> scale = mapScale(doc.project(), *map);

@@ -16,8 +16,8 @@
 
 namespace sward {
 
-// What the left button does beside choosing.
-enum class GizmoMode { Select, Move, Turn, Scale };
+// What the left button does beside choosing; Path: instead (tools/path_tool.h).
+enum class GizmoMode { Select, Move, Turn, Scale, Path };
 enum class GizmoShape { Axis, Plane, Free, Ring, Size };
 struct GizmoPart {
     const char* name;  // "move x": also of its widget

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/gizmo.h"
+#include "tools/path_tool.h"
 #include "tools/scene_objects.h"
 
 namespace sward {
@@ -36,6 +37,7 @@ struct ObjectTool {
     std::string placing;      // file of the object that clicks place; empty: they choose
     bool randomTurn = false;  // what is placed is turned by an angle of its own
     bool menu = false;        // the context menu is to be opened
+    PathTool path;
 };
 
 }  // namespace sward

@@ -9,6 +9,7 @@
 #include "gpu/timer.h"
 #include "grass/cells.h"
 #include "grass/drawing.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -135,17 +136,20 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
 }  // namespace
 
 uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height) {
-    return sumOverSpecies({project, tables.techniques, camera, width, height},
+    DrawnProject drawn;
+    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
                           [](const CellQuery& q) { return countVisible(q); });
 }
 
 uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width,
                          int height) {
-    return sumOverSpecies({project, tables.techniques, camera, width, height}, [](const CellQuery& q) {
-        uint64_t sum = 0;
-        for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
-        return sum;
-    });
+    DrawnProject drawn;
+    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
+                          [](const CellQuery& q) {
+                              uint64_t sum = 0;
+                              for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
+                              return sum;
+                          });
 }
 
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,

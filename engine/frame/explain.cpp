@@ -90,7 +90,43 @@ std::vector<DrawnField> drawnFields(const Project& project, const Tables& tables
     return out;
 }
 
-std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields) {
+// A layer over a map, and what becomes of it.
+struct ShownLayer {
+    std::string path, map;
+    const MapLayer* layer;
+    std::string note;
+};
+std::vector<ShownLayer> shownLayers(const Project& project, const std::vector<LayerNote>& notes) {
+    std::vector<ShownLayer> out;
+    for (const auto& [name, e] : project.entities) {
+        const MapLayers* of = project.registry.get<MapLayers>(e);
+        const std::vector<std::string> paths = of ? layerPaths(name, *of) : std::vector<std::string>();
+        for (size_t i = 0; i < paths.size(); ++i) {
+            const MapLayer& layer = of->layers[i];
+            ShownLayer shown{paths[i], layeredPath(name, layer), &layer, layer.muted ? "muted" : ""};
+            for (const LayerNote& n : notes)
+                if (n.layer == paths[i]) shown.note = (n.skipped ? "skipped: " : "") + n.message;
+            out.push_back(std::move(shown));
+        }
+    }
+    return out;
+}
+
+// The array is there only where a scene has layers.
+void addLayers(Json& all, const std::vector<ShownLayer>& layers) {
+    for (const ShownLayer& l : layers) {
+        Json j;
+        j["path"] = l.path;
+        j["map"] = l.map;
+        j["kind"] = kLayerKinds[l.layer->kind];
+        j["operation"] = kLayerOperations[l.layer->operation];
+        if (!l.note.empty()) j["note"] = l.note;
+        all["layers"].push(std::move(j));
+    }
+}
+
+std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields,
+                   const std::vector<ShownLayer>& layers) {
     Json all;
     all["fields"] = Json::makeArray();
     for (const DrawnField& field : fields) {
@@ -118,14 +154,20 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, c
             all["absent"].push(std::move(j));
         }
     }
+    addLayers(all, layers);
     return writeJson(all);
 }
 
-std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields) {
+std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields,
+                   const std::vector<ShownLayer>& layers) {
     std::string out = "What this scene makes run, and why\n";
     for (const DrawnField& field : fields)
         out += fmt::format("{}  {} is drawn by {}: {}\n", &field == &fields.front() ? "\nGrass\n" : "", field.name,
                            field.technique->name, field.technique->help);
+    for (const ShownLayer& l : layers)
+        out += fmt::format("{}  {} ({}, {}) over {}{}\n", &l == &layers.front() ? "\nLayers\n" : "", l.path,
+                           kLayerKinds[l.layer->kind], kLayerOperations[l.layer->operation], l.map,
+                           l.note.empty() ? "" : ": " + l.note);
     for (const auto& [f, m] : made) {
         out += fmt::format("\n{}  (because of {})\n", featureName(f), joined(m.because));
         out += fmt::format("  systems   {}\n  passes    {}\n  programs  {}\n", joined(m.systems), joined(m.passes),
@@ -143,14 +185,15 @@ std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan, c
 
 }  // namespace
 
-std::string explainPlan(const FramePlan& plan, const Project& project, const Tables& tables, const Gpu& gpu,
-                        Programs& programs, bool json) {
+std::string explainPlan(const Explained& what, const Tables& tables, const Gpu& gpu, Programs& programs, bool json) {
+    const auto& [plan, project, notes] = what;
     std::map<Feature, Made> made;
     for (size_t i = 0; i < plan.features.size(); ++i)
         if (plan.features.test(i))
             made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu, programs);
     const std::vector<DrawnField> fields = drawnFields(project, tables);
-    return json ? asJson(made, plan, fields) : asText(made, plan, fields);
+    const std::vector<ShownLayer> layers = shownLayers(project, notes);
+    return json ? asJson(made, plan, fields, layers) : asText(made, plan, fields, layers);
 }
 
 }  // namespace sward

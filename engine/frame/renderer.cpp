@@ -6,6 +6,9 @@
 #include "frame/draw_context.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
+#include "scene/map_fields.h"
+#include "scene/tiling.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -241,6 +244,7 @@ struct Renderer::Impl {
     FrameStats stats;
     GpuTimer timer{gpu};
     PopulationCount population;
+    DrawnProject drawn;
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -388,9 +392,23 @@ struct Renderer::Impl {
 Renderer::Renderer(Gpu& gpu, const Tables& tables) : impl_(std::make_unique<Impl>(gpu, tables)) {}
 Renderer::~Renderer() = default;
 
-Status Renderer::draw(const Project& project, const ViewCamera& camera, const ViewSettings& settings) {
+namespace {
+// The overlay shows the map that is drawn, which does not repeat where paths lie over it.
+ViewSettings overDrawn(const ViewSettings& wanted, const Project& drawn, const Tables& tables) {
+    ViewSettings s = wanted;
+    const Terrain* terrain = firstOf<Terrain>(drawn);
+    const Result<ConstFieldRef> map = findField(drawn, tables.components, s.overlay.map);
+    if (terrain && map && map->row->type == FieldType::Map)
+        s.overlay.tiling = static_cast<double>(shaderTiling(*terrain, mapTiling(*map)));
+    return s;
+}
+}  // namespace
+
+Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& wanted) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
+    const Project& project = r.drawn.of(painted, r.tables.components);
+    const ViewSettings settings = &project == &painted ? wanted : overDrawn(wanted, project, r.tables);
     r.stats = {};
     r.replan(project);
     if (Status s = r.check(project); !s) return s;
@@ -426,6 +444,7 @@ std::vector<JobNews> Renderer::jobs() const {
     for (const auto& [row, view] : impl_->within) add(view.states);
     return out;
 }
+const std::vector<LayerNote>& Renderer::layerNotes() const { return impl_->drawn.layerNotes(); }
 void Renderer::finish() { glFinish(); }
 std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }
 
@@ -435,9 +454,10 @@ Reload Renderer::reloadPrograms() {
     return done;
 }
 
-std::string Renderer::explain(const Project& project, bool json) {
+std::string Renderer::explain(const Project& painted, bool json) {
+    const Project& project = impl_->drawn.of(painted, impl_->tables.components);
     impl_->replan(project);
-    return explainPlan(impl_->main.plan, project, impl_->tables, impl_->gpu, impl_->programs, json);
+    return explainPlan({impl_->main.plan, project, layerNotes()}, impl_->tables, impl_->gpu, impl_->programs, json);
 }
 
 namespace {

@@ -78,6 +78,8 @@ struct FrameStats {
     double frameMs = 0;  // wall, with one finish at the end if measured
 };
 
+struct LayerNote;
+
 class Renderer {
   public:
     Renderer(Gpu& gpu, const Tables& tables);
@@ -91,6 +93,8 @@ class Renderer {
     const FrameStats& stats() const;
     // What is made beside the pictures since a draw with `background`; the next draw shows what is finished.
     std::vector<JobNews> jobs() const;
+    // What there is to know of the layers over maps (world/map_stacks.h) that the last draw showed.
+    const std::vector<LayerNote>& layerNotes() const;
     // Waits for the GPU; for measuring.
     void finish();
     // Recompiles programs whose sources changed; keeps the last good ones. Failures are logged too.

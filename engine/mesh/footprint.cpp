@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "maps/distances.h"
+
 namespace sward {
 namespace {
 
@@ -91,53 +93,6 @@ void cover(const Footprint& f, const Corners& c, std::vector<uint8_t>& covered) 
     }
 }
 
-// Squared distances along a line, each the least of from[q] + (p - q)^2: the lower envelope of parabolas (Felzenszwalb
-// and Huttenlocher).
-class Envelope {
-  public:
-    explicit Envelope(int most)
-        : at_(static_cast<size_t>(most)), from_(static_cast<size_t>(most)), until_(static_cast<size_t>(most) + 1) {}
-    void run(float* line, int n, int stride) {
-        int count = 0;
-        for (int q = 0; q < n; ++q) {
-            const float v = line[q * stride];
-            if (v == kInf) continue;
-            float meets = -kInf;
-            while (count > 0) {
-                const float r = static_cast<float>(at_[size_t(count - 1)]), s = static_cast<float>(q);
-                meets = ((v + s * s) - (from_[size_t(count - 1)] + r * r)) / (2 * (s - r));
-                if (meets > until_[size_t(count - 1)]) break;
-                --count, meets = -kInf;
-            }
-            at_[size_t(count)] = q, from_[size_t(count)] = v, until_[size_t(count)] = meets;
-            ++count;
-        }
-        if (count == 0) return;
-        until_[size_t(count)] = kInf;
-        for (int p = 0, k = 0; p < n; ++p) {
-            while (until_[size_t(k + 1)] < static_cast<float>(p)) ++k;
-            const float d = static_cast<float>(p - at_[size_t(k)]);
-            line[p * stride] = from_[size_t(k)] + d * d;
-        }
-    }
-
-  private:
-    std::vector<int> at_;
-    std::vector<float> from_, until_;
-};
-
-// Texels from each centre to the nearest one that is `wanted`.
-std::vector<float> distancesTo(const Footprint& f, const std::vector<uint8_t>& covered, uint8_t wanted) {
-    std::vector<float> d(covered.size());
-    for (size_t i = 0; i < d.size(); ++i) d[i] = covered[i] == wanted ? 0 : kInf;
-    Envelope envelope(std::max(f.width, f.height));
-    for (int x = 0; x < f.width; ++x) envelope.run(&d[static_cast<size_t>(x)], f.height, f.width);
-    for (int y = 0; y < f.height; ++y)
-        envelope.run(&d[static_cast<size_t>(y) * static_cast<size_t>(f.width)], f.width, 1);
-    for (float& v : d) v = std::sqrt(v);
-    return d;
-}
-
 float bilinear(const Footprint& f, const glm::vec2& place) {
     const glm::vec2 at =
         glm::clamp((place - f.low) / f.texel - 0.5f, glm::vec2(0), glm::vec2(f.width - 1, f.height - 1));
@@ -157,8 +112,8 @@ Footprint makeFootprint(const Mesh& mesh, const glm::mat3& turn, float top) {
     place(f, parts);
     std::vector<uint8_t> covered(static_cast<size_t>(f.width) * static_cast<size_t>(f.height));
     for (const Corners& c : parts) cover(f, c, covered);
-    f.distances = distancesTo(f, covered, 1);
-    const std::vector<float> depth = distancesTo(f, covered, 0);
+    f.distances = distancesTo(covered, f.width, f.height, 1);
+    const std::vector<float> depth = distancesTo(covered, f.width, f.height, 0);
     for (size_t i = 0; i < depth.size(); ++i)
         f.distances[i] = f.texel * (covered[i] ? 0.5f - depth[i] : f.distances[i] - 0.5f);
     return f;

@@ -3,6 +3,7 @@
 #include "core/utf8.h"
 #include "maps/map_io.h"
 #include "scene/map_fields.h"
+#include "world/map_stacks.h"
 
 namespace sward {
 namespace {
@@ -67,7 +68,8 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
 
 Status exportMap(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                  const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<ConstFieldRef> map = findMap(p, rows, mapName);
+    MapStacks stacks;
+    const Result<ConstFieldRef> map = findMap(stacks.shown(p, rows), rows, mapName);
     if (!map) return map.error();
     const auto& field = *static_cast<const MapField*>(map->value);
     if (!field.present()) return usage(fmt::format("{} has no map", map->path), "import or paint one first");

@@ -33,7 +33,8 @@ Status importMap(Project& p, std::span<const ComponentRow> rows, const std::stri
                  const std::filesystem::path& file, const ImportOptions& options = {},
                  std::vector<std::string>* repaired = nullptr);
 
-// Writes a map to FILE, its format by extension (writeMap). Usage error if the map is absent.
+// Writes a map as its layers leave it (world/map_stacks.h) to FILE, its format by extension (writeMap). Usage error if
+// there is neither a map nor a layer.
 Status exportMap(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                  const std::filesystem::path& file, const ImportOptions& options = {});
 

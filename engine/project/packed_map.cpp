@@ -4,6 +4,7 @@
 #include "maps/map_io.h"
 #include "maps/map_repair.h"
 #include "scene/map_fields.h"
+#include "world/map_stacks.h"
 
 namespace sward {
 namespace {
@@ -114,9 +115,11 @@ Status importPacked(Project& p, std::span<const ComponentRow> rows, const std::s
 
 Status exportPacked(const Project& p, std::span<const ComponentRow> rows, const std::string& mapName,
                     const std::filesystem::path& file, const ImportOptions& options) {
-    const Result<ConstFieldRef> density = findMap(p, rows, mapName);
+    MapStacks stacks;
+    const Project& shown = stacks.shown(p, rows);
+    const Result<ConstFieldRef> density = findMap(shown, rows, mapName);
     if (!density) return density.error();
-    const Result<ConstFieldRef> height = bladeHeightBeside(p, rows, *density);
+    const Result<ConstFieldRef> height = bladeHeightBeside(shown, rows, *density);
     if (!height) return height.error();
     const MapField &red = mapOf(*density), &blue = mapOf(*height);
     if (!red.present() && !blue.present())

@@ -4,6 +4,7 @@
 #include "project/project_json.h"
 #include "scene/field_limits.h"
 #include "scene/unique.h"
+#include "world/drawn_project.h"
 
 namespace sward {
 namespace {
@@ -73,7 +74,11 @@ void checkComponent(const SceneToCheck& s, const std::string& name, Entity e, co
 
 }  // namespace
 
-void checkScene(const SceneToCheck& scene, CheckReport& report) {
+void checkScene(const SceneToCheck& given, CheckReport& report) {
+    DrawnProject drawn;
+    const SceneToCheck scene{drawn.of(given.project, given.rows), given.rows, given.root};
+    for (const LayerNote& note : drawn.layerNotes())
+        report.noticed.push_back({placeOf(given, nullptr), note.layer + ": " + note.message});
     if (report.refused.empty())
         checkPopulation(scene, report);  // maps that could not be read say nothing of how many blades grow
     checkLimits(scene, report);

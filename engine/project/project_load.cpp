@@ -8,6 +8,7 @@
 #include "project/project_files.h"
 #include "project/project_json.h"
 #include "scene/map_fields.h"
+#include "scene/map_layers.h"
 
 namespace fs = std::filesystem;
 
@@ -93,9 +94,21 @@ void readOne(const Loading& l, MapLoad& load) {
     load.map = file ? readMap(*file, load.wish, &load.repaired) : Result<Map>(file.error());
 }
 
+// Whether the project can do without a file that is not there.
+bool isSpared(const Loading& l, const MapLoad& load) {
+    std::error_code ignored;
+    const Result<fs::path> file = currentFile(l.dir, load.file);
+    return std::all_of(load.fields.begin(), load.fields.end(), mayBeMissing) && file && !fs::exists(*file, ignored);
+}
+
 // Hands the texels out, or says what is wrong, naming the map and its file's place in the project.
 void takeOne(Loading& l, MapLoad& load) {
     const std::string path = load.fields[0].path;
+    if (!load.map && isSpared(l, load)) {
+        l.reader.repaired.push_back(
+            {(l.dir / load.file).string(), path + ": the file is not there; the layer does nothing until it is back"});
+        return;
+    }
     if (!load.map) {
         Error e = load.map.error();
         e.message = path + ": " + e.message;
@@ -117,7 +130,7 @@ void loadMaps(Loading& l) {
     for (const FieldRef& f :
          allMaps(l.reader.project, l.reader.rows, true)) {  // a field is empty exactly when its file is
         auto& field = *static_cast<MapField*>(f.value);
-        if (!field.present()) field.file.clear();
+        if (!field.present() && !mayBeMissing(f)) field.file.clear();
     }
 }
 

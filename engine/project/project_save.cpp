@@ -217,10 +217,13 @@ Status addProjectJson(Saving& s, bool copy) {
 }
 
 void addRemoved(Saving& s) {
+    std::set<std::string> missing;  // files of layers that were not there to be read, and may be back
+    for (const ConstFieldRef& f : allMaps(s.p, s.rows, true))
+        if (const auto& field = *static_cast<const MapField*>(f.value); !field.present()) missing.insert(field.file);
     for (const ConstFieldRef& f : allMaps(std::as_const(s.onDisk), s.rows, true)) {
         const std::string& file = static_cast<const MapField*>(f.value)->file;
-        const bool kept =
-            std::any_of(s.plan.begin(), s.plan.end(), [&](const PlannedMap& m) { return m.file == file; });
+        const bool kept = missing.contains(file) || std::any_of(s.plan.begin(), s.plan.end(),
+                                                                [&](const PlannedMap& m) { return m.file == file; });
         if (!file.empty() && !kept && file.starts_with("maps/")) s.removed.push_back(file);
     }
 }

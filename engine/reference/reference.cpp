@@ -12,6 +12,7 @@
 #include "scene/technique.h"
 #include "shared/frame.h"
 #include "sky/daylight.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -413,7 +414,8 @@ ReferenceScene::~ReferenceScene() = default;
 Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tables, double time,
                                             const JobControl& control) {
     auto impl = std::make_unique<Impl>();
-    impl->project = snapshot(p, tables.components);
+    DrawnProject drawn;
+    impl->project = snapshot(drawn.of(p, tables.components), tables.components);
     impl->features = sceneFeatures(impl->project.registry, tables);
     impl->time = time;
     auto solids = Solids::make(impl->project, control);

@@ -1,5 +1,8 @@
 #include "scene/map_fields.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sward {
 namespace {
 
@@ -23,6 +26,12 @@ ConstFieldRef fieldBeside(const ConstFieldRef& map, const FieldRow& row) { retur
 float mapTiling(const ConstFieldRef& map) {
     const FieldRow* tiling = map.row->map->tiling;
     return tiling ? *static_cast<const float*>(fieldBeside(map, *tiling).value) : 1;
+}
+
+MapInfo newMapInfo(const MapRow& row, double metres) {
+    const double texels = std::clamp(metres * row.texelsPerMetre, 256.0, 4096.0);
+    const int side = static_cast<int>(std::exp2(std::ceil(std::log2(texels))));
+    return {side, side, row.channels, row.type};
 }
 
 MapWish mapWish(const FieldRow& map) {

@@ -14,6 +14,9 @@ float mapTiling(const ConstFieldRef& map);
 // By what the map's file is read: as many channels, and not of 8 bits where it holds heights; in the file's own type.
 MapWish mapWish(const FieldRow& map);
 
+// What a new map is like that covers `metres` along its longer side: power-of-two sides, 256 to 4096.
+MapInfo newMapInfo(const MapRow& row, double metres);
+
 inline const MapField& mapOf(const ConstFieldRef& map) { return *static_cast<const MapField*>(map.value); }
 
 }  // namespace sward

@@ -11,6 +11,7 @@ namespace sward {
 struct Tiling {
     glm::dvec2 metres{1};  // that one repeat covers
     bool repeats = false;  // else it lies on the terrain once
+    bool operator==(const Tiling&) const = default;
 };
 // Of a map of this tiling (above 0, finite) on the terrain.
 Tiling tilingOf(const Terrain& t, float tiling);

@@ -5,6 +5,8 @@
 // eye above the ground.
 #pragma once
 #include "scene/components.h"
+#include "scene/ground_path.h"
+#include "world/ground.h"
 
 namespace sward {
 
@@ -13,5 +15,10 @@ namespace sward {
 Camera cameraOn(const CameraPath& path, double seconds);
 // The second of the last key; 0 without keys.
 double secondsOf(const CameraPath& path);
+
+// The way along a path on the ground, `eyeHeight` metres above it and at `speed` metres a second, looking some metres
+// ahead. Keys stand 1.5 m apart, on a long path farther: 400 at most; so also between them the eye follows the ground.
+// No key: the path has no length.
+CameraPath cameraAlong(const GroundPath& path, const Ground& ground, double eyeHeight, double speed);
 
 }  // namespace sward

@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "project/project_files.h"
+#include "scene/map_layers.h"
 #include "scene/project.h"
 #include "techniques.h"
 #include "tests/maps/images.h"
@@ -170,6 +171,10 @@ TEST(Components, EveryFieldOfEveryComponentRoundTripsThroughAProjectFile) {
         row.assign(p.registry, e, nullptr);
         void* component = row.edit(p.registry, e);
         if (row.name == std::string("GrassField")) static_cast<GrassField*>(component)->species.resize(3);
+        if (isRowOf<MapLayers>(row)) {
+            static_cast<MapLayers*>(component)->layers.resize(2);
+            static_cast<MapLayers*>(component)->layers[1].masks.resize(2);
+        }
         eachField(row.fields, row.name, component,
                   [&](const FieldRow& f, const std::string&, void* value) { fill(f, value, ++n); });
         repairComponent(row, component);

@@ -46,5 +46,43 @@ TEST(CameraPath, TakesKeysInAnyOrderAndLooksSomewhereAlways) {
     EXPECT_GT(glm::length(c.target - c.eye), 0.5);
 }
 
+TEST(CameraPath, AlongAGroundPathItKeepsEyeHeightAndWalkingSpeed) {
+    GroundPath ground;
+    ground.points = {{"", {2, 3}}, {"", {12, 3}}, {"", {12, 13}}};
+    Terrain t;
+    t.size = {20, 20};
+    const Ground on{&t, {100, 5, -50}};
+    const CameraPath way = cameraAlong(ground, on, 1.7, 1.8);
+    ASSERT_GT(way.keys.size(), 10u);
+    EXPECT_LT(glm::length(way.keys.front().eye - glm::dvec3(102, 6.7, -47)), 1e-6);
+    EXPECT_LT(glm::length(way.keys.back().eye - glm::dvec3(112, 6.7, -37)), 1e-6);
+    const double length = stationsOn(groundCurve(ground)).back().metres;
+    EXPECT_NEAR(secondsOf(way), length / 1.8, 1e-4);
+    for (double s = 0; s < secondsOf(way); s += 0.1) {
+        const Camera c = cameraOn(way, s), next = cameraOn(way, s + 0.05);
+        EXPECT_NEAR(c.eye.y, 6.7, 1e-6);
+        EXPECT_LT(nearestOn(groundCurve(ground), {c.eye.x - 100, c.eye.z + 50}).distance, 0.1);
+        EXPECT_NEAR(glm::length(next.eye - c.eye) / 0.05, 1.8, 0.3);
+        EXPECT_GT(glm::dot(glm::normalize(c.target - c.eye), glm::normalize(next.eye - c.eye)), 0.7)
+            << "it looks ahead";
+    }
+}
+TEST(CameraPath, RoundAClosedPathItComesBackAndWithoutLengthThereIsNone) {
+    GroundPath ground;
+    ground.points = {{"", {2, 3}}, {"", {12, 3}}, {"", {12, 13}}};
+    ground.closed = true;
+    Terrain t;
+    t.size = {20, 20};
+    const CameraPath way = cameraAlong(ground, {&t}, 1.7, 1.8);
+    EXPECT_EQ(way.keys.front().eye, way.keys.back().eye);
+    EXPECT_EQ(way.keys.front().target, way.keys.back().target);
+    ground.points.resize(1);
+    EXPECT_TRUE(cameraAlong(ground, {&t}, 1.7, 1.8).keys.empty());
+    EXPECT_TRUE(cameraAlong({}, {&t}, 1.7, 1.8).keys.empty());
+    ground.points = {{"", {0, 0}}, {"", {1e6, 0}}};
+    EXPECT_EQ(cameraAlong(ground, {&t}, 1.7, 1.8).keys.size(), 400u) << "a long one has its keys farther apart";
+    EXPECT_LE(secondsOf(cameraAlong(ground, {&t}, 1.7, 1.8)), 86400);
+}
+
 }  // namespace
 }  // namespace sward::test

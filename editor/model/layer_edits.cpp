@@ -1,0 +1,129 @@
+#include "model/layer_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "world/map_stacks.h"
+
+namespace sward {
+namespace {
+
+std::string entityOfPath(const std::string& path) { return path.substr(0, path.find('.')); }
+
+const MapLayers* layersOf(const Project& p, const std::string& path) {
+    return p.registry.get<MapLayers>(findEntity(p, entityOfPath(path)));
+}
+
+// The number of a layer among all of its entity, by its PATH; as many as there are if it is none.
+size_t placeOf(const Project& p, const std::string& layerPath) {
+    const MapLayers* of = layersOf(p, layerPath);
+    if (!of) return 0;
+    const std::vector<std::string> paths = layerPaths(entityOfPath(layerPath), *of);
+    return static_cast<size_t>(std::find(paths.begin(), paths.end(), layerPath) - paths.begin());
+}
+
+Status noLayer(const std::string& path) { return usage(fmt::format("there is no layer {}", path)); }
+
+// All of `edit` or nothing, as one step.
+Status together(Document& doc, const std::string& label, const std::function<Status()>& edit) {
+    doc.beginGroup(label);
+    const Status done = edit();
+    if (done)
+        doc.endGroup();
+    else
+        doc.cancelGroup();
+    return done;
+}
+
+// A name that no layer of the entity has.
+std::string freeName(const MapLayers& of, const std::string& stem) {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(of.layers.begin(), of.layers.end(), [&](const MapLayer& l) { return l.name == name; });
+    };
+    std::string name = stem;
+    for (int i = 2; taken(name); ++i) name = fmt::format("{} {}", stem, i);
+    return name;
+}
+
+Status setAll(Document& doc, const std::string& path,
+              std::initializer_list<std::pair<const char*, std::string>> texts) {
+    for (const auto& [field, text] : texts)
+        if (Status done = doc.setField(path + "." + field, text); !done) return done;
+    return {};
+}
+
+}  // namespace
+
+std::string stackedMap(const Project& p, const std::string& mapPath) {
+    constexpr const char* kAmounts = ".amounts";
+    if (!mapPath.ends_with(kAmounts)) return mapPath;
+    const std::string layer = mapPath.substr(0, mapPath.size() - std::string(kAmounts).size());
+    const MapLayers* of = layersOf(p, layer);
+    const size_t place = placeOf(p, layer);
+    return of && place < of->layers.size() ? layeredPath(entityOfPath(layer), of->layers[place]) : mapPath;
+}
+
+std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath) {
+    std::vector<LayerOf> out;
+    const MapLayers* of = layersOf(p, mapPath);
+    if (!of) return out;
+    const std::string entity = entityOfPath(mapPath);
+    const std::vector<std::string> paths = layerPaths(entity, *of);
+    for (size_t i = 0; i < paths.size(); ++i)
+        if (layeredPath(entity, of->layers[i]) == mapPath) out.push_back({paths[i], &of->layers[i]});
+    return out;
+}
+
+Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
+    const Result<ConstFieldRef> map = findMap(doc.project(), doc.tables().components, mapPath);
+    if (!map) return map.error();
+    const std::string entity = map->entity, list = entity + ".MapLayers.layers";
+    const char* name = kLayerKinds[kind];
+    return together(doc, fmt::format("add {} layer over {}", name, map->path), [&]() -> Status {
+        const MapLayers* before = layersOf(doc.project(), entity + ".");
+        const std::string called = freeName(before ? *before : MapLayers{}, name);
+        if (!before)
+            if (Status done = doc.addComponent(entity, "MapLayers"); !done) return done;
+        if (Status done = doc.addListElement(list); !done) return done;
+        const std::string made = layerPaths(entity, *layersOf(doc.project(), list)).back();
+        const std::string path = fmt::format("{}[{}]", list, called), within = map->path.substr(entity.size() + 1);
+        if (Status done = setAll(doc, made, {{"map", within}, {"kind", name}, {"name", called}}); !done) return done;
+        if (kind == LayerKind::Rule) return doc.addListElement(path + ".masks");
+        return kind == LayerKind::Painted ? doc.createMap(path + ".amounts") : Status();
+    });
+}
+
+Status removeLayer(Document& doc, const std::string& layerPath) {
+    const MapLayers* of = layersOf(doc.project(), layerPath);
+    if (!of || placeOf(doc.project(), layerPath) >= of->layers.size()) return noLayer(layerPath);
+    if (of->layers.size() == 1) return doc.removeComponent(entityOfPath(layerPath), "MapLayers");
+    return doc.removeListElement(layerPath);
+}
+
+Status moveLayer(Document& doc, const std::string& layerPath, bool up) {
+    const Project& p = doc.project();
+    const MapLayers* of = layersOf(p, layerPath);
+    const size_t place = placeOf(p, layerPath);
+    if (!of || place >= of->layers.size()) return noLayer(layerPath);
+    const int count = static_cast<int>(of->layers.size()), step = up ? 1 : -1;
+    for (int to = static_cast<int>(place) + step; to >= 0 && to < count; to += step)
+        if (of->layers[static_cast<size_t>(to)].map == of->layers[place].map)
+            return doc.moveListElement(layerPath, static_cast<size_t>(to));
+    return {};
+}
+
+Status importLayer(Document& doc, const std::string& layerPath, const std::filesystem::path& file,
+                   const ImportOptions& options) {
+    const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, layerPath + ".amounts");
+    if (!map) return map.error();
+    MapImport used;
+    Result<Map> texels = readImport(doc.project(), *map, file, options, &used);
+    if (!texels) return texels.error();
+    if (Status done = doc.setMap(map->path, std::move(*texels), "import " + map->path); !done) return done;
+    doc.rememberImport(map->path, used);
+    return {};
+}
+
+}  // namespace sward

@@ -1,0 +1,155 @@
+// Layers edited through the document: one undo step each, and nothing left behind.
+#include "model/layer_edits.h"
+
+#include <gtest/gtest.h>
+
+#include "maps/map_io.h"
+#include "support.h"
+#include "techniques.h"
+#include "world/map_stacks.h"
+
+namespace sward {
+namespace {
+
+using test::TempDir;
+constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
+
+struct Fixture {
+    TempDir dir;
+    Document doc{tables()};
+    Fixture() { EXPECT_TRUE(doc.create(dir / "p")); }
+    std::vector<std::string> names() {
+        std::vector<std::string> out;
+        for (const LayerOf& l : layersOver(doc.project(), kDensity)) out.push_back(l.layer->name);
+        return out;
+    }
+    const MapLayer& layer(size_t i) { return *layersOver(doc.project(), kDensity)[i].layer; }
+    bool hasComponent() { return doc.project().registry.get<MapLayers>(findEntity(doc.project(), "lawn")); }
+};
+using Names = std::vector<std::string>;
+
+TEST(LayerEdits, AddEachKindInOneStepWithoutChangingWhatIsPainted) {
+    Fixture f;
+    const Map before =
+        static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kDensity)->value)->map;
+    for (const LayerKind kind : {LayerKind::Rule, LayerKind::Image, LayerKind::Painted})
+        ASSERT_TRUE(addLayer(f.doc, kDensity, kind));
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    EXPECT_EQ(f.names(), (Names{"rule", "image", "painted", "rule 2"}));
+    EXPECT_EQ(f.doc.stepsDone(), 4u);
+    EXPECT_EQ(f.layer(0).map, "GrassField.species[lawn].density");
+    EXPECT_EQ(f.layer(0).masks.size(), 1u);
+    EXPECT_TRUE(f.layer(2).amounts.present());
+    EXPECT_FALSE(f.layer(1).amounts.present());
+    const Map after = static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kDensity)->value)->map;
+    EXPECT_TRUE(after.sameTiles(before));
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(f.doc.undo());
+    EXPECT_FALSE(f.hasComponent());
+    EXPECT_FALSE(f.doc.dirty());
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(f.doc.redo());
+    EXPECT_EQ(f.names(), (Names{"rule", "image", "painted", "rule 2"}));
+}
+
+TEST(LayerEdits, MoveAmongTheLayersOfTheirMap) {
+    Fixture f;
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(addLayer(f.doc, "lawn.GrassField.bladeHeight", LayerKind::Rule));
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Image));
+    const std::string image = "lawn.MapLayers.layers[image]", rule = "lawn.MapLayers.layers[rule]";
+    const size_t steps = f.doc.stepsDone();
+    ASSERT_TRUE(moveLayer(f.doc, image, false));
+    EXPECT_EQ(f.names(), (Names{"image", "rule"}));
+    ASSERT_TRUE(moveLayer(f.doc, image, false)) << "nothing below it";
+    EXPECT_EQ(f.doc.stepsDone(), steps + 1);
+    ASSERT_TRUE(moveLayer(f.doc, image, true));
+    EXPECT_EQ(f.names(), (Names{"rule", "image"}));
+    EXPECT_EQ(layersOver(f.doc.project(), "lawn.GrassField.bladeHeight").size(), 1u);
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_EQ(f.names(), (Names{"image", "rule"}));
+    EXPECT_FALSE(moveLayer(f.doc, "lawn.MapLayers.layers[none]", true));
+    EXPECT_FALSE(f.doc.moveListElement(rule, 3));
+}
+
+TEST(LayerEdits, TheLastOneTakesTheComponentWithIt) {
+    Fixture f;
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Painted));
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(removeLayer(f.doc, "lawn.MapLayers.layers[painted]"));
+    EXPECT_EQ(f.names(), Names{"rule"});
+    ASSERT_TRUE(removeLayer(f.doc, "lawn.MapLayers.layers[rule]"));
+    EXPECT_FALSE(f.hasComponent());
+    EXPECT_FALSE(f.doc.dirty());
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_TRUE(f.layer(0).amounts.present()) << "what was painted on it is back";
+}
+
+TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
+    Fixture f;
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Painted));
+    const std::string amounts = "lawn.MapLayers.layers[painted].amounts";
+    EXPECT_EQ(stackedMap(f.doc.project(), amounts), kDensity);
+    EXPECT_EQ(stackedMap(f.doc.project(), kDensity), kDensity);
+    BrushSettings b;
+    b.mode = "subtract";
+    b.map = amounts;
+    b.radius = 3;
+    b.strength = 1;
+    ASSERT_TRUE(f.doc.beginStroke(b, 10, 10));
+    f.doc.endStroke();
+    f.doc.pumpStroke(0);
+    EXPECT_LT(f.layer(0).amounts.map.mean(), 1);
+    MapStacks stacks;
+    const Project& shown = stacks.shown(f.doc.project(), tables().components);
+    const auto mean = [](const Project& p) {
+        return static_cast<const MapField*>(findMap(p, tables().components, kDensity)->value)->map.mean();
+    };
+    EXPECT_LT(mean(shown), mean(f.doc.project()));
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_EQ(f.layer(0).amounts.map.mean(), 1);
+}
+
+TEST(LayerEdits, ImportAnImageInOneStepAndRememberHow) {
+    Fixture f;
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Image));
+    Map map({4, 4, 1, PixelType::U8});
+    map.set(0, 0, 0, 1);
+    ASSERT_TRUE(writeMap(f.dir / "in.png", map));
+    const std::string path = "lawn.MapLayers.layers[image]";
+    EXPECT_FALSE(importLayer(f.doc, path, f.dir / "none.png", {}));
+    const size_t steps = f.doc.stepsDone();
+    ASSERT_TRUE(importLayer(f.doc, path, f.dir / "in.png", {.flip = true, .range = {}}));
+    EXPECT_EQ(f.doc.stepsDone(), steps + 1);
+    EXPECT_EQ(f.layer(0).amounts.map.at(0, 3), 1);
+    EXPECT_TRUE(f.doc.project().imports.at(path + ".amounts").flip);
+}
+
+TEST(LayerEdits, LayersFollowTheirSpeciesWhenItIsRenamed) {
+    Fixture f;
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(f.doc.setField("lawn.GrassField.species[lawn].name", "clover"));
+    EXPECT_EQ(layersOver(f.doc.project(), "lawn.GrassField.species[clover].density").size(), 1u);
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_EQ(f.names(), Names{"rule"}) << "in the same step";
+    EXPECT_EQ(f.doc.stepsDone(), 1u);
+}
+
+TEST(LayerEdits, WhatALayerLiesOverMayGoAndComeBack) {
+    Fixture f;
+    ASSERT_TRUE(f.doc.addListElement("lawn.GrassField.species"));
+    const std::string added =
+        elementSelectors(*findField(f.doc.project(), tables().components, "lawn.GrassField.species")->row->list,
+                         findField(f.doc.project(), tables().components, "lawn.GrassField.species")->value)[1];
+    const std::string map = "lawn.GrassField.species[" + added + "].density";
+    ASSERT_TRUE(addLayer(f.doc, map, LayerKind::Rule));
+    ASSERT_TRUE(f.doc.removeListElement("lawn.GrassField.species[" + added + "]"));
+    MapStacks stacks;
+    stacks.shown(f.doc.project(), tables().components);
+    ASSERT_EQ(stacks.notes().size(), 1u);
+    EXPECT_NE(stacks.notes()[0].message.find("there is no map " + map), std::string::npos);
+    EXPECT_TRUE(f.doc.undo());
+    EXPECT_EQ(layersOver(f.doc.project(), map).size(), 1u);
+}
+
+}  // namespace
+}  // namespace sward

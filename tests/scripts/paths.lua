@@ -1,0 +1,25 @@
+-- A path by script: it leaves the painted map alone, can be saved, walked along, and told wrong.
+project.open(project.tempCopy("../../projects/park"))
+local lawn = map.hash("species[lawn].density")
+entity.add("way", { GroundPath = { width = 1.5, points = { { at = { 60, 60 } }, { at = { 70, 62 } }, { at = { 74, 72 } } } } })
+expect.equal(entity.get("way.GroundPath.points[2].at")[2], 72)
+expect.equal(map.hash("species[lawn].density"), lawn, "what is painted stays")
+edit.undo()
+edit.redo()
+project.save()
+
+play.start { at = { 60, 55 } }
+play.walkAlong("way")
+play.step(60 * 8)
+expect.truthy(play.state().walking)
+play.step(60 * 20)
+expect.equal(play.state().walking, false, "it has an end")
+expect.near(play.state().walker.x, 74, 0.3)
+expect.near(play.state().walker.z, 72, 0.3)
+play.walkAlong("way")
+play.input { look = { 0, 0 } }
+expect.equal(play.state().walking, false, "other input takes over")
+local ok, message = pcall(play.walkAlong, "nothing")
+expect.equal(ok, false)
+expect.truthy(message:find("nothing has no GroundPath", 1, true), message)
+play.stop()
