@@ -8,6 +8,7 @@
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
 #include "scene/components.h"
+#include "scene/scatter.h"
 #include "scene/technique.h"
 
 namespace sward {
@@ -34,7 +35,7 @@ struct Store {
         components.assign(shared.begin(), shared.end());
         for (const ComponentRow& row :
              {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
-              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow()})
+              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), scatterRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }
