@@ -54,6 +54,16 @@ void followBake(EditorApp& app) {
     if (accept(app.messages, *end)) say(app.messages, "ambient occlusion is baked");
 }
 
+void followExport(std::optional<SceneExport>& exporting, FrameClock& clock, Messages& messages) {
+    const std::optional<Result<GlbCounts>> end = exporting ? finishExport(*exporting) : std::nullopt;
+    if (!end) return;
+    const std::string file = exporting->file.string();
+    exporting.reset();
+    clock.wanted = 4;
+    if (!*end) return showError(messages, end->error());
+    say(messages, fmt::format("exported {}: {}", file, countsText(**end)));
+}
+
 // What the renderer makes beside is shown once it is there; strips drawn with its draft are drawn anew.
 void followRenderer(const Renderer& renderer, bool open, std::vector<JobNews>& making, ViewportPicture& picture) {
     std::vector<JobNews> jobs = renderer.jobs();
@@ -97,7 +107,7 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
-    return app.background.occlusion || !app.background.making.empty() ||
+    return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
            comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy);
 }
 
@@ -144,6 +154,7 @@ void followWorld(EditorApp& app) {
     if (takeLog(app.console.log)) app.messages.status = app.console.log.lines.back().text;
     followProject(app);
     followBake(app);
+    followExport(app.background.exporting, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);

@@ -10,6 +10,7 @@
 #include "model/float_heights.h"
 #include "model/whole_map.h"
 #include "panels/viewport_objects.h"
+#include "scene/scatter.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -119,6 +120,11 @@ bool canUndo(EditorApp& app) { return app.doc.canUndo() && atRest(app); }
 bool canRedo(EditorApp& app) { return app.doc.canRedo() && atRest(app); }
 bool hasMap(EditorApp& app) { return app.doc.isOpen() && !app.brushes.map.empty() && atRest(app); }
 bool anyChosen(EditorApp& app) { return app.doc.isOpen() && !app.selection.entities.empty() && atRest(app); }
+bool scatterChosenLast(EditorApp& app) {
+    const Entity e = anyChosen(app) ? findEntity(app.doc.project(), shownEntity(app.selection)) : kNoEntity;
+    return e != kNoEntity && app.doc.project().registry.get<Scatter>(e);
+}
+bool canExport(EditorApp& app) { return app.doc.isOpen() && !app.background.exporting; }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -127,6 +133,7 @@ constexpr Command kCommands[] = {
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
     {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.messages); }, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
+    {"File", "Export...", "", "", task<FileTask::Export>, canExport},
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
@@ -136,6 +143,9 @@ constexpr Command kCommands[] = {
     {"Object", "Delete", "delete", "", [](App& a) { removeChosen(a.doc, a.selection, a.messages); }, anyChosen},
     {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
     {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
+    {"Object", "Add Scatter", "", "", [](App& a) { scatterChosen(a.doc, a.selection, a.messages); }, opened},
+    {"Object", "Make Objects of It", "", "", [](App& a) { makeObjectsOfChosen(a.doc, a.selection, a.messages); },
+     scatterChosenLast},
     {"Object", "Objects or Brush", "v", "", lookOnly, opened},
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},

@@ -10,7 +10,10 @@ void openDialog(FileDialog& d, const Document& document, FileTask task) {
     d.opening = true;
     d.error.clear();
     if (document.isOpen() && !document.project().dir.empty()) d.folder = document.project().dir.parent_path();
-    d.path = task == FileTask::SaveAs ? document.project().dir.string() : "";
+    const std::filesystem::path dir = document.isOpen() ? document.project().dir : std::filesystem::path();
+    d.path = task == FileTask::SaveAs   ? dir.string()
+             : task == FileTask::Export ? (dir.parent_path() / (document.project().name + ".glb")).string()
+                                        : "";
 }
 
 }  // namespace
@@ -22,7 +25,7 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
 }
 
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
-    if (task == FileTask::SaveAs) return openDialog(files, document, task);
+    if (task == FileTask::SaveAs || task == FileTask::Export) return openDialog(files, document, task);
     askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
 }
 

@@ -140,7 +140,7 @@ void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
 void fileDialog(EditorApp& a) {
-    drawFileDialog(a.files, a.doc, a.edits, a.messages, [&a] { adoptProject(a); });
+    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, [&a] { adoptProject(a); });
 }
 void renameDialog(EditorApp& a) {
     drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {

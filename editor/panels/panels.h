@@ -88,7 +88,7 @@ void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, d
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
                    BackgroundWork& work, const std::string& message);
 // `adopt` runs after the document holds another project.
-void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages,
+void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
                     const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
 void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
