@@ -168,7 +168,9 @@ void body(const Parts& parts) {
     ui::input("Path", d.path, wordsOf(d.task).named, &entered);
     if (d.task == FileTask::Export) {
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 16);
-        ui::input("Blades Within", d.bladesWithin, "all that grow, or metres");
+        ui::input("Blades Within", d.bladesWithin, "all that grow");
+        ImGui::SameLine();
+        ImGui::TextDisabled("metres of grass around the first camera");
         ui::tooltip("Only grass and flowers within so many metres of the first camera; nothing: all of them.");
     }
     ImGui::PushTextWrapPos(0);

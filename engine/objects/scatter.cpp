@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "core/log.h"
 #include "objects/gpu_mesh.h"
 #include "world/scatter.h"
 
@@ -81,9 +82,10 @@ std::vector<std::string> filesOf(const Scatter& s) {
     return files;
 }
 
-void follow(Entry& e, const Scatter& s, std::shared_ptr<const Scattering> now) {
+void follow(Entry& e, const std::string& entity, const Scatter& s, std::shared_ptr<const Scattering> now) {
     std::vector<std::string> files = filesOf(s);
     if (e.of == now && e.files == files) return;
+    if (const std::string said = e.of == now ? "" : shortfall(entity, s, *now); !said.empty()) logWarning(said);
     e.of = std::move(now);
     e.files = std::move(files);
     e.kinds.assign(s.meshes.size(), {});
@@ -142,7 +144,7 @@ void place(DrawContext& ctx) {
     std::vector<std::string> files;
     for (const auto& [entity, scatter] : all) {
         Entry& e = s.entries[entity];
-        follow(e, *scatter, s.memory.of(ground, entity, *scatter));
+        follow(e, entity, *scatter, s.memory.of(ground, entity, *scatter));
         for (const Kind& k : e.kinds) {
             if (k.objects.empty()) continue;
             addKind(ctx, view, k, s.meshes.of(ctx, k.file), scatter->castShadows);

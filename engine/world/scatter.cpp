@@ -187,7 +187,10 @@ Scattering scatterOver(const Scatter& s, const Ground& ground) {
     if (!ground.terrain || !scatters(s)) return out;
     const Terrain& t = *ground.terrain;
     const double perM2 = static_cast<double>(s.perHectare) / 1e4, distance = static_cast<double>(s.distance);
-    if (perM2 * t.size.x * t.size.y > kMostScattered) return out;
+    if (const double all = perM2 * t.size.x * t.size.y; all > kMostScattered) {
+        out.asked = all;
+        return out;
+    }
     const double darts = dartsFor(perM2, distance);
     const Thrower thrower{s, t, tilingOf(t, s.densityTiling), perM2, darts, gridOf(t.size, darts, distance)};
     std::vector<std::vector<Dart>> rows(static_cast<size_t>(thrower.grid.down));
@@ -202,6 +205,19 @@ Scattering scatterOver(const Scatter& s, const Ground& ground) {
         if (thrower.inside(d.x, d.z)) out.objects.push_back(objectOf(s, ground, d));
     out.hash = hashOf(out.objects);
     return out;
+}
+
+std::string shortfall(const std::string& entity, const Scatter& s, const Scattering& made) {
+    if (static_cast<double>(made.objects.size()) >= 0.9 * made.asked) return {};
+    if (made.asked > kMostScattered)
+        return fmt::format(
+            "{}.Scatter.perHectare: {:.0f} objects are asked for; the most are {:.0f}, and none is "
+            "scattered (lower it)",
+            entity, made.asked, kMostScattered);
+    return fmt::format(
+        "{}.Scatter.distance: {} of {:.0f} objects find room at {} m from each other (lower distance or "
+        "perHectare)",
+        entity, made.objects.size(), made.asked, s.distance);
 }
 
 std::vector<std::pair<std::string, const Scatter*>> scattersOf(const Project& p) {

@@ -30,6 +30,9 @@ struct Scattering {
 // Nothing without a terrain, or where more than kMostScattered are asked for.
 Scattering scatterOver(const Scatter& scatter, const Ground& ground);
 
+// What to say where fewer stand than nine tenths of those asked for; empty where enough do.
+std::string shortfall(const std::string& entity, const Scatter& scatter, const Scattering& made);
+
 // Darts a square metre so that `perM2` objects stay that keep `distance` (m); perM2 at most kDensestScatter /
 // distance^2, beyond which it is taken as that.
 double dartsFor(double perM2, double distance);

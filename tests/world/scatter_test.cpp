@@ -74,6 +74,11 @@ TEST(Scatter, WhatDoesNotFitIsLeftOutAndCounted) {
     EXPECT_GE(nearest(s), 4);
     EXPECT_NEAR(s.asked, 4000, 200) << "it still says what was asked for";
     EXPECT_NEAR(static_cast<double>(s.objects.size()), kDensestScatter / 16 * 20000, 60);
+    EXPECT_NE(shortfall("stones", f.rule, s).find(fmt::format("{} of {:.0f}", s.objects.size(), s.asked)),
+              std::string::npos)
+        << shortfall("stones", f.rule, s);
+    f.rule.distance = 1;
+    EXPECT_EQ(shortfall("stones", f.rule, f.all()), "");
 }
 
 TEST(Scatter, NoPlaceIsFavoured) {
@@ -189,6 +194,7 @@ TEST(Scatter, WithoutGroundOrBeyondTheLimitThereIsNothing) {
     f.terrain.size = {10000, 10000};
     f.rule.perHectare = 100;
     EXPECT_TRUE(f.all().objects.empty()) << "a million";
+    EXPECT_NE(shortfall("stones", f.rule, f.all()).find("1000000 objects are asked for"), std::string::npos);
 }
 
 TEST(Scatter, ItIsEvaluatedAnewOnlyWhenSomethingChanged) {
