@@ -12,6 +12,7 @@
 #include "grass/slices.h"
 #include "grass/tessellated.h"
 #include "objects/mesh.h"
+#include "objects/scatter.h"
 #include "objects/shadow.h"
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
@@ -31,7 +32,7 @@ std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
         sunEffect(),     skyEffect(),           hazeEffect(),         lampsEffect(),                       // light
         windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
-        meshEffect(),    shadowEffect(),                                                                   // objects
+        meshEffect(),    scatterEffect(),       shadowEffect(),                                            // objects
         forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
         uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
         slicesEffect(),  raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass

@@ -10,6 +10,7 @@
 #include "scene/components.h"
 #include "scene/ground_path.h"
 #include "scene/map_layers.h"
+#include "scene/scatter.h"
 #include "scene/technique.h"
 
 namespace sward {
@@ -34,9 +35,9 @@ struct Store {
         for (const TechniqueRow& row : techniques) names.push_back(row.name);
         const std::span<const ComponentRow> shared = sharedComponentRows();
         components.assign(shared.begin(), shared.end());
-        for (const ComponentRow& row :
-             {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
-              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow()})
+        for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
+                                        tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow(),
+                                        meshGrassRow(), groundPathRow(), mapLayersRow(), scatterRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

@@ -25,6 +25,7 @@ const std::vector<std::vector<std::string>> kLayers = {
     {"engine/frame"},
     {"engine/terrain", "engine/grass", "engine/objects", "engine/forest", "engine/sky", "engine/water", "engine/post"},
     {"engine/reference"},
+    {"engine/exchange"},
     {"engine/metrics"},
     {"engine/cost"},
     {"engine/formulas"},

@@ -54,6 +54,16 @@ void followBake(EditorApp& app) {
     if (accept(app.messages, *end)) say(app.messages, "ambient occlusion is baked");
 }
 
+void followExport(std::optional<SceneExport>& exporting, FrameClock& clock, Messages& messages) {
+    const std::optional<Result<GlbCounts>> end = exporting ? finishExport(*exporting) : std::nullopt;
+    if (!end) return;
+    const std::string file = exporting->file.string();
+    exporting.reset();
+    clock.wanted = 4;
+    if (!*end) return showError(messages, end->error());
+    say(messages, fmt::format("exported {}: {}", file, countsText(**end)));
+}
+
 // What the renderer makes beside is shown once it is there; what was drawn with its draft is drawn anew.
 void followRenderer(const Renderer& renderer, bool open, std::vector<JobNews>& making, ViewportPicture& picture) {
     std::vector<JobNews> jobs = renderer.jobs();
@@ -97,7 +107,7 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
-    return app.background.occlusion || !app.background.making.empty() ||
+    return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
            comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy);
 }
 
@@ -144,6 +154,7 @@ void followWorld(EditorApp& app) {
     if (takeLog(app.console.log)) app.messages.status = app.console.log.lines.back().text;
     followProject(app);
     followBake(app);
+    followExport(app.background.exporting, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
@@ -228,10 +239,8 @@ double idleSeconds(const EditorApp& app) {
 
 namespace {
 
-// Once a second: shaders that were edited are compiled and seen; one that fails is told and the last good one stays.
-void followShaders(Renderer& renderer, Messages& messages, ViewportPicture& picture, double& last) {
-    if (clockSeconds() - last < 1) return;
-    last = clockSeconds();
+// Shaders that were edited are compiled and seen; one that fails is told and the last good one stays.
+void followShaders(Renderer& renderer, Messages& messages, ViewportPicture& picture) {
     const Reload done = renderer.reloadPrograms();
     if (!done.failed.empty()) messages.notice = done.failed.front();
     if (!done.nothing()) picture.drawnRevision = kNeverDrawn;
@@ -242,7 +251,13 @@ void followShaders(Renderer& renderer, Messages& messages, ViewportPicture& pict
 void runUntilQuit(EditorApp& app) {
     double lastLook = clockSeconds();
     while (!app.quit) {
-        followShaders(*app.renderer, app.messages, app.picture, lastLook);
+        if (clockSeconds() - lastLook > 1) {
+            lastLook = clockSeconds();
+            followShaders(*app.renderer, app.messages, app.picture);
+            if (!playing(app.doc) && !app.doc.stroking() && app.edits.holding.empty() &&
+                askOutside(app.outside, app.doc, false))
+                app.clock.wanted = 4;
+        }
         if (tickAutosave(app.autosave, app.doc, !app.edits.holding.empty(), clockSeconds())) app.clock.wanted = 4;
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.picture.resolution, clockSeconds()) == 0;

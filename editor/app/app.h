@@ -91,6 +91,7 @@ struct EditorApp {
     FileDialog files;
     StartScreen start;
     UnsavedDialog unsaved;
+    OutsideDialog outside;
     RenameDialog rename;
     Palette palette;
     KeysDialog keys;

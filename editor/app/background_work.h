@@ -6,11 +6,13 @@
 
 #include "core/jobs.h"
 #include "model/bakes.h"
+#include "model/scene_export.h"
 
 namespace sward {
 
 struct BackgroundWork {
     std::optional<OcclusionBake> occlusion;  // being baked
+    std::optional<SceneExport> exporting;    // being written
     std::vector<JobNews> making;             // what the renderer makes beside, as of the last frame
 };
 

@@ -13,6 +13,7 @@
 #include "model/whole_map.h"
 #include "panels/viewport_objects.h"
 #include "panels/viewport_path.h"
+#include "scene/scatter.h"
 #include "tools/brush_target.h"
 #include "ui/keys.h"
 
@@ -137,14 +138,20 @@ bool hasPath(EditorApp& app) { return !pathMeant(app.doc, app.selection).empty()
 bool pathChosen(EditorApp& app) { return atRest(app) && !pathInHand(objectParts(app)).empty(); }
 bool drawsPath(EditorApp& app) { return atRest(app) && inMode<GizmoMode::Path>(app); }
 bool anyChosen(EditorApp& app) { return app.doc.isOpen() && !app.selection.entities.empty() && atRest(app); }
+bool scatterChosenLast(EditorApp& app) {
+    const Entity e = anyChosen(app) ? findEntity(app.doc.project(), shownEntity(app.selection)) : kNoEntity;
+    return e != kNoEntity && app.doc.project().registry.get<Scatter>(e);
+}
+bool canExport(EditorApp& app) { return app.doc.isOpen() && !app.background.exporting; }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
-    {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.messages); }, opened},
+    {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.outside, a.messages); }, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
+    {"File", "Export...", "", "", task<FileTask::Export>, canExport},
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
@@ -154,6 +161,9 @@ constexpr Command kCommands[] = {
     {"Object", "Delete", "delete", "", remove, anyChosen},
     {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
     {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
+    {"Object", "Add Scatter", "", "", [](App& a) { scatterChosen(a.doc, a.selection, a.messages); }, opened},
+    {"Object", "Make Objects of It", "", "", [](App& a) { makeObjectsOfChosen(a.doc, a.selection, a.messages); },
+     scatterChosenLast},
     {"Object", "Objects or Brush", "v", "", lookOnly, opened},
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
@@ -190,7 +200,7 @@ constexpr Command kCommands[] = {
 
 bool dialogOpen(const EditorApp& a) {
     return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty() ||
-           a.palette.open || a.keys.open;
+           a.palette.open || a.keys.open || !a.outside.files.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }

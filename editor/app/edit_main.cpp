@@ -2,6 +2,7 @@
 
 #include "app/app.h"
 #include "model/bakes.h"
+#include "model/scene_export.h"
 #include "playtest/playtest.h"
 #include "script/script.h"
 #include "techniques.h"
@@ -40,6 +41,7 @@ int editMain(const std::filesystem::path& project) {
     host.useCamera = [&](const std::string& name) { goToCamera(document, name, app.view.camera); };
     host.playStart = [&app] { return PlayStart{viewOf(app.view.camera), 0, true}; };
     offerBakes(host);
+    offerExport(host);
     ScriptConsole console(host);
     app.console.runLua = [&console](const std::string& line) { return console.run(line); };
     app.console.completions = [&console](const std::string& word) { return console.completions(word); };

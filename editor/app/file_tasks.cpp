@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "project/project_files.h"
+
 namespace sward {
 namespace {
 
@@ -10,7 +12,10 @@ void openDialog(FileDialog& d, const Document& document, FileTask task) {
     d.opening = true;
     d.error.clear();
     if (document.isOpen() && !document.project().dir.empty()) d.folder = document.project().dir.parent_path();
-    d.path = task == FileTask::SaveAs ? document.project().dir.string() : "";
+    const std::filesystem::path dir = document.isOpen() ? document.project().dir : std::filesystem::path();
+    d.path = task == FileTask::SaveAs   ? dir.string()
+             : task == FileTask::Export ? (dir.parent_path() / (document.project().name + ".glb")).string()
+                                        : "";
 }
 
 }  // namespace
@@ -22,15 +27,43 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
 }
 
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
-    if (task == FileTask::SaveAs) return openDialog(files, document, task);
+    if (task == FileTask::SaveAs || task == FileTask::Export) return openDialog(files, document, task);
     askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
 }
 
-bool saveNow(Document& document, FileDialog& files, Messages& messages) {
+bool othersOnDisk(const OutsideDialog& outside, const Document& document) {
+    if (!document.isOpen()) return false;
+    const auto changed = changedOutside(document.project());
+    return !changed.empty() && changed != outside.kept;
+}
+
+bool askOutside(OutsideDialog& outside, const Document& document, bool saving) {
+    if (!outside.files.empty()) return true;
+    if (!othersOnDisk(outside, document)) return false;
+    std::map<std::string, FileStamp> changed = changedOutside(document.project());
+    if (!saving && changed == outside.told) return false;
+    outside.told = outside.files = std::move(changed);
+    outside.opening = true;
+    outside.saving = saving;
+    outside.error.clear();
+    return true;
+}
+
+void keepOwn(OutsideDialog& outside) { outside.kept = std::exchange(outside.files, {}); }
+
+Status takeTheirs(OutsideDialog& outside, Document& document) {
+    const Status taken = document.takeFromDisk();
+    outside.error = taken ? "" : taken.error().text();
+    if (taken) outside.files.clear();
+    return taken;
+}
+
+bool saveNow(Document& document, FileDialog& files, OutsideDialog& outside, Messages& messages) {
     if (document.project().dir.empty()) {
         openDialog(files, document, FileTask::SaveAs);
         return false;
     }
+    if (askOutside(outside, document, true)) return false;
     const auto written = document.save();
     if (!written) {
         showError(messages, written.error());

@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,12 +13,13 @@
 
 namespace sward {
 
-enum class FileTask { None, Open, SaveAs, New };
+enum class FileTask { None, Open, SaveAs, New, Export };
 struct FileDialog {
     FileTask task = FileTask::None;
     bool opening = false;          // ImGui's popup is to be opened in this frame
     std::filesystem::path folder;  // whose folders are listed
     std::string path;              // what is typed
+    std::string bladesWithin;      // of an export: metres; empty: all that grow
     std::string error;
     std::vector<std::pair<std::string, bool>> entries;  // name, is a project
 };
@@ -28,12 +30,31 @@ struct UnsavedDialog {
     std::string error;
 };
 
+// The question what to do about files of the open project that another program changed.
+struct OutsideDialog {
+    std::map<std::string, FileStamp> files;  // by name; empty: not asked
+    std::map<std::string, FileStamp> kept;   // whatever is on disk, the person said that what is open here counts
+    std::map<std::string, FileStamp> told;   // about which they were asked, and said nothing yet
+    bool opening = false;
+    bool saving = false;  // asked before a save; else as soon as it was seen
+    std::string error;
+};
+// Whether what is on disk is another program's, about which the person has not decided.
+bool othersOnDisk(const OutsideDialog& outside, const Document& document);
+// Asks about such files; but once only, unless it is to be saved over them. True if it asks.
+bool askOutside(OutsideDialog& outside, const Document& document, bool saving);
+// What is open here counts: later saves replace what is on disk.
+void keepOwn(OutsideDialog& outside);
+// What is on disk takes the place of what is open here; undo goes back. Errors as Document::takeFromDisk.
+Status takeTheirs(OutsideDialog& outside, Document& document);
+
 // Runs `then` at once, or after the person has answered what to do with unsaved work.
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then);
-// Opens the file dialog; Open and New ask about unsaved work first. All three must outlive the dialog.
+// Opens the file dialog; Open and New ask about unsaved work first. All three must outlive the dialog. Export names the
+// scene's .glb.
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task);
 // Saves, and says how many files were written. False if it failed, which is shown; or if the project was never saved:
-// then the dialog asks where.
-bool saveNow(Document& document, FileDialog& files, Messages& messages);
+// then the dialog asks where; or if another program changed it: then the person is asked whose counts.
+bool saveNow(Document& document, FileDialog& files, OutsideDialog& outside, Messages& messages);
 
 }  // namespace sward

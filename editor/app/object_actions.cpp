@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/entity_edits.h"
+#include "model/scatter_edits.h"
 
 namespace sward {
 namespace {
@@ -32,6 +33,20 @@ void removeChosen(Document& doc, Selection& selection, Messages& messages) {
     if (!accept(messages, removeEntities(doc, selection.entities))) return;
     selection.entities.clear();
     say(messages, "removed: " + what);
+}
+
+void scatterChosen(Document& doc, Selection& selection, Messages& messages) {
+    const Result<std::string> made = addScatter(doc, selection.entities);
+    if (!made) return showError(messages, made.error());
+    choose(selection, *made);
+    say(messages, "new: " + *made + "; its rule is in the inspector");
+}
+
+void makeObjectsOfChosen(Document& doc, Selection& selection, Messages& messages) {
+    const Result<std::vector<std::string>> made = makeObjectsOf(doc, shownEntity(selection));
+    if (!made) return showError(messages, made.error());
+    choose(selection, *made, Choose::Only);
+    say(messages, "new: " + told(*made));
 }
 
 void hideChosen(Document& doc, const Selection& selection, Messages& messages) {

@@ -22,6 +22,10 @@ struct RenameDialog {
 void duplicateChosen(Document& document, Selection& selection, Messages& messages);
 // None is chosen then.
 void removeChosen(Document& document, Selection& selection, Messages& messages);
+// A new entity that scatters the chosen objects' meshes, or all of the project's; it is chosen then.
+void scatterChosen(Document& document, Selection& selection, Messages& messages);
+// The objects of the Scatter chosen last become entities, which are chosen then.
+void makeObjectsOfChosen(Document& document, Selection& selection, Messages& messages);
 // Hides all; where all are hidden, shows them again.
 void hideChosen(Document& document, const Selection& selection, Messages& messages);
 // Whatever is hidden is shown.

@@ -164,13 +164,26 @@ struct Verbs {
         in->add_flag("--flip", import.flip, "the file's first row is the far edge");
         in->add_flag("--packed", import.packed, "red is the density, blue the blades' height (project/packed_map.h)");
         in->add_option("--range", import.range, "LOW,HIGH: what 0 and full scale mean");
-        CLI::App* out = verb("export", "Write a map of a project to a file", [this] { return exportVerb(exported); });
+        addExport();
+    }
+    void addExport() {
+        CLI::App* out = verb("export", "Write the scene to a .glb, or one map of a project to an image file",
+                             [this] { return exportVerb(exported); });
         out->add_option("project", exported.project, "folder of the project")->required();
-        out->add_option("--map", exported.map, "the map's PATH, or an unambiguous tail of it")->required();
-        out->add_option("--out", exported.out, "EXR, PNG, TIFF or R16 file")->required();
-        out->add_flag("--flip", exported.flip, "write the far edge first");
+        CLI::Option* map = out->add_option("--map", exported.map,
+                                           "the map's PATH, or an unambiguous tail of it (default: the whole scene)");
+        out->add_option("--out", exported.out, "file: .glb for the scene; EXR, PNG, TIFF or R16 for a map")->required();
+        out->add_flag("--flip", exported.flip, "write the map's far edge first")->needs(map);
         out->add_flag("--packed", exported.packed,
-                      "density, its coarse version and blade heights as red, green and blue");
+                      "the map's density, its coarse version and blade heights as red, green and blue")
+            ->needs(map);
+        out->add_option("--blades-within", exported.bladesWithin,
+                        "of the scene: only grass and flowers within so many metres of the camera")
+            ->excludes(map);
+        out->add_option("--camera", exported.camera,
+                        "the camera that --blades-within measures from (default: the first)")
+            ->excludes(map);
+        out->add_option("--stats", exported.stats, "write what the .glb holds as JSON to this file")->excludes(map);
     }
     void addBakes() {
         CLI::App* v = verb("bake", "Make what is made ahead, and save the project (default: all of it)",

@@ -90,11 +90,14 @@ struct ImportCommand {
 // `sward import`: an image file into a map.
 int importVerb(const ImportCommand& options);
 struct ExportCommand {
-    std::string project, map, out;
+    std::string project, map, out;  // no map: the scene
     bool flip = false, packed = false;
+    std::optional<double> bladesWithin;  // of the scene: metres from the camera
+    std::string camera, stats;
 };
-// `sward export`: a map into an image file.
+// `sward export`: a map into an image file, or the scene into a .glb.
 int exportVerb(const ExportCommand& options);
+int exportSceneVerb(const ExportCommand& options);
 struct BakeCommand {
     std::string project;
     std::vector<std::string> only;  // flags of the bakes wanted; none: all

@@ -41,6 +41,7 @@ int importVerb(const ImportCommand& o) {
 }
 
 int exportVerb(const ExportCommand& o) {
+    if (o.map.empty()) return exportSceneVerb(o);
     auto project = loadProject(o.project, tables().components);
     if (!project) return report(project.error());
     ImportOptions options;

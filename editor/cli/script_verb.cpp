@@ -3,6 +3,7 @@
 #include "core/log.h"
 #include "model/bakes.h"
 #include "model/document.h"
+#include "model/scene_export.h"
 #include "script/script.h"
 #include "techniques.h"
 #include "ui/driver.h"
@@ -94,6 +95,7 @@ int scriptVerb(const ScriptOptions& o) {
     host.stopped = interrupted;
     host.ui = &lazy;
     offerBakes(host);
+    offerExport(host);
     host.useCamera = [&](const std::string& name) { lazy.useCamera(name); };
     if (o.window) {
         auto made = makeWindowUi(document, 1440, 900);

@@ -111,23 +111,40 @@ Status Document::takeOver(const fs::path& dir, const std::string& label) {
     impl_->finishStroke();
     const Result<Project> other = loadProject(dir, impl_->rows());
     if (!other) return other.error();
+    impl_->become(*other, label);
+    return {};
+}
+
+Status Document::takeFromDisk() {
+    if (Status ready = impl_->ready(); !ready) return ready.error();
+    impl_->finishStroke();
+    Project& p = *impl_->project;
+    const Result<Project> other = loadProject(p.dir, impl_->rows());
+    if (!other) return other.error();
+    impl_->become(*other, "take what is on disk");
+    p.name = other->name, p.unknown = other->unknown, p.imports = other->imports;
+    p.stamps = other->stamps, p.repairedMaps = other->repairedMaps;
+    impl_->saved = snapshot(p, impl_->rows());
+    return {};
+}
+
+void Document::Impl::become(const Project& other, const std::string& label) {
     std::set<std::string> names;
-    for (const auto& [name, entity] : impl_->project->entities) names.insert(name);
-    for (const auto& [name, entity] : other->entities) names.insert(name);
+    for (const auto& [name, entity] : project->entities) names.insert(name);
+    for (const auto& [name, entity] : other.entities) names.insert(name);
     std::vector<Change> changes;
     const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
     for (const std::string& name : names) {
-        for (const ComponentRow& row : impl_->rows()) {
-            const void* after = componentOf(*other, name, row);
-            changes.push_back({name, &row, impl_->stateOf(name, row), after ? row.clone(after) : nullptr});
+        for (const ComponentRow& row : rows()) {
+            const void* after = componentOf(other, name, row);
+            changes.push_back({name, &row, stateOf(name, row), after ? row.clone(after) : nullptr});
         }
-        const bool before = impl_->project->entities.contains(name), after = other->entities.contains(name);
+        const bool before = project->entities.contains(name), after = other.entities.contains(name);
         if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
     }
     dropEmptyChanges(changes);
-    applyChanges(*impl_->project, changes, true);
-    impl_->record(label, std::move(changes));
-    return {};
+    applyChanges(*project, changes, true);
+    record(label, std::move(changes));
 }
 
 void Document::setSaveWait(double seconds) { impl_->saveWaitSeconds = seconds; }

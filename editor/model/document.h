@@ -47,6 +47,9 @@ class Document {
     Result<std::vector<std::string>> saveAs(const std::filesystem::path& dir);
     // Makes the open project like the one in another folder, as one undo step; it stays where it is, and unsaved.
     Status takeOver(const std::filesystem::path& dir, const std::string& label);
+    // What another program saved in the project's folder since it was opened or saved here, taken over as one undo
+    // step: the document then is what is on disk.
+    Status takeFromDisk();
     // A project is open: project() has one.
     bool isOpen() const;
     bool dirty() const;              // differs from what is on disk

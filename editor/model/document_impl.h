@@ -68,6 +68,7 @@ struct Document::Impl {
     }
     Status ready() const;
     void show(Project p);
+    void become(const Project& other, const std::string& label);  // in one undo step
     void record(const std::string& label, std::vector<Change> changes);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
     std::vector<const void*> layeredMaps(const std::string& entity) const;

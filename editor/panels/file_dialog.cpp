@@ -1,9 +1,10 @@
-// Open, Save As and New: a browser of folders. A folder that holds project.json is a project and is marked.
+// Open, Save As, New and Export: a browser of folders. A folder that holds project.json is a project and is marked.
 #include <imgui.h>
 
 #include <algorithm>
 #include <functional>
 
+#include "app/background_work.h"
 #include "app/edits.h"
 #include "app/file_tasks.h"
 #include "core/log.h"
@@ -17,11 +18,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* titleOf(FileTask task) {
-    return task == FileTask::Open ? "Open a project" : task == FileTask::SaveAs ? "Save the project as" : "New project";
-}
-const char* actionOf(FileTask task) {
-    return task == FileTask::Open ? "Open" : task == FileTask::SaveAs ? "Save" : "Create";
+// How a task is told: the dialog's title, its button, what was done, and what is named.
+struct TaskWords {
+    const char *title, *action, *done, *named;
+};
+const TaskWords& wordsOf(FileTask task) {
+    static constexpr TaskWords kWords[] = {
+        {"", "", "", ""},
+        {"Open a project", "Open", "opened", "folder of the project"},
+        {"Save the project as", "Save", "saved", "folder of the project"},
+        {"New project", "Create", "created", "folder of the project"},
+        {"Export the scene", "Export", "exporting", "file, ending in .glb"},
+    };
+    return kWords[static_cast<size_t>(task)];
 }
 
 void list(FileDialog& d) {
@@ -40,8 +49,9 @@ void list(FileDialog& d) {
 
 void enter(FileDialog& d, const fs::path& folder) {
     d.error.clear();
+    const fs::path file = fs::path(d.path).filename();
     d.folder = folder;
-    d.path = folder.string();
+    d.path = (d.task == FileTask::Export ? folder / file : folder).string();
     list(d);
 }
 
@@ -51,11 +61,35 @@ struct Parts {
     Document& doc;
     Edits& edits;
     Messages& messages;
+    BackgroundWork& work;
     std::function<void()> adopt;  // after the document holds another project
 };
 
-Status perform(FileTask task, Document& doc, const fs::path& target) {
-    switch (task) {
+// What is typed as metres; nothing: all that grow.
+Result<GlbOptions> exportOptions(const std::string& within) {
+    GlbOptions options;
+    if (within.empty()) return options;
+    char* end = nullptr;
+    options.bladesWithin = std::strtod(within.c_str(), &end);
+    if (*end != 0 || !(*options.bladesWithin >= 0) || !std::isfinite(*options.bladesWithin))
+        return usage("\"" + within + "\" is no distance", "write metres, such as 20, or nothing for all that grow");
+    return options;
+}
+
+Status startExport(const Parts& parts, const fs::path& target) {
+    const Result<GlbOptions> options = exportOptions(parts.files.bladesWithin);
+    if (!options) return options.error();
+    if (!fs::is_directory(target.parent_path()))
+        return usage("there is no such folder").at(target.parent_path().string());
+    Result<SceneExport> started = startExport(parts.doc, *options, target);
+    if (!started) return started.error();
+    parts.work.exporting = std::move(*started);
+    return {};
+}
+
+Status perform(const Parts& parts, const fs::path& target) {
+    Document& doc = parts.doc;
+    switch (parts.files.task) {
         case FileTask::Open:
             return doc.open(target);
         case FileTask::New:
@@ -64,6 +98,8 @@ Status perform(FileTask task, Document& doc, const fs::path& target) {
             const auto written = doc.saveAs(target);
             return written ? Status{} : Status{written.error()};
         }
+        case FileTask::Export:
+            return startExport(parts, target);
         case FileTask::None:
             break;
     }
@@ -74,25 +110,23 @@ void act(const Parts& parts) {
     FileDialog& d = parts.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status = d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")}
-                                         : perform(d.task, parts.doc, target);
+    const Status status =
+        d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")} : perform(parts, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);
         return;
     }
-    say(parts.messages, std::string(d.task == FileTask::Open     ? "opened "
-                                    : d.task == FileTask::SaveAs ? "saved "
-                                                                 : "created ") +
-                            target.string());
-    if (d.task != FileTask::SaveAs) parts.adopt();
+    say(parts.messages, fmt::format("{} {}", wordsOf(d.task).done, target.string()));
+    if (d.task == FileTask::Open || d.task == FileTask::New) parts.adopt();
     parts.messages.notice.clear();
     d.task = FileTask::None;
 }
 
 void folders(const Parts& parts) {
     FileDialog& d = parts.files;
-    const float footer = ImGui::GetFrameHeightWithSpacing() * 2 + ImGui::GetTextLineHeightWithSpacing() * 2 + 8;
+    const float footer = ImGui::GetFrameHeightWithSpacing() * (d.task == FileTask::Export ? 3 : 2) +
+                         ImGui::GetTextLineHeightWithSpacing() * 2 + 8;
     ImGui::BeginChild("folders", {0, -footer}, true);
     for (const auto& [name, project] : d.entries) {
         bool twice = false;
@@ -109,7 +143,7 @@ void folders(const Parts& parts) {
             ImGui::SameLine();
             ui::coloredText(ui::kDimText, "  project");
         }
-        if (pressed) d.path = (d.folder / name).string();
+        if (pressed && d.task != FileTask::Export) d.path = (d.folder / name).string();
         if (!twice) continue;
         const fs::path folder = d.folder / name;
         if (project && d.task == FileTask::Open)
@@ -131,7 +165,14 @@ void body(const Parts& parts) {
     folders(parts);
     ImGui::SetNextItemWidth(-1);
     bool entered = false;
-    ui::input("Path", d.path, "folder of the project", &entered);
+    ui::input("Path", d.path, wordsOf(d.task).named, &entered);
+    if (d.task == FileTask::Export) {
+        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 16);
+        ui::input("Blades Within", d.bladesWithin, "all that grow");
+        ImGui::SameLine();
+        ImGui::TextDisabled("metres of grass around the first camera");
+        ui::tooltip("Only grass and flowers within so many metres of the first camera; nothing: all of them.");
+    }
     ImGui::PushTextWrapPos(0);
     ui::coloredText(ui::kErrorText, d.error.empty() ? " " : d.error.c_str());
     ImGui::PopTextWrapPos();
@@ -141,14 +182,14 @@ void body(const Parts& parts) {
                          ImGui::GetWindowContentRegionMax().y - ImGui::GetFrameHeight()});
     const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive());
     ImGui::SameLine(0, 8);
-    const bool pressed = ui::button(actionOf(d.task), width, true);
+    const bool pressed = ui::button(wordsOf(d.task).action, width, true);
     if (pressed || entered) parts.edits.deferred.push_back([parts] { act(parts); });
     if (cancelled) d.task = FileTask::None;
 }
 
 }  // namespace
 
-void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messages,
+void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messages, BackgroundWork& work,
                     const std::function<void()>& adopt) {
     if (d.task == FileTask::None) return;
     if (d.opening) {
@@ -162,11 +203,11 @@ void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messag
     ImGui::SetNextWindowSize(
         {std::min(screen.x * 0.9f, ImGui::GetFontSize() * 44), std::min(screen.y * 0.85f, ImGui::GetFontSize() * 32)});
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    const std::string title = std::string(titleOf(d.task)) + "###files";
+    const std::string title = std::string(wordsOf(d.task).title) + "###files";
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
         return;
-    body({d, doc, edits, messages, adopt});
+    body({d, doc, edits, messages, work, adopt});
     if (d.task == FileTask::None) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

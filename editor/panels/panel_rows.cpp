@@ -141,7 +141,7 @@ void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
 void fileDialog(EditorApp& a) {
-    drawFileDialog(a.files, a.doc, a.edits, a.messages, [&a] { adoptProject(a); });
+    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, [&a] { adoptProject(a); });
 }
 void renameDialog(EditorApp& a) {
     drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
@@ -200,8 +200,10 @@ constexpr PanelRow kPanels[] = {
      true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
-    {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.edits); }, false},
+    {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits); }, false},
     {"Recovery", Dock::Dialog, recoveryDialog, false},
+    {"Outside", Dock::Dialog,
+     [](App& a) { drawOutsideDialog(a.outside, a.doc, a.files, a.unsaved, a.edits, a.messages); }, false},
     {"Rename", Dock::Dialog, renameDialog, false},
     {"Context", Dock::Dialog, contextMenu, false},
     {"Palette", Dock::Dialog, palette, false},

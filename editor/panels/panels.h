@@ -34,6 +34,7 @@ struct LayerView;
 struct MeasureParts;
 struct Messages;
 struct ObjectTool;
+struct OutsideDialog;
 struct Palette;
 struct PaletteLine;
 struct RenameDialog;
@@ -99,10 +100,13 @@ void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, d
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
                    BackgroundWork& work, const std::string& message);
 // `adopt` runs after the document holds another project.
-void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages,
+void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
                     const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
-void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, Edits& edits);
+void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, const OutsideDialog& outside, Edits& edits);
+// Asks for as long as there are files in it: whose counts, or a copy elsewhere.
+void drawOutsideDialog(OutsideDialog& outside, Document& document, FileDialog& files, UnsavedDialog& unsaved,
+                       Edits& edits, Messages& messages);
 // Asks for as long as there is an entity in it; `renamed` runs when it has its new name.
 void drawRenameDialog(RenameDialog& dialog, Document& document, Edits& edits,
                       const std::function<void(const std::string& name)>& renamed);

@@ -48,6 +48,14 @@ void bakeProgress(std::optional<OcclusionBake>& bake) {
     ImGui::SameLine(0, 18);
 }
 
+void exportProgress(std::optional<SceneExport>& exporting) {
+    if (!exporting) return;
+    item("Exporting", fmt::format("{:.0f} %", 100 * exporting->job.progress()),
+         "The scene is written to a .glb; what is edited meanwhile does not come into it.");
+    if (ui::button("Cancel Export")) exporting->job.cancel();
+    ImGui::SameLine(0, 18);
+}
+
 // Slices of changed blades: drafts are on the screen until they are there.
 void making(const std::vector<JobNews>& jobs) {
     for (const JobNews& j : jobs)
@@ -102,6 +110,7 @@ void drawStatusBar(const Document& doc, const ViewCounts& counts, double drawnSc
     painting(cost, s.bladesGeometry);
     savedDot(doc);
     bakeProgress(work.occlusion);
+    exportProgress(work.exporting);
     making(work.making);
     ui::coloredText(ui::kDimText, message.c_str());
     ui::record("Message", ui::Kind::Label, message);

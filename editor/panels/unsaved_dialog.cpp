@@ -21,7 +21,11 @@ void answer(UnsavedDialog& d, Edits& edits, bool goOn) {
     ImGui::CloseCurrentPopup();
 }
 
-void save(UnsavedDialog& d, Document& doc, Edits& edits) {
+void save(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits) {
+    if (othersOnDisk(outside, doc)) {
+        d.error = "Another program changed the project on disk: cancel, then save, to choose whose counts.";
+        return;
+    }
     const auto written = doc.save();
     if (written) return answer(d, edits, true);
     d.error = written.error().text();
@@ -30,7 +34,7 @@ void save(UnsavedDialog& d, Document& doc, Edits& edits) {
 
 }  // namespace
 
-void drawUnsavedDialog(UnsavedDialog& d, Document& doc, Edits& edits) {
+void drawUnsavedDialog(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits) {
     if (!d.then) return;
     if (std::exchange(d.opening, false)) {
         d.error.clear();
@@ -56,7 +60,7 @@ void drawUnsavedDialog(UnsavedDialog& d, Document& doc, Edits& edits) {
     ImGui::SameLine(0, 8);
     const bool cancelled = ui::button("Cancel", width) || ui::escapePressed();
     if (saved)
-        save(d, doc, edits);
+        save(d, doc, outside, edits);
     else if (discarded || cancelled)
         answer(d, edits, discarded);
     ImGui::EndPopup();

@@ -8,7 +8,6 @@
 
 #include "app/play_control.h"
 #include "cost/frame_stats.h"
-#include "world/drawn_project.h"
 #include "world/ground.h"
 #include "world/view_camera.h"
 
@@ -136,7 +135,7 @@ void countAtRest(const SceneParts& p, const ViewCamera& camera) {
     const bool coarse = p.picture.resolution.drawnScale < 1 && !p.clock.fixed;
     if (coarse && !playing(p.doc)) return;
     if (std::exchange(v.populationRevision, p.doc.revision()) != p.doc.revision())
-        v.bladesVirtual = virtualBlades(DrawnProject().of(p.doc.project(), p.doc.tables().components));
+        v.bladesVirtual = virtualBlades(p.renderer.asDrawn(p.doc.project()));
     if (playing(p.doc) || v.countedRevision == p.doc.revision()) return;
     v.countedRevision = p.doc.revision();
     v.bladesVisible = v.measure ? visibleBlades(p.doc.project(), p.doc.tables(), camera, drawn.width, drawn.height) : 0;

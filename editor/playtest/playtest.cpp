@@ -13,13 +13,6 @@ namespace {
 constexpr double kLatestSeconds = 1e9;
 constexpr double kMostSeconds = 0.25;  // of the clock at once: a slow machine plays slowly rather than in leaps
 
-// Degrees about x, then z, then y, as StaticMesh has them.
-glm::dvec3 degreesOf(const glm::dmat3& m) {
-    const double z = std::asin(std::clamp(m[0][1], -1.0, 1.0));
-    if (std::abs(m[0][1]) > 1 - 1e-12) return glm::degrees(glm::dvec3(0, std::atan2(m[2][0], m[2][2]), z));
-    return glm::degrees(glm::dvec3(std::atan2(-m[2][1], m[1][1]), std::atan2(-m[0][2], m[0][0]), z));
-}
-
 std::vector<Roller> rollersOf(const Project& p, const PlayWorld& world) {
     std::map<const StaticMesh*, PlacedMesh> placed;
     for (const PlacedMesh& m : placedMeshes(p)) placed[m.mesh] = m;

@@ -1,4 +1,4 @@
-// project.*: new, open, save, saveAs, tempCopy, dir, name, dirty.
+// project.*: new, open, save, saveAs, export, tempCopy, dir, name, dirty.
 #include "script/files.h"
 #include "script/state.h"
 
@@ -41,6 +41,28 @@ int saveAs(lua_State* L, State& state) {
     return pushList(L, orRaise(L, state.document().saveAs(writablePath(L, textArg(L, 1)))));
 }
 
+// project.export(file, {within = metres, camera = name}): what the .glb holds, by name.
+int exportGlb(lua_State* L, State& state) {
+    openProject(L);
+    const fs::path file = writablePath(L, textArg(L, 1));
+    double within = -1;
+    std::string camera;
+    if (!lua_isnoneornil(L, 2)) {
+        Options options(L, 2);
+        within = options.number("within", -1);
+        camera = options.text("camera", "");
+        options.finish();
+    }
+    if (!state.host.exportScene) raise(L, "project.export: this host writes no .glb");
+    const auto counts = orRaise(L, state.host.exportScene(file, within, camera));
+    lua_createtable(L, 0, static_cast<int>(counts.size()));
+    for (const auto& [key, count] : counts) {
+        lua_pushinteger(L, static_cast<lua_Integer>(count));
+        lua_setfield(L, -2, key);
+    }
+    return 1;
+}
+
 // Links are not followed: a copy holds only what lies in the project itself.
 int tempCopy(lua_State* L, State&) {
     const std::string given = textArg(L, 1);
@@ -70,8 +92,9 @@ int dirty(lua_State* L, State& state) {
 
 void openProjectCalls(lua_State* L) {
     constexpr NamedCall calls[] = {
-        {"new", luaCall<create>},        {"open", luaCall<open>}, {"save", luaCall<save>}, {"saveAs", luaCall<saveAs>},
-        {"tempCopy", luaCall<tempCopy>}, {"dir", luaCall<dir>},   {"name", luaCall<name>}, {"dirty", luaCall<dirty>}};
+        {"new", luaCall<create>},    {"open", luaCall<open>},        {"save", luaCall<save>},
+        {"saveAs", luaCall<saveAs>}, {"export", luaCall<exportGlb>}, {"tempCopy", luaCall<tempCopy>},
+        {"dir", luaCall<dir>},       {"name", luaCall<name>},        {"dirty", luaCall<dirty>}};
     registerCalls(L, "project", calls);
 }
 

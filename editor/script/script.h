@@ -32,6 +32,11 @@ struct ScriptHost {
     std::function<void(const std::string&)> useCamera{};  // camera.use: shows the view of this entity
     // bake.NAME: bakes with so many samples, at this size (0: its own choice); see model/bakes.h.
     std::map<std::string, std::function<Status(int samples, int size)>> bakes{};
+    // project.export: the scene into a .glb, with blades within so many metres of a camera (below 0: all); what it
+    // holds, by name. None: it fails and says so. See model/scene_export.h.
+    std::function<Result<std::vector<std::pair<const char*, size_t>>>(const std::filesystem::path& file, double within,
+                                                                      const std::string& camera)>
+        exportScene{};
     std::function<PlayStart()> playStart{};  // where play.start begins; none: at `camera`, moved by play.step alone
     std::string camera{};                    // the last that camera.use named
     BrushSettings brush{};                   // the last that brush.select chose

@@ -41,6 +41,24 @@ const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& fi
     return shape;
 }
 
+void SceneObjects::add(std::vector<Box>& boxes, Placed placed) {
+    Box& box = boxes.emplace_back();
+    for (const glm::dvec3& corner : cornersOfBox(placed.shape->bounds, placed.at, placed.turn)) box.add(corner);
+    placed_.push_back(std::move(placed));
+}
+
+void SceneObjects::addScattered(std::vector<Box>& boxes, const Project& p, const Ground& ground) {
+    const auto all = scattersOf(p);
+    scattered_.keepOnly(all);
+    for (const auto& [name, scatter] : all) {
+        if (p.registry.get<Hidden>(findEntity(p, name))) continue;
+        std::vector<const ObjectShape*> shapes;
+        for (const ScatterMesh& m : scatter->meshes) shapes.push_back(isScattered(m) ? &shapeOf(p, m.file) : nullptr);
+        for (const ScatteredObject& o : scattered_.of(ground, name, *scatter)->objects)
+            if (shapes[o.mesh]->triangles) add(boxes, {name, o.at, glm::dmat3(o.turn * o.scale), shapes[o.mesh]});
+    }
+}
+
 void SceneObjects::follow(const Project& p, uint64_t revision) {
     if (revision_ == revision && dir_ == p.dir) return;
     placed_.clear();
@@ -53,10 +71,9 @@ void SceneObjects::follow(const Project& p, uint64_t revision) {
         const ObjectShape& shape = shapeOf(p, mesh->file);
         if (!shape.triangles) continue;
         const PlacedMesh placed = placeMesh(p, ground, e);
-        placed_.push_back({name, placed.at, scaledTurn(placed), &shape});
-        Box& box = boxes.emplace_back();
-        for (const glm::dvec3& corner : cornersOfBox(shape.bounds, placed.at, placed_.back().turn)) box.add(corner);
+        add(boxes, {name, placed.at, scaledTurn(placed), &shape});
     }
+    addScattered(boxes, p, ground);
     tree_ = BoxTree(std::move(boxes));
     revision_ = revision;
     dir_ = p.dir;

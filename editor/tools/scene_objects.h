@@ -15,6 +15,7 @@
 #include "scene/project.h"
 #include "tools/box_tree.h"
 #include "world/ground.h"
+#include "world/scatter.h"
 
 namespace sward {
 
@@ -32,7 +33,8 @@ using Corners = std::array<glm::dvec3, 8>;  // in the world; bit 0 of the index:
 
 class SceneObjects {
   public:
-    // The first object on origin + t way. `revision`: of the document (Document::revision); what is Hidden is not met.
+    // The first object on origin + t way, be it an entity's own or one that an entity's Scatter puts there. `revision`:
+    // of the document (Document::revision); what is Hidden is not met.
     std::optional<ObjectHit> closest(const Project& p, uint64_t revision, const glm::dvec3& origin,
                                      const glm::dvec3& way);
     // The box around an entity's object, turned with it; nothing if it has none that can be read.
@@ -50,6 +52,8 @@ class SceneObjects {
         const ObjectShape* shape;
     };
     const ObjectShape& shapeOf(const Project& p, const std::string& file);
+    void add(std::vector<Box>& boxes, Placed placed);
+    void addScattered(std::vector<Box>& boxes, const Project& p, const Ground& ground);
     void follow(const Project& p, uint64_t revision);
 
     std::map<std::string, ObjectShape> shapes_;  // by file
@@ -57,6 +61,7 @@ class SceneObjects {
     BoxTree tree_;
     std::filesystem::path dir_;
     uint64_t revision_ = 0;
+    ScatterMemory scattered_;
     size_t looked_ = 0;
 };
 

@@ -31,12 +31,13 @@ Frustum frustumOf(const glm::mat4& viewProj);
 // Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3
 // to 5 the rows of a matrix to eye-relative positions, one an instance.
 struct ShadowCaster {
-    GLuint vertexArray = 0, instance = 0;
+    GLuint vertexArray = 0, instance = 0;  // the first of its instances
     uint32_t firstIndex = 0, indices = 0;  // of 32 bits
     GLuint image = 0;                      // what is cut out by its alpha below `cutoff`; 0: nothing
     float cutoff = 0;
-    glm::vec3 centre{0};  // of a ball around it, relative to the eye
+    glm::vec3 centre{0};  // of a ball around all of them, relative to the eye
     float radius = 0;
+    GLsizei instances = 1;
 };
 
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
@@ -75,7 +76,7 @@ struct SharedResources : SharedByViews {
     GrassFields* grass = nullptr;
     SoilGrowth soil;
     std::vector<ShadowCaster> casters;  // of this frame
-    uint64_t castersHash = 0;           // equal: the same triangles at the same places
+    uint64_t castersHash = 0;           // equal: the same triangles at the same places; who appends adds its own to it
     GLuint reflection = 0;              // what the water mirrors; 0: nothing
     glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
     LightsGlobals lights{};             // beside the sun, as bound to UBO_LIGHTS

@@ -444,6 +444,9 @@ std::vector<JobNews> Renderer::jobs() const {
     for (const auto& [row, view] : impl_->within) add(view.states);
     return out;
 }
+
+const Project& Renderer::asDrawn(const Project& project) { return impl_->drawn.of(project, impl_->tables.components); }
+
 const std::vector<LayerNote>& Renderer::layerNotes() const { return impl_->drawn.layerNotes(); }
 void Renderer::finish() { glFinish(); }
 std::vector<std::string> Renderer::programNames() const { return impl_->programs.names(); }

@@ -91,6 +91,9 @@ class Renderer {
     std::vector<uint8_t> readImage() const;  // RGB8, first row on top
     std::vector<float> readLinear() const;   // RGB floats before tone mapping, first row on top
     const FrameStats& stats() const;
+    // The project with what changes its maps where it is drawn (world/drawn_project.h), made anew only where it changed
+    // since the last draw; valid until the next call or draw.
+    const Project& asDrawn(const Project& project);
     // What is made beside the pictures since a draw with `background`; the next draw shows what is finished.
     std::vector<JobNews> jobs() const;
     // What there is to know of the layers over maps (world/map_stacks.h) that the last draw showed.

@@ -1,4 +1,5 @@
-// Image files by rows: the one place behind which OpenImageIO stands. Used by map_io.cpp only.
+// Image files by rows: the one place behind which OpenImageIO stands. Used by map_io.cpp, and to write images into
+// objects.
 // PNG, EXR and TIFF, told apart by their first bytes, whatever their name.
 // Does not: check limits beyond what a Map can hold, convert, or repair.
 #pragma once

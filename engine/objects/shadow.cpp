@@ -135,9 +135,10 @@ void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
         if (c.image) glBindTextureUnit(TEX_OBJECT, c.image);
         glBindVertexArray(c.vertexArray);
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(c.indices), GL_UNSIGNED_INT,
-                                            reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), 1, c.instance);
+                                            reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), c.instances,
+                                            c.instance);
         ctx.pass->draws += 1;
-        ctx.pass->instances += 1;
+        ctx.pass->instances += static_cast<uint64_t>(c.instances);
     }
 }
 

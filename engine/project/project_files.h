@@ -50,6 +50,9 @@ struct SaveWay {
 // of images and objects that are named anew; one that is not there is only warned of.
 Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
                                              const Project* saved = nullptr, const SaveWay& way = {});
+// Of project.json and the map files that p was loaded from or saved to: those that another program changed since, as
+// they are now; not those that are gone, which a save brings back.
+std::map<std::string, FileStamp> changedOutside(const Project& p);
 // A minimal project, saved to dir: one terrain, one field with a density map to paint on, sun, sky, haze, a camera.
 // Fails if dir exists and is not empty; leaves nothing behind then.
 Result<Project> newProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows);

@@ -263,6 +263,13 @@ Result<std::vector<std::string>> saveLocked(Saving& s, const fs::path& from, con
 
 }  // namespace
 
+std::map<std::string, FileStamp> changedOutside(const Project& p) {
+    std::map<std::string, FileStamp> changed;
+    for (const auto& [name, stamp] : p.stamps)
+        if (const FileStamp now = stampNow(p, name); !(now == stamp) && !(now == FileStamp())) changed[name] = now;
+    return changed;
+}
+
 Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved, const SaveWay& way) {
     if (p.dir.empty()) return failed("the project has no folder yet", "save it to a new folder");
     if (Status ok = checkValues(p, rows); !ok) return ok.error();

@@ -3,6 +3,7 @@
 #include "core/numerics.h"
 #include "frame/flower_image.h"
 #include "reference/embree.h"
+#include "reference/standing.h"
 #include "scene/components.h"
 #include "scene/tiling.h"
 #include "world/forces.h"
@@ -18,14 +19,6 @@ struct Kind {
     bool made = true;
     float headShare = 1;
 };
-// One that stands: relative to the terrain's corner.
-struct Standing {
-    glm::vec3 root, stem;
-    glm::vec2 facing;
-    float half;  // of its head's width
-    float second;
-    uint32_t kind, grain;
-};
 // Where a ray meets a flower.
 struct Meeting {
     float t = 0;
@@ -39,7 +32,7 @@ struct Meeting {
 struct RayFlowers {
     const Terrain* terrain = nullptr;
     std::vector<Kind> kinds;
-    std::vector<Standing> standing;
+    std::vector<StandingFlower> standing;
     DevicePtr device;
     ScenePtr scene;
 };
@@ -97,7 +90,7 @@ void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const Flo
     }
 }
 
-bool covers(const Query& q, const Kind& kind, const Standing& s, const glm::vec2& uv) {
+bool covers(const Query& q, const Kind& kind, const StandingFlower& s, const glm::vec2& uv) {
     const float alpha = kind.image.at(static_cast<double>(uv.x), static_cast<double>(uv.y), false).w;
     return alpha > f32::hashUnit(f32::hash2(q.grain, s.grain));
 }
@@ -113,7 +106,7 @@ std::optional<glm::vec3> planeMet(const Query& q, const glm::vec3& middle, const
     return std::abs(out.y) <= 1 && std::abs(out.z) <= 1 ? std::optional(out) : std::nullopt;
 }
 
-std::optional<Meeting> flowerMet(const Query& q, const Standing& s, float near, float far) {
+std::optional<Meeting> flowerMet(const Query& q, const StandingFlower& s, float near, float far) {
     const Kind& kind = q.all->kinds[s.kind];
     const f32::FlowerFrame f = f32::flowerFrame(s.stem, s.facing, -q.way);
     std::optional<Meeting> found;
@@ -145,7 +138,7 @@ void meetClosest(const RTCIntersectFunctionNArguments* a) {
 }
 
 void boundsOf(const RTCBoundsFunctionArguments* a) {
-    const Standing& s = static_cast<const RayFlowers*>(a->geometryUserPtr)->standing[a->primID];
+    const StandingFlower& s = static_cast<const RayFlowers*>(a->geometryUserPtr)->standing[a->primID];
     const glm::vec3 tip = s.root + s.stem, side(1.4143f * s.half);
     const glm::vec3 low = glm::min(s.root, tip) - side, high = glm::max(s.root, tip) + side;
     *a->bounds_o = {low.x, low.y, low.z, 0, high.x, high.y, high.z, 0};
@@ -183,18 +176,11 @@ Status standAll(RayFlowers& all, const Weather& weather, uint32_t kind, const Jo
     return {};
 }
 
-}  // namespace
-
-FlowerRays::FlowerRays(std::unique_ptr<RayFlowers> flowers) : flowers_(std::move(flowers)) {}
-FlowerRays::FlowerRays(FlowerRays&&) noexcept = default;
-FlowerRays& FlowerRays::operator=(FlowerRays&&) noexcept = default;
-FlowerRays::~FlowerRays() = default;
-
-Result<FlowerRays> FlowerRays::make(const Project& p, double time, const JobControl& control) {
+Result<std::unique_ptr<RayFlowers>> standUp(const Project& p, double time, const JobControl& control) {
     auto all = std::make_unique<RayFlowers>();
     all->terrain = findGround(p).terrain;
     const auto found = flowersOf(p);
-    if (!all->terrain || found.empty()) return FlowerRays(std::move(all));
+    if (!all->terrain || found.empty()) return all;
     Map made;
     Weather weather{windOf(p), nullptr, {}, forcesOf(p, time), nullptr};
     if (weather.wind)
@@ -206,10 +192,30 @@ Result<FlowerRays> FlowerRays::make(const Project& p, double time, const JobCont
         if (Status s = standAll(*all, weather, static_cast<uint32_t>(all->kinds.size() - 1), control); !s)
             return s.error();
     }
+    return all;
+}
+
+}  // namespace
+
+FlowerRays::FlowerRays(std::unique_ptr<RayFlowers> flowers) : flowers_(std::move(flowers)) {}
+FlowerRays::FlowerRays(FlowerRays&&) noexcept = default;
+FlowerRays& FlowerRays::operator=(FlowerRays&&) noexcept = default;
+FlowerRays::~FlowerRays() = default;
+
+Result<FlowerRays> FlowerRays::make(const Project& p, double time, const JobControl& control) {
+    auto made = standUp(p, time, control);
+    if (!made) return made.error();
+    std::unique_ptr<RayFlowers> all = std::move(*made);
     if (!all->standing.empty() && !makeScene(*all))
         return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
                       "close other programs");
     return FlowerRays(std::move(all));
+}
+
+Result<std::vector<StandingFlower>> standingFlowers(const Project& p, double time, const JobControl& control) {
+    auto all = standUp(p, time, control);
+    if (!all) return all.error();
+    return std::move((*all)->standing);
 }
 
 std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
@@ -220,7 +226,7 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     RTCRayHit hit{embreeRay(q.origin, q.way, 0, static_cast<float>(std::min(ray.far - ray.near, 1e30))), {}};
     closestHit(all.scene.get(), q.context, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const Standing& one = all.standing[q.number];
+    const StandingFlower& one = all.standing[q.number];
     const Kind& kind = all.kinds[one.kind];
     Surface s;
     s.met = Met::Flower;

@@ -1,11 +1,7 @@
 #include "reference/grass_rays.h"
 
 #include "core/numerics.h"
-#include "grass/cells.h"
-#include "grass/grown.h"
 #include "reference/ray_field.h"
-#include "scene/field_limits.h"
-#include "scene/technique.h"
 
 namespace sward {
 namespace {
@@ -139,40 +135,6 @@ Surface bladeSurface(const RayField& f, const Ray& ray, const Query& q, double t
     return s;
 }
 
-void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
-    WindGlobals g = windGlobals(wind, {0, 0}, 0);
-    g.strength = kind.gust = windStrength(wind, *kind.species);
-    kind.windSlope = windSlope(g, gusts);
-}
-
-// The kinds of one field, their Embree devices with them.
-Status addKinds(RayField& f, const Project& p, const JobControl& control) {
-    for (const Species& s : f.grass->species) {
-        if (!f.grass->onTerrain) continue;
-        if (control.cancelled()) return failed("cancelled");
-        auto kind = std::make_unique<Kind>();
-        kind->species = &s;
-        kind->patch = makePatch(s, f.grass->cellSize, static_cast<uint32_t>(f.grass->seed));
-        kind->sowSeed = sowingSeed(s, static_cast<uint32_t>(f.grass->seed));
-        if (isUnique(*f.grass)) kind->unique = makeUnique(s, *f.grass, *f.terrain);
-        if (kind->blades().empty()) continue;
-        const Rgba8 image = bladeImage(p, s);
-        kind->image = texelGridOf(image);
-        uint64_t lookKey = 0;
-        updateLook(kind->look, lookKey, s, kind->patch, 1, image);
-        kind->leanAtFull = leanAtFull(s);
-        kind->clumps = clumpStrengths(s);
-        if (f.wind) feelWind(*kind, *f.wind, *f.gusts);
-        kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
-        kind->device.reset(rtcNewDevice(nullptr));
-        if (!kind->device)
-            return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
-                          "close other programs");
-        f.kinds.push_back(std::move(kind));
-    }
-    return {};
-}
-
 }  // namespace
 
 GrassRays::GrassRays() = default;
@@ -181,27 +143,10 @@ GrassRays& GrassRays::operator=(GrassRays&&) noexcept = default;
 GrassRays::~GrassRays() = default;
 
 Result<GrassRays> GrassRays::make(const Project& p, double time, const JobControl& control) {
+    auto fields = makeRayFields(p, time, control);
+    if (!fields) return fields.error();
     GrassRays rays;
-    const Terrain* terrain = findGround(p).terrain;
-    if (!terrain) return rays;
-    if (Status s = checkFields(p); !s) return s.error();
-    if (Status s = checkUnique(p); !s) return s.error();
-    size_t kinds = 0;
-    for (const auto& [name, field] : fieldsOf(p)) {
-        auto f = std::make_unique<RayField>();
-        f->number = static_cast<uint32_t>(rays.fields_.size());
-        f->firstKind = kinds;
-        f->terrain = terrain;
-        f->grass = &field.grows;
-        updateHeightBounds(f->bounds, *terrain);
-        f->time = time;
-        f->forces = forcesOf(p, time);
-        f->wind = windOf(p);
-        if (f->wind) f->gusts = &gustsOf(*f->wind, f->made);
-        if (Status s = addKinds(*f, p, control); !s) return s.error();
-        kinds += f->kinds.size();
-        rays.fields_.push_back(std::move(f));
-    }
+    rays.fields_ = std::move(*fields);
     return rays;
 }
 

@@ -8,6 +8,7 @@
 #include "mesh/carrier.h"
 #include "mesh/mesh_io.h"
 #include "reference/blade_hits.h"
+#include "reference/standing.h"
 #include "scene/population.h"
 #include "world/ground.h"
 #include "world/placement.h"
@@ -200,6 +201,7 @@ void plantCell(const Planting& p, const MeshKind& kind, std::span<const CellPart
 
 // The blades of one mesh, and Embree's boxes around them.
 struct MeshShell {
+    std::string entity;
     glm::dvec3 at{0};  // the mesh's origin
     uint32_t field = 0;
     const MeshGrass* grows = nullptr;
@@ -369,6 +371,7 @@ Result<MeshBlades> MeshBlades::make(const Project& p, double time, const JobCont
                             on.name, asked / 1e6, kMaxMeshBlades / 1e6),
                 "lower bladesPerM2, or the objects' sizes");
         auto shell = std::make_unique<MeshShell>();
+        shell->entity = on.name;
         shell->at = placed.at - ground.origin;
         shell->field = number;
         shell->grows = on.grows;
@@ -398,6 +401,24 @@ bool MeshBlades::blocks(const Ray& ray) const {
         if (anyHit(shell->scene.get(), q.context, embreeRay(q.origin, q.way, 0, lengthOf(ray)))) return true;
     }
     return false;
+}
+
+Result<std::vector<StandingOnMesh>> standingOnMeshes(const Project& p, double time, const JobControl& control) {
+    const auto all = MeshBlades::make(p, time, control);
+    if (!all) return all.error();
+    return all->standing();
+}
+
+std::vector<StandingOnMesh> MeshBlades::standing() const {
+    std::vector<StandingOnMesh> out;
+    for (const auto& shell : shells_) {
+        const size_t first = out.size();
+        for (const MeshKind& kind : shell->kinds) out.push_back({shell->entity, kind.species, shell->at, {}});
+        for (const PlantedBlade& b : shell->blades)
+            out[first + b.kind].blades.push_back({{b.root, b.control, b.tip, b.facing, b.width, b.lighter},
+                                                  {b.axes.tangent, b.axes.normal, b.axes.bitangent}});
+    }
+    return out;
 }
 
 size_t MeshBlades::count() const {

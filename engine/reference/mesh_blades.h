@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/jobs.h"
+#include "reference/standing.h"
 #include "reference/surface.h"
 #include "scene/project.h"
 
@@ -26,6 +27,8 @@ class MeshBlades {
     std::optional<Surface> closest(const Ray& ray) const;
     bool blocks(const Ray& ray) const;
     size_t count() const;  // blades of all meshes
+    // Each of them where it stands.
+    std::vector<StandingOnMesh> standing() const;
 
   private:
     MeshBlades();

@@ -61,9 +61,9 @@ Result<Map> bakeOcclusion(const Project& p, const OcclusionSettings& settings, J
     const Ground ground = findGround(p);
     if (!ground.terrain)
         return unsound("there is no Terrain to bake ambient occlusion for", "add an entity with a Terrain").at(p.dir);
-    const Result<std::vector<Triangles>> triangles = sceneTriangles(p, control);
+    const Result<SceneTriangles> triangles = sceneTriangles(p, control);
     if (!triangles) return triangles.error();
-    const Result<RayScene> rays = RayScene::make(*triangles);
+    const Result<RayScene> rays = RayScene::make(triangles->meshes, triangles->scattered);
     if (!rays) return rays.error();
     const TerrainSurface surface = terrainSurface(*ground.terrain);
     const MapInfo info = infoFor(p, *ground.terrain, settings);

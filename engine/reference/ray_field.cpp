@@ -2,7 +2,9 @@
 
 #include "core/numerics.h"
 #include "grass/cells.h"
+#include "grass/grown.h"
 #include "reference/blade_hits.h"
+#include "scene/field_limits.h"
 
 namespace sward {
 namespace {
@@ -276,25 +278,33 @@ float patchThreshold(const f32::Sown& s, float most, float chance) {
     return s.step > 0 ? (most + chance * s.step) / s.spread * 1.00001f : most;
 }
 
-// Which scene serves a cell; null if nothing grows there.
-RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, double x0, double z0) {
+// The greatest of the patch's own thresholds that the density within a cell may reach.
+float highestIn(const RayField& f, const Kind& kind, const Cell& cell, double x0, double z0) {
     const double size = static_cast<double>(f.grass->cellSize);
-    const glm::dvec2 from = onMaps(f, {x0, z0}), to = onMaps(f, {x0 + size, z0 + size});
     const MapField& densities = kind.species->density;
     const float most = densities.present()
                            ? densityRange(densities.map, tilingOf(*f.terrain, kind.species->densityTiling), x0, z0,
                                           x0 + size, z0 + size)
                                  .second
                            : 1.0f;
+    return patchThreshold(kind.sown(), most, cell.chance);
+}
+uint32_t patchUpTo(const Kind& kind, float highest) {
+    return kind.patch.upTo[static_cast<size_t>(f32::thresholdNumber(highest + 1e-5f))];
+}
+
+// Which scene serves a cell; null if nothing grows there.
+RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, double x0, double z0) {
+    const double size = static_cast<double>(f.grass->cellSize);
+    const glm::dvec2 from = onMaps(f, {x0, z0}), to = onMaps(f, {x0 + size, z0 + size});
     SceneKey key{};
-    const float highest = patchThreshold(kind.sown(), most, cell.chance);
+    const float highest = highestIn(f, kind, cell, x0, z0);
     while (key.prefix + 1 < static_cast<int>(std::size(kPrefixes)) &&
            static_cast<float>(kPrefixes[key.prefix]) / 255 < highest)
         ++key.prefix;
     std::span<const Blade> blades(kind.patch.blades.data(),
                                   kind.patch.upTo[static_cast<size_t>(kPrefixes[key.prefix])]);
-    if (kind.unique.empty() && kind.patch.upTo[static_cast<size_t>(f32::thresholdNumber(highest + 1e-5f))] == 0)
-        return nullptr;
+    if (kind.unique.empty() && patchUpTo(kind, highest) == 0) return nullptr;
     if (!kind.unique.empty()) {
         const auto [first, last] = kind.unique.range(x, z, 0, 1);
         blades = std::span(kind.unique.patch.blades).subspan(first, last - first);
@@ -316,22 +326,97 @@ RTCScene sceneOf(const RayField& f, const Kind& kind, Cell& cell, int x, int z, 
     return sceneFor(kind, key, blades);
 }
 
+void feelWind(Kind& kind, const Wind& wind, const Map& gusts) {
+    WindGlobals g = windGlobals(wind, {0, 0}, 0);
+    g.strength = kind.gust = windStrength(wind, *kind.species);
+    kind.windSlope = windSlope(g, gusts);
+}
+
+// The kinds of one field, their Embree devices with them.
+Status addKinds(RayField& f, const Project& p, const JobControl& control) {
+    for (const Species& s : f.grass->species) {
+        if (!f.grass->onTerrain) continue;
+        if (control.cancelled()) return failed("cancelled");
+        auto kind = std::make_unique<Kind>();
+        kind->species = &s;
+        kind->patch = makePatch(s, f.grass->cellSize, static_cast<uint32_t>(f.grass->seed));
+        kind->sowSeed = sowingSeed(s, static_cast<uint32_t>(f.grass->seed));
+        if (isUnique(*f.grass)) kind->unique = makeUnique(s, *f.grass, *f.terrain);
+        if (kind->blades().empty()) continue;
+        const Rgba8 image = bladeImage(p, s);
+        kind->image = texelGridOf(image);
+        uint64_t lookKey = 0;
+        updateLook(kind->look, lookKey, s, kind->patch, 1, image);
+        kind->leanAtFull = leanAtFull(s);
+        kind->clumps = clumpStrengths(s);
+        if (f.wind) feelWind(*kind, *f.wind, *f.gusts);
+        kind->reach = bladeReach(s, kind->unique.empty() ? kind->patch : kind->unique.patch);
+        kind->device.reset(rtcNewDevice(nullptr));
+        if (!kind->device)
+            return failed("rays cannot be prepared: Embree has no memory, or does not know this processor",
+                          "close other programs");
+        f.kinds.push_back(std::move(kind));
+    }
+    return {};
+}
+
 }  // namespace
 
-const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z) {
-    const uint64_t key = cellKey(static_cast<int>(f.firstKind + kind), x, z);
-    Cell& c = memory.cells[slotOf(key) & (kCells - 1)];
-    if (c.key == key) return c;
+Result<std::vector<std::unique_ptr<RayField>>> makeRayFields(const Project& p, double time, const JobControl& control) {
+    std::vector<std::unique_ptr<RayField>> fields;
+    const Terrain* terrain = findGround(p).terrain;
+    if (!terrain) return fields;
+    if (Status s = checkFields(p); !s) return s.error();
+    if (Status s = checkUnique(p); !s) return s.error();
+    size_t kinds = 0;
+    for (const auto& [name, field] : fieldsOf(p)) {
+        auto f = std::make_unique<RayField>();
+        f->number = static_cast<uint32_t>(fields.size());
+        f->firstKind = kinds;
+        f->terrain = terrain;
+        f->grass = &field.grows;
+        updateHeightBounds(f->bounds, *terrain);
+        f->time = time;
+        f->forces = forcesOf(p, time);
+        f->wind = windOf(p);
+        if (f->wind) f->gusts = &gustsOf(*f->wind, f->made);
+        if (Status s = addKinds(*f, p, control); !s) return s.error();
+        kinds += f->kinds.size();
+        fields.push_back(std::move(f));
+    }
+    return fields;
+}
+
+Cell bareCell(const RayField& f, size_t kind, int x, int z) {
     const double size = static_cast<double>(f.grass->cellSize), x0 = x * size, z0 = z * size;
-    c.key = key;
-    c.first = 0;
+    Cell c;
+    c.key = cellKey(static_cast<int>(f.firstKind + kind), x, z);
     c.version = isUnique(*f.grass) ? f32::CellVersion{glm::vec2(1), glm::vec2(0)}
                                    : f32::cellVersion(x, z, static_cast<uint32_t>(f.grass->seed));
     const Kind& of = *f.kinds[kind];
     c.chance = of.sown().step > 0 ? f32::cellChance(x, z, of.sowSeed) : 0.5f;
     c.base = terrainHeight(*f.terrain, x0, z0);
+    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = of.gust;
+    return c;
+}
+
+uint32_t bladesIn(const RayField& f, const Kind& kind, Cell& cell, int x, int z) {
+    if (kind.unique.empty()) {
+        const double size = static_cast<double>(f.grass->cellSize);
+        return patchUpTo(kind, highestIn(f, kind, cell, x * size, z * size));
+    }
+    const auto [first, last] = kind.unique.range(x, z, 0, 1);
+    cell.first = first;
+    return last - first;
+}
+
+const Cell& cellAt(const RayField& f, Memory& memory, size_t kind, int x, int z) {
+    const uint64_t key = cellKey(static_cast<int>(f.firstKind + kind), x, z);
+    Cell& c = memory.cells[slotOf(key) & (kCells - 1)];
+    if (c.key == key) return c;
+    c = bareCell(f, kind, x, z);
+    const double size = static_cast<double>(f.grass->cellSize), x0 = x * size, z0 = z * size;
     c.ground = groundUnder(*f.terrain, x0, z0, x0 + size, z0 + size);
-    if (f.wind) c.wind = windGlobals(*f.wind, {x0, z0}, f.time), c.wind.strength = f.kinds[kind]->gust;
     c.scene = sceneOf(f, *f.kinds[kind], c, x, z, x0, z0);
     return c;
 }

@@ -10,20 +10,13 @@
 #include "grass/appearance.h"
 #include "reference/embree.h"
 #include "reference/grass_rays.h"
+#include "reference/standing.h"
 #include "scene/unique.h"
 #include "world/forces.h"
 #include "world/ground.h"
 #include "world/wind.h"
 
 namespace sward {
-
-// A blade as it stands in a cell: relative to the cell's corner and to its base height. width 0: it does not exist
-// there.
-struct Posed {
-    glm::vec3 root, control, tip;
-    glm::vec2 facing;
-    float width, lighter;
-};
 
 // The ground under a cell: a plane through its corner, and how far the ground leaves it.
 struct CellGround {
@@ -121,6 +114,12 @@ float bladeShareAt(const RayField& f, const glm::dvec2& ground);
 // The blade where it stands; rootPlace, if given: its root's place on maps.
 Posed poseBladeAt(const RayField& f, const Kind& kind, const Cell& cell, int x, int z, uint32_t index,
                   glm::dvec2* rootPlace = nullptr);
+// All of the project's fields as its wind bends them at a scene time; none without grass or terrain. Errors as
+// GrassRays::make.
+Result<std::vector<std::unique_ptr<RayField>>> makeRayFields(const Project& p, double time, const JobControl& control);
+// The cell at x, z without a scene of its blades' boxes, and how many of its first blades its density may let be.
+Cell bareCell(const RayField& f, size_t kind, int x, int z);
+uint32_t bladesIn(const RayField& f, const Kind& kind, Cell& cell, int x, int z);
 // The cell at x, z with the scene of its blades' boxes, from a thread's memory or made.
 const Cell& cellAt(const RayField& f, GrassMemory::Tables& memory, size_t kind, int x, int z);
 

@@ -6,6 +6,7 @@
 #include "scene/tiling.h"
 #include "world/ground.h"
 #include "world/placement.h"
+#include "world/scatter.h"
 
 namespace sward {
 namespace {
@@ -83,10 +84,36 @@ Triangles TerrainSurface::triangles() const {
     return t;
 }
 
-Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl& control) {
+Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone) {
+    ScatteredTriangles out;
     const Ground ground = findGround(p);
-    std::vector<Triangles> out;
-    if (ground.terrain && ground.terrain->height.present()) out.push_back(terrainSurface(*ground.terrain).triangles());
+    for (const auto& [entity, scatter] : scattersOf(p)) {
+        if (castersAlone && !scatter->castShadows) continue;
+        std::vector<uint32_t> meshOf(scatter->meshes.size());
+        for (size_t i = 0; i < scatter->meshes.size(); ++i) {
+            if (!isScattered(scatter->meshes[i])) continue;
+            Result<Mesh> mesh = readMesh(p.dir, scatter->meshes[i].file);
+            if (!mesh) return mesh.error();
+            meshOf[i] = static_cast<uint32_t>(out.meshes.size());
+            Triangles& shown = out.instances.meshes.emplace_back();
+            for (const MeshVertex& v : mesh->vertices) shown.positions.push_back(v.position);
+            shown.indices = mesh->indices;
+            out.files.push_back(scatter->meshes[i].file);
+            out.meshes.push_back(std::move(*mesh));
+        }
+        for (const ScatteredObject& o : scatterOver(*scatter, ground).objects) {
+            out.instances.placed.push_back({meshOf[o.mesh], glm::vec3(o.at - origin), o.turn * o.scale});
+            out.casts.push_back(scatter->castShadows);
+        }
+    }
+    return out;
+}
+
+Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control) {
+    const Ground ground = findGround(p);
+    SceneTriangles out;
+    if (ground.terrain && ground.terrain->height.present())
+        out.meshes.push_back(terrainSurface(*ground.terrain).triangles());
     std::map<std::string, Mesh> read;
     for (const PlacedMesh& placed : placedMeshes(p)) {
         if (control.cancelled()) return failed("cancelled");
@@ -97,14 +124,24 @@ Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl
             if (!mesh) return mesh.error();
             read[file] = std::move(*mesh);
         }
-        out.push_back(placedTriangles(read[file], placed, ground.origin));
+        out.meshes.push_back(placedTriangles(read[file], placed, ground.origin));
     }
+    auto scattered = scatteredTriangles(p, ground.origin, true);
+    if (!scattered) return scattered.error();
+    out.scattered = std::move(scattered->instances);
     return out;
 }
 
 uint64_t sceneTrianglesHash(const Project& p) {
     Hasher h;
     const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
+    const auto addFile = [&](const std::string& name) {
+        std::error_code fault;
+        const auto file = currentFile(p.dir, name);
+        const auto time = file ? std::filesystem::last_write_time(*file, fault) : std::filesystem::file_time_type{};
+        add(time.time_since_epoch().count());
+        h.add(name.data(), name.size());
+    };
     const Ground ground = findGround(p);
     if (ground.terrain) {
         add(ground.terrain->size), add(ground.terrain->heightRange), add(ground.origin),
@@ -114,11 +151,12 @@ uint64_t sceneTrianglesHash(const Project& p) {
     for (const PlacedMesh& placed : placedMeshes(p)) {
         if (!placed.mesh->castShadows) continue;
         add(placed.at), add(placed.turn), add(placed.mesh->scale);
-        std::error_code fault;
-        const auto file = currentFile(p.dir, placed.mesh->file);
-        const auto time = file ? std::filesystem::last_write_time(*file, fault) : std::filesystem::file_time_type{};
-        add(time.time_since_epoch().count());
-        h.add(placed.mesh->file.data(), placed.mesh->file.size());
+        addFile(placed.mesh->file);
+    }
+    for (const auto& [entity, scatter] : scattersOf(p)) {
+        if (!scatter->castShadows) continue;
+        add(scatterOver(*scatter, ground).hash);
+        for (const ScatterMesh& m : scatter->meshes) addFile(m.file);
     }
     return h.value();
 }

@@ -3,6 +3,7 @@
 // Positions are relative to the terrain's corner (to the world's origin without a terrain).
 #pragma once
 #include "core/jobs.h"
+#include "mesh/mesh.h"
 #include "reference/ray_scene.h"
 #include "scene/project.h"
 
@@ -22,9 +23,23 @@ struct TerrainSurface {
 // Heights at the corners of the squares; level ground is one square.
 TerrainSurface terrainSurface(const Terrain& t);
 
-// The terrain (if it is not level) and every object. An object's file is read from the project's folder.
-// Errors: a file that cannot be read; Failed when cancelled.
-Result<std::vector<Triangles>> sceneTriangles(const Project& p, const JobControl& control);
+// Objects of all Scatters, and what each shows.
+struct ScatteredTriangles {
+    std::vector<std::string> files;  // of `instances.meshes`
+    std::vector<Mesh> meshes;        // the same with their vertices' other parts
+    TriangleInstances instances;
+    std::vector<bool> casts;  // by instance
+};
+// Those that cast shadows alone, or all. origin: of the positions, in the world. Errors: a file that cannot be read.
+Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone);
+
+struct SceneTriangles {
+    std::vector<Triangles> meshes;
+    TriangleInstances scattered;
+};
+// The terrain (if it is not level) and every object that casts shadows. An object's file is read from the project's
+// folder. Errors: a file that cannot be read; Failed when cancelled.
+Result<SceneTriangles> sceneTriangles(const Project& p, const JobControl& control);
 
 // Names what sceneTriangles would make, by content: terrain, objects' places and the times of their files.
 uint64_t sceneTrianglesHash(const Project& p);

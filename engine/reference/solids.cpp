@@ -61,10 +61,28 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
         s.imagesOf_.push_back(&s.images_[file]);
         triangles.push_back(placed(mesh, s.objects_.back().at, s.objects_.back().turn));
     }
-    auto scene = RayScene::make(triangles);
+    if (Status done = s.addScattered(p); !done) return done.error();
+    auto scene = RayScene::make(triangles, s.scattered_.instances);
     if (!scene) return scene.error();
     s.scene_ = std::move(*scene);
     return s;
+}
+
+Status Solids::addScattered(const Project& p) {
+    auto made = scatteredTriangles(p, ground_.origin, false);
+    if (!made) return made.error();
+    scattered_ = std::move(*made);
+    for (const Mesh& mesh : scattered_.meshes) {
+        std::vector<TexelGrid>& images = scatteredImages_.emplace_back();
+        for (const MeshImage& i : mesh.images) images.push_back(texelGridOf({i.width, i.height, i.rgba}));
+    }
+    for (size_t i = 0; i < scattered_.casts.size(); ++i) {
+        const TriangleInstances::Placed& at = scattered_.instances.placed[i];
+        objects_.push_back(
+            {&scattered_.meshes[at.mesh], glm::dvec3(at.at), glm::dmat3(at.turn), scattered_.casts[i], true});
+        imagesOf_.push_back(&scatteredImages_[at.mesh]);
+    }
+    return {};
 }
 
 // Where level ground is met; infinitely far where it is not.
@@ -123,15 +141,7 @@ bool Solids::blocks(const Ray& ray) const {
 }
 
 glm::vec3 Solids::groundNormal(double x, double z) const {
-    const Terrain* t = ground_.terrain;
-    if (!t || level_) return {0, 1, 0};
-    const MapInfo& info = t->height.map.info();
-    const glm::dvec2 covered = tilingOf(*t, t->heightTiling).metres;
-    const double dx = std::max(static_cast<double>(t->gridSpacing), covered.x / info.width),
-                 dz = std::max(static_cast<double>(t->gridSpacing), covered.y / info.height);
-    const double rx = terrainHeight(*t, x + dx, z) - terrainHeight(*t, x - dx, z),
-                 rz = terrainHeight(*t, x, z + dz) - terrainHeight(*t, x, z - dz);
-    return glm::vec3(glm::normalize(glm::dvec3(-rx / (2 * dx), 1, -rz / (2 * dz))));
+    return ground_.terrain ? glm::vec3(terrainNormal(*ground_.terrain, x, z)) : glm::vec3(0, 1, 0);
 }
 
 glm::vec3 Solids::soilAt(double x, double z) const {
@@ -165,7 +175,8 @@ Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
     s.met = Met::Object;
     s.t = static_cast<double>(h.t);
     s.at = ray.origin + ray.way * s.t;
-    s.face = towards(glm::normalize(h.normal), ray.way);
+    const glm::vec3 flat = o.instanced ? glm::vec3(o.turn * glm::dvec3(h.normal)) : h.normal;
+    s.face = towards(glm::normalize(flat), ray.way);
     const glm::vec3 smooth = glm::normalize(glm::vec3(o.turn * glm::dvec3(across(*o.mesh, h, &MeshVertex::normal))));
     s.normal = glm::dot(smooth, s.face) < 0 ? -smooth : smooth;
     s.color = part.color;

@@ -30,8 +30,10 @@ class Solids {
         glm::dvec3 at;
         glm::dmat3 turn;
         bool casts;
+        bool instanced = false;  // its triangles' normals are not turned
     };
     Solids() = default;
+    Status addScattered(const Project& p);
     Surface groundAt(const Ray& ray, double t) const;
     Surface objectAt(const Ray& ray, const TriangleHit& hit) const;
     glm::vec3 soilAt(double x, double z) const;
@@ -45,8 +47,10 @@ class Solids {
     TexelGrid soil_;
     std::map<std::string, Mesh> meshes_;
     std::map<std::string, std::vector<TexelGrid>> images_;
-    std::vector<Object> objects_;  // mesh i + 1 of the scene; mesh 0 is the ground
+    std::vector<Object> objects_;  // mesh i + 1 of the scene; mesh 0 is the ground; at last the scattered ones
     std::vector<const std::vector<TexelGrid>*> imagesOf_;
+    ScatteredTriangles scattered_;
+    std::vector<std::vector<TexelGrid>> scatteredImages_;  // as its meshes
     std::optional<RayScene> scene_;
 };
 

@@ -28,6 +28,17 @@ double terrainHeight(const Terrain& t, double x, double z) {
     return offset + scale * mirroredSample(t.height.map, tilingOf(t, t.heightTiling), x, z);
 }
 
+glm::dvec3 terrainNormal(const Terrain& t, double x, double z) {
+    if (!t.height.present()) return {0, 1, 0};
+    const MapInfo& info = t.height.map.info();
+    const glm::dvec2 covered = tilingOf(t, t.heightTiling).metres;
+    const double dx = std::max(static_cast<double>(t.gridSpacing), covered.x / info.width),
+                 dz = std::max(static_cast<double>(t.gridSpacing), covered.y / info.height);
+    const double rx = terrainHeight(t, x + dx, z) - terrainHeight(t, x - dx, z),
+                 rz = terrainHeight(t, x, z + dz) - terrainHeight(t, x, z - dz);
+    return glm::normalize(glm::dvec3(-rx / (2 * dx), 1, -rz / (2 * dz)));
+}
+
 namespace {
 
 // Where [a, b], in repeats, lies in [0, 1] of a map that is mirrored from repeat to repeat: one interval, whose ends

@@ -21,6 +21,9 @@ Ground findGround(const Project& p);
 // Metres at terrain-relative (x, z); beyond the terrain as at its edge, or as the map repeats (scene/tiling.h). 0
 // without a height map.
 double terrainHeight(const Terrain& t, double x, double z);
+// Unit, upward, by differences over a texel of the height map or the grid's spacing, whichever is wider; straight up
+// without a height map.
+glm::dvec3 terrainNormal(const Terrain& t, double x, double z);
 // What a texel of the height map means: metres = offset + scale * texel.
 std::pair<double, double> heightScale(const Terrain& t);
 

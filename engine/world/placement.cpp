@@ -1,5 +1,7 @@
 #include "world/placement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/save_folder.h"
@@ -11,6 +13,12 @@ glm::dmat3 rotationOf(const glm::dvec3& degrees) {
     glm::dmat4 m = glm::rotate(glm::dmat4(1), r.y, glm::dvec3(0, 1, 0));
     m = glm::rotate(m, r.z, glm::dvec3(0, 0, 1));
     return glm::dmat3(glm::rotate(m, r.x, glm::dvec3(1, 0, 0)));
+}
+
+glm::dvec3 degreesOf(const glm::dmat3& m) {
+    const double z = std::asin(std::clamp(m[0][1], -1.0, 1.0));
+    if (std::abs(m[0][1]) > 1 - 1e-12) return glm::degrees(glm::dvec3(0, std::atan2(m[2][0], m[2][2]), z));
+    return glm::degrees(glm::dvec3(std::atan2(-m[2][1], m[1][1]), std::atan2(-m[0][2], m[0][0]), z));
 }
 
 PlacedMesh placeMesh(const Project& p, Entity e) { return placeMesh(p, findGround(p), e); }

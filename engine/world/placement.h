@@ -18,6 +18,8 @@ struct PlacedMesh {
 };
 // Degrees about x, then z, then y.
 glm::dmat3 rotationOf(const glm::dvec3& degrees);
+// Degrees of which rotationOf makes this rotation.
+glm::dvec3 degreesOf(const glm::dmat3& turn);
 // Every StaticMesh with a file, in the order of their entities' names. One that stands on the ground counts its height
 // from the terrain below its origin (at the terrain's edge where it stands beyond).
 std::vector<PlacedMesh> placedMeshes(const Project& p);

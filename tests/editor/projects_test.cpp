@@ -3,6 +3,7 @@
 
 #include "grass/slice_settings.h"
 #include "model/bakes.h"
+#include "model/scene_export.h"
 #include "project/project_files.h"
 #include "script/script.h"
 #include "support.h"
@@ -24,6 +25,7 @@ Result<Project> make(const TempDir& dir, const std::string& place) {
     Document document(tables());
     ScriptHost host{document};
     offerBakes(host);
+    offerExport(host);
     if (Status made = runScript(folder / "make.lua", host); !made) return made.error();
     const CheckReport report = checkProject(folder, tables().components);
     EXPECT_TRUE(report.refused.empty() && report.repaired.empty()) << place;

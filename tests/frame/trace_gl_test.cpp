@@ -4,6 +4,7 @@
 #include "fields.h"
 #include "grass/mesh_grass_settings.h"
 #include "objects.h"
+#include "scene/scatter.h"
 #include "techniques.h"
 
 namespace sward::test {
@@ -69,6 +70,7 @@ Project everything() {
     f.species[0].gloss = 1;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     put<Water>(p, "lake", {.level = 0.56f});  // ground lies at 0.5
+    put<Scatter>(p, "stones", {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500});
     put<Flowers>(p, "flowers",
                  {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
@@ -182,6 +184,8 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
          [](Project& p) { p.registry.get<Water>(findEntity(p, "lake"))->reflection = 0; }},
         {"flowers of which there are none",
          [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
+        {"a rule that scatters nothing",
+         [](Project& p) { p.registry.get<Scatter>(findEntity(p, "stones"))->perHectare = 0; }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
     expectNoTraces(removals);

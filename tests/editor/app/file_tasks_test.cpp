@@ -14,6 +14,7 @@ struct Desk {
     Document doc{tables()};
     FileDialog files;
     UnsavedDialog unsaved;
+    OutsideDialog outside;
     Messages messages;
     Desk() { EXPECT_TRUE(doc.create(dir / "p")); }
 };
@@ -50,10 +51,10 @@ TEST(FileTasks, SavingCountsFilesAndTakesTheBarDown) {
     Desk d;
     d.messages.notice = "an older error";
     ASSERT_TRUE(d.doc.addEntity("second"));
-    EXPECT_TRUE(saveNow(d.doc, d.files, d.messages));
+    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
     EXPECT_EQ(d.messages.status, "saved: 1 file written");
     EXPECT_EQ(d.messages.notice, "");
-    EXPECT_TRUE(saveNow(d.doc, d.files, d.messages));
+    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
     EXPECT_EQ(d.messages.status, "saved: nothing had changed");
 }
 
@@ -62,8 +63,68 @@ TEST(FileTasks, ASaveThatFailsRaisesTheBar) {
     ASSERT_TRUE(d.doc.addEntity("second"));
     std::filesystem::remove_all(d.dir / "p");
     test::writeText(d.dir / "p", "a file where the folder was");
-    EXPECT_FALSE(saveNow(d.doc, d.files, d.messages));
+    EXPECT_FALSE(saveNow(d.doc, d.files, d.outside, d.messages));
     EXPECT_NE(d.messages.notice, "");
+    EXPECT_TRUE(d.doc.dirty());
+}
+
+// Another editor of the same project saves between.
+struct TwoDesks : Desk {
+    Document other{tables()};
+    TwoDesks() {
+        EXPECT_TRUE(doc.addEntity("mine"));
+        EXPECT_TRUE(other.open(dir / "p"));
+        EXPECT_TRUE(other.addEntity("theirs"));
+        EXPECT_TRUE(other.save());
+        EXPECT_FALSE(saveNow(doc, files, outside, messages)) << "asked first";
+        EXPECT_TRUE(outside.files.contains("project.json"));
+    }
+    bool has(const char* entity) { return findEntity(doc.project(), entity) != kNoEntity; }
+};
+
+TEST(FileTasks, WhatAnotherSavedIsNotReplacedUnasked) {
+    TwoDesks d;
+    d.outside.files.clear();  // cancelled
+    EXPECT_FALSE(saveNow(d.doc, d.files, d.outside, d.messages)) << "asked again: it would be lost";
+    d.outside.files.clear();
+    EXPECT_FALSE(askOutside(d.outside, d.doc, false)) << "but not every second";
+    Document disk(tables());
+    ASSERT_TRUE(disk.open(d.dir / "p"));
+    EXPECT_NE(findEntity(disk.project(), "theirs"), kNoEntity);
+    EXPECT_EQ(findEntity(disk.project(), "mine"), kNoEntity);
+}
+
+TEST(FileTasks, TheirsIsTakenInAStepThatUndoTakesBack) {
+    TwoDesks d;
+    ASSERT_TRUE(takeTheirs(d.outside, d.doc));
+    EXPECT_TRUE(d.has("theirs"));
+    EXPECT_FALSE(d.has("mine"));
+    EXPECT_FALSE(d.doc.dirty());
+    EXPECT_FALSE(askOutside(d.outside, d.doc, true));
+    ASSERT_TRUE(d.doc.undo());
+    EXPECT_TRUE(d.has("mine"));
+    EXPECT_FALSE(d.has("theirs"));
+    EXPECT_TRUE(d.doc.dirty());
+}
+
+TEST(FileTasks, OnesOwnIsSavedOnceThatIsDecidedAndAskedAboutTheNextChange) {
+    TwoDesks d;
+    keepOwn(d.outside);
+    EXPECT_FALSE(askOutside(d.outside, d.doc, false));
+    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
+    ASSERT_TRUE(d.other.open(d.dir / "p"));
+    EXPECT_NE(findEntity(d.other.project(), "mine"), kNoEntity);
+    ASSERT_TRUE(d.other.addEntity("more"));
+    ASSERT_TRUE(d.other.save());
+    EXPECT_TRUE(askOutside(d.outside, d.doc, false));
+}
+
+TEST(FileTasks, TheirsThatCannotBeOpenedChangesNothing) {
+    TwoDesks d;
+    test::writeText(d.dir / "p" / "project.json", "{ broken");
+    EXPECT_FALSE(takeTheirs(d.outside, d.doc));
+    EXPECT_NE(d.outside.error.find("project.json"), std::string::npos) << d.outside.error;
+    EXPECT_TRUE(d.has("mine"));
     EXPECT_TRUE(d.doc.dirty());
 }
 

@@ -1,4 +1,5 @@
 // The file dialog: what it lists, what it refuses, and that another project is told of.
+#include "app/background_work.h"
 #include "app/file_tasks.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
@@ -10,7 +11,7 @@ namespace {
 class FileDialogPanel : public test::PanelStage {
   protected:
     FileDialogPanel() {
-        draw = [this] { drawFileDialog(files, doc, edits, messages, [this] { ++adopted; }); };
+        draw = [this] { drawFileDialog(files, doc, edits, messages, work, [this] { ++adopted; }); };
     }
     void open(FileTask task) {
         requestTask(files, unsaved, doc, task);
@@ -18,6 +19,7 @@ class FileDialogPanel : public test::PanelStage {
     }
     FileDialog files;
     UnsavedDialog unsaved;
+    BackgroundWork work;
     int adopted = 0;
 };
 
@@ -62,6 +64,27 @@ TEST_F(FileDialogPanel, CancelChangesNothing) {
     click("Panel/Cancel");
     EXPECT_EQ(files.task, FileTask::None);
     EXPECT_EQ(doc.project().dir, dir / "meadow");
+}
+
+TEST_F(FileDialogPanel, ExportStartsInTheBackgroundAndRefusesWhatIsNoGlb) {
+    open(FileTask::Export);
+    EXPECT_EQ(files.path, (dir / "meadow.glb").string());
+    files.path = (dir / "meadow.txt").string();
+    click("Panel/Export");
+    frames(2);
+    EXPECT_NE(files.error, "");
+    EXPECT_FALSE(work.exporting);
+    files.path = (dir / "meadow.glb").string(), files.bladesWithin = "far";
+    click("Panel/Export");
+    frames(2);
+    EXPECT_FALSE(work.exporting);
+    files.bladesWithin = "1.5";
+    click("Panel/Export");
+    frames(2);
+    EXPECT_EQ(files.task, FileTask::None);
+    ASSERT_TRUE(work.exporting);
+    EXPECT_EQ(work.exporting->file, dir / "meadow.glb");
+    EXPECT_EQ(adopted, 0);
 }
 
 }  // namespace

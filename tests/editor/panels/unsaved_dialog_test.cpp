@@ -9,7 +9,7 @@ namespace {
 class UnsavedQuestion : public test::PanelStage {
   protected:
     UnsavedQuestion() {
-        draw = [this] { drawUnsavedDialog(unsaved, doc, edits); };
+        draw = [this] { drawUnsavedDialog(unsaved, doc, outside, edits); };
     }
     void SetUp() override {
         PanelStage::SetUp();
@@ -18,6 +18,7 @@ class UnsavedQuestion : public test::PanelStage {
         frames(4);
     }
     UnsavedDialog unsaved;
+    OutsideDialog outside;
     bool gone = false;
 };
 

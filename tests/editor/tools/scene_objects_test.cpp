@@ -38,6 +38,22 @@ class Objects : public testing::Test {
     uint64_t revision = 1;
 };
 
+TEST_F(Objects, OneThatIsScatteredChoosesItsRule) {
+    Terrain t;
+    t.size = {50, 50};
+    p.registry.add<Terrain>(*addEntity(p, "ground"), t);
+    const Scatter rule{.meshes = {{"ball", "ball.glb"}}, .perHectare = 200, .distance = 3};
+    const Entity e = *addEntity(p, "balls");
+    p.registry.add<Scatter>(e, rule);
+    ++revision;
+    const auto there = scatterOver(rule, findGround(p)).objects;
+    ASSERT_FALSE(there.empty());
+    for (const ScatteredObject& o : there) EXPECT_EQ(hit(o.at + glm::dvec3(0, 20, 0), {0, -1, 0}), "balls");
+    p.registry.add<Hidden>(e, {});
+    ++revision;
+    EXPECT_EQ(hit(there[0].at + glm::dvec3(0, 20, 0), {0, -1, 0}), "");
+}
+
 TEST_F(Objects, TheFirstByItsTrianglesAndNotByItsBox) {
     add("near", {0, 0, -5}), add("far", {0, 0, -10}, 2);
     EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "near");
