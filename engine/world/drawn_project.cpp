@@ -234,23 +234,6 @@ void putDrawn(const LaidMap& laid, const Terrain& t, const FieldRef& map) {
 
 }  // namespace
 
-std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows) {
-    const std::vector<PathOver> paths = pathsOf(p);
-    const Terrain* terrain = firstOf<Terrain>(p);
-    std::vector<std::string> out;
-    if (paths.empty() || !terrain) return out;
-    for (const ConstFieldRef& map : allMaps(p, rows))
-        if (const PathEffect* effect = effectOn(map); effect && !actingOn(paths, *effect).empty())
-            if (tooLarge(*terrain, map)) out.push_back(map.path);
-    return out;
-}
-std::string beyondPaths(const std::string& map) {
-    return fmt::format(
-        "{} repeats so often that its texels over the whole terrain are more than {} a side: paths leave it "
-        "alone; lower its tiling, or make the map coarser",
-        map, kMostTexels);
-}
-
 const Project& DrawnProject::of(const Project& p, std::span<const ComponentRow> rows) {
     const std::vector<PathOver> paths = pathsOf(p);
     const Terrain* terrain = firstOf<Terrain>(p);
@@ -275,6 +258,23 @@ const Project& DrawnProject::of(const Project& p, std::span<const ComponentRow> 
     }
     maps_ = std::move(kept);
     return drawn_;
+}
+
+std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows) {
+    const std::vector<PathOver> paths = pathsOf(p);
+    const Terrain* terrain = firstOf<Terrain>(p);
+    std::vector<std::string> out;
+    if (paths.empty() || !terrain) return out;
+    for (const ConstFieldRef& map : allMaps(p, rows))
+        if (const PathEffect* effect = effectOn(map); effect && !actingOn(paths, *effect).empty())
+            if (tooLarge(*terrain, map)) out.push_back(map.path);
+    return out;
+}
+std::string beyondPaths(const std::string& map) {
+    return fmt::format(
+        "{} repeats so often that its texels over the whole terrain are more than {} a side: paths leave it "
+        "alone; lower its tiling, or make the map coarser",
+        map, kMostTexels);
 }
 
 }  // namespace sward

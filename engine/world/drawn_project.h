@@ -2,7 +2,7 @@
 // painted stays as it is in the project itself. Each path acts in the order of entities' names: on the densities of
 // grass and flowers, and on the terrain's colours.
 // A map keeps its size in texels, and a path is as fine as they are. Where there is none, and where one repeats, the
-// copy has one that lies on the terrain once, of at most 4096 texels a side; one whose repeats take more is left alone.
+// copy has one that lies on the terrain once, of at most 4096 texels a side.
 // Cost: without paths none; with them a copy of all components each time, and about 0.7 us a texel that a path reaches,
 // paid anew only for tiles where the painted map or a path has changed.
 #pragma once
@@ -33,11 +33,6 @@ struct LaidMap {
     Map drawn;
 };
 
-// PATHs of maps on which paths would act, but that repeat so often that they are left alone.
-std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows);
-// What to say of one of these.
-std::string beyondPaths(const std::string& map);
-
 // Keeps what it made, so that the next time costs what has changed. Thread-safe: no.
 class DrawnProject {
   public:
@@ -49,5 +44,11 @@ class DrawnProject {
     std::map<std::string, LaidMap> maps_;  // by PATH
     Project drawn_;
 };
+
+// PATHs of maps on which paths would act, but whose repeats take more texels than that: paths leave
+// them alone.
+std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows);
+// What to say of one of these.
+std::string beyondPaths(const std::string& map);
 
 }  // namespace sward
