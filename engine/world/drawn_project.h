@@ -45,8 +45,8 @@ class DrawnProject {
     Project drawn_;
 };
 
-// PATHs of maps on which paths would act, but whose repeats take more texels than that: paths leave
-// them alone.
+// PATHs of maps on which paths would act, but whose repeats take more than 4096 texels a side over the terrain: paths
+// leave them alone.
 std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows);
 // What to say of one of these.
 std::string beyondPaths(const std::string& map);
