@@ -10,6 +10,7 @@
 #include "tools/rings.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
+#include "world/drawn_project.h"
 #include "world/ground.h"
 
 namespace sward {
@@ -221,6 +222,8 @@ std::optional<std::string> newPath(const ObjectParts& parts, const glm::dvec2& p
                       accept(parts.messages, parts.doc.assignComponent(name, pathRow(parts.doc), &path));
     if (!done) return letGo(parts), std::nullopt;
     choose(parts.selection, name);
+    for (const std::string& map : mapsBeyondPaths(parts.doc.project(), parts.doc.tables().components))
+        showError(parts.messages, failed(beyondPaths(map)));
     parts.tool.path = {name, 0, std::nullopt, std::nullopt};
     return name;
 }

@@ -84,6 +84,8 @@ void checkScene(const SceneToCheck& given, CheckReport& report) {
     checkLimits(scene, report);
     for (const auto& [name, e] : scene.project.entities)
         for (const ComponentRow& row : scene.rows) checkComponent(scene, name, e, row, report);
+    for (const std::string& map : mapsBeyondPaths(scene.project, scene.rows))
+        report.noticed.push_back({placeOf(scene, nullptr), beyondPaths(map)});
 }
 
 }  // namespace sward

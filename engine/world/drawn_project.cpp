@@ -70,12 +70,19 @@ Map filledWith(const MapInfo& info, float value) {
     return out;
 }
 
-// A map that repeats, as one that does not, over an extent in metres.
+// Texels that all repeats of a map have over an extent in metres.
+glm::dvec2 texelsOver(const Map& map, const Tiling& tiling, const glm::dvec2& extent) {
+    return glm::ceil(glm::dvec2(map.info().width, map.info().height) * extent / tiling.metres);
+}
+bool tooLarge(const Map& map, const Tiling& tiling, const glm::dvec2& extent) {
+    const glm::dvec2 texels = texelsOver(map, tiling, extent);
+    return !map.empty() && tiling.repeats && std::max(texels.x, texels.y) > kMostTexels;
+}
+// A map that repeats, as one that does not.
 Map unrolled(const Map& map, const Tiling& tiling, const glm::dvec2& extent) {
+    const glm::ivec2 texels = glm::max(texelsOver(map, tiling, extent), 1.0);
     MapInfo info = map.info();
-    const glm::dvec2 wanted = glm::dvec2(info.width, info.height) * extent / tiling.metres;
-    info.width = std::clamp(static_cast<int>(std::ceil(wanted.x)), 1, kMostTexels);
-    info.height = std::clamp(static_cast<int>(std::ceil(wanted.y)), 1, kMostTexels);
+    info.width = texels.x, info.height = texels.y;
     Map out(info);
     for (int y = 0; y < info.height; ++y)
         for (int x = 0; x < info.width; ++x)
@@ -177,6 +184,10 @@ std::vector<PathOver> actingOn(const std::vector<PathOver>& paths, const PathEff
     return out;
 }
 
+bool tooLarge(const Terrain& t, const ConstFieldRef& map) {
+    return tooLarge(mapOf(map).map, tilingOf(t, mapTiling(map)), wholeExtent(t));
+}
+
 // Brings `base` up to date with what is painted.
 void followPainted(LaidMap& laid, const Terrain& t, const ConstFieldRef& map, float absent) {
     const Map& painted = mapOf(map).map;
@@ -237,7 +248,7 @@ const Project& DrawnProject::of(const Project& painted, std::span<const Componen
     for (const FieldRef& map : allMaps(drawn_, rows, true)) {
         const PathEffect* effect = effectOn(map);
         std::vector<PathOver> acting = effect ? actingOn(paths, *effect) : std::vector<PathOver>();
-        if (acting.empty()) continue;
+        if (acting.empty() || tooLarge(*terrain, map)) continue;
         LaidMap& laid = kept[map.path] = std::move(maps_[map.path]);
         const Map was = laid.base;
         const glm::dvec2 extent = laid.extent;
@@ -248,6 +259,23 @@ const Project& DrawnProject::of(const Project& painted, std::span<const Componen
     }
     maps_ = std::move(kept);
     return drawn_;
+}
+
+std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows) {
+    const std::vector<PathOver> paths = pathsOf(p);
+    const Terrain* terrain = firstOf<Terrain>(p);
+    std::vector<std::string> out;
+    if (paths.empty() || !terrain) return out;
+    for (const ConstFieldRef& map : allMaps(p, rows))
+        if (const PathEffect* effect = effectOn(map); effect && !actingOn(paths, *effect).empty())
+            if (tooLarge(*terrain, map)) out.push_back(map.path);
+    return out;
+}
+std::string beyondPaths(const std::string& map) {
+    return fmt::format(
+        "{} repeats so often that its texels over the whole terrain are more than {} a side: paths leave it "
+        "alone; lower its tiling, or make the map coarser",
+        map, kMostTexels);
 }
 
 }  // namespace sward

@@ -49,4 +49,10 @@ class DrawnProject {
     Project drawn_;
 };
 
+// PATHs of maps on which paths would act, but whose repeats take more than 4096 texels a side over the terrain: paths
+// leave them alone.
+std::vector<std::string> mapsBeyondPaths(const Project& p, std::span<const ComponentRow> rows);
+// What to say of one of these.
+std::string beyondPaths(const std::string& map);
+
 }  // namespace sward

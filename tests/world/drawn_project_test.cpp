@@ -145,6 +145,23 @@ TEST(DrawnProject, AMapThatRepeatsIsLaidOutBeforeThePathIsCut) {
     }
     EXPECT_NEAR(virtualBlades(keeps.of(p, rows())), 200 * (400 - 40) / 2, 200);
 }
+TEST(DrawnProject, AMapThatRepeatsTooOftenIsLeftAloneAndNamed) {
+    Project p = lawn();
+    Species& s = p.registry.get<GrassField>(findEntity(p, "grass"))->species[0];
+    s.density = painted(1, 64);
+    s.densityTiling = 64;
+    put(p, "way", across(2, 0));
+    EXPECT_TRUE(mapsBeyondPaths(p, rows()).empty()) << "4096 texels";
+    s.densityTiling = 65;
+    const std::vector<std::string> named = mapsBeyondPaths(p, rows());
+    EXPECT_EQ(named, std::vector<std::string>{"grass.GrassField.species[lawn].density"});
+    EXPECT_NE(beyondPaths(named[0]).find("lower its tiling"), std::string::npos);
+    DrawnProject drawn;
+    EXPECT_TRUE(speciesOf(drawn.of(p, rows())).density.map.sameTiles(s.density.map));
+    EXPECT_EQ(speciesOf(drawn.of(p, rows())).densityTiling, 65);
+    p.registry.remove<GroundPath>(findEntity(p, "way"));
+    EXPECT_TRUE(mapsBeyondPaths(p, rows()).empty());
+}
 TEST(DrawnProject, OnATerrainWithAMapSizeThePathLiesWhereItsPointsAre) {
     Project p = lawn();
     p.registry.get<Terrain>(findEntity(p, "ground"))->mapSize = 8;
