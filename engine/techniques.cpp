@@ -8,6 +8,7 @@
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
 #include "scene/components.h"
+#include "scene/locked.h"
 #include "scene/scatter.h"
 #include "scene/technique.h"
 
@@ -35,7 +36,7 @@ struct Store {
         components.assign(shared.begin(), shared.end());
         for (const ComponentRow& row :
              {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
-              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), scatterRow()})
+              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), scatterRow(), lockedRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }
