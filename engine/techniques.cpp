@@ -9,6 +9,7 @@
 #include "grass/tessellated_settings.h"
 #include "scene/components.h"
 #include "scene/ground_path.h"
+#include "scene/locked.h"
 #include "scene/map_layers.h"
 #include "scene/scatter.h"
 #include "scene/technique.h"
@@ -37,7 +38,7 @@ struct Store {
         components.assign(shared.begin(), shared.end());
         for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
                                         tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow(),
-                                        meshGrassRow(), groundPathRow(), mapLayersRow(), scatterRow()})
+                                        meshGrassRow(), groundPathRow(), mapLayersRow(), scatterRow(), lockedRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

@@ -161,6 +161,8 @@ constexpr Command kCommands[] = {
     {"Object", "Delete", "delete", "", remove, anyChosen},
     {"Object", "Hide or Show", "h", "", [](App& a) { hideChosen(a.doc, a.selection, a.messages); }, anyChosen},
     {"Object", "Show All", "shift+h", "", [](App& a) { showAll(a.doc, a.messages); }, opened},
+    {"Object", "Lock or Unlock", "l", "", [](App& a) { lockChosen(a.doc, a.selection, a.messages); }, anyChosen},
+    {"Object", "Unlock All", "shift+l", "", [](App& a) { unlockAll(a.doc, a.messages); }, opened},
     {"Object", "Add Scatter", "", "", [](App& a) { scatterChosen(a.doc, a.selection, a.messages); }, opened},
     {"Object", "Make Objects of It", "", "", [](App& a) { makeObjectsOfChosen(a.doc, a.selection, a.messages); },
      scatterChosenLast},

@@ -6,6 +6,7 @@
 
 #include "model/entity_edits.h"
 #include "model/scatter_edits.h"
+#include "scene/locked.h"
 
 namespace sward {
 namespace {
@@ -55,6 +56,22 @@ void hideChosen(Document& doc, const Selection& selection, Messages& messages) {
     const bool hide = !std::all_of(names.begin(), names.end(), hidden);
     if (!accept(messages, hideEntities(doc, names, hide))) return;
     say(messages, (hide ? "hidden here, not in pictures: " : "shown: ") + told(names));
+}
+
+void lockChosen(Document& doc, const Selection& selection, Messages& messages) {
+    const std::vector<std::string>& names = selection.entities;
+    const auto locked = [&](const std::string& name) { return isLocked(doc.project(), name); };
+    const bool lock = !std::all_of(names.begin(), names.end(), locked);
+    if (!accept(messages, lockEntities(doc, names, lock))) return;
+    say(messages, (lock ? "neither chosen nor moved in the viewport: " : "unlocked: ") + told(names));
+}
+
+void unlockAll(Document& doc, Messages& messages) {
+    std::vector<std::string> names;
+    for (const auto& [name, e] : doc.project().entities)
+        if (isLocked(doc.project(), name)) names.push_back(name);
+    if (names.empty()) return say(messages, "nothing is locked");
+    if (accept(messages, lockEntities(doc, names, false))) say(messages, "unlocked: " + told(names));
 }
 
 void showAll(Document& doc, Messages& messages) {

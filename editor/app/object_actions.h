@@ -28,6 +28,10 @@ void scatterChosen(Document& document, Selection& selection, Messages& messages)
 void makeObjectsOfChosen(Document& document, Selection& selection, Messages& messages);
 // Hides all; where all are hidden, shows them again.
 void hideChosen(Document& document, const Selection& selection, Messages& messages);
+// Locks all; where all are locked, unlocks them.
+void lockChosen(Document& document, const Selection& selection, Messages& messages);
+// Whatever is locked is unlocked.
+void unlockAll(Document& document, Messages& messages);
 // Whatever is hidden is shown.
 void showAll(Document& document, Messages& messages);
 // Asks for a new name of the one chosen last.

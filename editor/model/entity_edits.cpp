@@ -7,6 +7,8 @@
 #include <functional>
 #include <map>
 
+#include "scene/locked.h"
+
 namespace sward {
 namespace {
 
@@ -84,6 +86,19 @@ std::vector<std::string> referencesTo(const Document& doc, const std::string& en
     return paths;
 }
 
+// Adds the component M, which has no fields, to all of them, or takes it from those that have it.
+template <class M>
+Status mark(Document& doc, std::span<const std::string> names, const char* component, bool on, const char* verb) {
+    return inOneStep(doc, labelOf(verb, names), [&]() -> Status {
+        for (const std::string& name : names) {
+            const Entity e = findEntity(doc.project(), name);
+            if (e != kNoEntity && (doc.project().registry.get<M>(e) != nullptr) == on) continue;
+            if (Status s = on ? doc.addComponent(name, component) : doc.removeComponent(name, component); !s) return s;
+        }
+        return {};
+    });
+}
+
 bool holdsUnknownParts(const Project& p, const std::string& entity) {
     const auto it = p.unknown.lower_bound(entity + ".");
     return it != p.unknown.end() && it->first.starts_with(entity + ".");
@@ -146,15 +161,11 @@ Status removeEntities(Document& doc, std::span<const std::string> names) {
 }
 
 Status hideEntities(Document& doc, std::span<const std::string> names, bool hidden) {
-    return inOneStep(doc, labelOf(hidden ? "hide" : "show", names), [&]() -> Status {
-        for (const std::string& name : names) {
-            const Entity e = findEntity(doc.project(), name);
-            if (e != kNoEntity && (doc.project().registry.get<Hidden>(e) != nullptr) == hidden) continue;
-            if (Status s = hidden ? doc.addComponent(name, "Hidden") : doc.removeComponent(name, "Hidden"); !s)
-                return s;
-        }
-        return {};
-    });
+    return mark<Hidden>(doc, names, "Hidden", hidden, hidden ? "hide" : "show");
+}
+
+Status lockEntities(Document& doc, std::span<const std::string> names, bool locked) {
+    return mark<Locked>(doc, names, "Locked", locked, locked ? "lock" : "unlock");
 }
 
 }  // namespace sward

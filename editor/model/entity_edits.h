@@ -1,4 +1,4 @@
-// Whole entities: copied, named anew, removed, hidden. Each call is one undo step, or changes nothing.
+// Whole entities: copied, named anew, removed, hidden, locked. Each call is one undo step, or changes nothing.
 // Does not: know which are chosen (app/selection.h).
 #pragma once
 #include <span>
@@ -24,5 +24,7 @@ Status renameEntity(Document& document, const std::string& from, const std::stri
 Status removeEntities(Document& document, std::span<const std::string> names);
 // Adds Hidden to all of them, or takes it from those that have it.
 Status hideEntities(Document& document, std::span<const std::string> names, bool hidden);
+// The same with Locked.
+Status lockEntities(Document& document, std::span<const std::string> names, bool locked);
 
 }  // namespace sward

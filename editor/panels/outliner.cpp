@@ -7,6 +7,7 @@
 #include "app/object_actions.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
+#include "scene/locked.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -42,6 +43,15 @@ void chooseRow(Selection& selection, const std::vector<std::string>& names, cons
     choose(selection, range, Choose::Add);
 }
 
+// At the left end of a row's second column.
+void padlock(const ImVec2& at, float size) {
+    ImDrawList& d = *ImGui::GetWindowDrawList();
+    const float x = at.x + size * 0.2f, y = at.y + size * 0.5f, w = size * 0.5f;
+    d.AddRectFilled({x, y}, {x + w, y + size * 0.4f}, ui::kDimText, 1);
+    d.PathArcTo({x + w / 2, y}, w * 0.35f, -3.1416f, 0, 8);
+    d.PathStroke(ui::kDimText, 0, 1.5f);
+}
+
 void entityRow(const Document& doc, Selection& selection, const std::vector<std::string>& names,
                const std::string& name, bool chosen, bool& menu) {
     const Entity e = findEntity(doc.project(), name);
@@ -53,6 +63,14 @@ void entityRow(const Document& doc, Selection& selection, const std::vector<std:
     const std::string parts = componentsOf(doc, e);
     ui::tooltip(parts.empty() ? "no components" : parts);
     ImGui::SameLine(std::max(ImGui::CalcTextSize(name.c_str()).x + 16, ImGui::GetContentRegionAvail().x * 0.42f));
+    if (isLocked(doc.project(), name)) {
+        const float size = ImGui::GetTextLineHeight();
+        padlock(ImGui::GetCursorScreenPos(), size);
+        ImGui::Dummy({size, size});
+        ui::record("Locked " + name, ui::Kind::Label, "true");
+        ui::tooltip("The viewport neither chooses nor moves it; L unlocks.");
+        ImGui::SameLine(0, 4);
+    }
     ui::coloredText(ui::kDimText, parts.c_str());
 }
 

@@ -19,11 +19,7 @@ ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<f
 
 std::vector<Handle> handlesOf(const ObjectParts& parts) {
     const Project& p = parts.doc.project();
-    const Ground ground = findGround(p);
-    std::vector<Handle> out;
-    for (const std::string& name : parts.selection.entities)
-        if (Handle h = handleOf(p, ground, name, parts.seconds); h.kind != HandleKind::None) out.push_back(h);
-    return out;
+    return movable(p, findGround(p), parts.selection.entities, parts.seconds);
 }
 
 GizmoView viewOfGizmo(const ObjectParts& parts, const glm::dvec3& pivot) {

@@ -7,6 +7,7 @@
 
 #include "panels/viewport_input.h"
 #include "scene/ground_path.h"
+#include "scene/locked.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -187,7 +188,7 @@ std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox&
     std::vector<std::string> names;
     p.registry.each<StaticMesh>([&](Entity e, const StaticMesh&) {
         const Name* name = p.registry.get<Name>(e);
-        if (!name || p.registry.get<Hidden>(e)) return;
+        if (!name || p.registry.get<Hidden>(e) || p.registry.get<Locked>(e)) return;
         const auto corners = parts.tool.objects.cornersOf(p, ground, name->value);
         if (corners && inside(middleOf(*corners))) names.push_back(name->value);
     });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/locked.h"
 #include "world/lights.h"
 #include "world/placement.h"
 
@@ -48,11 +49,20 @@ Handle handleOf(const Project& p, const Ground& ground, const std::string& entit
     return transform ? Handle{entity, HandleKind::Other, at} : Handle{entity};
 }
 
+std::vector<Handle> movable(const Project& p, const Ground& ground, std::span<const std::string> entities,
+                            double seconds) {
+    std::vector<Handle> out;
+    for (const std::string& name : entities)
+        if (Handle h = handleOf(p, ground, name, seconds); h.kind != HandleKind::None && !isLocked(p, name))
+            out.push_back(std::move(h));
+    return out;
+}
+
 std::vector<Handle> icons(const Project& p, const Ground& ground, double seconds) {
     std::vector<Handle> out;
     const auto add = [&](Entity e) {
         const Name* name = p.registry.get<Name>(e);
-        if (!name || p.registry.get<Hidden>(e)) return;
+        if (!name || p.registry.get<Hidden>(e) || p.registry.get<Locked>(e)) return;
         const Handle handle = handleOf(p, ground, name->value, seconds);
         if (handle.kind != HandleKind::Object && handle.kind != HandleKind::Other && handle.kind != HandleKind::None)
             out.push_back(handle);

@@ -3,6 +3,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct Handle {
 // An object stands where its file's origin does, a lamp where it shines at that time, a camera at its eye, a force on
 // the ground, water over the lowest of some places of the ground. Other: what has a Transform and is none of these.
 Handle handleOf(const Project& p, const Ground& ground, const std::string& entity, double seconds);
-// Lamps, cameras, forces and water, in the order of their names; what is an object too, or hidden, has no icon.
+// Of those named that have a place and are not Locked: what a drag moves.
+std::vector<Handle> movable(const Project& p, const Ground& ground, std::span<const std::string> entities,
+                            double seconds);
+// Lamps, cameras, forces and water, in the order of their names; what is an object too, hidden or locked, has no icon.
 std::vector<Handle> icons(const Project& p, const Ground& ground, double seconds);
 
 // Height of the ground in the world at (x, z) of the world; 0 without any.

@@ -1,6 +1,7 @@
 #include "tools/scene_objects.h"
 
 #include "mesh/mesh_io.h"
+#include "scene/locked.h"
 #include "world/placement.h"
 
 namespace sward {
@@ -51,7 +52,7 @@ void SceneObjects::addScattered(std::vector<Box>& boxes, const Project& p, const
     const auto all = scattersOf(p);
     scattered_.keepOnly(all);
     for (const auto& [name, scatter] : all) {
-        if (p.registry.get<Hidden>(findEntity(p, name))) continue;
+        if (p.registry.get<Hidden>(findEntity(p, name)) || isLocked(p, name)) continue;
         std::vector<const ObjectShape*> shapes;
         for (const ScatterMesh& m : scatter->meshes) shapes.push_back(isScattered(m) ? &shapeOf(p, m.file) : nullptr);
         for (const ScatteredObject& o : scattered_.of(ground, name, *scatter)->objects)
@@ -67,7 +68,7 @@ void SceneObjects::follow(const Project& p, uint64_t revision) {
     std::vector<Box> boxes;
     for (const auto& [name, e] : p.entities) {
         const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
-        if (!mesh || mesh->file.empty() || p.registry.get<Hidden>(e)) continue;
+        if (!mesh || mesh->file.empty() || p.registry.get<Hidden>(e) || p.registry.get<Locked>(e)) continue;
         const ObjectShape& shape = shapeOf(p, mesh->file);
         if (!shape.triangles) continue;
         const PlacedMesh placed = placeMesh(p, ground, e);

@@ -34,7 +34,7 @@ using Corners = std::array<glm::dvec3, 8>;  // in the world; bit 0 of the index:
 class SceneObjects {
   public:
     // The first object on origin + t way, be it an entity's own or one that an entity's Scatter puts there. `revision`:
-    // of the document (Document::revision); what is Hidden is not met.
+    // of the document (Document::revision); what is Hidden or Locked is not met.
     std::optional<ObjectHit> closest(const Project& p, uint64_t revision, const glm::dvec3& origin,
                                      const glm::dvec3& way);
     // The box around an entity's object, turned with it; nothing if it has none that can be read.

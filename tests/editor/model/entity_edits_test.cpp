@@ -5,6 +5,7 @@
 
 #include "grass/mesh_grass_settings.h"
 #include "model/field_walk.h"
+#include "scene/locked.h"
 #include "support.h"
 #include "techniques.h"
 
@@ -133,6 +134,19 @@ TEST_F(EntityEdits, HiddenIsSavedAndLoaded) {
     ASSERT_TRUE(doc.save());
     ASSERT_TRUE(doc.open(dir / "p"));
     EXPECT_FALSE(doc.visibleProject().entities.contains("bench"));
+}
+
+TEST_F(EntityEdits, LockingIsOneStepAndComesOff) {
+    const size_t steps = doc.stepsDone();
+    ASSERT_TRUE(lockEntities(doc, Names{"bench", "tree-08"}, true));
+    EXPECT_EQ(doc.stepsDone(), steps + 1);
+    EXPECT_TRUE(isLocked(doc.project(), "bench"));
+    EXPECT_FALSE(isLocked(doc.project(), "tree-09"));
+    EXPECT_FALSE(isLocked(doc.project(), "nobody"));
+    ASSERT_TRUE(lockEntities(doc, Names{"bench", "tree-08", "tree-09"}, false));
+    EXPECT_TRUE(asBefore());
+    EXPECT_FALSE(lockEntities(doc, Names{"bench", "nobody"}, true));
+    EXPECT_TRUE(asBefore()) << "all or nothing";
 }
 
 }  // namespace

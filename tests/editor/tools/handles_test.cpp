@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/locked.h"
 #include "support.h"
 
 namespace sward {
@@ -49,6 +50,16 @@ TEST_F(Handles, ALampIsWhereItShinesAndTheSunHasNoPlace) {
     EXPECT_LT(glm::length(of("lamp", 2).at - glm::dvec3(14, 5, 10)), 1e-9) << "a quarter of a turn later";
     add<Light>("sun");
     EXPECT_EQ(of("sun").kind, HandleKind::None);
+}
+
+TEST_F(Handles, WhatIsLockedIsNotMovedAndHasNoIcon) {
+    add<Camera>("free"), add<Camera>("held");
+    add<Locked>("held");
+    const std::vector<std::string> chosen = {"free", "held", "nobody"};
+    const std::vector<Handle> moved = movable(p, findGround(p), chosen, 0);
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_EQ(moved[0].entity, "free");
+    EXPECT_EQ(icons(p, findGround(p), 0).size(), 1u);
 }
 
 TEST_F(Handles, IconsAreOfWhatIsNoObjectAndNotHidden) {

@@ -8,6 +8,7 @@
 
 #include "mesh/mesh_io.h"
 #include "mesh/mesh_shapes.h"
+#include "scene/locked.h"
 #include "support.h"
 
 namespace sward {
@@ -52,6 +53,17 @@ TEST_F(Objects, OneThatIsScatteredChoosesItsRule) {
     p.registry.add<Hidden>(e, {});
     ++revision;
     EXPECT_EQ(hit(there[0].at + glm::dvec3(0, 20, 0), {0, -1, 0}), "");
+    p.registry.remove<Hidden>(e);
+    p.registry.add<Locked>(e, {});
+    ++revision;
+    EXPECT_EQ(hit(there[0].at + glm::dvec3(0, 20, 0), {0, -1, 0}), "");
+}
+
+TEST_F(Objects, RaysGoThroughWhatIsLocked) {
+    add("near", {0, 0, -5}), add("far", {0, 0, -10}, 2);
+    p.registry.add<Locked>(findEntity(p, "near"), {});
+    ++revision;
+    EXPECT_EQ(hit({0, 0, 0}, {0, 0, -1}), "far");
 }
 
 TEST_F(Objects, TheFirstByItsTrianglesAndNotByItsBox) {
