@@ -111,5 +111,24 @@ TEST(ScatteredObjects, AMissingFileIsToldAndTheRestIsDrawn) {
     EXPECT_FALSE(Solids::make(p, JobControl{})) << "the truth does not leave anything out";
 }
 
+TEST(ScatteredObjects, LeaveNothingBehind) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = cubeScene(dir.path);
+    Renderer renderer(gpu(), tables());
+    ASSERT_TRUE(renderer.draw(p, above(), small()));
+    const std::vector<std::string> programs = renderer.programNames();
+    const auto ledger = gpu().ledger;
+    EXPECT_EQ(ledger.count("objects/scatter"), 0u);
+    put<Scatter>(p, "cubes", rule());
+    ASSERT_TRUE(renderer.draw(p, above(), small()));
+    EXPECT_GT(gpu().ledger["objects/scatter"], 0);
+    EXPECT_NE(renderer.programNames(), programs);
+    removeEntity(p, "cubes");
+    ASSERT_TRUE(renderer.draw(p, above(), small()));
+    EXPECT_EQ(renderer.programNames(), programs);
+    EXPECT_EQ(gpu().ledger, ledger);
+}
+
 }  // namespace
 }  // namespace sward::test

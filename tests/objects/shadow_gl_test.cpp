@@ -170,8 +170,9 @@ TEST(Shadows, NeedASunAndACaster) {
     p.registry.remove<Light>(findEntity(p, "sun"));
     EXPECT_FALSE(shadows());
     Renderer renderer(gpu(), tables());
-    EXPECT_NE(renderer.explain(p, false).find("object-shadows: no StaticMesh casts shadows, or no Light shines"),
-              std::string::npos);
+    EXPECT_NE(
+        renderer.explain(p, false).find("object-shadows: no StaticMesh and no Scatter casts shadows, or no Light"),
+        std::string::npos);
 }
 
 }  // namespace
