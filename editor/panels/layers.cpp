@@ -11,6 +11,7 @@
 #include "tools/brush_target.h"
 #include "tools/layer_view.h"
 #include "ui/theme.h"
+#include "ui/words.h"
 #include "world/layer_masks.h"
 #include "world/map_stacks.h"
 
@@ -243,7 +244,7 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
     ui::tooltip("The brush paints on the map itself: " + map);
     beside();
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, map.c_str());
+    ui::coloredText(ui::kDimText, ui::inWords(map).c_str());
     ImGui::EndChild();
 }
 

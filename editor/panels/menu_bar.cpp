@@ -10,6 +10,7 @@
 #include "panels/panels.h"
 #include "ui/keys.h"
 #include "ui/widgets.h"
+#include "ui/words.h"
 
 namespace sward {
 namespace {
@@ -44,8 +45,8 @@ const Command* commandItems(const std::string& menu, const Document& doc, std::s
         if (menu != c.menu) continue;
         const std::string label = c.label;
         if (ui::menuItem(label, chordText(state.chord), state.checked, state.enabled)) chosen = &c;
-        if (label == "Undo" && doc.canUndo()) ui::tooltip("takes back: " + doc.undoLabel());
-        if (label == "Redo" && doc.canRedo()) ui::tooltip("does again: " + doc.redoLabel());
+        if (label == "Undo" && doc.canUndo()) ui::tooltip("takes back: " + ui::inWords(doc.undoLabel()));
+        if (label == "Redo" && doc.canRedo()) ui::tooltip("does again: " + ui::inWords(doc.redoLabel()));
     }
     return chosen;
 }

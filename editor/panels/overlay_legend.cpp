@@ -7,6 +7,7 @@
 
 #include "tools/brush_target.h"
 #include "ui/theme.h"
+#include "ui/words.h"
 
 namespace sward {
 namespace {
@@ -114,7 +115,7 @@ void drawOverlayLegend(const Document& document, BrushBook& brushes, double yaw,
     if (shown.empty()) return;
     const Result<ConstFieldRef> map = findField(document.project(), document.tables().components, shown);
     if (!map) return;
-    const std::string title = map->path;
+    const std::string title = ui::inWords(map->path);
     const MapKind kind = map->row->map->kind;
     if (kind == MapKind::Amounts || kind == MapKind::Heights) amounts(view, title, *map->row->map);
     if (kind == MapKind::Forces) forces(view, title, yaw);

@@ -11,6 +11,7 @@
 #include "tools/brush_cost.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
+#include "ui/words.h"
 
 namespace sward {
 namespace {
@@ -112,7 +113,7 @@ void drawStatusBar(const Document& doc, const ViewCounts& counts, double drawnSc
     bakeProgress(work.occlusion);
     exportProgress(work.exporting);
     making(work.making);
-    ui::coloredText(ui::kDimText, message.c_str());
+    ui::coloredText(ui::kDimText, ui::inWords(message).c_str());
     ui::record("Message", ui::Kind::Label, message);
     ui::tooltip(message);
 }

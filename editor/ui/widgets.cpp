@@ -8,6 +8,7 @@
 
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
+#include "ui/words.h"
 
 namespace sward::ui {
 namespace {
@@ -137,8 +138,8 @@ bool checkbox(const std::string& label, bool& value, bool titled) {
 }
 
 bool selectable(const std::string& label, bool selected, bool* doubleClicked) {
-    const bool pressed =
-        ImGui::Selectable((shown(label) + "#" + idOf(label)).c_str(), selected, ImGuiSelectableFlags_DontClosePopups);
+    const bool pressed = ImGui::Selectable((inWords(shown(label)) + "#" + idOf(label)).c_str(), selected,
+                                           ImGuiSelectableFlags_DontClosePopups);
     if (doubleClicked) *doubleClicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
     record(label, Kind::Button, selected ? "true" : "false");
     return pressed;
@@ -176,7 +177,8 @@ std::optional<std::string> textField(const std::string& label, const std::string
 bool combo(const std::string& label, std::span<const std::string> items, int& chosen) {
     const bool known = chosen >= 0 && chosen < static_cast<int>(items.size());
     const std::string preview = known ? items[static_cast<size_t>(chosen)] : "";
-    const bool open = ImGui::BeginCombo(idOf(label).c_str(), preview.c_str());
+    const std::vector<std::string> words = inWordsApart(items);
+    const bool open = ImGui::BeginCombo(idOf(label).c_str(), known ? words[static_cast<size_t>(chosen)].c_str() : "");
     if (!open) {
         record(label, Kind::Combo, preview);
         return false;
@@ -189,7 +191,7 @@ bool combo(const std::string& label, std::span<const std::string> items, int& ch
     const Scope scope(label);
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
         const std::string& item = items[static_cast<size_t>(i)];
-        if (ImGui::Selectable((item + "##" + std::to_string(i)).c_str(), i == chosen)) {
+        if (ImGui::Selectable((words[static_cast<size_t>(i)] + "##" + std::to_string(i)).c_str(), i == chosen)) {
             changed = i != chosen;
             chosen = i;
         }

@@ -90,7 +90,7 @@ void tooltip(const std::string& text);
 bool button(const std::string& label, float width = 0, bool accent = false);
 // True if the value was changed. Not `titled`: the label stands elsewhere.
 bool checkbox(const std::string& label, bool& value, bool titled = true);
-// A line of a list; true if it was pressed.
+// A line of a list, PATHs in it shown in words; true if it was pressed.
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
 // A section that opens and closes; true while open. `title` is what is shown of it.
 bool section(const std::string& label, const std::string& title, bool openAtFirst = true);
@@ -105,7 +105,8 @@ bool input(const std::string& label, std::string& text, const char* hint = "", b
 // A line over a value kept elsewhere: what was typed, once it was left or Enter was pressed; nothing while unchanged.
 // Escape gives up.
 std::optional<std::string> textField(const std::string& label, const std::string& value);
-// True if another choice was made. Items are recorded as label/item while open.
+// PATHs are shown in words (words.h), and recorded as they are. True if another choice was made. Items are recorded as
+// label/item while open.
 bool combo(const std::string& label, std::span<const std::string> items, int& chosen);
 // True while it is open; endMenu then.
 bool beginMenu(const std::string& label);
