@@ -62,7 +62,7 @@ void removePlace(AutosavePlace& place) {
 }
 
 void begin(Autosave& a, const Document& doc, double now) {
-    a.since = now;
+    a.since = a.began = now;
     a.revision = doc.revision();
     if (a.mine.folder.empty())
         if (auto place = takeAutosavePlace(a.of)) a.mine = std::move(*place);
@@ -168,8 +168,10 @@ void adoptAutosave(Autosave& a, const fs::path& copy) {
 
 bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
     if (!a.on || !doc.isOpen()) return false;
+    const bool copying = a.job.active();
     report(a);
     if (a.job.active()) return false;
+    if (copying) a.wait = std::max(kAutosaveSeconds, (now - a.began) / kAutosaveShare);
     const bool another = a.of != doc.project().dir;
     if (another) follow(a, doc, now);
     const bool asks = another && a.opening;
@@ -179,7 +181,7 @@ bool tickAutosave(Autosave& a, Document& doc, bool held, double now) {
         return asks;
     }
     const bool busy = doc.stroking() || held || a.revision == doc.revision();
-    if (!busy && now - a.since >= kAutosaveSeconds) begin(a, doc, now);
+    if (!busy && now - a.since >= a.wait) begin(a, doc, now);
     return asks;
 }
 

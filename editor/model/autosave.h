@@ -17,9 +17,10 @@
 
 namespace sward {
 
-inline constexpr double kAutosaveSeconds = 300;  // of unsaved work
-inline constexpr size_t kAutosavesKept = 3;      // of a folder, the newest
-inline constexpr int kAutosaveFolders = 16;      // of a project: editors that run at once, and work not yet taken back
+inline constexpr double kAutosaveSeconds = 60;  // of unsaved work; longer where copies take long:
+inline constexpr double kAutosaveShare = 0.1;   // of the time at most, for making copies
+inline constexpr size_t kAutosavesKept = 3;     // of a folder, the newest
+inline constexpr int kAutosaveFolders = 16;     // of a project: editors that run at once, and work not yet taken back
 
 // Where the copies of a project lie that is in `dir`: its first folder, for its first editor.
 std::filesystem::path autosaveFolder(const std::filesystem::path& dir, int number = 1);
@@ -47,6 +48,8 @@ struct Autosave {
     uint64_t revision = 0;     // of the last copy
     AutosavePlace mine;        // of the copies of what is being edited now; its lock is held while there may be some
     Job<std::filesystem::path> job;
+    double began = 0;                          // seconds: when it was
+    double wait = kAutosaveSeconds;            // seconds of unsaved work until the next copy
     std::vector<std::filesystem::path> found;  // another run's, offered; empty: no question is open
     bool opening = false;
 };

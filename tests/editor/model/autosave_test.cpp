@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <thread>
+
 #include "child.h"
 #include "model/document.h"
 #include "model/field_walk.h"
@@ -142,6 +144,26 @@ TEST_F(AutosaveFiles, TakingACopyOverIsOneUnsavedStep) {
     EXPECT_FALSE(later.takeOver(dir / "nowhere", "recover"));
     ASSERT_TRUE(later.redo());
     ASSERT_TRUE(later.save());
+}
+
+TEST_F(AutosaveFiles, CopiesThatTakeLongComeRarer) {
+    Autosave a;
+    a.on = true;
+    const auto tick = [&](double now) { tickAutosave(a, doc, false, now); };
+    tick(0);
+    ASSERT_TRUE(doc.setField("camera.Camera.fovDeg", "40"));
+    tick(kAutosaveSeconds);
+    ASSERT_TRUE(a.job.active());
+    while (!a.job.finished()) std::this_thread::yield();
+    const double end = kAutosaveSeconds + 30;  // as the clock has it, it took half a minute
+    tick(end);
+    ASSERT_FALSE(a.job.active());
+    ASSERT_TRUE(doc.setField("camera.Camera.fovDeg", "41"));
+    tick(kAutosaveSeconds + 299);
+    EXPECT_FALSE(a.job.active());
+    tick(kAutosaveSeconds + 301);
+    EXPECT_TRUE(a.job.active());
+    endAutosave(a);
 }
 
 }  // namespace
