@@ -28,7 +28,10 @@ std::string openTab(const Layout& l) {
     return first == std::end(kBottomPanels) ? "" : *first;
 }
 
-float& bottomHeight(Layout& l) { return openTab(l) == "Accuracy" ? l.accuracy : l.bottom; }
+float& bottomHeight(Layout& l) {
+    const std::string tab = openTab(l);
+    return tab == "Accuracy" || tab == "Layers" ? l.accuracy : l.bottom;
+}
 
 void clampLayout(Layout& l, float width, float height) {
     l.right = std::clamp(l.right, std::min(kLeastRight, width / 2), std::max(kLeastRight, width - 2 * kLeastViewport));

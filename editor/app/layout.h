@@ -17,7 +17,7 @@ struct Layout {
     float right = 350;             // width of the right column
     float outliner = 0.28f;        // its upper part, as a share of its height
     float bottom = 170;            // height of the bottom panels
-    float accuracy = 290;          // ... while Accuracy is in sight, whose plot needs more
+    float accuracy = 290;          // ... while Accuracy or Layers is in sight, which need more
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
     bool shiftErases = false;      // a habit of the hand, not of a project

@@ -67,7 +67,8 @@ void drawBottom(EditorApp& app, Layout& layout, const Rect& area, bool playing) 
     bool first = true;
     for (const PanelRow& row : panelRows()) {
         if (row.dock != Dock::Bottom || layout.hidden.count(row.name)) continue;
-        if (!first) ImGui::SameLine(0, 4);
+        const float width = ImGui::CalcTextSize(row.name).x + 2 * ImGui::GetStyle().FramePadding.x;
+        if (!first && ImGui::GetItemRectMax().x + 4 + width < area.x + area.w) ImGui::SameLine(0, 4);
         first = false;
         const ui::Scope scope("Tabs");
         if (ui::button(row.name, 0, layout.tab == row.name)) layout.tab = row.name;

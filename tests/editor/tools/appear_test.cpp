@@ -50,6 +50,28 @@ TEST_F(Appears, AnObjectOnTheGroundCountsItsHeightFromThere) {
     EXPECT_NEAR(own<Transform>().position.y, 1, 1e-6) << "it stays where it was";
 }
 
+TEST_F(Appears, ACameraSeesWhatIsSeenNow) {
+    ASSERT_TRUE(addInView(doc, down, "thing", "Camera"));
+    EXPECT_EQ(own<Camera>().eye, down.eye);
+    EXPECT_EQ(own<Camera>().target, down.target);
+    ASSERT_TRUE(doc.undo());
+    EXPECT_EQ(doc.project().registry.get<Camera>(findEntity(doc.project(), "thing")), nullptr) << "one step";
+}
+
+TEST_F(Appears, BesideASunALightIsALampAboveTheGround) {
+    ASSERT_TRUE(addInView(doc, down, "thing", "Transform"));
+    ASSERT_TRUE(addInView(doc, down, "thing", "Light"));
+    EXPECT_EQ(own<Light>().type, LightType::Point);
+    EXPECT_NEAR(own<Transform>().position.y, 5, 1e-3) << "the ground lies at 3";
+    ASSERT_TRUE(doc.removeComponent("thing", "Transform"));
+    ASSERT_TRUE(addInView(doc, down, "thing", "Transform"));
+    EXPECT_NEAR(own<Transform>().position.y, 5, 1e-3) << "in whichever order";
+    ASSERT_TRUE(doc.removeEntity("sun"));
+    ASSERT_TRUE(doc.removeComponent("thing", "Light"));
+    ASSERT_TRUE(addInView(doc, down, "thing", "Light"));
+    EXPECT_EQ(own<Light>().type, LightType::Directional);
+}
+
 TEST_F(Appears, UnderTheSkyAndElsewhereDefaultsHold) {
     ASSERT_TRUE(addInView(doc, sky, "thing", "Transform"));
     EXPECT_EQ(own<Transform>().position, glm::dvec3(0));
