@@ -142,11 +142,12 @@ Error tooMany(const Project& p, const GlbOptions& o) {
     const Terrain& t = *findGround(p).terrain;
     const double perM2 = std::max(virtualBlades(p) / (t.size.x * t.size.y), 1e-9);
     const double metres = std::sqrt(static_cast<double>(o.mostBlades) / perM2 / 3.14159265358979);
-    return failed(
-        fmt::format("the scene has about {:.3g} million blades; a .glb takes {:.3g} million", virtualBlades(p) / 1e6,
-                    static_cast<double>(o.mostBlades) / 1e6),
-        fmt::format("write those near a camera alone: --blades-within {0:.2g}, in the editor Blades within {0:.2g} m",
-                    metres));
+    const double shown = metres < 10 ? std::floor(metres * 10) / 10 : std::floor(metres);
+    return failed(fmt::format("the scene has about {:.3g} million blades; a .glb takes {:.3g} million",
+                              virtualBlades(p) / 1e6, static_cast<double>(o.mostBlades) / 1e6),
+                  fmt::format("write those near a camera alone: --blades-within {0}, or {0} at Blades Within in the "
+                              "editor's dialog",
+                              shown));
 }
 
 Status addGrowth(tinygltf::Model& m, const Project& p, const GlbOptions& o, const Ground& ground, JobControl& control,
