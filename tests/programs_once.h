@@ -2,6 +2,7 @@
 // own, and a software driver would spend most of the time of all tests on compiling what it compiled before.
 // Does not: change what a renderer asks for, names or forgets, nor keep anything that failed to compile or to link.
 #pragma once
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <map>
@@ -16,6 +17,7 @@ namespace programs_once {
 
 // What the driver keeps of one context.
 struct Kept {
+    EGLContext context = EGL_NO_CONTEXT;
     std::map<GLuint, std::string> sources;   // of the shaders that live
     std::set<GLuint> postponed;              // shaders whose source compiled before; compiled where a new program asks
     std::vector<GLuint> sinceProgram;        // shaders made since the last program was
@@ -24,12 +26,15 @@ struct Kept {
     std::map<std::string, GLuint> programs;  // those linked, by these sources
     std::set<GLuint> linked;
 };
-inline Kept* kept = nullptr;  // of the context that is current; null: every program is compiled
+inline Kept* latest = nullptr;
+// Of the context that is current; null: every program is compiled.
+inline Kept* keptHere() { return latest && latest->context == eglGetCurrentContext() ? latest : nullptr; }
 
 template <auto& pointer>
 inline std::remove_reference_t<decltype(pointer)> original = nullptr;
 
 inline void shaderSource(GLuint shader, GLsizei count, const GLchar* const* text, const GLint* lengths) {
+    Kept* kept = keptHere();
     original<epoxy_glShaderSource>(shader, count, text, lengths);
     if (!kept) return;
     GLint stage = 0;
@@ -38,6 +43,7 @@ inline void shaderSource(GLuint shader, GLsizei count, const GLchar* const* text
     kept->sinceProgram.push_back(shader);
 }
 inline void compileShader(GLuint shader) {
+    Kept* kept = keptHere();
     if (kept && kept->compiles.contains(kept->sources[shader])) {
         kept->postponed.insert(shader);
         return;
@@ -48,18 +54,21 @@ inline void compileShader(GLuint shader) {
     if (kept && compiled) kept->compiles.insert(kept->sources[shader]);
 }
 inline void getShaderiv(GLuint shader, GLenum what, GLint* value) {
+    Kept* kept = keptHere();
     if (kept && what == GL_COMPILE_STATUS && kept->postponed.contains(shader))
         *value = GL_TRUE;
     else
         original<epoxy_glGetShaderiv>(shader, what, value);
 }
 inline void deleteShader(GLuint shader) {
+    Kept* kept = keptHere();
     original<epoxy_glDeleteShader>(shader);
     if (!kept) return;
     kept->sources.erase(shader);
     kept->postponed.erase(shader);
 }
 inline GLuint createProgram() {
+    Kept* kept = keptHere();
     if (!kept) return original<epoxy_glCreateProgram>();
     std::string sources;
     for (const GLuint shader : std::exchange(kept->sinceProgram, {}))
@@ -70,11 +79,13 @@ inline GLuint createProgram() {
     return program;
 }
 inline void attachShader(GLuint program, GLuint shader) {
+    Kept* kept = keptHere();
     if (kept && kept->linked.contains(program)) return;
     if (kept && kept->postponed.erase(shader)) original<epoxy_glCompileShader>(shader);
     original<epoxy_glAttachShader>(program, shader);
 }
 inline void linkProgram(GLuint program) {
+    Kept* kept = keptHere();
     if (kept && kept->linked.contains(program)) return;
     original<epoxy_glLinkProgram>(program);
     if (!kept) return;
@@ -86,6 +97,7 @@ inline void linkProgram(GLuint program) {
     kept->linked.insert(program);
 }
 inline void deleteProgram(GLuint program) {
+    Kept* kept = keptHere();
     if (!kept || !kept->linked.contains(program)) original<epoxy_glDeleteProgram>(program);
 }
 
@@ -123,10 +135,11 @@ class ProgramsOnce {
   public:
     void makeCurrent() {
         static const bool hooked = (programs_once::hookAll(), true);
-        programs_once::kept = hooked ? &kept_ : nullptr;
+        kept_.context = eglGetCurrentContext();
+        programs_once::latest = hooked ? &kept_ : nullptr;
     }
     ~ProgramsOnce() {
-        if (programs_once::kept == &kept_) programs_once::kept = nullptr;
+        if (programs_once::latest == &kept_) programs_once::latest = nullptr;
     }
 
   private:
