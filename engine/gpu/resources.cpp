@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <new>
 
 namespace sward {
 
@@ -44,11 +45,20 @@ size_t imageBytes(GLenum format, int width, int height) {
     return 16 * static_cast<size_t>((width + 3) / 4) * static_cast<size_t>((height + 3) / 4);
 }
 
+void throwWithoutMemory() {
+    for (int kinds = 0; kinds < 8; ++kinds) {  // one of each kind may wait; a lost context says so for ever
+        const GLenum error = glGetError();
+        if (error == GL_NO_ERROR) return;
+        if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
+    }
+}
+
 Buffer makeBuffer(Gpu& gpu, const std::string& owner, size_t bytes, const void* data, GLbitfield flags) {
     const size_t size = std::max<size_t>(bytes, 16);
     GLuint id = 0;
     glCreateBuffers(1, &id);
     glNamedBufferStorage(id, static_cast<GLsizeiptr>(size), bytes == size ? data : nullptr, flags);
+    throwWithoutMemory();
     if (data && bytes > 0 && bytes != size) glNamedBufferSubData(id, 0, static_cast<GLsizeiptr>(bytes), data);
     glObjectLabel(GL_BUFFER, id, -1, owner.c_str());
     return {GlName<BufferKind>(id), Tally(gpu, owner, size)};
@@ -79,6 +89,7 @@ Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int wid
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &id);
     glTextureStorage2D(id, levels, format, width, height);
+    throwWithoutMemory();
     const GLint wrap = repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrap);
     glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrap);
@@ -98,6 +109,7 @@ Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int 
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
     glTextureStorage3D(id, levels, format, width, height, layers);
+    throwWithoutMemory();
     glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -116,6 +128,7 @@ Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum form
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &id);
     glTextureStorage2DMultisample(id, samples, format, width, height, GL_TRUE);
+    throwWithoutMemory();
     glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
     const size_t bytes = chainBytes(format, width, height, 1) * static_cast<size_t>(samples);
     return {GlName<TextureKind>(id), Tally(gpu, owner, bytes), width, height, 1, format};

@@ -107,6 +107,9 @@ struct Texture {
     // The texture's name; 0 before it was made.
     GLuint id() const { return name.id(); }
 };
+// std::bad_alloc if the driver said since the last call that it has no memory: it tells of it by an error alone. After
+// each call that makes storage; what is below does so.
+void throwWithoutMemory();
 // levels 0: the full chain. Filters trilinear when there are levels, clamped unless `repeat`.
 Texture makeTexture2D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int levels = 1,
                       bool repeat = false);

@@ -34,6 +34,7 @@ void makeMaps(Gpu& gpu, ShadowState& s) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
     glTextureStorage3D(id, 1, GL_DEPTH_COMPONENT32F, kSide, kSide, SHADOW_CASCADES);
+    throwWithoutMemory();
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
