@@ -43,8 +43,8 @@ inline constexpr double kMinDetail = 1.0 / 16;  // of the blades
 inline constexpr double kSlowMs = 50;           // a drawing slower than this is coarsened while something moves
 inline constexpr double kTargetMs = 45;  // what a drawing may cost then: 15 frames a second with the rest of a frame
 inline constexpr double kPieceMs = 25;   // what a piece should cost: with a frame's panels an answer within 50 ms
-inline constexpr double kMinRow = 1.0 / 24;    // of the height
-inline constexpr double kMinWidth = 1.0 / 16;  // of the width
+inline constexpr double kMinRow = 1.0 / 32;    // of the height
+inline constexpr double kMinWidth = 1.0 / 24;  // of the width
 inline constexpr double kRestSeconds = 0.25;   // without a change until the image is refined
 
 // `changed`: camera, scene, size or decal differ from what was last drawn.

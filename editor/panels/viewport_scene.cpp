@@ -172,7 +172,9 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
     ResolutionPlan plan = nextPlan(v.resolution, clock, wanted.measure, changed);
     // Input first: pieces wait for it, and what moves is drawn now and then, so that it is seen to move.
     const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.piece.whole();
-    if (plan.draw && inputWaits && v.hasImage && !clock.refineNow && (refining || ++v.skipped < 6)) return;
+    const bool panelsFirst = refining && clock.wanted > 0;  // what was just pressed shows before another piece
+    if (plan.draw && v.hasImage && !clock.refineNow && (panelsFirst || (inputWaits && (refining || ++v.skipped < 6))))
+        return;
     v.skipped = 0;
     ensurePicture(v, wanted.width, wanted.height);
     v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = wanted;
