@@ -1,4 +1,5 @@
 #include "model/entity_edits.h"
+#include "model/one_step.h"
 
 #include <fmt/format.h>
 
@@ -37,17 +38,6 @@ std::string cleaned(const std::string& name) {
     for (const char c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-') out += c;
     return out.empty() ? "object" : out;
-}
-
-// All of `edit` or nothing, as one step.
-Status inOneStep(Document& doc, const std::string& label, const std::function<Status()>& edit) {
-    doc.beginGroup(label);
-    const Status done = edit();
-    if (done)
-        doc.endGroup();
-    else
-        doc.cancelGroup();
-    return done;
 }
 
 std::string labelOf(const char* verb, std::span<const std::string> names) {

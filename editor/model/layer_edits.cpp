@@ -1,4 +1,5 @@
 #include "model/layer_edits.h"
+#include "model/one_step.h"
 
 #include <fmt/format.h>
 
@@ -25,17 +26,6 @@ size_t placeOf(const Project& p, const std::string& layerPath) {
 }
 
 Status noLayer(const std::string& path) { return usage(fmt::format("there is no layer {}", path)); }
-
-// All of `edit` or nothing, as one step.
-Status together(Document& doc, const std::string& label, const std::function<Status()>& edit) {
-    doc.beginGroup(label);
-    const Status done = edit();
-    if (done)
-        doc.endGroup();
-    else
-        doc.cancelGroup();
-    return done;
-}
 
 // A name that no layer of the entity has.
 std::string freeName(const MapLayers& of, const std::string& stem) {
@@ -81,7 +71,7 @@ Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
     if (!map) return map.error();
     const std::string entity = map->entity, list = entity + ".MapLayers.layers";
     const char* name = kLayerKinds[kind];
-    return together(doc, fmt::format("add {} layer over {}", name, map->path), [&]() -> Status {
+    return inOneStep(doc, fmt::format("add {} layer over {}", name, map->path), [&]() -> Status {
         const MapLayers* before = layersOf(doc.project(), entity + ".");
         const std::string called = freeName(before ? *before : MapLayers{}, name);
         if (!before)

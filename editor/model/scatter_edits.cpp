@@ -6,24 +6,13 @@
 
 #include "model/assets.h"
 #include "model/entity_edits.h"
+#include "model/one_step.h"
 #include "world/drawn_project.h"
 #include "world/placement.h"
 #include "world/scatter.h"
 
 namespace sward {
 namespace {
-
-// All of `edit` or nothing, as one step.
-template <class F>
-Status inOneStep(Document& doc, const std::string& label, const F& edit) {
-    doc.beginGroup(label);
-    const Status done = edit();
-    if (done)
-        doc.endGroup();
-    else
-        doc.cancelGroup();
-    return done;
-}
 
 const ComponentRow& rowOf(const Document& doc, const char* name) {
     return *findComponent(doc.tables().components, name);

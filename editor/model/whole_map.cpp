@@ -9,6 +9,7 @@
 
 #include "core/jobs.h"
 #include "model/new_map.h"
+#include "model/one_step.h"
 #include "scene/map_fields.h"
 
 namespace sward {
@@ -213,21 +214,10 @@ Status bareDensities(Document& doc, const std::string& owner, std::span<const Fi
     return {};
 }
 
-// The edit and what follows it as one step; none of both if one fails.
-Status together(Document& doc, const std::string& label, const std::function<Status()>& edits) {
-    doc.beginGroup(label);
-    const Status done = edits();
-    if (done)
-        doc.endGroup();
-    else
-        doc.cancelGroup();
-    return done;
-}
-
 }  // namespace
 
 Status addUnpainted(Document& doc, const std::string& listPath) {
-    return together(doc, "add to " + listPath, [&]() -> Status {
+    return inOneStep(doc, "add to " + listPath, [&]() -> Status {
         if (Status s = doc.addListElement(listPath); !s) return s;
         const Result<ConstFieldRef> field = findField(doc.project(), doc.tables().components, listPath);
         const ListRow& list = *field->row->list;
@@ -237,7 +227,7 @@ Status addUnpainted(Document& doc, const std::string& listPath) {
 }
 
 Status addComponentUnpainted(Document& doc, const std::string& entity, const std::string& component) {
-    return together(doc, "add " + component + " to " + entity, [&]() -> Status {
+    return inOneStep(doc, "add " + component + " to " + entity, [&]() -> Status {
         if (Status s = doc.addComponent(entity, component); !s) return s;
         return bareDensities(doc, entity + "." + component, findComponent(doc.tables().components, component)->fields);
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/json.h"
+#include "model/one_step.h"
 #include "model/whole_map.h"
 #include "tools/handles.h"
 #include "world/ground.h"
@@ -78,14 +79,10 @@ Status fit(Document& doc, const ViewCamera& view, const std::string& entity, con
 }  // namespace
 
 Status addInView(Document& doc, const ViewCamera& view, const std::string& entity, const std::string& component) {
-    doc.beginGroup(fmt::format("add {}.{}", entity, component));
-    Status done = addComponentUnpainted(doc, entity, component);
-    if (done) done = fit(doc, view, entity, *findComponent(doc.tables().components, component));
-    if (done)
-        doc.endGroup();
-    else
-        doc.cancelGroup();
-    return done;
+    return inOneStep(doc, fmt::format("add {}.{}", entity, component), [&]() -> Status {
+        if (Status s = addComponentUnpainted(doc, entity, component); !s) return s;
+        return fit(doc, view, entity, *findComponent(doc.tables().components, component));
+    });
 }
 
 }  // namespace sward
