@@ -10,6 +10,8 @@ namespace sward {
 // How part-covered pixels are drawn (section 4.2, figure 21).
 enum class Transparency { Coverage, Both, Test, Blend };
 inline constexpr auto kTransparencies = enumNames<Transparency>("coverage", "both", "test", "blend");
+// Whether layers let through what was drawn before them, so that what is farther comes first.
+inline bool blends(Transparency t) { return t == Transparency::Both || t == Transparency::Blend; }
 // Who chooses the cells of which blades are drawn: the CPU; the GPU, from the quadtree's nodes; whichever is the faster
 // of them here.
 enum class Culling { Auto, Cpu, Gpu };

@@ -182,8 +182,7 @@ void beginTransparency(const DrawContext& ctx, const Field& field) {
         glBlendFunc(GL_ONE, GL_ONE);
         return;
     }
-    const Transparency way = field.view->settings<GrassDrawing>().transparency;
-    if (way == Transparency::Both || way == Transparency::Blend) {
+    if (blends(field.view->settings<GrassDrawing>().transparency)) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     }

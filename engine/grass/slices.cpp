@@ -151,25 +151,30 @@ void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLu
 }
 
 // --- vertical slices ---------------------------------------------------------------------------------------
+// Selected cells in a row that take their quads in the same order.
+struct SliceRun {
+    int order;  // of sliceIndices
+    size_t first, count;
+};
 struct SliceDraw {
     Buffer indices, cells;
     VertexArray mesh;
     int slices = 0;
     std::vector<SliceCell> selected;
-    int first[5] = {};  // cells sorted into the four quarters around the eye
+    std::vector<SliceRun> runs;
 };
 struct SlicesView : EffectState {
     PerSpecies<SliceDraw> species;
 };
 
-// Quads of a cell in four orders, nearest first for an eye to its -x or +x, -z or +z. Vertex 4 q + corner of quad q;
-// the first n quads cut x.
+// Quads of a cell in eight orders: for an eye to its -x or +x, -z or +z, nearest first, and the same farthest first.
+// Vertex 4 q + corner of quad q; the first n quads cut x. Where the two families cross, neither is first.
 std::vector<uint16_t> sliceIndices(int n) {
     std::vector<uint16_t> out;
-    for (int quarter = 0; quarter < 4; ++quarter)
+    for (int order = 0; order < 8; ++order)
         for (int i = 0; i < n; ++i)
             for (int axis = 0; axis < 2; ++axis) {
-                const bool fromHigh = quarter >> axis & 1;
+                const bool farthestFirst = order >= 4, fromHigh = (order >> axis & 1) != (farthestFirst ? 1 : 0);
                 const int q = axis * n + (fromHigh ? n - 1 - i : i);
                 for (const int corner : {0, 1, 2, 2, 1, 3}) out.push_back(static_cast<uint16_t>(4 * q + corner));
             }
@@ -188,15 +193,37 @@ int quarterOf(const SliceCell& c, float cellSize) {
     return (c.x + 0.5f * cellSize < 0 ? 1 : 0) + (c.z + 0.5f * cellSize < 0 ? 2 : 0);
 }
 
-void uploadSliceCells(DrawContext& ctx, SliceDraw& s, float cellSize) {
-    std::stable_sort(s.selected.begin(), s.selected.end(), [&](const SliceCell& a, const SliceCell& b) {
-        return quarterOf(a, cellSize) < quarterOf(b, cellSize);
+// How many of its two rows of cells the eye is in.
+int rowsWithEye(const SliceCell& c, float cellSize) {
+    return (c.x <= 0 && c.x + cellSize >= 0 ? 1 : 0) + (c.z <= 0 && c.z + cellSize >= 0 ? 1 : 0);
+}
+
+// How many cells a ray to it comes through.
+float cellsBefore(const SliceCell& c, float cellSize) {
+    return std::abs(c.x / cellSize + 0.5f) + std::abs(c.z / cellSize + 0.5f);
+}
+
+// Cells as they are drawn: by quarters, nearest first; or, to be blended, so that no ray from the eye meets a cell
+// after one that it goes through sooner: those of the eye's own rows last.
+std::vector<SliceRun> orderCells(std::vector<SliceCell>& cells, float cellSize, bool farthestFirst) {
+    const auto group = [&](const SliceCell& c) {
+        return farthestFirst ? 4 * rowsWithEye(c, cellSize) + quarterOf(c, cellSize) : quarterOf(c, cellSize);
+    };
+    std::stable_sort(cells.begin(), cells.end(), [&](const SliceCell& a, const SliceCell& b) {
+        const int ga = group(a), gb = group(b);
+        return ga != gb ? ga < gb : farthestFirst && cellsBefore(a, cellSize) > cellsBefore(b, cellSize);
     });
-    for (int q = 0; q <= 4; ++q)
-        s.first[q] =
-            static_cast<int>(std::partition_point(s.selected.begin(), s.selected.end(),
-                                                  [&](const SliceCell& c) { return quarterOf(c, cellSize) < q; }) -
-                             s.selected.begin());
+    std::vector<SliceRun> runs;
+    for (size_t i = 0; i < cells.size(); ++i) {
+        if (i == 0 || group(cells[i]) != group(cells[i - 1]))
+            runs.push_back({quarterOf(cells[i], cellSize) + (farthestFirst ? 4 : 0), i, 0});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+void uploadSliceCells(DrawContext& ctx, SliceDraw& s, const Field& field) {
+    s.runs = orderCells(s.selected, field.grows().cellSize, blends(field.view->settings<GrassDrawing>().transparency));
     writeBuffer(ctx.gpu, s.cells, kOwner, s.selected.size() * sizeof(SliceCell), s.selected.data());
     describeCells(s.mesh.id(), s.cells.id(), sizeof(SliceCell), s.indices.id());
     ctx.stats.sliceQuads += s.selected.size() * 2 * static_cast<size_t>(s.slices);
@@ -208,7 +235,7 @@ void selectSpecies(DrawContext& ctx, const Field& field, size_t i, SliceDraw& s)
     if (s.slices != slices) makeSliceMesh(ctx, s, slices);
     const FieldTiers& tiers = field.view->tiers;
     s.selected = selectSliceCells(patchQuery(ctx, field, i, 1), tiers.slicesFrom, tiers.slicesTo);
-    uploadSliceCells(ctx, s, field.grows().cellSize);
+    uploadSliceCells(ctx, s, field);
 }
 
 void selectSlices(DrawContext& ctx) {
@@ -241,14 +268,12 @@ void drawSpecies(DrawContext& ctx, const Field& field, size_t i, const SliceDraw
     bindVerticalSlices(ctx, field, i, SliceLevels::Blended);
     glBindVertexArray(s.mesh.id());
     const int each = 12 * s.slices;
-    for (int q = 0; q < 4; ++q) {
-        const int n = s.first[q + 1] - s.first[q];
-        if (n == 0) continue;
+    for (const SliceRun& run : s.runs) {
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, each, GL_UNSIGNED_SHORT,
-                                            reinterpret_cast<const void*>(static_cast<uintptr_t>(q * each) * 2), n,
-                                            static_cast<GLuint>(s.first[q]));
+                                            reinterpret_cast<const void*>(static_cast<uintptr_t>(run.order * each) * 2),
+                                            static_cast<GLsizei>(run.count), static_cast<GLuint>(run.first));
         ctx.pass->draws += 1;
-        ctx.pass->instances += static_cast<uint64_t>(n);
+        ctx.pass->instances += run.count;
     }
 }
 

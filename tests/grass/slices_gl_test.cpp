@@ -100,11 +100,10 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
         Project p = meadow(Technique::Slices);
         grassOf(p).transparency = static_cast<Transparency>(way);
-        grassOf(p).sharpness =
-            3;  // of layers that are blended, each half transparent, smoother ones let more soil through: 0.26 at 2
         const auto drawn = picture(p);
-        EXPECT_GT(covered(drawn), 0.35 * covered(blades)) << kTransparencies[way];
-        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.45 * brightness(blades)) << kTransparencies[way];
+        // Blended nearest first, what lies behind is lost: 0.36 of the pixels show grass.
+        EXPECT_GT(covered(drawn), 0.8 * covered(blades)) << kTransparencies[way];
+        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.25 * brightness(blades)) << kTransparencies[way];
     }
 }
 
