@@ -35,6 +35,21 @@ TEST_F(KeysDialogPanel, OneCloseClosesIt) {
     EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
 }
 
+TEST_F(KeysDialogPanel, OneClickOnTheCrossOfItsTitleClosesIt) {
+    open();
+    const ui::Widget close = book.widgets.at("Keys/Close");  // the cross is above it
+    const float y = close.y0 - ImGui::GetStyle().WindowPadding.y - ImGui::GetFrameHeight() / 2;
+    queue.push({InputKind::Move, static_cast<double>(close.x1) - 4, static_cast<double>(y), 0, false});
+    frames(2);
+    queue.push({InputKind::Button, 0, 0, 0, true});
+    frames();
+    queue.push({InputKind::Button, 0, 0, 0, false});
+    frames(4);
+    EXPECT_FALSE(dialog.open);
+    EXPECT_FALSE(shown("Keys/Search"));
+    EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+}
+
 TEST_F(KeysDialogPanel, OneEscapeClosesItAlsoAfterSearching) {
     open();
     for (const char c : std::string("undo")) queue.push({InputKind::Char, 0, 0, c, false});
