@@ -4,6 +4,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -133,12 +134,25 @@ std::string comparisonLabel(const Comparison& c, const Document& document, const
 // Of the project's first field; "" without one.
 std::string techniqueShown(const Document& document);
 
+// How far a program beside is: what it printed last of the share done of its present part.
+struct RunNews {
+    std::string what;               // "human: hybrid maxGeom=6"; empty: nothing was told yet
+    double share = 0;               // of this part
+    double since = 0, read = -1e9;  // seconds: when the part began; when the file was looked at last
+};
+// The last line "NN %  what" of a text; nothing without one.
+std::optional<RunNews> newsFrom(const std::string& text);
+// "41 %, 20 s left: human: hybrid maxGeom=6", or that it starts.
+std::string newsText(const RunNews& news, double now);
+
 // --- the project's own plot, measured by `sward cost` beside the editor
 struct Sweep {
     ChildProcess child;
     std::filesystem::path folder, copy;
     double started = 0;
-    std::optional<CostRun> run;
+    RunNews news;
+    std::string camera;          // from which it measures
+    std::optional<CostRun> run;  // while it runs: the rows that are drawn, by their first frames
     std::string error;
 };
 // --- settings for a budget, by `sward fit`
@@ -153,6 +167,8 @@ struct Fit {
     ChildProcess child;
     std::filesystem::path folder, copy;
     double started = 0;
+    RunNews news;
+    std::string camera;
     float budget = 16;  // ms
     std::optional<FitShown> result;
     std::string error;
@@ -173,8 +189,8 @@ struct MeasureParts {
     const FrameClock& clock;
     Messages& messages;
 };
-// Starts on a copy of the project as it is now, at the camera shown or the first; what was measured before is reused.
-// Shows why if it cannot: no project, no camera, or it runs already.
+// Starts on a copy of the project as it is now, from the view that is shown; what was measured before is reused. Shows
+// why if it cannot: no project, or it runs already.
 void startSweep(Sweep& sweep, const MeasureParts& parts);
 // The same for a fit to its budget.
 void startFit(Fit& fit, const MeasureParts& parts);
@@ -188,10 +204,13 @@ void stopSweep(Sweep& sweep);
 void stopFit(Fit& fit);
 // Both.
 void stopRuns(Accuracy& accuracy);
-// So far, by the files that it keeps.
-int rowsMeasured(const Sweep& sweep);
-// The project's camera that is shown, or the first by name; "" without one.
+// Rows of a camera that a sweep in this folder has drawn so far, each with the median of its frames so far.
+std::vector<CostRow> rowsSoFar(const std::filesystem::path& work, const std::string& camera);
+// The project's camera that is shown; else a name for the view, another one for another view.
 std::string accuracyCamera(const Document& document, const FlyCamera& view);
+// What adopting says: "adopted: flat" or "adopted: hybrid, maxGeom 6; 4 samples stay as they are". `left`: settings of
+// the view, which the project does not take.
+std::string adoptedText(const CostSetting& setting, std::span<const std::string> left);
 
 // "maxGeom=6 msaa=4" of a technique.
 CostSetting settingOf(const std::string& technique, const std::string& text);

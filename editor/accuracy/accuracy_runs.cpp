@@ -2,12 +2,16 @@
 // results.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <sstream>
 
 #include "accuracy/accuracy.h"
 #include "app/frame_clock.h"
 #include "app/messages.h"
+#include "app/time_left.h"
 #include "core/file.h"
 #include "core/hash.h"
 #include "cost/cost_files.h"
@@ -28,24 +32,35 @@ fs::path folderFor(const Document& doc) {
     return stateDir() / "cost" / hashHex(projectHash(doc.project(), doc.tables().components));
 }
 
-// Unsaved work included; image files come from the project's folder.
-Status writeCopy(const Document& doc, const fs::path& to) {
+// Unsaved work included, and the view as a camera of that name; image files come from the project's folder.
+Status writeCopy(const Document& doc, const fs::path& to, const std::string& camera, const FlyCamera& from) {
     std::error_code fault;
     fs::remove_all(to, fault);
     if (Status s = makeFolderOf(to); !s) return s;
     Project copy = snapshot(doc.project(), doc.tables().components), original;
     original.dir = copy.dir;
     copy.dir = to;
+    if (findEntity(copy, camera) == kNoEntity) {
+        const Result<Entity> added = addEntity(copy, camera);
+        if (!added) return added.error();
+        const ViewCamera view = viewOf(from);
+        Camera c;
+        c.eye = view.eye, c.target = view.target, c.fovDeg = view.fovDeg, c.exposure = view.exposure;
+        copy.registry.add<Camera>(*added, c);
+    }
     const auto written = saveProject(copy, doc.tables().components, original.dir.empty() ? nullptr : &original);
     return written ? Status{} : Status{written.error()};
 }
 
+bool isNews(const std::string& line) { return line.find(" %  ") < 4; }
+
+// But for progress.
 std::string lastLine(const fs::path& file) {
     const Result<std::string> text = readFile(file, 1 << 20);
     if (!text) return "";
     std::string line, last;
     for (std::istringstream in(*text); std::getline(in, line);)
-        if (!line.empty()) last = line;
+        if (!line.empty() && !isNews(line)) last = line;
     return last;
 }
 
@@ -57,14 +72,14 @@ std::string failure(const char* verb, int code, const fs::path& errors) {
 template <class Run>
 Status launch(const MeasureParts& p, Run& run, const char* verb, std::vector<std::string> more) {
     if (!p.doc.isOpen()) return failed("no project is open", "open or create one first");
-    const std::string camera = accuracyCamera(p.doc, p.camera);
-    if (camera.empty()) return unsound("the project has no camera to measure from", "add an entity with a Camera");
+    const std::string camera = run.camera = accuracyCamera(p.doc, p.camera);
     if (run.child.running()) return failed(std::string(verb) + " runs already", "stop it first");
     run.folder = folderFor(p.doc);
     run.copy = run.folder / (std::string("project-") + verb);
     run.started = p.clock.now;
+    run.news = {.since = p.clock.now};
     run.error.clear();
-    if (Status s = writeCopy(p.doc, run.copy); !s) return s;
+    if (Status s = writeCopy(p.doc, run.copy, camera, p.camera); !s) return s;
     std::vector<std::string> args{p.program, verb,  run.copy.string(), "--camera", camera,
                                   "--size",  kSize, "--samples",       kSamples};
     args.insert(args.end(), more.begin(), more.end());
@@ -122,6 +137,36 @@ void finishFit(Fit& f, Messages& messages, int code) {
         f.error = shown.error().text();
 }
 
+constexpr double kLookSeconds = 0.5;
+
+// Looks now and then at what the program printed. True if it is further.
+template <class Run>
+bool followNews(Run& run, const char* verb, double now) {
+    if (!run.child.running() || now - run.news.read < kLookSeconds) return false;
+    run.news.read = now;
+    const Result<std::string> text = readFile(run.folder / (std::string(verb) + ".err"), 1 << 20);
+    std::optional<RunNews> told = text ? newsFrom(*text) : std::nullopt;
+    if (!told || (told->what == run.news.what && told->share == run.news.share)) return false;
+    if (told->share >= run.news.share && !run.news.what.empty())
+        told->since = run.news.since;
+    else
+        told->since = now;  // another part
+    told->read = now;
+    run.news = std::move(*told);
+    return true;
+}
+
+// What is drawn so far, as a plot without floors.
+void showRowsSoFar(Sweep& s) {
+    CostRun run;
+    run.rows = rowsSoFar(s.folder / "work", s.camera);
+    if (run.rows.empty()) return;
+    run.floors.push_back({.camera = s.camera});
+    std::sscanf(kSize, "%dx%d", &run.width, &run.height);
+    markFrontier(run.rows);
+    s.run = std::move(run);
+}
+
 double numberAt(const Json& j, const char* key) {
     const Json* v = j.find(key);
     return v && v->type == Json::Type::Number ? v->number : std::numeric_limits<double>::quiet_NaN();
@@ -167,6 +212,9 @@ void startFit(Fit& f, const MeasureParts& parts) {
 }
 
 void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
+    const bool further = followNews(accuracy.sweep, "cost", clock.now);
+    if (further) showRowsSoFar(accuracy.sweep);
+    if (followNews(accuracy.fit, "fit", clock.now) || further) clock.wanted = std::max(clock.wanted, 2);
     if (const auto code = ended(accuracy.sweep, clock)) finishSweep(accuracy.sweep, messages, *code);
     if (const auto code = ended(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
 }
@@ -177,26 +225,66 @@ void stopSweep(Sweep& sweep) { stopRun(sweep); }
 void stopFit(Fit& fit) { stopRun(fit); }
 void stopRuns(Accuracy& accuracy) { stopSweep(accuracy.sweep), stopFit(accuracy.fit); }
 
-int rowsMeasured(const Sweep& sweep) {
-    int rows = 0;
+std::vector<CostRow> rowsSoFar(const fs::path& work, const std::string& camera) {
+    std::vector<fs::path> files;
     std::error_code fault;
-    for (fs::directory_iterator it(sweep.folder / "work", fault), end; !fault && it != end; it.increment(fault))
-        if (it->path().filename().string().starts_with("row-") && it->path().extension() == ".json") ++rows;
+    for (fs::directory_iterator it(work, fault), end; !fault && it != end; it.increment(fault))
+        if (it->path().filename().string().starts_with("row-") && it->path().extension() == ".json")
+            files.push_back(it->path());
+    std::sort(files.begin(), files.end());
+    std::vector<CostRow> rows;
+    for (const fs::path& file : files) {
+        const auto json = readJson(file);
+        auto row = json ? costRowFrom(*json) : Result<CostRow>(failed("none"));
+        if (!row || row->camera != camera || !row->skipped.empty() || row->ms.empty()) continue;
+        std::sort(row->ms.begin(), row->ms.end());
+        row->msMedian = row->ms[row->ms.size() / 2];
+        rows.push_back(std::move(*row));
+    }
     return rows;
 }
 
+std::optional<RunNews> newsFrom(const std::string& text) {
+    std::optional<RunNews> news;
+    std::string line;
+    for (std::istringstream in(text); std::getline(in, line);)
+        if (isNews(line))
+            news =
+                RunNews{.what = line.substr(line.find(" %  ") + 4), .share = std::strtod(line.c_str(), nullptr) / 100};
+    return news;
+}
+
+std::string newsText(const RunNews& news, double now) {
+    if (news.what.empty()) return fmt::format("starts, {:.0f} s", std::max(now - news.since, 0.0));
+    const std::string left = timeLeft(news.share, now - news.since);
+    return fmt::format("{:.0f} %{}{}: {}", 100 * news.share, left.empty() ? "" : ", ", left, news.what);
+}
+
+std::string adoptedText(const CostSetting& setting, std::span<const std::string> left) {
+    std::string text = "adopted: " + setting.technique, stays;
+    for (std::string value : setting.values) {
+        if (isViewSetting(value)) continue;
+        if (const size_t at = value.find('='); at != std::string::npos) value[at] = ' ';
+        text += ", " + value;
+    }
+    for (const std::string& value : left)
+        stays += (stays.empty() ? "" : " and ") + std::string(value.starts_with("msaa=") ? "4 samples" : "all blades");
+    return stays.empty() ? text : text + "; " + stays + " stay as they are";
+}
+
 std::string accuracyCamera(const Document& document, const FlyCamera& view) {
-    std::string first;
     const ViewCamera now = viewOf(view);
     for (const auto& [name, e] : document.project().entities) {
         const Camera* c = document.project().registry.get<Camera>(e);
-        if (!c) continue;
-        if (first.empty()) first = name;
-        if (glm::length(c->eye - now.eye) < 1e-4 &&
+        if (c && glm::length(c->eye - now.eye) < 1e-4 &&
             glm::length(glm::normalize(c->target - c->eye) - forwardOf(view)) < 1e-5)
             return name;
     }
-    return first;
+    Hasher h;
+    for (const double v :
+         {now.eye.x, now.eye.y, now.eye.z, now.target.x, now.target.y, now.target.z, static_cast<double>(now.fovDeg)})
+        h.add(&v, sizeof v);
+    return "view-" + hashHex(h.value()).substr(0, 8);
 }
 
 CostSetting settingOf(const std::string& technique, const std::string& text) {

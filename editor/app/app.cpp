@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "app/commands.h"
+#include "core/log.h"
 #include "core/resources.h"
 #include "model/assets.h"
 #include "panels/panels.h"
@@ -23,6 +25,7 @@ namespace sward {
 namespace {
 
 constexpr double kStrokeMs = 4;        // of a frame, for stamps that wait
+constexpr double kFilmMs = 20;         // of a frame, for pictures of a film
 constexpr double kIdleSeconds = 0.25;  // how late a line logged by another thread may appear
 
 double clockSeconds() {
@@ -54,14 +57,28 @@ void followBake(EditorApp& app) {
     if (accept(app.messages, *end)) say(app.messages, "ambient occlusion is baked");
 }
 
-void followExport(std::optional<SceneExport>& exporting, FrameClock& clock, Messages& messages) {
+void followExport(std::optional<SceneExport>& exporting, FileDialog& files, FrameClock& clock, Messages& messages) {
     const std::optional<Result<GlbCounts>> end = exporting ? finishExport(*exporting) : std::nullopt;
     if (!end) return;
     const std::string file = exporting->file.string();
+    const bool cancelled = exporting->cancelled;
     exporting.reset();
     clock.wanted = 4;
+    if (!*end && !cancelled && askAgain(files, file, end->error())) return logWarning(end->error().text());
     if (!*end) return showError(messages, end->error());
     say(messages, fmt::format("exported {}: {}", file, countsText(**end)));
+}
+
+// A strip a frame at least; it ends with a message.
+void followFilm(std::unique_ptr<Film>& film, FrameClock& clock, Messages& messages) {
+    if (!film) return;
+    const std::optional<Status> end = pumpFilm(*film, kFilmMs);
+    if (!end) return;
+    const std::unique_ptr<Film> over = std::move(film);
+    clock.wanted = 4;
+    if (!accept(messages, *end)) return;
+    const std::string where = over->plan.out.string();
+    say(messages, over->plan.film ? fmt::format("filmed {}: {} pictures", where, over->frames) : "picture: " + where);
 }
 
 // What the renderer makes beside is shown once it is there; what was drawn with its draft is drawn anew.
@@ -98,7 +115,8 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
     surface.bind();
     glViewport(0, 0, surface.pixelWidth(), surface.pixelHeight());
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.08f, 0.08f, 0.08f, 1);
+    const ImVec4 behind = ImGui::GetStyle().Colors[ImGuiCol_Separator];  // seen between panels
+    glClearColor(behind.x, behind.y, behind.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (const auto before = std::exchange(beforePresent, nullptr)) before(surface);
@@ -115,7 +133,7 @@ bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
 
 bool wantsFrame(const EditorApp& app) {
     return app.clock.wanted > 0 || app.queue.pending() || app.hand.flying || app.doc.stroking() || moves(app.doc) ||
-           !app.edits.deferred.empty() || !app.console.luaLines.empty() ||
+           !app.edits.deferred.empty() || !app.console.luaLines.empty() || app.background.film ||
            app.picture.drawnRevision != app.doc.revision() || hasFreshLog(app.console.log);
 }
 
@@ -154,7 +172,8 @@ void followWorld(EditorApp& app) {
     if (takeLog(app.console.log)) app.messages.status = app.console.log.lines.back().text;
     followProject(app);
     followBake(app);
-    followExport(app.background.exporting, app.clock, app.messages);
+    followExport(app.background.exporting, app.files, app.clock, app.messages);
+    followFilm(app.background.film, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
@@ -179,6 +198,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     start = loadStart(keepLayout ? recentFile() : std::filesystem::path(), resource("projects"));
     start.keep = keepLayout;
     brushes.shiftErases = layout.shiftErases;
+    frameTimes.budgetMs = std::round(layout.budgetMs * 10) / 10;
     openLog(console.log);
 }
 
@@ -186,6 +206,7 @@ EditorApp::~EditorApp() {
     closeLog(console.log);
     if (!edits.holding.empty()) doc.endGroup();
     layout.shiftErases = brushes.shiftErases;
+    layout.budgetMs = frameTimes.budgetMs;
     if (keepLayout)
         if (const auto file = layoutFile()) saveLayout(*file, layout);
     ImGui::SetCurrentContext(imgui);
@@ -194,6 +215,7 @@ EditorApp::~EditorApp() {
     stopRuns(accuracy);
     endComparison(accuracy.comparison);
     freePicture(picture);
+    background.film.reset();
     renderer.reset();
 }
 
@@ -206,8 +228,11 @@ ObjectParts objectParts(EditorApp& a) {
 
 void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::SetCurrentContext(app.imgui);
+    const double entered = clockSeconds();
     if (runEntered(app.console) > 0) app.clock.wanted = 4;
+    const double asked = clockSeconds();
     app.surface->poll(app.queue, waitSeconds);
+    const double begun = clockSeconds() - (asked - entered);                       // without the wait for input
     const bool closing = !app.queue.pending() && app.surface->takeCloseRequest();  // what was typed before comes first
     if (closing) requestQuit(app);
     if (closing || app.queue.pending()) app.clock.wanted = 4;  // a dialog is seen from its second frame on
@@ -216,17 +241,23 @@ void runFrame(EditorApp& app, double waitSeconds) {
     followWorld(app);
     ui::feedInput(widgetInput(app.in, app.play), static_cast<float>(app.clock.delta), app.surface->width(),
                   app.surface->height(), app.surface->pixelWidth(), app.surface->pixelHeight());
+    ui::setTheme(app.layout.lightTheme ? ui::Theme::Light : ui::Theme::Dark);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     ui::beginBook(app.book);
     runShortcuts(app);
+    app.pictureMs = 0;
+    const double widgets = clockSeconds();
     const glm::vec2 size(app.surface->width(), app.surface->height());
     drawPanels(app, app.layout, app.areas, size, app.brushBarRows, playing(app.doc));
     ui::endBook(app.book);
+    const double built = clockSeconds();
     settleEdits(app);
     updateTitle(app.doc, *app.surface, app.shownTitle);
     showCursor(*app.surface);
     present(*app.surface, app.beforePresent);
+    addFrame(app.frameTimes, {static_cast<float>(1000 * (clockSeconds() - begun)),
+                              static_cast<float>(1000 * (built - widgets) - app.pictureMs)});
 }
 
 double idleSeconds(const EditorApp& app) {
@@ -279,6 +310,7 @@ void adoptProject(EditorApp& app) {
     app.picture.drawnRevision = kNeverDrawn;
     app.picture.resolution.stale = true;
     app.picture.resolution.fullMs = 0;
+    app.counts.populationRevision = kNeverDrawn;
     app.selection.entities.clear();
     app.objects.drag.reset();
     app.objects.box.reset();

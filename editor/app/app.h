@@ -16,7 +16,9 @@
 #include "app/console.h"
 #include "app/edits.h"
 #include "app/file_tasks.h"
+#include "app/film_dialog.h"
 #include "app/frame_clock.h"
+#include "app/frame_times.h"
 #include "app/layout.h"
 #include "app/messages.h"
 #include "app/object_actions.h"
@@ -60,6 +62,8 @@ struct EditorApp {
     InputQueue queue;
     FrameInput in;  // of the frame being built
     FrameClock clock;
+    FrameTimes frameTimes;
+    double pictureMs = 0;  // of the frame being built: the viewport's picture
     ui::WidgetBook book;
     Layout layout;
     Areas areas;
@@ -95,6 +99,7 @@ struct EditorApp {
     RenameDialog rename;
     Palette palette;
     KeysDialog keys;
+    FilmDialog film;
     Bindings bindings;
 
     // --- the program

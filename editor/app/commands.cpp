@@ -7,6 +7,7 @@
 
 #include "app/app.h"
 #include "app/path_actions.h"
+#include "app/step_actions.h"
 #include "model/blade_height.h"
 #include "model/float_heights.h"
 #include "model/path_ground.h"
@@ -19,15 +20,6 @@
 
 namespace sward {
 namespace {
-
-void undo(Document& doc, Messages& messages) {
-    const std::string label = doc.undoLabel();
-    if (doc.undo()) say(messages, "undone: " + label);
-}
-void redo(Document& doc, Messages& messages) {
-    const std::string label = doc.redoLabel();
-    if (doc.redo()) say(messages, "done again: " + label);
-}
 
 void focusGround(FlyCamera& camera, const std::optional<glm::dvec3>& ground, float brushRadius) {
     if (!ground) return;
@@ -143,6 +135,7 @@ bool scatterChosenLast(EditorApp& app) {
     return e != kNoEntity && app.doc.project().registry.get<Scatter>(e);
 }
 bool canExport(EditorApp& app) { return app.doc.isOpen() && !app.background.exporting; }
+bool canFilm(EditorApp& app) { return app.doc.isOpen() && !app.background.film; }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -152,9 +145,11 @@ constexpr Command kCommands[] = {
     {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.outside, a.messages); }, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
     {"File", "Export...", "", "", task<FileTask::Export>, canExport},
+    {"File", "Screenshot...", "", "", [](App& a) { askFilm(a.film, a.doc, false); }, canFilm},
+    {"File", "Film...", "", "", [](App& a) { askFilm(a.film, a.doc, true); }, canFilm},
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
-    {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
-    {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Edit", "Undo", "ctrl+z", "", [](App& a) { undoStep(a.doc, a.selection, a.messages); }, canUndo},
+    {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redoStep(a.doc, a.selection, a.messages); }, canRedo},
     {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
@@ -202,7 +197,7 @@ constexpr Command kCommands[] = {
 
 bool dialogOpen(const EditorApp& a) {
     return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty() ||
-           a.palette.open || a.keys.open || !a.outside.files.empty();
+           a.palette.open || a.keys.open || a.film.open || !a.outside.files.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }

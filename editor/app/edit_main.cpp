@@ -42,6 +42,7 @@ int editMain(const std::filesystem::path& project) {
     host.playStart = [&app] { return PlayStart{viewOf(app.view.camera), 0, true}; };
     offerBakes(host);
     offerExport(host);
+    offerFilms(host, [&app]() -> Result<Gpu*> { return &app.gpu; });
     ScriptConsole console(host);
     app.console.runLua = [&console](const std::string& line) { return console.run(line); };
     app.console.completions = [&console](const std::string& word) { return console.completions(word); };

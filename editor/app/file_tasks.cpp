@@ -31,6 +31,16 @@ void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& docu
     askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
 }
 
+bool askAgain(FileDialog& files, const std::filesystem::path& file, const Error& why) {
+    if (files.task != FileTask::None) return false;
+    files.task = FileTask::Export;
+    files.opening = true;
+    files.folder = file.parent_path();
+    files.path = file.string();
+    files.error = why.text();
+    return true;
+}
+
 bool othersOnDisk(const OutsideDialog& outside, const Document& document) {
     if (!document.isOpen()) return false;
     const auto changed = changedOutside(document.project());

@@ -53,6 +53,9 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
 // Opens the file dialog; Open and New ask about unsaved work first. All three must outlive the dialog. Export names the
 // scene's .glb.
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task);
+// An export that was refused is asked for again: the dialog is back with what was typed, and says why. Nothing while
+// another dialog of files is open: false.
+bool askAgain(FileDialog& files, const std::filesystem::path& file, const Error& why);
 // Saves, and says how many files were written. False if it failed, which is shown; or if the project was never saved:
 // then the dialog asks where; or if another program changed it: then the person is asked whose counts.
 bool saveNow(Document& document, FileDialog& files, OutsideDialog& outside, Messages& messages);

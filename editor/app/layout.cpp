@@ -88,6 +88,8 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "accuracy") readNumber(line, l.accuracy, 50, 4000);
         if (name == "hidden" && line >> word) l.hidden.insert(word);
         if (name == "tab" && line >> word) l.tab = word;
+        if (name == "budget") readNumber(line, l.budgetMs, 1, 1000);
+        if (name == "theme" && line >> word) l.lightTheme = word == "light";
         if (name == "shift" && line >> word) l.shiftErases = word == "erases";
     }
     return l;
@@ -97,8 +99,9 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
     std::error_code error;
     std::filesystem::create_directories(file.parent_path(), error);
     std::ofstream out(file);
-    out << fmt::format("right {}\noutliner {}\nbottom {}\naccuracy {}\ntab {}\n", l.right, l.outliner, l.bottom,
-                       l.accuracy, l.tab);
+    out << fmt::format("right {}\noutliner {}\nbottom {}\naccuracy {}\nbudget {}\ntab {}\n", l.right, l.outliner,
+                       l.bottom, l.accuracy, l.budgetMs, l.tab);
+    if (l.lightTheme) out << "theme light\n";
     if (l.shiftErases) out << "shift erases\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());

@@ -20,6 +20,8 @@ struct Layout {
     float accuracy = 290;          // ... while Accuracy or Layers is in sight, which need more
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
+    bool lightTheme = false;       // the panels' colours
+    float budgetMs = 1000 / 60.f;  // what a frame may take (app/frame_times.h)
     bool shiftErases = false;      // a habit of the hand, not of a project
 };
 // The panels that share the bottom as tabs.

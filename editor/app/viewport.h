@@ -3,9 +3,11 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/layout.h"
 #include "app/resolution.h"
+#include "cost/frame_stats.h"
 #include "frame/renderer.h"
 #include "tools/camera_control.h"
 #include "world/view_camera.h"
@@ -55,6 +57,11 @@ struct ViewCounts {
     double bladesVirtual = 0;    // the population, counted at rest
     uint64_t bladesVisible = 0;  // counted at rest while measuring
     uint64_t populationRevision = kNeverDrawn, countedRevision = kNeverDrawn;
+    // By species, counted at rest while they are in sight.
+    std::vector<SpeciesBlades> species;
+    bool wantsSpecies = false;  // the profiler's list was drawn in the last frame
+    uint64_t speciesRevision = kNeverDrawn;
+    ViewCamera speciesCamera;  // that they were counted for
 };
 
 // Moves the view to a camera of the project. False if there is none of this name.

@@ -80,7 +80,10 @@ struct Verbs {
         v->add_option("--stats", o.stats, "write statistics as JSON to this file");
     }
     void addRender() {
-        addViews(verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); }), render);
+        CLI::App* v = verb("render", "Draw a project's cameras to images", [this] { return renderVerb(render); });
+        addViews(v, render);
+        v->add_option("--first", render.first, "with --fps: begin with frame I of the film, numbered so (default: 0)")
+            ->check(CLI::NonNegativeNumber);
     }
     void addReference() {
         CLI::App* v =

@@ -29,6 +29,7 @@ struct RenderOptions {
     double time = 0;
     int frames = 0;  // measured after 3 warm-ups; 0: the picture alone
     double fps = 0;  // with frames: write that many pictures
+    int first = 0;   // ... from this one on: the others of a film are another machine's
     std::string out;
     std::string stats;
 };

@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <chrono>
+
 #include "cli/cli.h"
 #include "cli/cost_request.h"
 #include "cli/interrupt.h"
@@ -61,10 +63,16 @@ Result<CostRequest> costRequest(const CostOptions& o, const Project& project) {
     return r;
 }
 
+// On a terminal one line that is rewritten; else a line every half second, for who reads along.
 CostProgress costProgress() {
-    return [last = std::string()](const std::string& what, double share) mutable {
+    using Clock = std::chrono::steady_clock;
+    return [last = std::string(), told = Clock::time_point()](const std::string& what, double share) mutable {
         const std::string line = share < 0 ? last : fmt::format("{:3.0f} %  {}", 100 * share, what);
-        if (line != last && isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K%s", line.c_str());
+        const bool terminal = isatty(STDERR_FILENO), due = Clock::now() - told > std::chrono::milliseconds(500);
+        if (line != last && (terminal || due)) {
+            std::fprintf(stderr, terminal ? "\r\033[K%s" : "%s\n", line.c_str());
+            told = Clock::now();
+        }
         last = line;
         return !interrupted();
     };

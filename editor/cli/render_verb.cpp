@@ -87,7 +87,7 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
 }
 
 Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, const fs::path& folder, int w, int h) {
-    for (int i = 0; i < o.frames; ++i) {
+    for (int i = o.first; i < o.first + o.frames; ++i) {
         shot.settings.time = o.time + i / o.fps;
         shot.view = shotAt(o, shot.project, name, i / o.fps);
         if (Status s = shot.renderer.draw(shot.project, shot.view, shot.settings); !s) return s;

@@ -1,3 +1,4 @@
+#include "app/film.h"
 #include "cli/cli.h"
 #include "cli/interrupt.h"
 #include "core/log.h"
@@ -50,6 +51,11 @@ class LazyUi final : public UiDriver {
         return with([&](UiDriver& d) { return d.screenshot(file); });
     }
 
+    // Its context, for pictures without widgets.
+    Result<Gpu*> gpu() {
+        if (Status s = make(); !s) return s.error();
+        return gpu_.get();
+    }
     // The view of a camera: now if the editor is there, else once it is made.
     void useCamera(const std::string& name) {
         camera_ = name;
@@ -96,6 +102,7 @@ int scriptVerb(const ScriptOptions& o) {
     host.ui = &lazy;
     offerBakes(host);
     offerExport(host);
+    if (!o.window) offerFilms(host, [&lazy] { return lazy.gpu(); });
     host.useCamera = [&](const std::string& name) { lazy.useCamera(name); };
     if (o.window) {
         auto made = makeWindowUi(document, 1440, 900);

@@ -53,7 +53,8 @@ Result<std::vector<std::string>> shotNames(RenderOptions& o, const Project& p) {
             .at(p.dir);
     if (o.fps <= 0) o.fps = kFilmRate;
     if (o.frames <= 0)
-        o.frames = static_cast<int>(std::min(kLongestFilm, std::floor(secondsOf(*path) * o.fps + 1e-6) + 1));
+        o.frames = static_cast<int>(std::min(kLongestFilm, std::floor(secondsOf(*path) * o.fps + 1e-6) + 1)) - o.first;
+    if (o.frames < 1) return usage(fmt::format("the path has no frame {}", o.first), "a lower --first");
     return std::vector<std::string>{o.path};
 }
 

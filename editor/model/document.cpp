@@ -44,8 +44,19 @@ void Document::Impl::show(Project p) {
     group = {};
     history.clear();
     project = std::move(p);
-    saved = snapshot(*project, rows());
+    noteSaved();
     ++revision;
+}
+
+void Document::Impl::noteSaved() {
+    saved = snapshot(*project, rows());
+    savedAt = history.position();
+}
+
+// What was saved on a branch that could be redone is gone with it.
+void Document::Impl::push(UndoStep step) {
+    if (savedAt && *savedAt > history.position()) savedAt.reset();
+    history.push(std::move(step));
 }
 
 Document::Document(const Tables& tables, size_t undoBytes) : impl_(std::make_unique<Impl>(tables, undoBytes)) {}
@@ -77,7 +88,7 @@ Result<std::vector<std::string>> Document::save() {
     auto written = saveProject(p, impl_->rows(), &impl_->saved, way);
     if (!written) return written;
     p.repairedMaps.clear();
-    impl_->saved = snapshot(p, impl_->rows());
+    impl_->noteSaved();
     ++impl_->revision;
     if (Status s = checkUnique(DrawnProject().of(p, impl_->rows())); !s)
         logWarning("saved, but it cannot be drawn: " + s.error().text());
@@ -124,7 +135,7 @@ Status Document::takeFromDisk() {
     impl_->become(*other, "take what is on disk");
     p.name = other->name, p.unknown = other->unknown, p.imports = other->imports;
     p.stamps = other->stamps, p.repairedMaps = other->repairedMaps;
-    impl_->saved = snapshot(p, impl_->rows());
+    impl_->noteSaved();
     return {};
 }
 
@@ -198,7 +209,7 @@ void Document::Impl::record(const std::string& label, std::vector<Change> change
         return;
     }
     dropEmptyChanges(changes);
-    if (!changes.empty()) history.push({label, std::move(changes)});
+    if (!changes.empty()) push({label, std::move(changes)});
 }
 
 // Edits the component that the field belongs to; the edit must leave it alone if it fails.
@@ -433,7 +444,7 @@ void Document::endGroup() {
     UndoStep done = std::move(impl_->group);
     impl_->group = {};
     dropEmptyChanges(done.changes);
-    if (!done.changes.empty()) impl_->history.push(std::move(done));
+    if (!done.changes.empty()) impl_->push(std::move(done));
 }
 
 void Document::cancelGroup() {
@@ -474,6 +485,13 @@ std::string Document::redoLabel() const {
 }
 std::vector<std::string> Document::stepLabels() const { return impl_->history.labels(); }
 size_t Document::stepsDone() const { return impl_->history.done(); }
+std::optional<size_t> Document::savedStep() const {
+    const uint32_t forgotten = impl_->history.position() - static_cast<uint32_t>(impl_->history.done());
+    const bool known = isOpen() && impl_->project->repairedMaps.empty() && impl_->savedAt;
+    if (!known || *impl_->savedAt < forgotten) return {};
+    return *impl_->savedAt - forgotten;
+}
+
 bool Document::jumpTo(size_t wanted) {
     impl_->finishStroke();
     while (impl_->history.done() != wanted)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -135,6 +136,8 @@ class Document {
     // Labels of all steps that the history holds, the oldest first, and how many of them the project has behind it.
     std::vector<std::string> stepLabels() const;
     size_t stepsDone() const;
+    // How many steps are behind where the project is as on disk; nothing: no step leads there.
+    std::optional<size_t> savedStep() const;
     // Takes steps back, or brings them again, until so many are behind. False if it cannot be reached now.
     bool jumpTo(size_t stepsDone);
     // Takes the last step back. False if there is none or it may not be now.

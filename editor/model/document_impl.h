@@ -20,7 +20,8 @@ struct Document::Impl {
     Tables tables;
     History history;
     std::optional<Project> project;
-    Project saved;  // as it is on disk
+    Project saved;                    // as it is on disk
+    std::optional<uint32_t> savedAt;  // History::position of that state; nothing: no step leads there
     uint64_t revision = 1;
     std::unique_ptr<Playtest> play;
     struct {
@@ -68,6 +69,8 @@ struct Document::Impl {
     }
     Status ready() const;
     void show(Project p);
+    void noteSaved();  // the project is as on disk
+    void push(UndoStep step);
     void become(const Project& other, const std::string& label);  // in one undo step
     void record(const std::string& label, std::vector<Change> changes);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);

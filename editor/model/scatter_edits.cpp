@@ -78,7 +78,7 @@ Result<std::vector<std::string>> makeObjectsOf(Document& doc, const std::string&
     if (!found) return usage(fmt::format("\"{}\" has no Scatter", entity), "choose an entity that has one");
     const Scatter scatter = *found;
     const Ground ground = findGround(shown);
-    const Scattering all = scatterOver(scatter, ground);
+    const Scattering all = scatterIn(shown, scatter, ground);
     if (all.objects.empty()) return failed(entity + " scatters nothing here", "give it a mesh and a number");
     if (all.objects.size() > kMostObjectsMade)
         return failed(fmt::format("{} scatters {} objects; at most {} are made into entities", entity,

@@ -11,6 +11,8 @@ Result<SceneExport> startExport(const Document& document, const GlbOptions& opti
     if (file.extension() != ".glb")
         return usage("a scene is written to a .glb", "end the name in .glb").at(file.string());
     const std::span<const ComponentRow> rows = document.tables().components;
+    DrawnProject drawn;
+    if (Status s = checkExport(drawn.of(document.project(), rows), options); !s) return s.error();
     const auto copy = std::make_shared<Project>(snapshot(document.project(), rows));
     return SceneExport{file, Job<GlbCounts>("export", 0, [copy, rows, options, file](JobControl& control) {
                            return exportScene(DrawnProject().of(*copy, rows), options, file, control);

@@ -13,8 +13,10 @@ namespace sward {
 struct SceneExport {
     std::filesystem::path file;
     Job<GlbCounts> job;
+    bool cancelled = false;  // the person did it
 };
-// Starts it. Failed error without an open project; Usage error if `file` does not end in .glb.
+// Starts it. Failed error without an open project; Usage error if `file` does not end in .glb; what checkExport
+// refuses.
 Result<SceneExport> startExport(const Document& document, const GlbOptions& options, const std::filesystem::path& file);
 // Nothing while it runs. Then what was written, or why not (cancelled: no file was touched).
 std::optional<Result<GlbCounts>> finishExport(SceneExport& exporting);

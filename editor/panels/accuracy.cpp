@@ -1,6 +1,5 @@
 // What accuracy costs: the comparison's choices and scores, the project's time-appearance plot, a fit to a budget.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <imgui.h>
 
 #include "accuracy/accuracy.h"
@@ -73,24 +72,21 @@ void scores(const Comparison& c, const std::string& label) {
           "Mean standard error of the truth's pixels, in linear light; it halves with four times the samples.");
 }
 
-std::string elapsed(double now, double started) { return fmt::format("{:.0f} s", now - started); }
-
 void sweepRow(Sweep& s, const MeasureParts& parts) {
     if (s.child.running()) {
         if (ui::button("Stop")) stopSweep(s);
         ImGui::SameLine(0, 8);
-        const int rows = rowsMeasured(s);
-        const std::string done = rows == 0 ? "the truth first" : fmt::format("{} settings", rows);
-        ui::coloredText(ui::kDimText, fmt::format("measuring {}: {}, {}", accuracyCamera(parts.doc, parts.camera), done,
-                                                  elapsed(parts.clock.now, s.started))
-                                          .c_str());
+        const std::string news = newsText(s.news, parts.clock.now);
+        ui::coloredText(ui::kDimText, news.c_str());
+        ui::record("Measuring", ui::Kind::Label, news);
+        ui::tooltip("Measuring from " + s.camera + ". First the truth, then every setting, then their times.");
         return;
     }
     const ui::Disabled none(!parts.doc.isOpen());
     if (ui::button("Measure")) startSweep(s, parts);
     ui::tooltip(
-        "Draws this project with every technique at many settings, and holds each against the truth. Takes some "
-        "minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
+        "Draws this project from here with every technique at many settings, and holds each against the truth. Takes "
+        "some minutes, beside the editor;\nthe project is copied as it is now, unsaved work included.");
     ImGui::SameLine(0, 8);
     if (!s.error.empty())
         ui::coloredText(ui::kErrorText, s.error.c_str());
@@ -105,9 +101,7 @@ void adopt(Document& doc, Edits& edits, Messages& messages, const CostSetting& s
     edits.deferred.push_back([&doc, &messages, setting] {
         const auto left = adoptSettings(doc, setting);
         if (!left) return showError(messages, left.error());
-        say(messages,
-            "adopted " + setting.technique + " " + setting.text() +
-                (left->empty() ? "" : fmt::format(" (not adopted, of the view: {})", fmt::join(*left, ", "))));
+        say(messages, adoptedText(setting, *left));
     });
 }
 
@@ -159,7 +153,7 @@ void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     ImGui::SameLine(0, 6);
     if (f.child.running()) {
         if (ui::button("Stop fit")) stopFit(f);
-        return ui::coloredText(ui::kDimText, ("trying settings, " + elapsed(parts.clock.now, f.started)).c_str());
+        return ImGui::TextWrapped("%s", newsText(f.news, parts.clock.now).c_str());
     }
     {
         const ui::Disabled none(!parts.doc.isOpen());

@@ -17,7 +17,7 @@ ImU32 opaque(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rg
 // A technique's colour; white for rows of one that the table lacks.
 ImU32 colorOf(std::span<const TechniqueRow> techniques, const std::string& name) {
     const TechniqueRow* row = findTechnique(techniques, name);
-    return row ? opaque(row->color) : IM_COL32_WHITE;
+    return row ? opaque(row->color) : ui::kStrongLine;
 }
 
 // A logarithmic axis: values to pixels.
@@ -46,14 +46,33 @@ struct Plot {
 
 bool isDrawn(const CostRow& r) { return r.skipped.empty() && r.msMedian > 0 && r.metrics.appearance.distance > 0; }
 
-Plot layOut(const CostRun& run, const CostFloors& f, ImVec2 at, ImVec2 size) {
+constexpr const char* kTitle = "appearance error";
+constexpr float kLegendGap = 12;
+
+// Lines of names above the plot, right-aligned, each as full as it may be.
+std::vector<std::vector<const TechniqueRow*>> legendLines(std::span<const TechniqueRow> techniques, float room) {
+    std::vector<std::vector<const TechniqueRow*>> lines{{}};
+    float taken = 0;
+    for (const TechniqueRow& row : techniques) {
+        const float width = ImGui::CalcTextSize(row.name).x + kLegendGap;
+        if (taken > 0 && taken + width > room) lines.emplace_back(), taken = 0;
+        lines.back().push_back(&row);
+        taken += width;
+    }
+    return lines;
+}
+
+Plot layOut(const CostRun& run, const CostFloors& f, std::span<const TechniqueRow> techniques, ImVec2 at, ImVec2 size) {
     Plot p;
     for (const CostRow& r : run.rows)
         if (isDrawn(r)) p.x.take(r.msMedian), p.y.take(r.metrics.appearance.distance);
     for (const double v : {f.seed.distance, f.sampling.distance, f.flat.distance}) p.y.take(v);
     pad(p.x), pad(p.y);
     const float em = ImGui::GetFontSize();
-    p.low = {at.x + em * 3.2f, at.y + em * 1.3f}, p.high = {at.x + size.x - em * 0.4f, at.y + size.y - em * 1.4f};
+    const float room = size.x - em * 3.6f - ImGui::CalcTextSize(kTitle).x;
+    const float lines = static_cast<float>(legendLines(techniques, room).size());
+    p.low = {at.x + em * 3.2f, at.y + em * 1.3f * lines},
+    p.high = {at.x + size.x - em * 0.4f, at.y + size.y - em * 1.4f};
     p.x.from = p.low.x, p.x.to = p.high.x, p.y.from = p.high.y, p.y.to = p.low.y;
     return p;
 }
@@ -68,7 +87,7 @@ void ticks(const Axis& a, const Draw& draw) {
 
 void axes(const Plot& p) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 line = IM_COL32(255, 255, 255, 26);
+    const ImU32 line = ui::kFaintLine;
     const float em = ImGui::GetFontSize();
     float right = -1e9f;  // of the last label, so that none covers another
     ticks(p.x, [&](double v) {
@@ -89,21 +108,18 @@ void axes(const Plot& p) {
         list.AddText({p.low.x - 5 - ImGui::CalcTextSize(text.c_str()).x, y - em / 2}, ui::kDimText, text.c_str());
         above = y - em / 2;
     });
-    if (p.high.x - p.low.x > em * 18)
-        list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, "appearance error");
-    list.AddRect(p.low, p.high, IM_COL32(255, 255, 255, 60));
+    list.AddText({p.low.x - em * 3.1f, p.low.y - em * 1.3f}, ui::kDimText, kTitle);
+    list.AddRect(p.low, p.high, ui::kLine);
 }
 
 void level(const Plot& p, double v, const char* label, float& taken) {
     if (!(v > 0)) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float y = p.y.at(v);
-    for (float x = p.low.x; x < p.high.x; x += 8)
-        list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, IM_COL32(255, 255, 255, 110));
+    for (float x = p.low.x; x < p.high.x; x += 8) list.AddLine({x, y}, {std::min(x + 4, p.high.x), y}, ui::kLine);
     const ImVec2 size = ImGui::CalcTextSize(label);
     const float at = p.high.x - size.x - 6 - taken;
-    if (at > p.low.x)
-        list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, IM_COL32(205, 205, 205, 255), label);
+    if (at > p.low.x) list.AddText({at, y - size.y - 1 < p.low.y ? y + 1 : y - size.y - 1}, ui::kDimText, label);
     taken += size.x + 14;  // side by side: lines may lie close
 }
 
@@ -115,19 +131,32 @@ void frontier(const Plot& p, const CostRun& run) {
     for (size_t i = 1; i < rows.size(); ++i)
         ImGui::GetWindowDrawList()->AddLine(
             {p.x.at(rows[i - 1]->msMedian), p.y.at(rows[i - 1]->metrics.appearance.distance)},
-            {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, IM_COL32(255, 255, 255, 150),
-            1.5f);
+            {p.x.at(rows[i]->msMedian), p.y.at(rows[i]->metrics.appearance.distance)}, ui::kLine, 1.5f);
 }
 
 void legend(const Plot& p, std::span<const TechniqueRow> techniques) {
-    float x = p.high.x;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const TechniqueRow& row : techniques) {
-        const ImVec2 size = ImGui::CalcTextSize(row.name);
-        x -= size.x;
-        list.AddText({x, p.low.y - ImGui::GetFontSize() * 1.3f}, opaque(row.color), row.name);
-        x -= 12;
+    const float em = ImGui::GetFontSize(), room = p.high.x - p.low.x - ImGui::CalcTextSize(kTitle).x;
+    const auto lines = legendLines(techniques, room);
+    float y = p.low.y - em * 1.3f * static_cast<float>(lines.size());
+    for (const auto& line : lines) {
+        float x = p.high.x;
+        for (const TechniqueRow* row : line) {
+            x -= ImGui::CalcTextSize(row->name).x;
+            list.AddText({x, y}, opaque(row->color), row->name);
+            x -= kLegendGap;
+        }
+        y += em * 1.3f;
     }
+}
+
+// Beside a point, within the plot.
+void mark(const Plot& p, const ImVec2& at, const char* text) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddCircle(at, 8, ui::kStrongLine, 0, 2);
+    const float width = ImGui::CalcTextSize(text).x;
+    const float x = at.x + 10 + width > p.high.x ? at.x - 10 - width : at.x + 10;
+    list.AddText({x, at.y - ImGui::GetFontSize() / 2}, ui::kStrongLine, text);
 }
 
 ImVec2 pointAt(const Plot& p, const CostRow& r) { return {p.x.at(r.msMedian), p.y.at(r.metrics.appearance.distance)}; }
@@ -171,19 +200,17 @@ void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Doc
         recordPoint(at, r);
         if (marked || !isPresent(doc, settingOf(r.technique, r.settings))) continue;
         marked = true;
-        list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
-        list.AddText({at.x + 10, at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "now");
+        mark(p, at, "now");
     }
     if (marked || !viewport) return;
     const ImVec2 at{std::clamp(p.x.at(viewport->ms), p.low.x, p.high.x),
                     std::clamp(p.y.at(viewport->error), p.low.y, p.high.y)};
-    list.AddCircle(at, 8, IM_COL32_WHITE, 0, 2);
-    list.AddText({std::min(at.x + 10, p.high.x - 60), at.y - ImGui::GetFontSize() / 2}, IM_COL32_WHITE, "viewport");
+    mark(p, at, "viewport");
 }
 
 void emptyPlot(const ImVec2& at, const ImVec2& size) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRect(at, {at.x + size.x, at.y + size.y}, IM_COL32(255, 255, 255, 40));
+    list.AddRect(at, {at.x + size.x, at.y + size.y}, ui::kFaintLine);
     const char* text = "time and error of every technique, once measured";
     const ImVec2 t = ImGui::CalcTextSize(text);
     if (t.x < size.x) list.AddText({at.x + (size.x - t.x) / 2, at.y + (size.y - t.y) / 2}, ui::kDimText, text);
@@ -203,7 +230,7 @@ std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, 
     if (!measured || measured->floors.empty()) return emptyPlot(at, size), std::nullopt;
     const CostRun& run = *measured;
     const CostFloors& floors = run.floors.front();
-    const Plot p = layOut(run, floors, at, size);
+    const Plot p = layOut(run, floors, document.tables().techniques, at, size);
     axes(p);
     float taken = 0;
     level(p, floors.flat.distance, "flat colour", taken);

@@ -76,14 +76,19 @@ void createButton(Rows& rows, Document& doc, const ConstFieldRef& map, Edits& ed
     ui::record("New map", ui::Kind::Label, size);
 }
 
-void modeCombo(const Document& doc, BrushBook& brushes, Messages& messages) {
-    std::vector<std::string> labels{"Select"}, tools{kViewTool};
+// The path tool is a mode of the select tool; here each has its own name.
+void modeCombo(const Document& doc, BrushBook& brushes, GizmoMode& mode, Messages& messages) {
+    std::vector<std::string> labels{"Select", "Path"}, tools{kViewTool, kViewTool};
     for (const BrushRow& row : brushRows()) labels.push_back(row.label), tools.push_back(row.name);
     const auto it = std::find(tools.begin(), tools.end(), brushes.tool);
     int chosen = static_cast<int>(it - tools.begin());
+    if (chosen == 0 && mode == GizmoMode::Path) chosen = 1;
     caption("Mode");
     ImGui::SetNextItemWidth(em(7));
-    if (ui::combo("Mode", labels, chosen)) selectTool(doc, brushes, messages, tools[static_cast<size_t>(chosen)]);
+    if (!ui::combo("Mode", labels, chosen)) return;
+    selectTool(doc, brushes, messages, tools[static_cast<size_t>(chosen)]);
+    if (chosen == 1) mode = GizmoMode::Path;
+    if (chosen == 0 && mode == GizmoMode::Path) mode = GizmoMode::Move;
 }
 
 void number(Rows& rows, const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
@@ -122,10 +127,11 @@ void dial(double yaw, float& angleDeg) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddCircleFilled(c, r, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg));
     list.AddCircle(c, r, ui::kDimText);
-    list.AddLine({c.x - x * r * 0.6f, c.y - y * r * 0.6f}, {c.x + x * r * 0.6f, c.y + y * r * 0.6f}, IM_COL32_WHITE, 2);
+    list.AddLine({c.x - x * r * 0.6f, c.y - y * r * 0.6f}, {c.x + x * r * 0.6f, c.y + y * r * 0.6f}, ui::kStrongLine,
+                 2);
     list.AddTriangleFilled({c.x + x * r, c.y + y * r},
                            {c.x + (x * 0.2f - y * 0.5f) * r, c.y + (y * 0.2f + x * 0.5f) * r},
-                           {c.x + (x * 0.2f + y * 0.5f) * r, c.y + (y * 0.2f - x * 0.5f) * r}, IM_COL32_WHITE);
+                           {c.x + (x * 0.2f + y * 0.5f) * r, c.y + (y * 0.2f - x * 0.5f) * r}, ui::kStrongLine);
 }
 
 void angle(Rows& rows, double yaw, float& angleDeg) {
@@ -204,6 +210,17 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>
                "What the brush paints towards: 0 is bare, 1 is full.");
 }
 
+// What the button does with the path tool in the hand.
+void pathHelp(Rows& rows) {
+    constexpr const char* kHelp =
+        "A click on the ground adds a point, on the curve inserts one; a drag moves it, Delete removes it, Enter ends.";
+    next(rows, kHelp, 0);
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, kHelp);
+    ui::record("Path Help", ui::Kind::Label);
+    ui::tooltip("Width, falloff and tint of the path are in the inspector.");
+}
+
 // Of the select tool: to what a drag snaps while Ctrl is held.
 void steps(Rows& rows, ObjectTool& objects) {
     GizmoSteps& s = objects.steps;
@@ -224,11 +241,14 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
                  Messages& messages) {
     Rows rows{area.x + area.w};
     const ui::Disabled noProject(!doc.isOpen());
-    modeCombo(doc, brushes, messages);
+    modeCombo(doc, brushes, objects.mode, messages);
     mapCombo(rows, doc, brushes);
     const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
     if (brushes.tool == kViewTool) {
-        steps(rows, objects);
+        if (objects.mode == GizmoMode::Path)
+            pathHelp(rows);
+        else
+            steps(rows, objects);
         return rows.count;
     }
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);

@@ -1,5 +1,9 @@
-// The menu of the chosen entities, at the pointer: the commands of the menu Object.
+// The menu of the chosen entities, at the pointer: the commands of the menu Object, those that are used most at the top
+// and the others in menus of their own.
 #include <imgui.h>
+
+#include <algorithm>
+#include <string_view>
 
 #include "app/commands.h"
 #include "panels/panels.h"
@@ -8,6 +12,35 @@
 #include "ui/widgets.h"
 
 namespace sward {
+namespace {
+
+// Which commands stand in a menu of their own; those that no row names stand at the top.
+struct Submenu {
+    const char* title;
+    std::span<const std::string_view> labels;
+};
+constexpr std::string_view kSight[] = {"Hide or Show", "Show All", "Lock or Unlock", "Unlock All"};
+constexpr std::string_view kTools[] = {"Objects or Brush", "Move", "Turn", "Scale", "Path"};
+constexpr std::string_view kPaths[] = {"New Path", "End Path", "Flatten Along Path", "Camera Path from Path"};
+constexpr std::string_view kScatters[] = {"Add Scatter", "Make Objects of It"};
+constexpr Submenu kSubmenus[] = {
+    {"Sight and Lock", kSight}, {"Scatter", kScatters}, {"Paths", kPaths}, {"Tool", kTools}};
+
+bool holds(const Submenu& menu, std::string_view label) {
+    return std::find(menu.labels.begin(), menu.labels.end(), label) != menu.labels.end();
+}
+
+// The command whose item was chosen, of those that `takes`; else `before`.
+template <class Takes>
+const Command* items(std::span<const CommandState> states, const Command* before, const Takes& takes) {
+    for (const CommandState& s : states)
+        if (std::string_view(s.command->menu) == "Object" && takes(s.command->label) &&
+            ui::menuItem(s.command->label, chordText(s.chord), s.checked, s.enabled))
+            before = s.command;
+    return before;
+}
+
+}  // namespace
 
 const Command* drawContextMenu(std::span<const CommandState> states, const std::string& title, bool& opening) {
     if (std::exchange(opening, false)) ImGui::OpenPopup("Context");
@@ -15,12 +48,15 @@ const Command* drawContextMenu(std::span<const CommandState> states, const std::
     if (ui::escapePressed()) ImGui::CloseCurrentPopup();
     ImGui::TextDisabled("%s", title.empty() ? "nothing is chosen" : title.c_str());
     ImGui::Separator();
-    const Command* chosen = nullptr;
-    for (const CommandState& state : states) {
-        const Command& c = *state.command;
-        if (std::string(c.menu) == "Object" &&
-            ui::menuItem(c.label, chordText(state.chord), state.checked, state.enabled))
-            chosen = &c;
+    const Command* chosen = items(states, nullptr, [](std::string_view label) {
+        return std::none_of(std::begin(kSubmenus), std::end(kSubmenus),
+                            [&](const Submenu& menu) { return holds(menu, label); });
+    });
+    ImGui::Separator();
+    for (const Submenu& menu : kSubmenus) {
+        if (!ui::beginMenu(menu.title)) continue;
+        chosen = items(states, chosen, [&](std::string_view label) { return holds(menu, label); });
+        ui::endMenu();
     }
     ImGui::EndPopup();
     return chosen;

@@ -4,6 +4,7 @@
 
 #include "app/edits.h"
 #include "app/messages.h"
+#include "app/step_actions.h"
 #include "model/document.h"
 #include "panels/panels.h"
 #include "ui/theme.h"
@@ -12,30 +13,50 @@
 namespace sward {
 namespace {
 
+struct List {
+    Document& doc;
+    Edits& edits;
+    Messages& messages;
+    Selection& selection;
+    size_t done;                  // steps behind the project
+    std::optional<size_t> saved;  // where it is as on disk
+};
+
+// Beside the line last drawn: the dot of the title and the status bar stands for what is not saved, this for what is.
+void savedMark(const List& list, size_t steps) {
+    const char* text = steps == list.done ? "saved, here" : "saved";
+    const float width = ImGui::CalcTextSize(text).x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ui::coloredText(ui::kAccent, text);
+    ui::record("Saved", ui::Kind::Label, fmt::format("{}", steps));
+    ui::tooltip("The project on disk is as after this step.");
+}
+
 // A line that stands for the state after so many steps.
-void state(Document& doc, Edits& edits, Messages& messages, size_t steps, const std::string& label, size_t done) {
-    if (steps > done) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::ColorConvertU32ToFloat4(ui::kDimText));
-    const bool pressed = ui::selectable(fmt::format("{} {}", steps, label), steps == done);
-    if (steps > done) ImGui::PopStyleColor();
-    if (!pressed || steps == done) return;
-    edits.deferred.push_back([&doc, &messages, steps, label] {
-        if (doc.jumpTo(steps)) say(messages, "back to: " + label);
+void state(const List& list, size_t steps, const std::string& label) {
+    if (steps > list.done) ImGui::PushStyleColor(ImGuiCol_Text, ImU32(ui::kDimText));
+    const bool pressed = ui::selectable(fmt::format("{} {}", steps, label), steps == list.done);
+    if (steps > list.done) ImGui::PopStyleColor();
+    if (steps == list.saved) savedMark(list, steps);
+    if (!pressed || steps == list.done) return;
+    list.edits.deferred.push_back([list, steps, label] {
+        if (goToStep(list.doc, list.selection, steps)) say(list.messages, "back to: " + label);
     });
 }
 
 }  // namespace
 
-void drawHistory(Document& doc, Edits& edits, Messages& messages, size_t& shownSteps) {
+void drawHistory(Document& doc, Selection& selection, Edits& edits, Messages& messages, size_t& shownSteps) {
     if (!doc.isOpen()) return ImGui::TextDisabled("No project is open.");
     const std::vector<std::string> labels = doc.stepLabels();
-    const size_t done = doc.stepsDone();
+    const List list{doc, edits, messages, selection, doc.stepsDone(), doc.savedStep()};
     ImGui::BeginChild("steps");
-    state(doc, edits, messages, 0, labels.empty() ? "nothing was changed yet" : "as it was", done);
+    state(list, 0, labels.empty() ? "nothing was changed yet" : "as it was");
     for (size_t i = 0; i < labels.size(); ++i) {
-        state(doc, edits, messages, i + 1, labels[i], done);
-        if (i + 1 == done && done != shownSteps) ImGui::SetScrollHereY();
+        state(list, i + 1, labels[i]);
+        if (i + 1 == list.done && list.done != shownSteps) ImGui::SetScrollHereY();
     }
-    shownSteps = done;
+    shownSteps = list.done;
     ImGui::EndChild();
 }
 

@@ -4,6 +4,7 @@
 #include "panels/inspector_camera.h"
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <string_view>
 
@@ -61,14 +62,20 @@ std::vector<Group> groupsOf(std::span<const FieldRow> fields) {
     }
     return out;
 }
-// Draws each field that is not under a closed heading.
-void drawGroups(const std::string& path, std::span<const FieldRow> fields,
+// Draws each field of `owner` that does something there and is not under a closed heading.
+void drawGroups(const std::string& path, std::span<const FieldRow> fields, const void* owner,
                 const std::function<void(const FieldRow&)>& drawOne) {
     for (const Group& g : groupsOf(fields)) {
         const std::string title(g.title);
         if (!title.empty() && !ui::section(path + "/" + title, title, title != kAdvanced)) continue;
-        for (const FieldRow* f : g.fields) drawOne(*f);
+        for (const FieldRow* f : g.fields)
+            if (!f->acts || f->acts(owner)) drawOne(*f);
     }
+}
+
+std::string lowered(std::string title) {
+    if (!title.empty()) title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    return title;
 }
 
 void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const std::string& path,
@@ -79,11 +86,11 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         const std::string name = *static_cast<const std::string*>(
             static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
         const std::string called = name.empty() ? std::to_string(i) : name, at = path + "[" + called + "]";
-        const bool open = header(at, fieldTitle(row.name) + ": " + called, l.size(list) < 3);
+        const bool open = header(at, elementTitle(row.name) + ": " + called, l.size(list) < 3);
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);
-        drawGroups(at, l.fields, [&](const FieldRow& f) {
+        drawGroups(at, l.fields, element, [&](const FieldRow& f) {
             const void* value = static_cast<const char*>(element) + f.offset;
             const void* fallback = static_cast<const char*>(l.defaults()) + f.offset;
             if (f.type == FieldType::List) return listField(parts, owner, f, at + "." + f.name, value);
@@ -91,7 +98,7 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         });
         ImGui::Unindent(8);
     }
-    if (ui::button(path + "/Add " + row.name))
+    if (ui::button(path + "/Add " + lowered(elementTitle(row.name))))
         deferEdit(parts, [&doc = parts.doc, path] { return addUnpainted(doc, path); });
 }
 
@@ -103,7 +110,7 @@ void component(const FieldParts& parts, ViewState& view, const Owner& owner, con
         removeButton(parts, path, row.settingsOf ? "Back to defaults" : "Remove this component",
                      [&doc = parts.doc, entity = owner.entity, &row] { return doc.removeComponent(entity, row.name); });
     if (!open) return;
-    drawGroups(path, row.fields, [&](const FieldRow& f) {
+    drawGroups(path, row.fields, value, [&](const FieldRow& f) {
         const void* field = static_cast<const char*>(value) + f.offset;
         if (f.type == FieldType::List)
             listField(parts, owner, f, path + "." + f.name, field);

@@ -1,6 +1,7 @@
 #include "panels/inspector_camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
@@ -14,7 +15,11 @@
 namespace sward {
 namespace {
 
-std::string vectorText(const glm::dvec3& v) { return fmt::format("[{:.4f}, {:.4f}, {:.4f}]", v.x, v.y, v.z); }
+// To a tenth of a millimetre.
+std::string vectorText(const glm::dvec3& v) {
+    const auto shortly = [](double at) { return ui::numberText(std::round(at * 1e4) / 1e4, false, true); };
+    return "[" + shortly(v.x) + ", " + shortly(v.y) + ", " + shortly(v.z) + "]";
+}
 
 // Sets eye, target and view angle of what stands at `path` to the view's.
 Status takeView(Document& doc, const FlyCamera& from, const std::string& path) {

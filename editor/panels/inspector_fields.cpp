@@ -8,6 +8,7 @@
 
 #include "model/whole_map.h"
 #include "ui/theme.h"
+#include "ui/words.h"
 
 namespace sward {
 namespace {
@@ -151,7 +152,7 @@ void value(const FieldParts& parts, const ConstFieldRef& f) {
 }  // namespace
 
 std::string fieldTitle(const std::string& name) {
-    std::string stem = name;
+    std::string stem = ui::spelt(name);
     if (stem.size() > 3 && stem.ends_with("Deg")) stem.resize(stem.size() - 3);
     std::string title;
     for (const char c : stem) {
@@ -160,6 +161,12 @@ std::string fieldTitle(const std::string& name) {
         title += static_cast<char>(title.empty() ? std::toupper(u) : std::tolower(u));
     }
     return title;
+}
+
+std::string elementTitle(const std::string& list) {
+    const bool hissing = list.ends_with("shes") || list.ends_with("ches") || list.ends_with("xes");
+    const size_t ending = list.ends_with("ies") ? 0 : hissing ? 2 : list.ends_with("s") ? 1 : 0;
+    return fieldTitle(list.substr(0, list.size() - ending));
 }
 
 void drawField(const FieldParts& parts, const ConstFieldRef& field, const void* fallback) {

@@ -9,5 +9,7 @@ namespace sward {
 void drawField(const FieldParts& parts, const ConstFieldRef& field, const void* fallback);
 // "bladesPerM2" -> "Blades per m2"; units of a name are left out: they stand beside the number.
 std::string fieldTitle(const std::string& name);
+// One element of a list by the list's name: "meshes" -> "Mesh", "species" -> "Species".
+std::string elementTitle(const std::string& list);
 
 }  // namespace sward

@@ -20,7 +20,14 @@ namespace {
 
 float em(float ems) { return ImGui::GetFontSize() * ems; }
 
-void beside(float gap = 6) { ImGui::SameLine(0, gap); }
+// Beside the last widget if so much finds room there, else on a new line.
+void beside(float width, float gap = 6) {
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
+}
+float wide(const char* text) { return ImGui::CalcTextSize(text).x; }
+float buttonWide(const char* text) { return wide(text) + 2 * ImGui::GetStyle().FramePadding.x; }
+float boxWide(const char* title) { return ImGui::GetFrameHeight() + 3 + wide(title); }
 
 std::string labelOf(const std::string& path) { return "Layers/" + path; }
 
@@ -57,24 +64,25 @@ void number(const FieldParts& parts, const std::string& path, float width, const
     told(path, f.row->help);
     takeEdit(parts, f, edit, value, labelOf(path));
 }
-void number(const FieldParts& parts, const std::string& path, float width) {
-    number(parts, path, width, numberSpec(*fieldAt(parts, path).row));
-}
 
 void flag(const FieldParts& parts, const std::string& path, const char* title) {
     const ConstFieldRef f = fieldAt(parts, path);
     bool value = *static_cast<const bool*>(f.value);
     if (ui::checkbox(path, value, false)) setField(parts, path, value ? "true" : "false", labelOf(path));
     told(path, f.row->help);
-    beside(3);
+    ImGui::SameLine(0, 3);
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, title);
 }
 
-void caption(const char* text) {
+// A number with its name before it, beside the last widget.
+void captioned(const FieldParts& parts, const char* text, const std::string& path, float width,
+               const ui::NumberSpec* spec = nullptr) {
+    beside(wide(text) + 4 + width);
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, text);
-    beside(4);
+    ImGui::SameLine(0, 4);
+    number(parts, path, width, spec ? *spec : numberSpec(*fieldAt(parts, path).row));
 }
 
 void name(const FieldParts& parts, const std::string& path, const std::string& value, float width) {
@@ -103,20 +111,19 @@ void mask(const FieldParts& parts, const std::string& path, const MapMask& m) {
     choice(parts, path + ".by", em(5.5f));
     for (const auto& [end, least] :
          {std::pair{"from", row.softMin}, std::pair{"to", row.softMin}, std::pair{"falloff", 0.0}}) {
-        beside();
-        caption(end);
         ui::NumberSpec spec = numberSpec(*fieldAt(parts, path + "." + end).row);
         spec.softMin = least, spec.softMax = row.softMax, spec.unit = row.unit;
-        number(parts, path + "." + end, em(6), spec);
+        captioned(parts, end, path + "." + end, em(6), &spec);
     }
-    if (m.by == MaskBy::Object || m.by == MaskBy::Path) beside(), objectOf(parts, path + ".object", m.by, m.object);
+    if (m.by == MaskBy::Object || m.by == MaskBy::Path)
+        beside(em(8)), objectOf(parts, path + ".object", m.by, m.object);
     if (m.by == MaskBy::Noise) {
-        beside(), caption("size"), number(parts, path + ".size", em(5));
-        beside(), caption("seed"), number(parts, path + ".seed", em(4));
+        captioned(parts, "size", path + ".size", em(5));
+        captioned(parts, "seed", path + ".seed", em(4));
     }
-    beside();
+    beside(boxWide("invert"));
     flag(parts, path + ".invert", "invert");
-    beside();
+    beside(buttonWide("x"));
     if (ui::button(path + "/x")) deferEdit(parts, [&doc = parts.doc, path] { return doc.removeListElement(path); });
     ui::tooltip("Remove this mask");
 }
@@ -137,14 +144,17 @@ void masks(const FieldParts& parts, const LayerOf& of) {
 // --- layers with amounts of their own
 
 void image(const FieldParts& parts, const LayerOf& of, LayerView& view) {
-    caption("image file");
+    beside(wide("image file") + 4 + em(16));
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "image file");
+    ImGui::SameLine(0, 4);
     ImGui::SetNextItemWidth(em(16));
     ui::input(of.path + "/File", view.file, "/folder/mask.png");
     ui::tooltip("PNG, EXR, TIFF or R16; integers from 0 to full scale become 0 to 1.");
-    beside();
+    beside(boxWide("Flip"));
     ui::checkbox(of.path + "/Flip", view.flip);
     ui::tooltip("The image's first row is z = max.");
-    beside();
+    beside(buttonWide("Import"));
     const ui::Disabled none(view.file.empty());
     if (ui::button(of.path + "/Import"))
         deferEdit(parts, [&doc = parts.doc, path = of.path, file = view.file, flip = view.flip] {
@@ -157,7 +167,7 @@ void ownMap(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, Laye
     ImGui::Indent(em(1.5f));
     if (ui::button(of.path + "/Paint", 0, brushes.map == amounts)) selectMap(parts.doc, brushes, amounts);
     ui::tooltip("The brush paints on this layer.");
-    if (of.layer->kind == LayerKind::Image) beside(), image(parts, of, view);
+    if (of.layer->kind == LayerKind::Image) image(parts, of, view);
     ImGui::Unindent(em(1.5f));
 }
 
@@ -177,34 +187,36 @@ void note(const std::vector<LayerNote>& notes, const std::string& path) {
 }
 
 void order(const FieldParts& parts, const std::string& path) {
+    const float gaps = 2 * 3, all = buttonWide("Up") + buttonWide("Down") + buttonWide("Delete") + gaps;
+    beside(all);  // they stay together
     for (const bool up : {true, false}) {
-        beside(3);
         if (ui::button(path + (up ? "/Up" : "/Down")))
             deferEdit(parts, [&doc = parts.doc, path, up] { return moveLayer(doc, path, up); });
         ui::tooltip(up ? "Over the next one above" : "Below the next one");
+        ImGui::SameLine(0, 3);
     }
-    beside(3);
     if (ui::button(path + "/Delete")) deferEdit(parts, [&doc = parts.doc, path] { return removeLayer(doc, path); });
     ui::tooltip("Remove this layer; undo brings it back.");
 }
 
+// One line where there is room; else it breaks between its widgets.
 void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of) {
     const std::string& path = of.path;
     bool on = !of.layer->muted;
     if (ui::checkbox(path + "/On", on, false))
         setField(parts, path + ".muted", on ? "false" : "true", labelOf(path + "/On"));
     told(path + "/On", "Off: the layer is muted; it is kept and does nothing.");
-    beside();
+    beside(em(10));
     name(parts, path + ".name", of.layer->name, em(10));
-    beside();
+    beside(wide(kLayerKinds[of.layer->kind]));
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, kLayerKinds[of.layer->kind]);
-    beside();
+    beside(em(6));
     choice(parts, path + ".operation", em(6));
-    beside(), caption("opacity"), number(parts, path + ".opacity", em(5));
-    beside();
+    captioned(parts, "opacity", path + ".opacity", em(5));
+    beside(boxWide("invert"));
     flag(parts, path + ".invert", "invert");
-    beside();
+    beside(buttonWide("Preview"));
     if (ui::button(path + "/Preview", 0, brushes.preview == path))
         brushes.preview = brushes.preview == path ? "" : path;
     ui::tooltip("Shows in the viewport how much of the layer there is where.");
@@ -213,8 +225,9 @@ void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of) {
 
 void addButtons(const FieldParts& parts, const std::string& map) {
     for (size_t i = 0; i < kLayerKinds.size(); ++i) {
-        if (i > 0) beside(3);
-        if (ui::button(fmt::format("Add {}", kLayerKinds[i])))
+        const std::string label = fmt::format("Add {}", kLayerKinds[i]);
+        if (i > 0) beside(buttonWide(label.c_str()), 3);
+        if (ui::button(label))
             deferEdit(parts, [&doc = parts.doc, map, i] { return addLayer(doc, map, static_cast<LayerKind>(i)); });
         ui::tooltip(layerKindRows()[i].help);
     }
@@ -240,11 +253,12 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
         else
             ownMap(parts, brushes, *of, view);
     }
-    if (ui::button("Paint below", 0, brushes.map == map)) selectMap(doc, brushes, map);
-    ui::tooltip("The brush paints on the map itself: " + map);
-    beside();
+    if (ui::button("Paint the map itself", 0, brushes.map == map)) selectMap(doc, brushes, map);
+    ui::tooltip("The brush paints below all layers, on " + map);
+    const std::string words = ui::inWords(map);
+    beside(wide(words.c_str()));
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, ui::inWords(map).c_str());
+    ui::coloredText(ui::kDimText, words.c_str());
     ImGui::EndChild();
 }
 

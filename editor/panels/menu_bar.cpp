@@ -20,7 +20,15 @@ std::string capitalized(std::string text) {
     return text;
 }
 
+void themeItems(bool& light) {
+    if (!ui::beginMenu("Theme")) return;
+    if (ui::menuItem("Dark", "", !light)) light = false;
+    if (ui::menuItem("Light", "", light)) light = true;
+    ui::endMenu();
+}
+
 void viewItems(ViewMode& mode, Layout& layout) {
+    themeItems(layout.lightTheme);
     ImGui::Separator();
     for (int i = 0; i < static_cast<int>(std::size(kViewModes)); ++i)
         if (ui::menuItem(capitalized(kViewModes[i]), "", static_cast<int>(mode) == i)) mode = static_cast<ViewMode>(i);

@@ -37,8 +37,8 @@ void amounts(const Rect& r, const std::string& title, const MapRow& row) {
     const float half = at.x + bar / 2;
     list.AddRectFilledMultiColor(at, {half, at.y + 10}, kNone, kHalf, kHalf, kNone);
     list.AddRectFilledMultiColor({half, at.y}, {at.x + bar, at.y + 10}, kHalf, kFull, kFull, kHalf);
-    text({at.x, at.y + 12}, row.least, ui::kDimText);
-    text({at.x + bar - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText);
+    text({at.x, at.y + 12}, row.least, ui::kDimText.dark);
+    text({at.x + bar - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText.dark);
 }
 
 ImU32 hueOf(float turn) {
@@ -77,20 +77,20 @@ ImVec2 wheel(const Rect& r, const std::string& title, double yaw, float rest, fl
 void directions(const Rect& r, const std::string& title, double yaw) {
     constexpr const char* kHelp = "hue: where it leans";
     const ImVec2 at = wheel(r, title, yaw, ImGui::CalcTextSize(kHelp).x, 2);
-    text(at, kHelp, ui::kDimText);
-    text({at.x, at.y + ImGui::GetTextLineHeight() + 4}, "white: upright", ui::kDimText);
+    text(at, kHelp, ui::kDimText.dark);
+    text({at.x, at.y + ImGui::GetTextLineHeight() + 4}, "white: upright", ui::kDimText.dark);
 }
 
 void forces(const Rect& r, const std::string& title, double yaw) {
     constexpr const char* kHelp = "hue: where it is pushed";
     const float rest = ImGui::CalcTextSize(kHelp).x, line = ImGui::GetTextLineHeight() + 4;
     const ImVec2 at = wheel(r, title, yaw, rest, 3);
-    text(at, kHelp, ui::kDimText);
+    text(at, kHelp, ui::kDimText.dark);
     const ImVec2 low{at.x, at.y + line + 2}, high{at.x + rest, at.y + line + 12};
     ImGui::GetWindowDrawList()->AddRectFilledMultiColor(low, high, IM_COL32_WHITE, kPressed, kPressed, IM_COL32_WHITE);
-    text({at.x, at.y + 2 * line}, "0 stands", ui::kDimText);
+    text({at.x, at.y + 2 * line}, "0 stands", ui::kDimText.dark);
     constexpr const char* kFlat = "1 flat";
-    text({at.x + rest - ImGui::CalcTextSize(kFlat).x, at.y + 2 * line}, kFlat, ui::kDimText);
+    text({at.x + rest - ImGui::CalcTextSize(kFlat).x, at.y + 2 * line}, kFlat, ui::kDimText.dark);
 }
 
 // Each place has its own colour: the bar says with the brush's how opacity shows.
@@ -100,12 +100,12 @@ void colours(const Rect& r, const std::string& title, const MapRow& row, const g
                 wide = std::max(ImGui::CalcTextSize(title.c_str()).x, ImGui::CalcTextSize(kHelp).x);
     ImVec2 at = box(r, wide + 2 * kPad, 2 * kPad + 3 * line + 20);
     text(at, title);
-    text({at.x, at.y + line + 2}, kHelp, ui::kDimText);
+    text({at.x, at.y + line + 2}, kHelp, ui::kDimText.dark);
     at.y += 2 * line + 6;
     const ImU32 full = ImGui::GetColorU32({color.x, color.y, color.z, 1}), clear = full & ~IM_COL32_A_MASK;
     ImGui::GetWindowDrawList()->AddRectFilledMultiColor(at, {at.x + wide, at.y + 10}, clear, full, full, clear);
-    text({at.x, at.y + 12}, row.least, ui::kDimText);
-    text({at.x + wide - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText);
+    text({at.x, at.y + 12}, row.least, ui::kDimText.dark);
+    text({at.x + wide - ImGui::CalcTextSize(row.most).x, at.y + 12}, row.most, ui::kDimText.dark);
 }
 
 }  // namespace

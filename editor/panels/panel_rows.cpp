@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/app.h"
 #include "app/commands.h"
@@ -59,8 +60,17 @@ void brushBar(EditorApp& a) {
 
 // --- the viewport: input, then the picture, then what lies over it
 
+void letGo(FrameInput& in) {
+    in.buttons.reset(), in.pressed.reset(), in.keys.reset();
+    in.pressedKeys.clear();
+    in.wheelX = in.wheelY = 0;
+}
+
+// Under a dialog or a menu the hand lets go of the picture, whatever is still held.
 void takeInput(EditorApp& a, const RingParts& rings, bool over) {
-    const HandInput input{a.in, a.clock.delta, over};
+    FrameInput in = a.in;
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) letGo(in);
+    const HandInput input{in, a.clock.delta, over};
     if (playing(a.doc)) {
         if (playInput(input, a.hand) && a.doc.play()->runs()) captureMouse(a.play, a.doc, *a.surface, true);
         return;
@@ -116,7 +126,9 @@ void viewport(EditorApp& a) {
     const Rect& r = a.hand.rect = layImage(a.areas.viewport);
     const RingParts rings = ringParts(a);
     takeInput(a, rings, ImGui::IsItemHovered());
+    const auto before = std::chrono::steady_clock::now();
     if (a.doc.isOpen()) makePicture(a);
+    a.pictureMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect({r.x, r.y}, {r.x + r.w, r.y + r.h}, true);
     if (a.doc.isOpen() && a.picture.hasImage) {
@@ -133,7 +145,7 @@ void viewport(EditorApp& a) {
 
 // --- the rest
 
-void profiler(EditorApp& a) { drawProfiler(a.counts, a.picture.drawnSettings.measure, a.gpu.renderer); }
+void profiler(EditorApp& a) { drawProfiler(a.counts, a.frameTimes, a.picture.drawnSettings.measure, a.gpu.renderer); }
 void tiers(EditorApp& a) {
     drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
 }
@@ -170,6 +182,17 @@ void keysDialog(EditorApp& a) {
     if (!drawKeysDialog(a.keys, a.bindings, a.in) || !a.keepLayout) return;
     if (const auto file = bindingsFile()) saveBindings(*file, a.bindings);
 }
+void filmDialog(EditorApp& a) {
+    if (!drawFilmDialog(a.film, a.doc)) return;
+    a.edits.deferred.push_back([&a] {
+        auto film = startFilm(a.doc, a.gpu, a.film.plan, viewShown(a.doc, a.view.camera), a.view.mode);
+        a.film.error = film ? "" : film.error().text();
+        if (!film) return;
+        a.background.film = std::move(*film);
+        a.film.open = false;
+        say(a.messages, a.film.plan.film ? "filming" : "taking a picture");
+    });
+}
 void recoveryDialog(EditorApp& a) {
     if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
 }
@@ -191,8 +214,8 @@ constexpr PanelRow kPanels[] = {
     {"Tiers", Dock::Bottom, tiers, true, "Tiers Panel", true},
     {"Accuracy", Dock::Bottom, [](App& a) { drawAccuracy(a.accuracy, measureParts(a), a.edits, a.counts.lastMs); },
      true, nullptr, true},
-    {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.edits, a.messages, a.historyShown); }, true, nullptr,
-     true},
+    {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.selection, a.edits, a.messages, a.historyShown); },
+     true, nullptr, true},
     {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
      "Objects Panel", true},
     {"Layers", Dock::Bottom,
@@ -208,6 +231,7 @@ constexpr PanelRow kPanels[] = {
     {"Context", Dock::Dialog, contextMenu, false},
     {"Palette", Dock::Dialog, palette, false},
     {"Keys", Dock::Dialog, keysDialog, false},
+    {"Film", Dock::Dialog, filmDialog, false},
 };
 
 }  // namespace

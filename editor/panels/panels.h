@@ -27,7 +27,9 @@ struct EditorApp;
 struct Edits;
 struct FieldParts;
 struct FileDialog;
+struct FilmDialog;
 struct FrameInput;
+struct FrameTimes;
 struct KeysDialog;
 struct LayerNote;
 struct LayerView;
@@ -70,7 +72,7 @@ enum class PlayAction { None, Toggle, Pause, Step };
 // Start, pause and step, in the middle of the menu bar. What was pressed.
 PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
-// With the select tool: the steps to which it snaps.
+// With the select tool: the steps to which it snaps; with the path tool: what clicks do.
 int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, ObjectTool& objects,
                  Edits& edits, Messages& messages);
 // Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
@@ -82,11 +84,12 @@ void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu);
 void drawInspector(const FieldParts& parts, const std::string& selected, ViewState& view);
 // The steps that can be undone or done again; a click goes there. `shownSteps`: how many were behind when it was last
 // drawn: the list follows.
-void drawHistory(Document& document, Edits& edits, Messages& messages, size_t& shownSteps);
+void drawHistory(Document& document, Selection& selection, Edits& edits, Messages& messages, size_t& shownSteps);
 // `inputWaits`: something came in that the next frame takes, so the keyboard's focus stays free.
 void drawConsole(Console& console, bool inputWaits);
-// `measured`: the counts are of a measured drawing.
-void drawProfiler(ViewCounts& counts, bool measured, const std::string& gpuName);
+// The last frames, the passes of the viewport's picture and its blades by species. `measured`: the counts are of a
+// measured drawing.
+void drawProfiler(ViewCounts& counts, FrameTimes& times, bool measured, const std::string& gpuName);
 // The project's objects, to be placed by clicks in the viewport.
 void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Messages& messages);
 // The layers over the map that the brush paints. `notes`: of those that the last drawing showed.
@@ -118,6 +121,8 @@ std::optional<PaletteLine> drawPalette(Palette& palette, std::span<const Command
                                        const std::vector<std::string>& entities, const FrameInput& in);
 // While it is open: all keys, and others for commands. True if a command's keys changed.
 bool drawKeysDialog(KeysDialog& dialog, Bindings& bindings, const FrameInput& in);
+// While it is open: asks for a screenshot or a film. True where it was asked to start, with the plan as typed.
+bool drawFilmDialog(FilmDialog& dialog, const Document& document);
 // True while it waits for the editor's first frames, which must then come.
 bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
 

@@ -39,7 +39,8 @@ void buttons(const StartParts& p) {
 }  // namespace
 
 void drawStart(const StartParts& p, const Rect& r) {
-    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h}, IM_COL32(24, 25, 24, 255));
+    ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h},
+                                              ImGui::GetColorU32(ImGuiCol_MenuBarBg));
     const float width = std::min(r.w - 16, ImGui::GetFontSize() * 22);
     const float rows = static_cast<float>(p.start.recent.size() + p.start.samples.size() + 7);
     const float height = std::min(r.h - 16, rows * ImGui::GetTextLineHeightWithSpacing());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/background_work.h"
 #include "app/viewport.h"
@@ -38,29 +39,51 @@ void savedDot(const Document& doc) {
     ImGui::SameLine(0, 18);
 }
 
-void bakeProgress(std::optional<OcclusionBake>& bake) {
+// "40 %, 1:20 left".
+std::string progressText(double share, double seconds) {
+    const std::string left = timeLeft(share, seconds);
+    return fmt::format("{:.0f} %{}{}", 100 * share, left.empty() ? "" : ", ", left);
+}
+
+void bakeProgress(std::optional<OcclusionBake>& bake, Stopwatch& since) {
+    const double seconds = since.of(bake.has_value());
     if (!bake) return;
-    const float share = static_cast<float>(bake->job.progress());
-    item("Baking", fmt::format("{:.0f} %", 100 * share),
+    const double share = bake->job.progress();
+    item("Baking", progressText(share, seconds),
          "Rays are cast from the ground to see how much of the sky is open; the map comes as one undo step.");
-    ImGui::ProgressBar(share, {120, ImGui::GetTextLineHeight()}, "");
+    ImGui::ProgressBar(static_cast<float>(share), {ImGui::GetFontSize() * 8, ImGui::GetTextLineHeight()}, "");
     ImGui::SameLine(0, 5);
     if (ui::button("Cancel")) bake->job.cancel();
     ImGui::SameLine(0, 18);
 }
 
-void exportProgress(std::optional<SceneExport>& exporting) {
+void exportProgress(std::optional<SceneExport>& exporting, Stopwatch& since) {
+    const double seconds = since.of(exporting.has_value());
     if (!exporting) return;
-    item("Exporting", fmt::format("{:.0f} %", 100 * exporting->job.progress()),
+    item("Exporting", progressText(exporting->job.progress(), seconds),
          "The scene is written to a .glb; what is edited meanwhile does not come into it.");
-    if (ui::button("Cancel Export")) exporting->job.cancel();
+    if (ui::button("Cancel Export")) exporting->job.cancel(), exporting->cancelled = true;
+    ImGui::SameLine(0, 18);
+}
+
+void filmProgress(std::unique_ptr<Film>& film) {
+    if (!film) return;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - film->begun).count();
+    const std::string left = timeLeft(shareOf(*film), seconds);
+    item("Filming",
+         fmt::format("{} of {}{}{}", std::min(film->done + 1, film->frames), film->frames, left.empty() ? "" : ", ",
+                     left),
+         "Pictures are drawn of the project as it was; what is edited meanwhile does not come into them.");
+    if (ui::button("Cancel Film")) film.reset();
     ImGui::SameLine(0, 18);
 }
 
 // Slices of changed blades: drafts are on the screen until they are there.
-void making(const std::vector<JobNews>& jobs) {
+void making(const std::vector<JobNews>& jobs, Stopwatch& since) {
+    const double seconds = since.of(!jobs.empty());
     for (const JobNews& j : jobs)
-        item("Making", fmt::format("{} {:.0f} %", j.label, 100 * j.progress), "Shown as a draft until it is done.");
+        item("Making", j.label + " " + progressText(j.progress, jobs.size() == 1 ? seconds : 0),
+             "Shown as a draft until it is done.");
 }
 
 // "+8.1 k", "-120", or both; "+0" if nothing came or went.
@@ -95,27 +118,88 @@ std::string counted(uint64_t n) {
     return fmt::format("{}", n);
 }
 
-void drawStatusBar(const Document& doc, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
-                   BackgroundWork& work, const std::string& message) {
+namespace {
+
+struct Figure {
+    const char* label;
+    std::string text;
+    const char* help;
+    int rank;  // the highest goes first where all do not find room
+};
+
+float widthOf(const Figure& f) {
+    return ImGui::CalcTextSize(f.label).x + 5 + ImGui::CalcTextSize(f.text.c_str()).x + 18;
+}
+
+std::vector<Figure> figuresOf(const ViewCounts& counts, double drawnScale) {
     const FrameStats& s = counts.stats;
-    ImGui::SetCursorPosY(5);
-    item("Blades", counted(static_cast<uint64_t>(counts.bladesVirtual)),
-         "All blades of the fields: density summed over the terrain.");
-    item("Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.");
-    if (counts.bladesVisible > 0) item("Visible", counted(counts.bladesVisible), "Blades of those that can be seen.");
-    item("Frame",
+    std::vector<Figure> out;
+    const bool known = counts.populationRevision != kNeverDrawn;
+    out.push_back({"Blades", known ? counted(static_cast<uint64_t>(counts.bladesVirtual)) : "...",
+                   known ? "All blades of the fields: density summed over the terrain."
+                         : "All blades of the fields; they are counted as soon as the picture rests.",
+                   1});
+    out.push_back({"Geometry", counted(s.bladesGeometry), "Blades handed to the GPU in this view.", 3});
+    if (counts.bladesVisible > 0)
+        out.push_back({"Visible", counted(counts.bladesVisible), "Blades of those that can be seen.", 2});
+    out.push_back(
+        {"Frame",
          counts.lastMs < 1000 ? fmt::format("{:.3g} ms", counts.lastMs) : fmt::format("{:.1f} s", counts.lastMs / 1000),
-         "What the last drawing of the viewport took.");
-    item("Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, drawnScale + 0.001)),
-         "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.");
-    painting(cost, s.bladesGeometry);
-    savedDot(doc);
-    bakeProgress(work.occlusion);
-    exportProgress(work.exporting);
-    making(work.making);
-    ui::coloredText(ui::kDimText, ui::inWords(message).c_str());
+         "What the last drawing of the viewport took.", 0});
+    out.push_back({"Resolution", fmt::format("{:.0f} %", 100 * std::min(1.0, drawnScale + 0.001)),
+                   "On a slow machine the viewport is drawn coarser while something moves, and in full at rest.", 4});
+    return out;
+}
+
+// What finds no room is not drawn; scripts find it all the same.
+void figures(std::vector<Figure> all, float room) {
+    float width = 0;
+    for (const Figure& f : all) width += widthOf(f);
+    int rank = 5;
+    while (width > room && rank > 1) {
+        --rank;
+        for (const Figure& f : all)
+            if (f.rank == rank) width -= widthOf(f);
+    }
+    for (const Figure& f : all) {
+        if (f.rank < rank) {
+            item(f.label, f.text, f.help);
+            continue;
+        }
+        ui::record(f.label, ui::Kind::Label, f.text).visible = false;
+    }
+}
+
+// The last message, with dots where it is cut; the tooltip has all of it.
+void messageLine(const std::string& message) {
+    std::string text = ui::inWords(message);
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (ImGui::CalcTextSize(text.c_str()).x > room) {
+        constexpr const char* kDots = "\xE2\x80\xA6";
+        const float left = room - ImGui::CalcTextSize(kDots).x;
+        const char* end = nullptr;
+        ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), std::max(left, 1.0f), 0, text.c_str(), nullptr, &end);
+        text = std::string(text.c_str(), end) + kDots;
+    }
+    ui::coloredText(ui::kDimText, text.c_str());
     ui::record("Message", ui::Kind::Label, message);
     ui::tooltip(message);
+}
+
+}  // namespace
+
+void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
+                   BackgroundWork& work, const std::string& message) {
+    ImGui::SetCursorPosY(5);
+    const float least = ImGui::GetFontSize() * 19;  // for the dot and the message
+    figures(figuresOf(counts, drawnScale), ImGui::GetContentRegionAvail().x - least);
+    painting(cost, counts.stats.bladesGeometry);
+    savedDot(document);
+    bakeProgress(work.occlusion, work.baking);
+    exportProgress(work.exporting, work.writing);
+    filmProgress(work.film);
+    making(work.making, work.preparing);
+    messageLine(message);
 }
 
 }  // namespace sward

@@ -167,7 +167,7 @@ bool toolButton(bool chosen, const std::string& tool, const char* label, const s
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ui::record(label, ui::Kind::Button, chosen ? "true" : "false");
     ui::tooltip(std::string(label) + "\n" + help);
-    const ImU32 color = chosen ? IM_COL32_WHITE : ImGui::GetColorU32(ImGuiCol_Text);
+    const ImU32 color = chosen ? ui::kStrongLine : ImGui::GetColorU32(ImGuiCol_Text);
     if (own)
         own(*ImGui::GetWindowDrawList(), {(low.x + high.x) / 2, (low.y + high.y) / 2}, side * 0.26f, color);
     else

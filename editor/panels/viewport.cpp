@@ -90,11 +90,12 @@ void drawViewportHeader(const Document& document, ViewState& view, Gesture gestu
     if (ui::combo("Mode", modes, mode)) view.mode = static_cast<ViewMode>(mode);
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText,
-                    playing(document) ? "The project stays as it is and cannot be changed until play stops."
-                    : gesture == Gesture::Look
-                        ? "W A S D fly, E up, Q down, wheel: speed"
-                        : "Right button: look and fly.  Alt+left: orbit.  F: focus.  V: objects or brush.");
+    const char* hint = playing(document) ? "The project stays as it is and cannot be changed until play stops."
+                       : gesture == Gesture::Look
+                           ? "W A S D fly, E up, Q down, wheel: speed"
+                           : "Right button: look and fly.  Alt+left: orbit.  F: focus.  V: objects or brush.";
+    const bool fits = ImGui::CalcTextSize(hint).x <= ImGui::GetContentRegionAvail().x;
+    ui::coloredText(ui::kDimText, fits ? hint : "");  // half a sentence helps nobody
 }
 
 Rect layImage(const Rect& area) {

@@ -141,6 +141,18 @@ void countAtRest(const SceneParts& p, const ViewCamera& camera) {
     v.bladesVisible = v.measure ? visibleBlades(p.doc.project(), p.doc.tables(), camera, drawn.width, drawn.height) : 0;
 }
 
+// The same by species, for who looks at the list; anew where the view or the project changed.
+void countSpecies(const SceneParts& p, const ViewCamera& camera) {
+    ViewCounts& v = p.counts;
+    const bool wanted = std::exchange(v.wantsSpecies, false) && !playing(p.doc);
+    const bool coarse = p.picture.resolution.drawnScale < 1 && !p.clock.fixed;
+    if (!wanted || coarse) return;
+    if (v.speciesRevision == p.doc.revision() && sameCamera(camera, v.speciesCamera)) return;
+    v.speciesRevision = p.doc.revision(), v.speciesCamera = camera;
+    const ViewSettings& drawn = p.picture.drawnSettings;
+    v.species = bladesBySpecies(p.doc.visibleProject(), p.doc.tables(), camera, drawn.width, drawn.height);
+}
+
 }  // namespace
 
 BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes) {
@@ -187,6 +199,7 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
         plan = nextPlan(v.resolution, clock, wanted.measure, false);
     }
     countAtRest(parts, camera);
+    countSpecies(parts, camera);
 }
 
 }  // namespace sward

@@ -232,9 +232,9 @@ void openLibraries(lua_State* L) {
 
 int openAll(lua_State* L) {
     openLibraries(L);
-    for (const auto open :
-         {openProjectCalls, openEntityCalls, openCameraCalls, openMapCalls, openMapShapeCalls, openMeshCalls,
-          openBakeCalls, openBrushCalls, openEditCalls, openPlayCalls, openUiCalls, openExpectCalls, openHelp})
+    for (const auto open : {openProjectCalls, openEntityCalls, openCameraCalls, openFilmCalls, openMapCalls,
+                            openMapShapeCalls, openMeshCalls, openBakeCalls, openBrushCalls, openEditCalls,
+                            openPlayCalls, openUiCalls, openExpectCalls, openHelp})
         open(L);
     return 0;
 }

@@ -17,6 +17,8 @@
 
 namespace sward {
 
+struct FilmPlan;
+
 struct ScriptLimits {
     uint64_t instructions = 4'000'000'000;   // about half a minute; map operations count by their texels
     double seconds = 600;                    // of the processor's time in the script's thread
@@ -37,6 +39,9 @@ struct ScriptHost {
     std::function<Result<std::vector<std::pair<const char*, size_t>>>(const std::filesystem::path& file, double within,
                                                                       const std::string& camera)>
         exportScene{};
+    // camera.picture and camera.film: from a camera (""; the first) where the plan has no path. None: they fail and say
+    // so. See app/film.h.
+    std::function<Status(const FilmPlan& plan, const std::string& camera)> film{};
     std::function<PlayStart()> playStart{};  // where play.start begins; none: at `camera`, moved by play.step alone
     std::string camera{};                    // the last that camera.use named
     BrushSettings brush{};                   // the last that brush.select chose

@@ -120,6 +120,7 @@ std::vector<std::pair<double, double>> pointsArg(lua_State* L, int index, const 
 void openProjectCalls(lua_State* L);
 void openEntityCalls(lua_State* L);
 void openCameraCalls(lua_State* L);
+void openFilmCalls(lua_State* L);  // adds to the table camera
 void openMapCalls(lua_State* L);
 void openMapShapeCalls(lua_State* L);  // adds to the table map
 void openMeshCalls(lua_State* L);

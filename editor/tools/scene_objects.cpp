@@ -55,7 +55,7 @@ void SceneObjects::addScattered(std::vector<Box>& boxes, const Project& p, const
         if (p.registry.get<Hidden>(findEntity(p, name)) || isLocked(p, name)) continue;
         std::vector<const ObjectShape*> shapes;
         for (const ScatterMesh& m : scatter->meshes) shapes.push_back(isScattered(m) ? &shapeOf(p, m.file) : nullptr);
-        for (const ScatteredObject& o : scattered_.of(ground, name, *scatter)->objects)
+        for (const ScatteredObject& o : scattered_.of(p, ground, name, *scatter)->objects)
             if (shapes[o.mesh]->triangles) add(boxes, {name, o.at, glm::dmat3(o.turn * o.scale), shapes[o.mesh]});
     }
 }

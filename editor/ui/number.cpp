@@ -9,13 +9,13 @@
 #include <cstdlib>
 
 #include "ui/imgui_compat.h"
+#include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace sward::ui {
 namespace {
 
 constexpr const char* kNoText = " ";  // the widget's own text; ours is drawn over it
-constexpr ImU32 kFill = IM_COL32(66, 102, 46, 255);
 
 WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
 
@@ -47,9 +47,7 @@ void drawFill(double value, const NumberSpec& spec, bool logarithmic) {
         share = value <= least ? 0 : std::log(value / least) / std::log(spec.softMax / least);
     }
     const float x = low.x + (high.x - low.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
-    const ImU32 color = ImGui::IsItemActive()    ? IM_COL32(86, 134, 58, 255)
-                        : ImGui::IsItemHovered() ? IM_COL32(78, 120, 54, 255)
-                                                 : kFill;
+    const ImU32 color = ImGui::IsItemActive() ? kFillHeld : ImGui::IsItemHovered() ? kFillHot : kFill;
     if (x > low.x + 1)
         ImGui::GetWindowDrawList()->AddRectFilled(low, {x, high.y}, color, ImGui::GetStyle().FrameRounding);
 }
@@ -153,6 +151,7 @@ bool slider(const std::string& label, float& value, const NumberSpec& spec) {
 
 std::string numberText(double value, bool integer, bool precise) {
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    if (value == 0) value = 0;  // without a minus
     if (integer) return fmt::format("{}", static_cast<long long>(value));
     return precise ? fmt::format("{}", value) : fmt::format("{}", static_cast<float>(value));
 }

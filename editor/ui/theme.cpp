@@ -26,7 +26,7 @@ void loadFont(float density) {
 ImVec4 grey(float v, float alpha = 1) { return {v, v * 1.01f, v, alpha}; }
 ImVec4 green(float v, float alpha = 1) { return {0.64f * v, v, 0.45f * v, alpha}; }
 
-void setColors(ImVec4* c) {
+void setDark(ImVec4* c) {
     c[ImGuiCol_Text] = grey(0.88f);
     c[ImGuiCol_TextDisabled] = grey(0.50f);
     c[ImGuiCol_WindowBg] = grey(0.145f);
@@ -63,15 +63,73 @@ void setColors(ImVec4* c) {
     c[ImGuiCol_NavHighlight] = green(0.6f);
 }
 
+void setLight(ImVec4* c) {
+    const auto paleGreen = [](float v, float alpha = 1) { return ImVec4{0.80f * v, v, 0.70f * v, alpha}; };
+    c[ImGuiCol_Text] = grey(0.10f);
+    c[ImGuiCol_TextDisabled] = grey(0.44f);
+    c[ImGuiCol_WindowBg] = grey(0.91f);
+    c[ImGuiCol_ChildBg] = grey(1, 0);
+    c[ImGuiCol_PopupBg] = grey(0.965f, 0.99f);
+    c[ImGuiCol_Border] = grey(0.62f, 0.9f);
+    c[ImGuiCol_FrameBg] = grey(0.985f);
+    c[ImGuiCol_FrameBgHovered] = grey(0.955f);
+    c[ImGuiCol_FrameBgActive] = grey(0.92f);
+    c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = grey(0.84f);
+    c[ImGuiCol_MenuBarBg] = grey(0.95f);
+    c[ImGuiCol_ScrollbarBg] = grey(0.87f);
+    c[ImGuiCol_ScrollbarGrab] = grey(0.68f);
+    c[ImGuiCol_ScrollbarGrabHovered] = grey(0.60f);
+    c[ImGuiCol_ScrollbarGrabActive] = grey(0.52f);
+    c[ImGuiCol_CheckMark] = green(0.50f);
+    c[ImGuiCol_SliderGrab] = green(0.62f);
+    c[ImGuiCol_SliderGrabActive] = green(0.50f);
+    c[ImGuiCol_Button] = grey(0.82f);
+    c[ImGuiCol_ButtonHovered] = grey(0.76f);
+    c[ImGuiCol_ButtonActive] = grey(0.70f);
+    c[ImGuiCol_Header] = grey(0.84f);
+    c[ImGuiCol_HeaderHovered] = grey(0.79f);
+    c[ImGuiCol_HeaderActive] = grey(0.74f);
+    c[ImGuiCol_Separator] = grey(0.76f);
+    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = green(0.6f);
+    c[ImGuiCol_Tab] = grey(0.86f);
+    c[ImGuiCol_TabHovered] = grey(0.78f);
+    c[ImGuiCol_TabActive] = grey(0.80f);
+    c[ImGuiCol_TableHeaderBg] = grey(0.86f);
+    c[ImGuiCol_TableBorderStrong] = grey(0.72f);
+    c[ImGuiCol_TableBorderLight] = grey(0.80f);
+    c[ImGuiCol_TableRowBgAlt] = grey(0, 0.03f);
+    c[ImGuiCol_TextSelectedBg] = paleGreen(0.85f, 0.9f);
+    c[ImGuiCol_ModalWindowDimBg] = grey(0, 0.35f);
+    c[ImGuiCol_NavHighlight] = green(0.6f);
+}
+
+void setColors(ImVec4* c, Theme theme) {
+    if (theme == Theme::Light)
+        setLight(c);
+    else
+        setDark(c);
+}
+
 }  // namespace
 
-void applyTheme(float density) {
+Theme theme() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5f ? Theme::Light : Theme::Dark; }
+
+void setTheme(Theme wanted) {
+    if (theme() == wanted) return;
+    if (wanted == Theme::Light)
+        ImGui::StyleColorsLight();
+    else
+        ImGui::StyleColorsDark();
+    setColors(ImGui::GetStyle().Colors, wanted);
+}
+
+void applyTheme(float density, Theme wanted) {
     loadFont(density);
     ImGui::GetIO().FontGlobalScale = 1 / density;
-    ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle{};
-    setColors(style.Colors);
+    if (wanted == Theme::Light) ImGui::StyleColorsLight();
+    setColors(style.Colors, wanted);
     style.WindowPadding = {8, 6};
     style.FramePadding = {7, 3};
     style.ItemSpacing = {7, 4};
@@ -88,9 +146,10 @@ void applyTheme(float density) {
 }
 
 void pushAccent() {
-    ImGui::PushStyleColor(ImGuiCol_Button, green(0.46f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, green(0.54f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, green(0.60f));
+    const bool light = theme() == Theme::Light;
+    ImGui::PushStyleColor(ImGuiCol_Button, ImU32(light ? kFillHot : kFill));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImU32(light ? kFillHeld : kFillHot));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImU32(kFillHeld));
 }
 
 void popAccent() { ImGui::PopStyleColor(3); }

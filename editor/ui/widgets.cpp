@@ -132,7 +132,11 @@ bool button(const std::string& label, float width, bool accent) {
 }
 
 bool checkbox(const std::string& label, bool& value, bool titled) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);  // an empty one is seen
+    ImGui::PushStyleColor(ImGuiCol_Border, ImU32(kDimText));
     const bool changed = ImGui::Checkbox(((titled ? shown(label) : "") + "#" + idOf(label)).c_str(), &value);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
     record(label, Kind::Checkbox, value ? "true" : "false");
     return changed;
 }

@@ -2,6 +2,8 @@
 
 #include <cctype>
 #include <map>
+#include <string_view>
+#include <utility>
 
 namespace sward::ui {
 namespace {
@@ -35,7 +37,7 @@ size_t afterPath(const std::string& text, size_t at) {
 // "ambientOcclusion" as "ambient occlusion".
 std::string words(const std::string& name) {
     std::string out;
-    for (const char c : name) {
+    for (const char c : spelt(name)) {
         if (isUpper(c)) out += ' ';
         out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
@@ -60,6 +62,13 @@ std::string pathInWords(const std::string& path) {
 }
 
 }  // namespace
+
+std::string spelt(std::string name) {
+    for (const auto& [written, read] : {std::pair{"olor", "olour"}, std::pair{"enter", "entre"}})
+        for (size_t at = 0; (at = name.find(written, at)) != std::string::npos; at += 5)
+            name.replace(at, std::string_view(written).size(), read);
+    return name;
+}
 
 std::string inWords(const std::string& text) {
     std::string out;

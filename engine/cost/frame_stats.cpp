@@ -109,16 +109,15 @@ struct Counted {
 
 float fadeOf(const FieldEntity& field) { return field.settings<GrassDrawing>().fade; }
 
-// count(query) over the species of all fields.
+// each(name of the field's entity, species, query) over the species of all fields.
 template <class F>
-uint64_t sumOverSpecies(const Counted& c, F&& count) {
+void overSpecies(const Counted& c, F&& each) {
     const Ground ground = findGround(c.project);
-    if (!ground.terrain) return 0;
+    if (!ground.terrain) return;
     HeightBounds bounds;
     updateHeightBounds(bounds, *ground.terrain);
     const Frustum frustum = frustumOf(viewProjection(c.camera, c.width, c.height));
     const QueryFrom from{c.camera.eye - ground.origin, frustum, pixelsPerMetre(c.camera, c.height)};
-    uint64_t sum = 0;
     for (const auto& [name, field] : fieldsOf(c.project)) {
         const GrassField& f = field.grows;
         for (const Species& s : f.species) {
@@ -127,9 +126,14 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
             CellQuery q = cellQuery(
                 {*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades, fadeOf(field)}, from);
             if (!own.empty()) q.unique = &own;
-            sum += count(q);
+            each(name, s, q);
         }
     }
+}
+
+uint64_t submitted(const CellQuery& q) {
+    uint64_t sum = 0;
+    for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
     return sum;
 }
 
@@ -137,19 +141,31 @@ uint64_t sumOverSpecies(const Counted& c, F&& count) {
 
 uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height) {
     DrawnProject drawn;
-    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
-                          [](const CellQuery& q) { return countVisible(q); });
+    uint64_t sum = 0;
+    overSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
+                [&](const std::string&, const Species&, const CellQuery& q) { sum += countVisible(q); });
+    return sum;
 }
 
 uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width,
                          int height) {
+    uint64_t sum = 0;
+    for (const SpeciesBlades& s : bladesBySpecies(project, tables, camera, width, height)) sum += s.drawn;
+    return sum;
+}
+
+std::vector<SpeciesBlades> bladesBySpecies(const Project& project, const Tables& tables, const ViewCamera& camera,
+                                           int width, int height) {
     DrawnProject drawn;
-    return sumOverSpecies({drawn.of(project, tables.components), tables.techniques, camera, width, height},
-                          [](const CellQuery& q) {
-                              uint64_t sum = 0;
-                              for (const CellDraw& c : selectCells(q)) sum += c.last - c.first;
-                              return sum;
-                          });
+    const Project& p = drawn.of(project, tables.components);
+    std::vector<SpeciesBlades> out;
+    overSpecies({p, tables.techniques, camera, width, height},
+                [&](const std::string& entity, const Species& s, const CellQuery& q) {
+                    const double mean = s.density.present() && s.bladesPerM2 > 0 ? s.density.map.mean() : 1;
+                    const double area = q.terrain.size.x * q.terrain.size.y;
+                    out.push_back({entity, s.name, static_cast<double>(s.bladesPerM2) * mean * area, submitted(q)});
+                });
+    return out;
 }
 
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,

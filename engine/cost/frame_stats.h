@@ -21,6 +21,16 @@ uint64_t visibleBlades(const Project& project, const Tables& tables, const ViewC
 // Blades that the view would submit, at full detail, by technique and distances; without drawing.
 uint64_t submittedBlades(const Project& project, const Tables& tables, const ViewCamera& camera, int width, int height);
 
+// Of one species of a field: how many there are, and how many the view would submit (submittedBlades).
+struct SpeciesBlades {
+    std::string entity, species;
+    double population = 0;
+    uint64_t drawn = 0;
+};
+// Field by field, in the order of names and of each field's species.
+std::vector<SpeciesBlades> bladesBySpecies(const Project& project, const Tables& tables, const ViewCamera& camera,
+                                           int width, int height);
+
 // One camera: its object; several: {"cameras": [...]}.
 std::string frameStatsJson(const std::vector<FrameRecord>& records, const Project& project, const Gpu& gpu, int width,
                            int height, int msaa);

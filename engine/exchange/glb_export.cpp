@@ -152,9 +152,8 @@ Error tooMany(const Project& p, const GlbOptions& o) {
 
 Status addGrowth(tinygltf::Model& m, const Project& p, const GlbOptions& o, const Ground& ground, JobControl& control,
                  GlbCounts& counts) {
+    if (Status s = checkExport(p, o); !s) return s;
     const Result<StandingWithin> within = withinOf(p, o, ground);
-    if (!within) return within.error();
-    if (!o.bladesWithin && virtualBlades(p) > 1.5 * static_cast<double>(o.mostBlades)) return tooMany(p, o);
     const auto blades = standingBlades(p, 0, *within, o.mostBlades, control);
     if (!blades) return blades.error();
     auto onMeshes = standingOnMeshes(p, 0, control);
@@ -204,6 +203,13 @@ std::string countsText(const GlbCounts& c) {
         "{} blades, {} flowers in {} cells, {} chunks of ground, {} objects, {} scattered, {} lights, {} cameras, {} "
         "bytes",
         c.blades, c.flowers, c.cells, c.chunks, c.objects, c.scattered, c.lights, c.cameras, c.bytes);
+}
+
+Status checkExport(const Project& p, const GlbOptions& o) {
+    const Result<StandingWithin> within = withinOf(p, o, findGround(p));
+    if (!within) return within.error();
+    if (!o.bladesWithin && virtualBlades(p) > 1.5 * static_cast<double>(o.mostBlades)) return tooMany(p, o);
+    return {};
 }
 
 Result<Glb> encodeScene(const Project& p, const GlbOptions& o, JobControl& control) {

@@ -46,6 +46,8 @@ struct Glb {
 // Errors: Usage: no such camera, or a distance that is none; Failed: more than mostBlades (names the remedy), without
 // memory, cancelled; Unsound: a file of the project.
 Result<Glb> encodeScene(const Project& p, const GlbOptions& options, JobControl& control);
+// What encodeScene refuses that needs no blade to be made, with the same message: in a moment.
+Status checkExport(const Project& p, const GlbOptions& options);
 // The same into a file, at one instant (writeFileAtomic). The folder must be there. Usage error if `file` does not end
 // in .glb; nothing is written then or at any other error.
 Result<GlbCounts> exportScene(const Project& p, const GlbOptions& options, const std::filesystem::path& file,

@@ -215,7 +215,7 @@ void addBladesOnMeshes(tinygltf::Model& m, const Project& p, std::span<const Sta
 Status addScattered(tinygltf::Model& m, const Project& p, const Ground& ground, GlbCounts& counts) {
     for (const auto& [entity, scatter] : scattersOf(p)) {
         std::vector<Instances> byMesh(scatter->meshes.size());
-        const Scattering all = scatterOver(*scatter, ground);
+        const Scattering all = scatterIn(p, *scatter, ground);
         for (const ScatteredObject& o : all.objects)
             byMesh[o.mesh].add({glm::vec3(o.at - ground.origin), quaternionOf(o.turn), glm::vec3(o.scale)});
         for (size_t i = 0; i < byMesh.size(); ++i) {

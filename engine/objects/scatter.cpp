@@ -144,7 +144,7 @@ void place(DrawContext& ctx) {
     std::vector<std::string> files;
     for (const auto& [entity, scatter] : all) {
         Entry& e = s.entries[entity];
-        follow(e, entity, *scatter, s.memory.of(ground, entity, *scatter));
+        follow(e, entity, *scatter, s.memory.of(ctx.project, ground, entity, *scatter));
         for (const Kind& k : e.kinds) {
             if (k.objects.empty()) continue;
             addKind(ctx, view, k, s.meshes.of(ctx, k.file), scatter->castShadows);

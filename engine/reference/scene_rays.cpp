@@ -101,7 +101,7 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
             out.files.push_back(scatter->meshes[i].file);
             out.meshes.push_back(std::move(*mesh));
         }
-        for (const ScatteredObject& o : scatterOver(*scatter, ground).objects) {
+        for (const ScatteredObject& o : scatterIn(p, *scatter, ground).objects) {
             out.instances.placed.push_back({meshOf[o.mesh], glm::vec3(o.at - origin), o.turn * o.scale});
             out.casts.push_back(scatter->castShadows);
         }
@@ -155,7 +155,7 @@ uint64_t sceneTrianglesHash(const Project& p) {
     }
     for (const auto& [entity, scatter] : scattersOf(p)) {
         if (!scatter->castShadows) continue;
-        add(scatterOver(*scatter, ground).hash);
+        add(scatterIn(p, *scatter, ground).hash);
         for (const ScatterMesh& m : scatter->meshes) addFile(m.file);
     }
     return h.value();

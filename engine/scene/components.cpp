@@ -71,21 +71,25 @@ FeatureSet terrainFeatures(const void* component) {
 }
 
 // --- Light, Sky, Fog ---------------------------------------------------------------------------------------------
+template <LightType T>
+bool isLight(const void* light) {
+    return static_cast<const Light*>(light)->type == T;
+}
 constexpr FieldRow kLightFields[] = {
     choice("type", &Light::type, offsetof(Light, type), kLightTypes,
            "directional: from so far that all of it comes from one side, the first of them the sun; point: a lamp"),
     real("azimuthDeg", offsetof(Light, azimuthDeg), "deg", {-360, 360, 0, 360},
          "where it stands, clockwise from north (-z); where on its circle a point light starts"),
-    real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90},
-         "height of a directional light over the horizon"),
+    where(isLight<LightType::Directional>, real("elevationDeg", offsetof(Light, elevationDeg), "deg", {-90, 90, 0, 90},
+                                                "height of a directional light over the horizon")),
     real("intensity", offsetof(Light, intensity), "", {0, kBrightest, 0, 4}, "factor of its light; 0: it is off"),
     color("color", offsetof(Light, color), {0, kBrightest, 0, 1}, "factor of its colour"),
-    real("attenuation", offsetof(Light, attenuation), "1/m2", {0, 1e6, 0, 4},
-         "how fast a point light fades: intensity / (1 + attenuation * distance^2)"),
+    where(isLight<LightType::Point>, real("attenuation", offsetof(Light, attenuation), "1/m2", {0, 1e6, 0, 4},
+                                          "how fast a point light fades: intensity / (1 + attenuation * distance^2)")),
     number(FieldType::Bool, "castShadows", offsetof(Light, castShadows), "", {},
            "what stands in its light throws a shadow"),
-    real("orbitRadius", offsetof(Light, orbitRadius), "m", {0, 1e6, 0, 20},
-         "radius of a point light's circle around its place"),
+    where(isLight<LightType::Point>, real("orbitRadius", offsetof(Light, orbitRadius), "m", {0, 1e6, 0, 20},
+                                          "radius of a point light's circle around its place")),
     real("orbitSeconds", offsetof(Light, orbitSeconds), "s", {0, 1e9, 0, 120},
          "time of a turn of a point light's circle or of a directional light's azimuth; 0: it stands still"),
 };

@@ -31,6 +31,11 @@ constexpr FieldRow titled(const char* title, FieldRow row) {
     row.title = title;
     return row;
 }
+// The row of a field that does something only where `acts` says so of its struct.
+constexpr FieldRow where(bool (*acts)(const void* owner), FieldRow row) {
+    row.acts = acts;
+    return row;
+}
 // The row, and those that follow it, under a heading of the inspector. kAdvanced is closed at first.
 constexpr FieldRow under(const char* group, FieldRow row) {
     row.group = group;

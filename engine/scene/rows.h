@@ -63,6 +63,8 @@ struct FieldRow {
     const char* title = nullptr;                // what an inspector calls it; null: its name, in words
     const char* group = nullptr;                // heading under which it stands there; null: as the field before it
     bool isEntity = false;                      // String: the name of another entity, or empty; it follows renaming
+    // Whether it does anything beside the other values of its struct; null: always. Inspectors leave it out where not.
+    bool (*acts)(const void* owner) = nullptr;
 };
 
 struct Tables;

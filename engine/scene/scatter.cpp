@@ -37,6 +37,12 @@ constexpr FieldRow kFields[] = {
           "turn about the upright, from and to"),
     real("alignToGround", offsetof(Scatter, alignToGround), "", kShare,
          "0: they stand upright; 1: as the ground leans"),
+    flag("keepOffPaths", offsetof(Scatter, keepOffPaths), "none stands on a path"),
+    flag("keepOffObjects", offsetof(Scatter, keepOffObjects),
+         "none stands where an object that was placed by hand meets the ground"),
+    where([](const void* s) { return keepsOff(*static_cast<const Scatter*>(s)); },
+          real("gap", offsetof(Scatter, gap), "m", {0, 1000, 0, 5},
+               "that stays free beside paths and objects, to the middle of what is scattered")),
     flag("castShadows", offsetof(Scatter, castShadows), "they shade the ground, the grass and other objects"),
     whole("seed", offsetof(Scatter, seed), "", {0, 2147483647, 0, 1000}, "another number: other places"),
 };
@@ -88,6 +94,8 @@ void check(const Registry& registry, Entity e, const std::string& path, std::vec
 }  // namespace
 
 bool isScattered(const ScatterMesh& mesh) { return !mesh.file.empty() && mesh.share > 0; }
+
+bool keepsOff(const Scatter& s) { return s.keepOffPaths || s.keepOffObjects; }
 
 bool scatters(const Scatter& s) {
     return s.perHectare > 0 && std::any_of(s.meshes.begin(), s.meshes.end(), isScattered);

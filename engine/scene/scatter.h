@@ -27,6 +27,9 @@ struct Scatter {
     glm::dvec2 size{0.8, 1.2};         // factor of a mesh's size
     glm::dvec2 headingDeg{-180, 180};  // turn about the upright, counter-clockwise from above
     float alignToGround = 0;           // 0: upright; 1: as the ground's normal
+    bool keepOffPaths = true;          // none stands on the width of a GroundPath
+    bool keepOffObjects = true;        // nor on a StaticMesh, where that is low over the ground (world/keep_off.h)
+    float gap = 0.5f;                  // metres beside both that stay free, to an object's origin
     bool castShadows = true;
     int seed = 1;
 };
@@ -38,6 +41,8 @@ inline constexpr double kMostScattered = 200'000;  // objects of one Scatter tha
 
 // A mesh that is scattered: it has a file and a share.
 bool isScattered(const ScatterMesh& mesh);
+// Whether paths or objects are in its way.
+bool keepsOff(const Scatter& scatter);
 // Whether the rule asks for any object.
 bool scatters(const Scatter& scatter);
 

@@ -50,6 +50,7 @@ struct Thrower {
     Tiling tiling;
     double perM2, darts;  // a square metre, at density 1
     Grid grid;
+    const KeepOff& off;
 
     // 24 bits would show as steps on a large cell: 32 are used.
     static double fine(uint32_t hash, uint32_t number) { return part(hash, number) * (1.0 / 4294967296.0); }
@@ -74,7 +75,7 @@ struct Thrower {
             const uint32_t h = f32::hash2(seed, 2 + i);
             const double px = (x + fine(h, 1)) * grid.side, pz = (z + fine(h, 2)) * grid.side;
             const double density = densityAt(px, pz);
-            if (density <= 0 || !allowed(px, pz)) continue;
+            if (density <= 0 || !allowed(px, pz) || off.holds(px, pz)) continue;
             if (inside(px, pz)) asked += density * perM2 / darts;
             if (fine(h, 3) * darts < dartsFor(density * perM2, static_cast<double>(s.distance)))
                 out.push_back({px, pz, h, part(h, 4)});
@@ -182,7 +183,7 @@ double dartsFor(double perM2, double distance) {
     return kJamming * x / (3 * kSteps) * sum / disc;
 }
 
-Scattering scatterOver(const Scatter& s, const Ground& ground) {
+Scattering scatterOver(const Scatter& s, const Ground& ground, const KeepOff& off) {
     Scattering out;
     if (!ground.terrain || !scatters(s)) return out;
     const Terrain& t = *ground.terrain;
@@ -192,7 +193,7 @@ Scattering scatterOver(const Scatter& s, const Ground& ground) {
         return out;
     }
     const double darts = dartsFor(perM2, distance);
-    const Thrower thrower{s, t, tilingOf(t, s.densityTiling), perM2, darts, gridOf(t.size, darts, distance)};
+    const Thrower thrower{s, t, tilingOf(t, s.densityTiling), perM2, darts, gridOf(t.size, darts, distance), off};
     std::vector<std::vector<Dart>> rows(static_cast<size_t>(thrower.grid.down));
     std::vector<double> asked(rows.size());
     parallelFor(rows.size(), [&](size_t z) {
@@ -205,6 +206,11 @@ Scattering scatterOver(const Scatter& s, const Ground& ground) {
         if (thrower.inside(d.x, d.z)) out.objects.push_back(objectOf(s, ground, d));
     out.hash = hashOf(out.objects);
     return out;
+}
+
+Scattering scatterIn(const Project& p, const Scatter& s, const Ground& ground) {
+    Outlines outlines;
+    return scatterOver(s, ground, keepOffOf(p, ground, s, outlines));
 }
 
 std::string shortfall(const std::string& entity, const Scatter& s, const Scattering& made) {
@@ -227,14 +233,20 @@ std::vector<std::pair<std::string, const Scatter*>> scattersOf(const Project& p)
     return out;
 }
 
-std::shared_ptr<const Scattering> ScatterMemory::of(const Ground& ground, const std::string& entity, const Scatter& s) {
+std::shared_ptr<const Scattering> ScatterMemory::of(const Project& p, const Ground& ground, const std::string& entity,
+                                                    const Scatter& s) {
     Entry& e = entries_[entity];
     const bool there = ground.terrain != nullptr;
-    if (e.made && e.there == there && e.origin == ground.origin && sameRule(e.rule, s) &&
+    std::string off = keepOffInputs(p, ground, s);
+    if (e.made && e.there == there && e.origin == ground.origin && sameRule(e.rule, s) && e.off == off &&
         (!there || sameGround(e.terrain, *ground.terrain)))
         return e.made;
-    e = {s, there ? *ground.terrain : Terrain{}, ground.origin, there,
-         std::make_shared<const Scattering>(scatterOver(s, ground))};
+    e = {s,
+         there ? *ground.terrain : Terrain{},
+         ground.origin,
+         there,
+         std::move(off),
+         std::make_shared<const Scattering>(scatterOver(s, ground, keepOffOf(p, ground, s, outlines_)))};
     return e.made;
 }
 

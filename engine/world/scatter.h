@@ -13,6 +13,7 @@
 #include "scene/project.h"
 #include "scene/scatter.h"
 #include "world/ground.h"
+#include "world/keep_off.h"
 
 namespace sward {
 
@@ -27,8 +28,10 @@ struct Scattering {
     double asked = 0;   // that the density asks for on slopes and heights that are allowed
     uint64_t hash = 0;  // over all objects
 };
-// Nothing without a terrain, or where more than kMostScattered are asked for.
-Scattering scatterOver(const Scatter& scatter, const Ground& ground);
+// Nothing without a terrain, or where more than kMostScattered are asked for. None stands where `off` is in the way.
+Scattering scatterOver(const Scatter& scatter, const Ground& ground, const KeepOff& off = {});
+// The same of a scatter of the project, which keeps off what the project has.
+Scattering scatterIn(const Project& project, const Scatter& scatter, const Ground& ground);
 
 // What to say where fewer stand than nine tenths of those asked for; empty where enough do.
 std::string shortfall(const std::string& entity, const Scatter& scatter, const Scattering& made);
@@ -44,7 +47,8 @@ std::vector<std::pair<std::string, const Scatter*>> scattersOf(const Project& p)
 class ScatterMemory {
   public:
     // `scatter` is the entity's in the project; what is returned is the caller's as long as it likes.
-    std::shared_ptr<const Scattering> of(const Ground& ground, const std::string& entity, const Scatter& scatter);
+    std::shared_ptr<const Scattering> of(const Project& project, const Ground& ground, const std::string& entity,
+                                         const Scatter& scatter);
     // Forgets those of entities that have none any more.
     void keepOnly(const std::vector<std::pair<std::string, const Scatter*>>& all);
 
@@ -54,9 +58,11 @@ class ScatterMemory {
         Terrain terrain;
         glm::dvec3 origin{0};
         bool there = false;  // a terrain
+        std::string off;     // what it keeps off
         std::shared_ptr<const Scattering> made;
     };
     std::map<std::string, Entry> entries_;
+    Outlines outlines_;
 };
 
 }  // namespace sward

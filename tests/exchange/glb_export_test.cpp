@@ -236,7 +236,7 @@ TEST(GlbExport, ScatteredObjectsAreInstances) {
     const Scatter rule{.meshes = {{"cube", "cube.glb"}}, .perHectare = 20000, .distance = 0.2f};
     put(p, "stones", rule);
     const Glb glb = encoded(p);
-    const auto there = scatterOver(rule, findGround(p)).objects;
+    const auto there = scatterIn(p, rule, findGround(p)).objects;
     EXPECT_EQ(glb.counts.scattered, there.size());
     const Model m = read(glb.bytes);
     const auto at = values<glm::vec3>(m, attributesOf(*node(m, "stones"))->Get("TRANSLATION").GetNumberAsInt());

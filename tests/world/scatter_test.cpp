@@ -200,14 +200,14 @@ TEST(Scatter, WithoutGroundOrBeyondTheLimitThereIsNothing) {
 TEST(Scatter, ItIsEvaluatedAnewOnlyWhenSomethingChanged) {
     Field f;
     ScatterMemory memory;
-    const auto first = memory.of(f.ground(), "stones", f.rule);
-    EXPECT_EQ(memory.of(f.ground(), "stones", f.rule), first);
+    const auto first = memory.of({}, f.ground(), "stones", f.rule);
+    EXPECT_EQ(memory.of({}, f.ground(), "stones", f.rule), first);
     f.terrain.groundColor = glm::vec3(0.5f);
-    EXPECT_EQ(memory.of(f.ground(), "stones", f.rule), first) << "a colour moves nothing";
+    EXPECT_EQ(memory.of({}, f.ground(), "stones", f.rule), first) << "a colour moves nothing";
     f.rule.seed = 7;
-    EXPECT_NE(memory.of(f.ground(), "stones", f.rule)->hash, first->hash);
+    EXPECT_NE(memory.of({}, f.ground(), "stones", f.rule)->hash, first->hash);
     memory.keepOnly({});
-    EXPECT_NE(memory.of(f.ground(), "stones", f.rule), first);
+    EXPECT_NE(memory.of({}, f.ground(), "stones", f.rule), first);
 }
 
 TEST(ScatterRow, SaysWhatCannotBe) {

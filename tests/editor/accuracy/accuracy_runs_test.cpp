@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "cost/cost_files.h"
 #include "editor/model/document.h"
 #include "support.h"
 #include "techniques.h"
+#include "tools/camera_control.h"
 
 namespace sward {
 namespace {
@@ -57,6 +59,55 @@ TEST(AccuracyRuns, AFitIsReadWithWhatItGivesUp) {
     EXPECT_EQ(fit->better, "9 ms for 0.0180: maxGeom=8");
     EXPECT_FALSE(fitFrom("{\"fits\": true}"));
     EXPECT_FALSE(fitFrom(""));
+}
+
+TEST(AccuracyRuns, AdoptingIsToldInWords) {
+    EXPECT_EQ(adoptedText(settingOf("flat", "msaa=1"), std::vector<std::string>{"msaa=1"}),
+              "adopted: flat; 4 samples stay as they are");
+    EXPECT_EQ(adoptedText(settingOf("hybrid", "maxGeom=6"), {}), "adopted: hybrid, maxGeom 6");
+}
+
+TEST(AccuracyRuns, ProgressIsTheLastLineThatTellsIt) {
+    const auto news = newsFrom("  3 %  view: truth\nsward: warning: odd\n 50 %  view: hybrid maxGeom=6\n");
+    ASSERT_TRUE(news);
+    EXPECT_EQ(news->what, "view: hybrid maxGeom=6");
+    EXPECT_EQ(news->share, 0.5);
+    EXPECT_FALSE(newsFrom("sward: error: no\n"));
+    RunNews at = *news;
+    at.since = 100;
+    EXPECT_EQ(newsText(at, 130), "50 %, 30 s left: view: hybrid maxGeom=6");
+    EXPECT_EQ(newsText({.since = 2}, 5), "starts, 3 s");
+}
+
+TEST(AccuracyRuns, WhatIsDrawnSoFarIsShownByItsFirstFrames) {
+    const test::TempDir dir;
+    CostRow row;
+    row.camera = "view", row.technique = "flat", row.settings = "msaa=1", row.ms = {9, 5, 7};
+    row.metrics.appearance.distance = 0.04;
+    test::writeText(dir / "row-a.json", writeJson(costRowJson(row)));
+    row.camera = "other";
+    test::writeText(dir / "row-b.json", writeJson(costRowJson(row)));
+    row.camera = "view", row.skipped = "too slow";
+    test::writeText(dir / "row-c.json", writeJson(costRowJson(row)));
+    test::writeText(dir / "row-d.json", "{");
+    const std::vector<CostRow> rows = rowsSoFar(dir.path, "view");
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].msMedian, 7);
+    EXPECT_EQ(rows[0].technique, "flat");
+    EXPECT_TRUE(rowsSoFar(dir / "none", "view").empty());
+}
+
+TEST(AccuracyRuns, MeasuringIsFromTheViewThatIsShown) {
+    const test::TempDir dir;
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    FlyCamera view = flyFrom(viewOf(*findCamera(doc.project(), "")));
+    EXPECT_EQ(accuracyCamera(doc, view), "camera");
+    view.eye.x += 1;
+    const std::string moved = accuracyCamera(doc, view);
+    EXPECT_TRUE(moved.starts_with("view-")) << moved;
+    view.eye.x += 1;
+    EXPECT_NE(accuracyCamera(doc, view), moved);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "editor/model/autosave.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #include <thread>
 
@@ -164,6 +167,26 @@ TEST_F(AutosaveFiles, CopiesThatTakeLongComeRarer) {
     tick(kAutosaveSeconds + 301);
     EXPECT_TRUE(a.job.active());
     endAutosave(a);
+}
+
+// As a full disk: what is written beyond a limit fails.
+TEST_F(AutosaveFiles, WhereThereIsNoRoomItFailsAndWhatWasCopiedStays) {
+    const fs::path first = copyWith("60");
+    ASSERT_TRUE(doc.setField("camera.Camera.fovDeg", "61"));
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const auto ignored = signal(SIGXFSZ, SIG_IGN);
+    const rlimit none{100, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &none);
+    const auto made = writeAutosave(doc.project(), tables().components, autosaveFolder(dir / "p"));
+    setrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, ignored);
+    ASSERT_FALSE(made);
+    EXPECT_NE(made.error().text().find("cannot"), std::string::npos) << made.error().text();
+    EXPECT_EQ(autosavesOf(dir / "p"), std::vector<fs::path>{first});
+    Document copy(tables());
+    EXPECT_TRUE(copy.open(first));
+    EXPECT_TRUE(doc.dirty()) << "nothing is lost";
 }
 
 }  // namespace

@@ -63,5 +63,17 @@ TEST_F(EditorTools, TheSwatchShowsForMapsOfColoursOnly) {
     ok(ui->key("escape"));
 }
 
+TEST_F(EditorUi, ThePathToolSaysWhatClicksDoAndHasNoSteps) {
+    ok(ui->key("p"));
+    EXPECT_EQ(get("Brush/Mode"), "Path");
+    EXPECT_TRUE(ui->exists("Brush/Path Help"));
+    EXPECT_FALSE(ui->exists("Brush/Grid"));
+    ok(ui->set("Brush/Mode", "Select"));
+    EXPECT_TRUE(ui->exists("Brush/Grid"));
+    EXPECT_EQ(app->objects.mode, GizmoMode::Move);
+    ok(ui->set("Brush/Mode", "Path"));
+    EXPECT_EQ(app->objects.mode, GizmoMode::Path);
+}
+
 }  // namespace
 }  // namespace sward

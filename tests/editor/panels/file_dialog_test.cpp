@@ -87,5 +87,23 @@ TEST_F(FileDialogPanel, ExportStartsInTheBackgroundAndRefusesWhatIsNoGlb) {
     EXPECT_EQ(adopted, 0);
 }
 
+TEST_F(FileDialogPanel, AnExportOfTooMuchIsRefusedInTheDialog) {
+    ASSERT_TRUE(doc.setField("lawn.GrassField.species[0].bladesPerM2", "100000"));
+    open(FileTask::Export);
+    click("Panel/Export");
+    frames(2);
+    EXPECT_NE(files.error.find("million blades"), std::string::npos) << files.error;
+    EXPECT_EQ(files.task, FileTask::Export) << "it stays open";
+    EXPECT_FALSE(work.exporting);
+}
+
+TEST_F(FileDialogPanel, AnExportThatFailsLaterIsAskedForAgain) {
+    EXPECT_TRUE(askAgain(files, dir / "scene.glb", failed("more than 5 blades")));
+    frames(4);
+    EXPECT_EQ(value("Panel/Path"), (dir / "scene.glb").string());
+    EXPECT_EQ(value("Panel/Error"), "more than 5 blades");
+    EXPECT_FALSE(askAgain(files, dir / "other.glb", failed("no"))) << "another dialog is open";
+}
+
 }  // namespace
 }  // namespace sward

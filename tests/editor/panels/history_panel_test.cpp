@@ -1,15 +1,18 @@
 // The history's list: its steps, where the project stands among them, and a click that goes there.
+#include "app/selection.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 
 namespace sward::test {
 namespace {
 
-using HistoryPanel = PanelStage;
+struct HistoryPanel : PanelStage {
+    Selection selection;
+};
 
 TEST_F(HistoryPanel, AClickGoesToAStepAndBack) {
     size_t shownSteps = 0;
-    draw = [&] { drawHistory(doc, edits, messages, shownSteps); };
+    draw = [&] { drawHistory(doc, selection, edits, messages, shownSteps); };
     frames(2);
     EXPECT_TRUE(shown("Panel/0 nothing was changed yet"));
     for (const char* height : {"0.1", "0.2", "0.3"})
@@ -27,6 +30,27 @@ TEST_F(HistoryPanel, AClickGoesToAStepAndBack) {
     EXPECT_EQ(doc.stepsDone(), 0u);
     EXPECT_FALSE(doc.canUndo());
     EXPECT_FALSE(doc.jumpTo(9)) << "there are three";
+}
+
+TEST_F(HistoryPanel, TheStepThatIsOnDiskIsMarked) {
+    size_t shownSteps = 0;
+    draw = [&] { drawHistory(doc, selection, edits, messages, shownSteps); };
+    const auto set = [&](const char* height) {
+        ASSERT_TRUE(doc.setField("lawn.GrassField.species[lawn].height", height));
+    };
+    frames(2);
+    EXPECT_EQ(value("Panel/Saved"), "0");
+    set("0.1"), set("0.2");
+    ASSERT_TRUE(doc.save());
+    set("0.3");
+    frames(2);
+    EXPECT_EQ(value("Panel/Saved"), "2");
+    ASSERT_TRUE(doc.jumpTo(1));
+    EXPECT_EQ(doc.savedStep(), 2u) << "it can be done again";
+    set("0.4");
+    frames(2);
+    EXPECT_FALSE(shown("Panel/Saved")) << "no step leads there now";
+    EXPECT_FALSE(doc.savedStep());
 }
 
 // Frames come only when they are wanted: under a pointer that rests, only while a tooltip is due.

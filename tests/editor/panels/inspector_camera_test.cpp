@@ -37,6 +37,12 @@ TEST_F(CameraTools, TheCameraTakesTheViewInOneStep) {
     EXPECT_FALSE(doc.canUndo());
 }
 
+TEST_F(CameraTools, NoNumberIsLessThanNothing) {
+    view.camera.eye = {-1e-6, 5, -0.0};
+    click("Panel/camera.Camera/Take the view");
+    EXPECT_EQ(field("camera.Camera.eye"), "[0, 5, 0]");
+}
+
 TEST_F(CameraTools, APathGetsAKeyWhereTheViewIsTwoSecondsAfterTheLast) {
     ASSERT_TRUE(doc.addComponent("camera", "CameraPath"));
     component = "CameraPath";

@@ -1,7 +1,9 @@
 // Titles of fields, and the row of one.
 #include "panels/inspector_fields.h"
 
+#include "app/viewport.h"
 #include "editor/panels/panel_stage.h"
+#include "panels/panels.h"
 #include "techniques.h"
 
 namespace sward {
@@ -13,6 +15,20 @@ TEST(FieldTitle, HasWordsForHumpsAndLeavesDegreesToTheUnit) {
     EXPECT_EQ(fieldTitle("Deg"), "Deg");
     EXPECT_EQ(fieldTitle("seed"), "Seed");
     EXPECT_EQ(fieldTitle(""), "");
+}
+
+TEST(FieldTitle, IsSpeltAsElsewhere) {
+    EXPECT_EQ(fieldTitle("rootColor"), "Root colour");
+    EXPECT_EQ(fieldTitle("color"), "Colour");
+    EXPECT_EQ(fieldTitle("centerColor"), "Centre colour");
+}
+
+TEST(ElementTitle, IsOneOfTheList) {
+    EXPECT_EQ(elementTitle("meshes"), "Mesh");
+    EXPECT_EQ(elementTitle("species"), "Species");
+    EXPECT_EQ(elementTitle("keys"), "Key");
+    EXPECT_EQ(elementTitle("layers"), "Layer");
+    EXPECT_EQ(elementTitle("points"), "Point");
 }
 
 class FieldRowOfInspector : public test::PanelStage {};
@@ -29,6 +45,23 @@ TEST_F(FieldRowOfInspector, AClickOnTheLabelGoesBackToTheDefault) {
     EXPECT_EQ(field(path), "0");
     ASSERT_TRUE(doc.undo());
     EXPECT_EQ(field(path), "1.5");
+}
+
+class InspectorOfLights : public test::PanelStage {};
+
+TEST_F(InspectorOfLights, ShowsWhatActsOnTheirType) {
+    ViewState looking;
+    name = "Inspector";
+    draw = [&] { drawInspector(fieldParts(), "sun", looking); };
+    frames(2);
+    EXPECT_TRUE(shown("Inspector/sun.Light.elevationDeg"));
+    EXPECT_FALSE(shown("Inspector/sun.Light.attenuation"));
+    EXPECT_FALSE(shown("Inspector/sun.Light.orbitRadius"));
+    ASSERT_TRUE(doc.setField("sun.Light.type", "point"));
+    frames(2);
+    EXPECT_FALSE(shown("Inspector/sun.Light.elevationDeg"));
+    EXPECT_TRUE(shown("Inspector/sun.Light.attenuation"));
+    EXPECT_TRUE(shown("Inspector/sun.Light.orbitRadius"));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST_F(LayersPanel, PutsTheBrushOnALayerAndBack) {
     click("Layers/" + painted + "/Paint");
     EXPECT_EQ(brushes.map, painted + ".amounts");
     EXPECT_EQ(names(), Names{"painted"});
-    click("Layers/Paint below");
+    click("Layers/Paint the map itself");
     EXPECT_EQ(brushes.map, kDensity);
 }
 
@@ -99,7 +99,7 @@ TEST_F(LayersPanel, TheInspectorShowsMasksWithinLayersToo) {
     frames(2);
     const std::string mask = kRule + ".masks[mask]";
     EXPECT_EQ(value("Inspector/" + mask + ".to"), "35");
-    EXPECT_TRUE(shown("Inspector/" + kRule + ".masks/Add masks"));
+    EXPECT_TRUE(shown("Inspector/" + kRule + ".masks/Add mask"));
     ASSERT_TRUE(shown("Inspector/" + mask + "/Remove"));
     ASSERT_TRUE(doc.removeListElement(mask));
     frames(2);
@@ -112,6 +112,23 @@ TEST_F(LayersPanel, RulesHaveNoMapToPaintOn) {
     for (const ConstFieldRef& map : paintableMaps(doc)) EXPECT_NE(map.path, kRule + ".amounts");
     selectMap(doc, brushes, "lawn.MapLayers.layers[image].amounts");
     EXPECT_EQ(brushes.map, "lawn.MapLayers.layers[image].amounts");
+}
+
+TEST_F(LayersPanel, ARowBreaksWhereThePanelEnds) {
+    click("Layers/Add rule");
+    click("Layers/Add image");
+    const auto inner = draw;
+    float width = 780;
+    draw = [&] {
+        ImGui::BeginChild("narrow", {width, 500});
+        inner();
+        ImGui::EndChild();
+    };
+    for (const float wide : {780.f, 560.f, 380.f}) {
+        width = wide;
+        frames(3);
+        for (const auto& [path, w] : book.widgets) EXPECT_LE(w.x1, wide + 9) << path << " of " << wide;
+    }
 }
 
 }  // namespace

@@ -57,5 +57,17 @@ TEST_F(MenuBar, TheViewMenuChangesTheModeAndHidesPanels) {
     EXPECT_EQ(layout.tab, "Profiler") << "what is shown again is in front";
 }
 
+TEST_F(MenuBar, TheThemeIsChosenInTheViewMenu) {
+    click("Menu/View");
+    click("Menu/View/Theme");
+    click("Menu/View/Theme/Light");
+    EXPECT_TRUE(layout.lightTheme);
+    click("Menu/View");
+    click("Menu/View/Theme");
+    EXPECT_EQ(value("Menu/View/Theme/Light"), "true");
+    click("Menu/View/Theme/Dark");
+    EXPECT_FALSE(layout.lightTheme);
+}
+
 }  // namespace
 }  // namespace sward

@@ -1,4 +1,5 @@
 // The profiler panel: a line a pass, numbers only of what was measured.
+#include "app/frame_times.h"
 #include "app/viewport.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
@@ -10,9 +11,10 @@ class ProfilerPanel : public test::PanelStage {
   protected:
     ProfilerPanel() {
         counts.stats.passes = {{"grass/geometry", 3, 2, 900}, {"sky", 1, 1, 1}};
-        draw = [this] { drawProfiler(counts, false, "a renderer"); };
+        draw = [this] { drawProfiler(counts, times, false, "a renderer"); };
     }
     ViewCounts counts;
+    FrameTimes times;
 };
 
 TEST_F(ProfilerPanel, EachPassHasARowWithItsDraws) {
@@ -26,6 +28,14 @@ TEST_F(ProfilerPanel, MeasureIsSwitchedOnAndOff) {
     EXPECT_TRUE(counts.measure);
     click("Panel/Measure");
     EXPECT_FALSE(counts.measure);
+}
+
+TEST_F(ProfilerPanel, BladesAreListedBySpecies) {
+    frames(2);
+    EXPECT_TRUE(counts.wantsSpecies) << "the list asks for them";
+    counts.species = {{"lawn", "clover", 1e6, 2500}};
+    frames(2);
+    EXPECT_EQ(value("Panel/Species lawn/clover"), "2500");
 }
 
 }  // namespace

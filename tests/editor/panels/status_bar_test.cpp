@@ -24,10 +24,11 @@ class StatusBar : public test::PanelStage {
     ViewCounts counts;
     BrushCost cost;
     BackgroundWork work;
+    float width = 780;
 };
 
 TEST_F(StatusBar, SaysWhatIsDrawnHowFineAndWhetherItIsSaved) {
-    counts.bladesVirtual = 3'200'000;
+    counts.bladesVirtual = 3'200'000, counts.populationRevision = doc.revision();
     counts.lastMs = 12.345;
     frames(2);
     EXPECT_EQ(value("Panel/Blades"), "3.2 M");
@@ -58,6 +59,28 @@ TEST_F(StatusBar, TellsWhatIsMadeBeside) {
     work.making = {{"slices of clover", 0.4}};
     frames(2);
     EXPECT_EQ(value("Panel/Making"), "slices of clover 40 %");
+}
+
+TEST_F(StatusBar, BladesAreNotNoneWhileTheyAreNotCounted) {
+    frames(2);
+    EXPECT_EQ(value("Panel/Blades"), "...");
+}
+
+TEST_F(StatusBar, WhatFindsNoRoomGivesWayToTheMessage) {
+    counts.populationRevision = doc.revision();
+    draw = [this] {
+        ImGui::BeginChild("narrow", {width, 40});
+        drawStatusBar(doc, counts, 1, cost, work, std::string(200, 'm'));
+        ImGui::EndChild();
+    };
+    frames(2);
+    EXPECT_TRUE(book.widgets.at("Panel/Resolution").visible);
+    width = 420;
+    frames(2);
+    EXPECT_FALSE(book.widgets.at("Panel/Resolution").visible);
+    EXPECT_EQ(value("Panel/Resolution"), "100 %") << "scripts find it";
+    EXPECT_TRUE(book.widgets.at("Panel/Frame").visible);
+    EXPECT_LT(book.widgets.at("Panel/Message").x1, 440) << "it ends in dots";
 }
 
 }  // namespace

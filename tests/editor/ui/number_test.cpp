@@ -17,6 +17,8 @@ TEST(NumberText, IsTheShortestThatGivesTheSameNumber) {
     EXPECT_EQ(numberText(0.1, false, true), "0.1");
     EXPECT_EQ(numberText(7, true), "7");
     EXPECT_EQ(numberText(std::numeric_limits<double>::infinity()), "inf");
+    EXPECT_EQ(numberText(-0.0), "0");
+    EXPECT_EQ(numberText(-0.0, false, true), "0");
     for (const double v : {1e-7, 123456.789, 1.0 / 3})
         EXPECT_EQ(std::stod(numberText(v, false, true)), v) << numberText(v, false, true);
 }

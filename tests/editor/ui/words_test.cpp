@@ -16,6 +16,12 @@ TEST(Words, PathsAreNamedByTheirElementOrEntity) {
     EXPECT_EQ(inWords("rock-2.MeshGrass.density"), "Rock-2 › density");
 }
 
+TEST(Words, ColoursAndCentresAreSpeltAsElsewhere) {
+    EXPECT_EQ(inWords("a.Flowers.centerColor"), "A › centre colour");
+    EXPECT_EQ(spelt("rootColor"), "rootColour");
+    EXPECT_EQ(spelt("height"), "height");
+}
+
 TEST(Words, TheTextAroundThemStays) {
     EXPECT_EQ(inWords("Comb lawn.GrassField.orientation, 42 m"), "Comb Lawn › orientation, 42 m");
     EXPECT_EQ(inWords("12 set sun.Light.elevationDeg"), "12 set Sun › elevation deg");
