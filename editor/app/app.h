@@ -17,7 +17,10 @@
 #include "app/edits.h"
 #include "app/file_tasks.h"
 #include "app/frame_clock.h"
+#include "app/height_placing.h"
+#include "app/image_tasks.h"
 #include "app/layout.h"
+#include "app/map_health_view.h"
 #include "app/messages.h"
 #include "app/object_actions.h"
 #include "app/palette.h"
@@ -89,6 +92,9 @@ struct EditorApp {
     Messages messages;
     Console console;
     FileDialog files;
+    ImageDialog images;
+    HeightPlacing placing;
+    MapHealthView mapHealth;
     StartScreen start;
     UnsavedDialog unsaved;
     OutsideDialog outside;
