@@ -6,11 +6,26 @@
 namespace sward {
 namespace {
 
-// In steps of a map; `downwards`: whose range runs downwards, so that more steps are less height.
-double blended(HeightBlend blend, double before, double height, bool downwards) {
-    if (blend == HeightBlend::Replace) return height;
-    return (blend == HeightBlend::Maximum) != downwards ? std::max(before, height) : std::min(before, height);
-}
+// The heights of a row towards which it is painted, in steps of its map and within its limits; whole ones where it is
+// of integers, so that full strength reaches them exactly.
+template <class Real>
+struct Targets {
+    Real from, step, low, high;  // at light 0; of light 1 more than that
+    bool whole;
+
+    Targets(const MapInfo& info, Real scale, const Stamp& stamp, const BrushSettings& b) {
+        const double unit = static_cast<double>(scale) / b.metres.y;
+        from = static_cast<Real>((stamp.beginHeight - b.metres.x) * unit);
+        step = static_cast<Real>(static_cast<double>(b.value) * unit);
+        whole = info.type != PixelType::F32;
+        low = whole ? Real(0) : static_cast<Real>(b.low);
+        high = whole ? scale : static_cast<Real>(b.high);
+    }
+    Real operator()(float light) const {
+        const Real t = std::min(std::max(from + step * static_cast<Real>(light), low), high);
+        return whole ? static_cast<Real>(static_cast<int>(t + Real(0.5))) : t;
+    }
+};
 
 }  // namespace
 
@@ -26,11 +41,14 @@ std::shared_ptr<const Tile> applyImprint(const Map& map, int tx, int ty, const S
         alignas(64) float light[kTileSize];
         std::fill(light, light + kTileSize, 1.0f);
         if (shape.any()) shape.row(row.y - ty * kTileSize, light);
-        changeTowards(row, [&](int i) {
-            const double metres = stamp.beginHeight + static_cast<double>(brush.value) * static_cast<double>(light[i]);
-            return static_cast<Real>(blended(brush.blend, static_cast<double>(row.value[i]),
-                                             heightSteps(map.info(), metres, brush), brush.metres.y < 0));
-        });
+        const Targets<Real> target(map.info(), row.scale, stamp, brush);
+        const bool higher = (brush.blend == HeightBlend::Maximum) != (brush.metres.y < 0);  // in steps
+        if (brush.blend == HeightBlend::Replace)
+            changeTowards(row, [&](int i) { return target(light[i]); });
+        else if (higher)
+            changeTowards(row, [&](int i) { return std::max(row.value[i], target(light[i])); });
+        else
+            changeTowards(row, [&](int i) { return std::min(row.value[i], target(light[i])); });
     });
 }
 

@@ -16,7 +16,8 @@ StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushS
     centreY_ = static_cast<float>(stamp.y - ty * kTileSize - 0.5);
     invX_ = static_cast<float>(1.0 / rx);
     invY_ = static_cast<float>(1.0 / ry);
-    farthest_ = static_cast<float>(std::pow(stamp.reach + stamp.spread / ry, 2));
+    farthest_ = static_cast<float>(std::pow((shape_.any() ? stamp.reach : 1) + stamp.spread / ry, 2));
+    spreads_ = stamp.spread > 0;
     invRange_ = static_cast<float>(1.0 / (1.0 - core * core));
     strength_ = static_cast<float>(std::clamp<double>(brush.strength, 0.0, 1.0) * cover);
     acrossX_ = static_cast<float>(stamp.acrossX / rx);
@@ -37,7 +38,7 @@ bool StampWeights::row(int y, float* weight) const {
         return true;
     }
     if (shape_.any()) {
-        shape_.row(y, w);
+        if (!shape_.row(y, w) && !spreads_) return false;
         for (float& at : w) at *= strength_;
         std::fill(w + columns_, w + kTileSize, 0.0f);
         std::memcpy(weight, w, sizeof w);

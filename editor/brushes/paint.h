@@ -45,6 +45,7 @@ class StampWeights {
     float farthest_;           // rows beyond this many radii, squared, are not painted
     float acrossX_, acrossY_;  // of a stamp from one place to another: the way between them, in radii
     ShapeRows shape_;
+    bool spreads_ = false;  // rows beyond the shape are asked for, too
     int columns_, rows_;
 };
 

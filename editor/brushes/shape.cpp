@@ -193,10 +193,39 @@ ShapeRows::ShapeRows(const Stamp& stamp, const BrushSettings& brush, int tx, int
     y0_ = static_cast<float>(0.5 * level_->height + 0.5 - s * right * x + c * down * y);
 }
 
-void ShapeRows::row(int y, float* light) const {
+namespace {
+// Narrows [from, to] to the columns i at which low < start + i * step < high.
+void narrow(float start, float step, float low, float high, float& from, float& to) {
+    if (std::abs(step) < 1e-12f) {
+        if (!(start > low && start < high)) to = from - 1;
+        return;
+    }
+    const float a = (low - start) / step, b = (high - start) / step;
+    from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+}
+}  // namespace
+
+std::pair<int, int> ShapeRows::columns(int y) const {
+    float from = 0, to = kTileSize - 1;
+    narrow(x0_ + yx_ * static_cast<float>(y), xx_, 0, static_cast<float>(level_->width + 1), from, to);
+    narrow(y0_ + yy_ * static_cast<float>(y), xy_, 0, static_cast<float>(level_->height + 1), from, to);
+    if (!(from <= to)) return {0, 0};
+    return {static_cast<int>(from), std::min(kTileSize, static_cast<int>(to) + 2)};
+}
+
+bool ShapeRows::reachesTile() const {
+    for (int y = 0; y < kTileSize && level_; ++y)
+        if (columns(y).second > 0) return true;
+    return !level_;
+}
+
+bool ShapeRows::row(int y, float* light) const {
     const float x0 = x0_ + yx_ * static_cast<float>(y), y0 = y0_ + yy_ * static_cast<float>(y);
-    for (int i = 0; i < kTileSize; ++i)
+    const auto [from, to] = columns(y);
+    std::fill(light, light + kTileSize, 0.0f);
+    for (int i = from; i < to; ++i)
         light[i] = lightAt(*level_, x0 + xx_ * static_cast<float>(i), y0 + xy_ * static_cast<float>(i));
+    return to > 0;
 }
 
 float shapeLight(const BrushShape& shape, float x, float y) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brushes/brush.h"
@@ -43,10 +44,15 @@ class ShapeRows {
     ShapeRows(const Stamp& stamp, const BrushSettings& brush, int tx, int ty);
     // False: the brush has no shape, and row must not be called.
     bool any() const { return level_ != nullptr; }
-    // Of row y of the tile, kTileSize numbers in [0, 1].
-    void row(int y, float* light) const;
+    // Of row y of the tile, kTileSize numbers in [0, 1]. False if the picture lies beside the row, and all are 0.
+    bool row(int y, float* light) const;
+    // False if the picture lies beside the whole tile; true without a shape.
+    bool reachesTile() const;
 
   private:
+    // The first column of a row of the tile that the picture may reach, and one beyond the last; 0, 0: none.
+    std::pair<int, int> columns(int y) const;
+
     const ShapeLevel* level_ = nullptr;
     float x0_ = 0, y0_ = 0;                    // place in the level, its rim included, of the tile's first texel ...
     float xx_ = 0, xy_ = 0, yx_ = 0, yy_ = 0;  // ... and how it changes along a row (x) and from row to row (y)
