@@ -100,8 +100,7 @@ void body(ImageDialog& d, Edits& edits, const std::function<Status(const ImageDi
     ImGui::SameLine();
     look(d);
     ImGui::SetNextItemWidth(-1);
-    bool entered = false;
-    ui::input("Path", d.path, "the image's file", &entered);
+    ui::input("Path", d.path, "the image's file");  // Enter looks at it; only the button takes it
     if (d.path != d.preview.file) edits.deferred.push_back([&d] { lookAt(d); });
     ui::coloredText(ui::kErrorText, d.error.empty() ? " " : d.error.c_str());
     if (!d.error.empty()) ui::record("Error", ui::Kind::Label, d.error);
@@ -109,7 +108,7 @@ void body(ImageDialog& d, Edits& edits, const std::function<Status(const ImageDi
     const bool pressed = ui::button(wordsOf(d.task).action, width, true);
     ImGui::SameLine(0, 8);
     if (ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive())) d.task = ImageTask::None;
-    if (pressed || entered) edits.deferred.push_back([&d, take] { act(d, take); });
+    if (pressed) edits.deferred.push_back([&d, take] { act(d, take); });
 }
 
 }  // namespace

@@ -47,6 +47,13 @@ TEST_F(ImageDialogPanel, ShowsAnImageWithItsRangeAndFlipsAndTakesIt) {
     EXPECT_EQ(images.task, ImageTask::None);
 }
 
+TEST_F(ImageDialogPanel, AFileThatIsTypedIsShownAndNotYetTaken) {
+    type("Image/Path", (dir / "hills.png").string());
+    EXPECT_EQ(value("Image/Told"), "8 x 4, 16 bit, 1 channel, 0 to 0.75");
+    EXPECT_EQ(taken, "");
+    EXPECT_EQ(images.task, ImageTask::Map);
+}
+
 TEST_F(ImageDialogPanel, SaysWhatIsWrongAndStays) {
     click("Image/broken.png");
     frames(2);
