@@ -57,8 +57,9 @@ void playBar(EditorApp& a) {
 }
 
 void brushBar(EditorApp& a) {
-    a.brushBarRows =
+    const int rows =
         drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages, a.images);
+    if (a.hand.gesture != Gesture::Paint) a.brushBarRows = rows;  // the ground must not shift under the hand
 }
 
 // --- the viewport: input, then the picture, then what lies over it
