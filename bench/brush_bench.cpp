@@ -10,6 +10,7 @@
 
 #include "bench/limits.h"
 #include "brushes/brush.h"
+#include "brushes/shape.h"
 #include "frame/map_textures.h"
 #include "terrain/shade.h"
 #include "tools/stroke.h"
@@ -82,6 +83,32 @@ SWARD_LIMITS("stamp", [] {
         reportLimit((std::string("stamp of 500 texels on 4096^2, 16 bit, ") + mode).c_str(),
                     *std::min_element(ms.begin(), ms.end()), 5, "ms");
     }
+});
+
+// The same with a turned picture of 2048^2 for a shape, whose corners reach beyond the ring: heights as they are
+// sculpted.
+SWARD_LIMITS("stamp", [] {
+    std::vector<float> light(2048 * 2048);
+    for (size_t i = 0; i < light.size(); ++i) light[i] = static_cast<float>(i * 2654435761u % 1000) / 1000;
+    BrushSettings brush;
+    brush.shape = makeShape("bench", 2048, 2048, std::move(light));
+    brush.strength = 0.5f, brush.blend = HeightBlend::Replace;
+    for (const PixelType type : {PixelType::U16, PixelType::F32})
+        for (const char* mode : {"raise", "smooth", "imprint"}) {
+            const Map original = paintedMap(type);
+            paintHeights(brush, type == PixelType::U16 ? std::pair(0.0, 100.0) : std::pair(0.0, 1.0));
+            std::vector<double> ms;
+            for (uint32_t turn = 0; turn < 25; ++turn) {
+                Map map = original;
+                Stamp stamp{kSide / 2.0, kSide / 2.0, 500, 500, turn};
+                stamp.angle = 0.7, stamp.reach = std::cos(0.7) + std::sin(0.7);
+                ms.push_back(1e3 * seconds([&] { applyStamp(map, *findBrush(mode), stamp, brush); }));
+            }
+            reportLimit(fmt::format("stamp of 500 texels on 4096^2 {} heights with a turned shape, {}",
+                                    type == PixelType::U16 ? "16 bit" : "float", mode)
+                            .c_str(),
+                        *std::min_element(ms.begin(), ms.end()), 12, "ms");
+        }
 });
 
 // Hills of some metres on 4096^2, half a metre a texel.

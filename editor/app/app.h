@@ -19,7 +19,10 @@
 #include "app/film_dialog.h"
 #include "app/frame_clock.h"
 #include "app/frame_times.h"
+#include "app/height_placing.h"
+#include "app/image_tasks.h"
 #include "app/layout.h"
+#include "app/map_health_view.h"
 #include "app/messages.h"
 #include "app/object_actions.h"
 #include "app/palette.h"
@@ -93,6 +96,9 @@ struct EditorApp {
     Messages messages;
     Console console;
     FileDialog files;
+    ImageDialog images;
+    HeightPlacing placing;
+    MapHealthView mapHealth;
     StartScreen start;
     UnsavedDialog unsaved;
     OutsideDialog outside;

@@ -12,6 +12,7 @@
 #include "model/float_heights.h"
 #include "model/path_ground.h"
 #include "model/whole_map.h"
+#include "panels/map_windows.h"
 #include "panels/viewport_objects.h"
 #include "panels/viewport_path.h"
 #include "scene/scatter.h"
@@ -120,6 +121,8 @@ void invert(EditorApp& app) {
              [](Document& d, const BrushSettings& b) { return invertMap(d, b.map); });
 }
 
+void importMapImage(EditorApp& app) { requestImage(app.images, app.doc, ImageTask::Map, app.brushes.map); }
+
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
@@ -183,6 +186,9 @@ constexpr Command kCommands[] = {
     {"Brush", "Invert Map", "", "", invert, hasMap},
     {"Brush", "Shift Erases", "", "", [](App& a) { shiftErases(a.brushes, a.messages); }, always, true,
      [](App& a) { return a.brushes.shiftErases; }},
+    {"Maps", "Import Image...", "", "", importMapImage, hasMap},
+    {"Maps", "Place Heights...", "", "", [](App& a) { requestImage(a.images, a.doc, ImageTask::Heights); }, opened},
+    {"Maps", "Check Maps", "", "", [](App& a) { checkMaps(a.mapHealth, a.doc); }, opened},
     {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},
     {"Play", "Pause", "f6", "", [](App& a) { togglePause(playParts(a)); }, opened, true, nullptr, true},
     {"Play", "One Step", "f11", "", [](App& a) { stepOnce(playParts(a)); }, opened, true, nullptr, true},
@@ -197,7 +203,7 @@ constexpr Command kCommands[] = {
 
 bool dialogOpen(const EditorApp& a) {
     return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty() ||
-           a.palette.open || a.keys.open || a.film.open || !a.outside.files.empty();
+           a.palette.open || a.keys.open || a.film.open || a.images.task != ImageTask::None || !a.outside.files.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }

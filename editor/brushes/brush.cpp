@@ -83,6 +83,12 @@ constexpr BrushRow kBrushes[] = {
      .apply = nullptr,
      .kinds = kHeights,
      .applyWhole = applyErode},
+    {.name = "imprint",
+     .label = "Imprint",
+     .help = "Stamps an image into the ground: a click sets heights by its shape times a height",
+     .apply = applyImprint,
+     .kinds = kHeights,
+     .once = true},
 };
 }  // namespace
 
@@ -117,7 +123,7 @@ const BrushRow* findBrush(const std::string& name, MapKind kind) {
 
 TileRange stampTiles(const MapInfo& info, const Stamp& s) {
     // A stamp smaller than a texel reaches one texel around its centre.
-    const double rx = std::max(s.radiusX, 1.0) + s.spread, ry = std::max(s.radiusY, 1.0) + s.spread;
+    const double rx = std::max(s.radiusX, 1.0) * s.reach + s.spread, ry = std::max(s.radiusY, 1.0) * s.reach + s.spread;
     if (!(s.radiusX > 0 && s.radiusY > 0) || info.width <= 0 || info.height <= 0) return {};
     const double x0 = s.x + std::min(s.acrossX, 0.0) - rx, x1 = s.x + std::max(s.acrossX, 0.0) + rx,
                  y0 = s.y + std::min(s.acrossY, 0.0) - ry, y1 = s.y + std::max(s.acrossY, 0.0) + ry;

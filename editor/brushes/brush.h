@@ -18,6 +18,12 @@ namespace sward {
 constexpr unsigned bitOf(MapKind kind) { return 1u << static_cast<unsigned>(kind); }
 const char* kindName(MapKind kind);  // "amounts"
 
+struct BrushShape;  // shape.h
+// Which way a stamp turns its shape, on top of the brush's angle.
+enum class ShapeTurn { Fixed, Random, Along };  // not at all; anew for each stamp; up goes the way of the stroke
+// What imprint makes of the ground and the height that it brings.
+enum class HeightBlend { Add, Maximum, Minimum, Replace };
+
 struct BrushSettings {
     std::string map = "density";  // a map's PATH or an unambiguous tail of it
     std::string mode = "add";     // a row's name
@@ -35,6 +41,12 @@ struct BrushSettings {
     float bumpSize = 0;           // metres of the widest bumps of noise on heights; 0: the radius
     float talusDeg = 35;          // the steepest slope that erode leaves standing
     float water = 0.5f;           // [0,1]: how much rain erode lets fall; 0: slopes only slide
+    std::shared_ptr<const BrushShape> shape;  // whose light is a stamp's weight instead of the falloff; null: round
+    ShapeTurn shapeTurn = ShapeTurn::Fixed;   // of each stamp
+    float shapeAngleDeg = 0;                  // that the shape is turned, clockwise seen from above
+    HeightBlend blend = HeightBlend::Add;     // of imprint
+    float base = 0;                           // metres at which imprint puts black, if not fromStart
+    bool mirrorX = false, mirrorZ = false;    // strokes show again on the other side of the terrain's middle
     // Of the map, filled in by who knows it:
     float low = 0, high = 1;  // limits of what is painted on float maps; integer maps keep [0,1]
     bool colours = false;     // its four channels are a colour and an opacity, not a force
@@ -56,6 +68,9 @@ struct Stamp {
     // From (x, y) to the other end of what it paints, and the heights in metres of both, for ramp; elsewhere nothing.
     double acrossX = 0, acrossY = 0;
     double beginHeight = 0, endHeight = 0;
+    // Its shape is turned by `angle`, radians clockwise seen from above, and reaches as many radii out.
+    double angle = 0, reach = 1;
+    bool flipX = false, flipZ = false;  // it is the mirror image of another: what points turns round along x, along z
 };
 inline constexpr double kColourSpread = 8;  // as far as mip level 3 reaches
 
@@ -82,6 +97,7 @@ struct BrushRow {
     bool follows = false;             // paints the way the stroke goes: the first stamp waits until it goes somewhere,
                                       // or ends
     bool spans = false;               // one stamp a stroke, from its first point to its last, once it ends
+    bool once = false;                // one stamp a stroke, where it begins
     bool levels = false;              // goes to a height: BrushSettings::fromStart
     const char* onHeights = nullptr;  // the brush that is meant where heights are painted by this name
     // Of brushes that move ground across tiles, whose apply is null: the stamp on the whole map. Otherwise as apply.

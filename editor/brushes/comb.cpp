@@ -36,7 +36,8 @@ std::shared_ptr<const Tile> applyComb(const Map& map, int tx, int ty, const Stam
 std::shared_ptr<const Tile> applyDirection(const Map& map, int tx, int ty, const Stamp& stamp,
                                            const BrushSettings& brush) {
     const double angle = static_cast<double>(brush.angleDeg) * 3.14159265358979323846 / 180;
-    return lay(map, tx, ty, stamp, brush, std::sin(angle), -std::cos(angle));
+    return lay(map, tx, ty, stamp, brush, stamp.flipX ? -std::sin(angle) : std::sin(angle),
+               stamp.flipZ ? std::cos(angle) : -std::cos(angle));
 }
 
 }  // namespace sward

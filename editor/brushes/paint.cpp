@@ -1,11 +1,13 @@
 #include "brushes/paint.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace sward {
 
-StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty) {
+StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty)
+    : shape_(stamp, brush, tx, ty) {
     const double rx = std::max(stamp.radiusX, 1.0), ry = std::max(stamp.radiusY, 1.0);
     const double edge = std::clamp(std::max<double>(brush.falloff, 1.0 / std::min(rx, ry)), 0.0, 1.0);
     const double core = 1.0 - edge;
@@ -14,7 +16,8 @@ StampWeights::StampWeights(const MapInfo& info, const Stamp& stamp, const BrushS
     centreY_ = static_cast<float>(stamp.y - ty * kTileSize - 0.5);
     invX_ = static_cast<float>(1.0 / rx);
     invY_ = static_cast<float>(1.0 / ry);
-    farthest_ = static_cast<float>((1 + stamp.spread / ry) * (1 + stamp.spread / ry));
+    farthest_ = static_cast<float>(std::pow((shape_.any() ? stamp.reach : 1) + stamp.spread / ry, 2));
+    spreads_ = stamp.spread > 0;
     invRange_ = static_cast<float>(1.0 / (1.0 - core * core));
     strength_ = static_cast<float>(std::clamp<double>(brush.strength, 0.0, 1.0) * cover);
     acrossX_ = static_cast<float>(stamp.acrossX / rx);
@@ -30,6 +33,13 @@ bool StampWeights::row(int y, float* weight) const {
     alignas(64) float w[kTileSize];
     if (acrossX_ != 0 || acrossY_ != 0) {
         along(dy, w);
+        std::fill(w + columns_, w + kTileSize, 0.0f);
+        std::memcpy(weight, w, sizeof w);
+        return true;
+    }
+    if (shape_.any()) {
+        if (!shape_.row(y, w) && !spreads_) return false;
+        for (float& at : w) at *= strength_;
         std::fill(w + columns_, w + kTileSize, 0.0f);
         std::memcpy(weight, w, sizeof w);
         return true;

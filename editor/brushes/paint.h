@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "brushes/brush.h"
+#include "brushes/shape.h"
 
 namespace sward {
 
@@ -29,7 +30,8 @@ struct PaintRow {
 
 // The falloff of a stamp, relative to a tile. With r the distance in radii and c = 1 - falloff the hard core:
 // weight = smoothstep((1 - r^2) / (1 - c^2)). The edge is never narrower than a texel, and a stamp smaller than a texel
-// paints a texel with a weight of its share of it: no stair steps, and nothing at all at radius 0.
+// paints a texel with a weight of its share of it: no stair steps, and nothing at all at radius 0. A brush with a shape
+// takes the weight from that instead.
 class StampWeights {
   public:
     StampWeights(const MapInfo& info, const Stamp& stamp, const BrushSettings& brush, int tx, int ty);
@@ -42,6 +44,8 @@ class StampWeights {
     float centreX_, centreY_, invX_, invY_, invRange_, strength_;
     float farthest_;           // rows beyond this many radii, squared, are not painted
     float acrossX_, acrossY_;  // of a stamp from one place to another: the way between them, in radii
+    ShapeRows shape_;
+    bool spreads_ = false;  // rows beyond the shape are asked for, too
     int columns_, rows_;
 };
 
@@ -178,7 +182,7 @@ void pressTowards(const PaintRow<Real>& row, const Target& target) {
 // The modes; one file each.
 using ApplyBrush = std::shared_ptr<const Tile>(const Map&, int, int, const Stamp&, const BrushSettings&);
 ApplyBrush applyAdd, applySubtract, applySet, applySmooth, applyNoise, applyComb, applyDirection, applyPress,
-    applyRaise, applyLower, applyFlatten, applyRamp;
+    applyRaise, applyLower, applyFlatten, applyRamp, applyImprint;
 void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush);
 
 }  // namespace sward

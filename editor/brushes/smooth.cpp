@@ -167,6 +167,7 @@ std::shared_ptr<const Tile> applySmooth(const Map& map, int tx, int ty, const St
                                         const BrushSettings& brush) {
     const int channels = map.info().channels;
     if (!usableBrush(stamp, brush) || channels == 3) return map.tile(tx, ty);
+    if (stamp.spread <= 0 && !ShapeRows(stamp, brush, tx, ty).reachesTile()) return map.tile(tx, ty);
     if (channels == 4 && brush.colours) return smoothColours(map, tx, ty, stamp, brush);
     if (channels == 4) return smoothForces(map, tx, ty, stamp, brush);
     if (channels == 2) return smoothDirections(map, tx, ty, stamp, brush);

@@ -8,6 +8,8 @@
 #include "app/edits.h"
 #include "app/messages.h"
 #include "model/new_map.h"
+#include "panels/bar_rows.h"
+#include "panels/brush_shape.h"
 #include "panels/panels.h"
 #include "tools/brush_target.h"
 #include "tools/object_tool.h"
@@ -17,28 +19,7 @@
 namespace sward {
 namespace {
 
-void caption(const char* text) {
-    ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, text);
-    ImGui::SameLine(0, 5);
-}
-
-float em(float ems) { return ImGui::GetFontSize() * ems; }
-
-// Where the next widget goes.
-struct Rows {
-    float right;  // where the bar ends
-    int count = 1;
-};
-
-// Beside the last widget, or on a new row if what follows does not fit.
-void next(Rows& rows, const char* label, float width) {
-    const float needed = 14 + ImGui::CalcTextSize(label).x + 5 + width;
-    if (ImGui::GetItemRectMax().x + needed > rows.right - 6)
-        ++rows.count;
-    else
-        ImGui::SameLine(0, 14);
-}
+using namespace bar;
 
 void mapCombo(Rows& rows, const Document& doc, BrushBook& brushes) {
     std::vector<std::string> names, paths;
@@ -89,25 +70,6 @@ void modeCombo(const Document& doc, BrushBook& brushes, GizmoMode& mode, Message
     selectTool(doc, brushes, messages, tools[static_cast<size_t>(chosen)]);
     if (chosen == 1) mode = GizmoMode::Path;
     if (chosen == 0 && mode == GizmoMode::Path) mode = GizmoMode::Move;
-}
-
-void number(Rows& rows, const char* label, float& value, float width, const ui::NumberSpec& spec, const char* help) {
-    next(rows, label, width);
-    caption(label);
-    ImGui::SetNextItemWidth(width);
-    ui::slider(label, value, spec);
-    const std::string* error = ui::errorAt(label);
-    ui::tooltip(error ? *error : help);
-    if (error) {
-        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-        ImGui::GetWindowDrawList()->AddRect(low, high, ui::kErrorText, 3);
-    }
-}
-
-ui::NumberSpec range(double softMin, double softMax, double hardMin, double hardMax, const char* unit = "") {
-    ui::NumberSpec s;
-    s.softMin = softMin, s.softMax = softMax, s.hardMin = hardMin, s.hardMax = hardMax, s.unit = unit;
-    return s;
 }
 
 // A compass that shows the angle as the eye sees it: up is away from the viewer. Pressed or dragged, it takes the
@@ -179,6 +141,7 @@ void heights(Rows& rows, BrushSettings& b) {
         number(rows, "Height", b.value, em(7), range(-10, 100, -1e5, 1e5, "m"),
                "The height that the ground is levelled to.");
     }
+    if (b.mode == "imprint") imprintWidgets(rows, b);
     if (b.mode == "erode") {
         number(rows, "Water", b.water, em(5.5f), range(0, 1, 0, 1),
                "How much rain falls and washes gullies; 0: slopes only slide.");
@@ -188,7 +151,8 @@ void heights(Rows& rows, BrushSettings& b) {
 }
 
 // The settings of the present tool on the present map.
-void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw) {
+void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw,
+              const ShapeParts& shapes) {
     BrushSettings& b = currentBrush(brushes);
     const bool lays = b.mode == "comb" || b.mode == "direction", presses = b.mode == "press";
     number(rows, "Radius", b.radius, em(7.5f), range(0.1, 30, 0.05, 500, "m"), "Size of the brush: [ and ] change it.");
@@ -197,7 +161,10 @@ void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>
            : b.mode == "ramp" ? "How far the ground goes to the ramp: 1 is all the way."
            : presses          ? "How flat the blades are pressed, and how far pushed: - and = change it."
                               : "How much one pass over a place changes it: - and = change it.");
-    number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1), "0: a hard edge; 1: weaker from the centre on.");
+    if (!b.shape || b.mode == "ramp" || (b.mode == "imprint" && b.blend != HeightBlend::Add))
+        number(rows, "Falloff", b.falloff, em(5.5f), range(0, 1, 0, 1),
+               "0: a hard edge; 1: weaker from the centre on.");
+    if (b.mode != "ramp") shapeWidgets(rows, brushes, shapes);
     if (b.mode == "direction") angle(rows, yaw, b.angleDeg);
     const bool colours = map && map->row->map->kind == MapKind::Colours;
     if (colours) color(rows, brushes);
@@ -238,7 +205,7 @@ void steps(Rows& rows, ObjectTool& objects) {
 }  // namespace
 
 int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes, ObjectTool& objects, Edits& edits,
-                 Messages& messages) {
+                 Messages& messages, ImageDialog& images) {
     Rows rows{area.x + area.w};
     const ui::Disabled noProject(!doc.isOpen());
     modeCombo(doc, brushes, objects.mode, messages);
@@ -252,7 +219,9 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
         return rows.count;
     }
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
-    settings(rows, brushes, map, yaw);
+    settings(rows, brushes, map, yaw, {doc, edits, messages, images});
+    speciesWidgets(rows, doc, brushes);
+    mirrorWidget(rows, brushes);
     return rows.count;
 }
 

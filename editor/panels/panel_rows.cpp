@@ -6,7 +6,10 @@
 
 #include "app/app.h"
 #include "app/commands.h"
+#include "panels/brush_shape.h"
 #include "panels/field_edit.h"
+#include "panels/image_dialog.h"
+#include "panels/map_windows.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
 #include "panels/play_bar.h"
@@ -19,6 +22,7 @@
 #include "panels/viewport_place.h"
 #include "panels/viewport_rings.h"
 #include "panels/viewport_scene.h"
+#include "panels/viewport_shape.h"
 #include "playtest/playtest.h"
 #include "tools/brush_target.h"
 #include "ui/imgui_compat.h"
@@ -54,8 +58,9 @@ void playBar(EditorApp& a) {
 }
 
 void brushBar(EditorApp& a) {
-    a.brushBarRows =
-        drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages);
+    const int rows =
+        drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages, a.images);
+    if (a.hand.gesture != Gesture::Paint) a.brushBarRows = rows;  // the ground must not shift under the hand
 }
 
 // --- the viewport: input, then the picture, then what lies over it
@@ -110,6 +115,10 @@ void drawAids(EditorApp& a, const RingParts& rings) {
                    {techniqueShown(a.doc), comparisonLabel(c, a.doc, a.clock), a.messages.notice.empty() ? 6.f : 60.f});
     if (!a.tierView.hover && !c.gripHovered && !drawsDecal(a.picture, a.clock))
         drawBrushRing(a.doc, a.view.camera, a.hand, a.brushes);
+    if (!a.tierView.hover && !c.gripHovered) drawBrushShape(a.doc, a.view.camera, a.hand, a.brushes);
+    drawMirror(a.doc, a.view.camera, a.hand, a.brushes);
+    if (!a.placing.file.empty())
+        drawPlacedHeights(a.doc, a.view.camera, a.hand.rect, a.placing.source, a.placing.place);
     drawRings(rings);
     const ObjectParts objects = objectParts(a);
     drawObjects(objects);
@@ -154,6 +163,19 @@ void statusBar(EditorApp& a) {
 }
 void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, [&a] { adoptProject(a); });
+}
+// What is done with an image that was chosen.
+Status takeImage(EditorApp& a, const ImageDialog& d) {
+    if (d.task == ImageTask::Shape) return takeShape(a.brushes, d.path);
+    if (d.task == ImageTask::Heights) return beginPlacing(a.placing, a.doc, d.path, d.flipX, d.flipZ);
+    const auto range = rangeOf(d.low, d.high);
+    if (!range) return range.error();
+    const Status done = importImage(a.doc, d.map, d.path, {d.flipX, d.flipZ, *range});
+    if (done) say(a.messages, "imported " + d.path);
+    return done;
+}
+void imageDialog(EditorApp& a) {
+    drawImageDialog(a.images, a.edits, [&a](const ImageDialog& d) { return takeImage(a, d); });
 }
 void renameDialog(EditorApp& a) {
     drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
@@ -223,6 +245,9 @@ constexpr PanelRow kPanels[] = {
      true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
+    {"Image", Dock::Dialog, imageDialog, false},
+    {"Map health", Dock::Dialog, [](App& a) { drawMapHealth(a.mapHealth, a.doc, a.view.camera, a.edits); }, false},
+    {"Place heights", Dock::Dialog, [](App& a) { drawHeightPlacing(a.placing, a.doc, a.edits, a.messages); }, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits); }, false},
     {"Recovery", Dock::Dialog, recoveryDialog, false},
     {"Outside", Dock::Dialog,

@@ -30,6 +30,7 @@ struct FileDialog;
 struct FilmDialog;
 struct FrameInput;
 struct FrameTimes;
+struct ImageDialog;
 struct KeysDialog;
 struct LayerNote;
 struct LayerView;
@@ -74,7 +75,7 @@ PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
 // With the select tool: the steps to which it snaps; with the path tool: what clicks do.
 int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, ObjectTool& objects,
-                 Edits& edits, Messages& messages);
+                 Edits& edits, Messages& messages, ImageDialog& images);
 // Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
 void drawToolStrip(const Document& document, BrushBook& brushes, GizmoMode& mode, Messages& messages);
 // The entities: searched for, chosen, added by a typed name, removed. `menu`: set where a right click asks for the

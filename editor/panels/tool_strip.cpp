@@ -129,6 +129,14 @@ void gullies(Draw d, ImVec2 c, float r, ImU32 color) {
                              {c.x + x * r * 1.2f, c.y + r * 0.9f}, color, 1.4f);
 }
 
+// A stamp with its handle, over what it leaves.
+void stamp(Draw d, ImVec2 c, float r, ImU32 color) {
+    d.AddCircleFilled({c.x, c.y - r * 0.8f}, r * 0.38f, color);
+    d.AddLine({c.x, c.y - r * 0.7f}, {c.x, c.y + r * 0.2f}, color, 2.4f);
+    d.AddRectFilled({c.x - r * 0.9f, c.y + r * 0.15f}, {c.x + r * 0.9f, c.y + r * 0.5f}, color, 1);
+    for (const float x : {-0.7f, 0.0f, 0.7f}) d.AddCircleFilled({c.x + x * r, c.y + r * 0.95f}, r * 0.16f, color);
+}
+
 void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, ImU32 color) {
     Draw d = *ImGui::GetWindowDrawList();
     const ImVec2 c{(low.x + high.x) / 2, (low.y + high.y) / 2};
@@ -144,6 +152,7 @@ void icon(const std::string& tool, const char* label, ImVec2 low, ImVec2 high, I
     if (tool == "flatten") return mesa(d, c, r, color);
     if (tool == "ramp") return wedge(d, c, r, color);
     if (tool == "erode") return gullies(d, c, r, color);
+    if (tool == "imprint") return stamp(d, c, r, color);
     const char first[2] = {label[0], 0};
     const ImVec2 size = ImGui::CalcTextSize(first);
     d.AddText({c.x - size.x / 2, c.y - size.y / 2}, color, first);

@@ -121,7 +121,7 @@ void drawBrushRing(const Document& document, const FlyCamera& camera, const View
     };
     ring(radius, IM_COL32(0, 0, 0, 120), 3.5f);
     ring(radius, IM_COL32(255, 255, 255, 230), 1.6f);
-    if (inner > 0 && inner < radius) ring(inner, IM_COL32(255, 255, 255, 110), 1);
+    if (!b.shape && inner > 0 && inner < radius) ring(inner, IM_COL32(255, 255, 255, 110), 1);
     const BrushRow* row = findBrush(b.mode);
     if (!row || !row->spans || hand.gesture != Gesture::Paint || !hand.strokeBegin) return;
     ringAt(camera, hand.rect, ground, *hand.strokeBegin, radius, IM_COL32(255, 255, 255, 230), 1.6f);

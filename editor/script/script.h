@@ -45,6 +45,7 @@ struct ScriptHost {
     std::function<PlayStart()> playStart{};  // where play.start begins; none: at `camera`, moved by play.step alone
     std::string camera{};                    // the last that camera.use named
     BrushSettings brush{};                   // the last that brush.select chose
+    std::vector<std::string> alsoPaints{};   // further maps that it named
     ScriptLimits limits{};
     std::function<bool()> stopped{};  // asked now and then: true ends the script, with the exit code of interruptions
 };

@@ -6,9 +6,21 @@
 #include <charconv>
 #include <cmath>
 
+#include "brushes/shape.h"
+
 namespace sward {
 namespace {
 constexpr float kFreshMetres = 0.1f;  // a stamp at full strength; a stroke puts about seven over each place
+constexpr float kFreshImprint = 2;    // metres that white is above black
+
+// What would be a hill becomes a hollow of its shape.
+void turnOver(BrushSettings& brush) {
+    brush.value = -brush.value;
+    if (brush.blend == HeightBlend::Maximum)
+        brush.blend = HeightBlend::Minimum;
+    else if (brush.blend == HeightBlend::Minimum)
+        brush.blend = HeightBlend::Maximum;
+}
 }  // namespace
 
 BrushSettings& currentBrush(BrushBook& book) {
@@ -21,6 +33,8 @@ BrushSettings& currentBrush(BrushBook& book) {
     if (book.tool != kViewTool) fresh.mode = book.tool;
     fresh.map = book.map;
     if (book.kind == MapKind::Heights) fresh.value = fresh.mode == "flatten" ? 0 : kFreshMetres;
+    if (fresh.mode == "imprint")
+        fresh.value = kFreshImprint, fresh.radius = 8, fresh.strength = 1, fresh.shape = builtInShape("mountain");
     return book.settings.emplace(key, fresh).first->second;
 }
 
@@ -29,6 +43,7 @@ glm::vec3& currentColor(BrushBook& book) { return book.colors.try_emplace(book.m
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
     BrushSettings brush = currentBrush(book);
     brush.color = currentColor(book);
+    brush.mirrorX = book.mirrorX, brush.mirrorZ = book.mirrorZ;
     if (ctrl && shift) {
         brush.mode = "subtract";
     } else if (shift) {
@@ -44,6 +59,8 @@ BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift) {
             brush.mode = "raise";
         else if (brush.mode == "set")
             brush.value = 0;
+        else if (brush.mode == "imprint")
+            turnOver(brush);
         else if (brush.mode == "comb" || brush.mode == "direction" || brush.mode == "press")
             brush.mode = "subtract";
     }

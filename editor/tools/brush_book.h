@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,12 @@ struct BrushBook {
     std::vector<std::string> recentMaps;                                    // chosen so far, the newest first
     std::map<MapKind, std::string> lastTool;                                // by the kind that it painted
     std::map<std::string, glm::vec3> colors;                                // by map, for all tools alike: sRGB
-    std::map<std::string, bool> overlays;                                   // by map: what the person chose
-    std::string preview;       // PATH of the layer whose amounts the overlay shows; empty: of none
-    bool shiftErases = false;  // the preset of those who know Shift as eraser
+    std::vector<std::string> shapeFiles;    // that shapes were taken from, the newest first
+    std::set<std::string> species;          // PATHs of densities that are painted with the chosen one of their field
+    bool mirrorX = false, mirrorZ = false;  // strokes of any tool show again beyond the terrain's middle
+    std::map<std::string, bool> overlays;   // by map: what the person chose
+    std::string preview;                    // PATH of the layer whose amounts the overlay shows; empty: of none
+    bool shiftErases = false;               // the preset of those who know Shift as eraser
 };
 
 // The present tool's settings for the present map; made from the defaults when first asked for.
@@ -31,8 +35,8 @@ BrushSettings& currentBrush(BrushBook& book);
 // What tools lay on the present map, if it is one of colours; white when first asked for.
 glm::vec3& currentColor(BrushBook& book);
 // What a stroke begun with these modifiers paints: Ctrl inverts (add and subtract, raise and lower change places, set
-// paints 0), Shift smooths (or subtracts, with the preset, but never ground), Ctrl+Shift subtracts; from what,
-// tools/brush_target.h says.
+// paints 0, imprint digs), Shift smooths (or subtracts, with the preset, but never ground), Ctrl+Shift subtracts; from
+// what, tools/brush_target.h says.
 BrushSettings strokeBrush(BrushBook& book, bool ctrl, bool shift);
 // "#e5c81a", and back; nothing of what is no such text.
 std::string colorText(const glm::vec3& color);

@@ -24,14 +24,19 @@ std::optional<double> bladesPerM2Of(const ConstFieldRef& map) {
 }
 
 std::optional<double> underBrush(const Document& doc, BrushBook& brushes, const std::optional<glm::dvec3>& ground) {
-    const std::optional<ConstFieldRef> map = chosenMap(doc, brushes);
-    if (!ground || brushes.tool == kViewTool || !map) return {};
-    const std::optional<double> perM2 = bladesPerM2Of(*map);
-    const Result<MapScale> scale = mapScale(doc.project(), *map);
-    if (!perM2 || !scale) return {};
+    if (!ground || brushes.tool == kViewTool || !chosenMap(doc, brushes)) return {};
     const glm::dvec3 at = *ground - findGround(doc.project()).origin;
-    return bladesInDisc(static_cast<const MapField*>(map->value)->map, *perM2, *scale, at.x, at.z,
-                        static_cast<double>(currentBrush(brushes).radius));
+    std::optional<double> sum;
+    for (const std::string& path : paintedMaps(doc, brushes)) {
+        const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, path);
+        const std::optional<double> perM2 = map ? bladesPerM2Of(*map) : std::nullopt;
+        if (!perM2) continue;
+        const Result<MapScale> scale = mapScale(doc.project(), *map);
+        if (!scale) continue;
+        sum = sum.value_or(0) + bladesInDisc(static_cast<const MapField*>(map->value)->map, *perM2, *scale, at.x, at.z,
+                                             static_cast<double>(currentBrush(brushes).radius));
+    }
+    return sum;
 }
 
 // How often a map lies on the terrain.

@@ -155,10 +155,33 @@ void keepTargetValid(const Document& doc, BrushBook& book) {
     remember(book, kind);
 }
 
+std::vector<std::string> speciesOfField(const Document& doc, const BrushBook& book) {
+    const std::optional<ConstFieldRef> map = chosenMap(doc, book);
+    if (!map || map->row->map->role != MapRole::Density) return {};
+    std::vector<std::string> paths;
+    BrushSettings like;
+    like.map = book.map;
+    for (const BrushSettings& b : speciesBrushes(doc.project(), doc.tables().components, like))
+        if (b.map.starts_with(map->entity + ".")) paths.push_back(b.map);
+    return paths;
+}
+
+std::vector<std::string> paintedMaps(const Document& doc, const BrushBook& book) {
+    std::vector<std::string> paths{book.map};
+    for (const std::string& path : speciesOfField(doc, book))
+        if (path != book.map && book.species.contains(path)) paths.push_back(path);
+    return paths;
+}
+
 std::vector<BrushSettings> strokeBrushes(const Document& doc, BrushBook& book, bool ctrl, bool shift) {
     const BrushSettings brush = strokeBrush(book, ctrl, shift);
-    if (!(ctrl && shift)) return {brush};
-    return speciesBrushes(doc.project(), doc.tables().components, brush);
+    if (ctrl && shift) return speciesBrushes(doc.project(), doc.tables().components, brush);
+    std::vector<BrushSettings> brushes;
+    for (const std::string& path : paintedMaps(doc, book)) {
+        brushes.push_back(brush);
+        brushes.back().map = path;
+    }
+    return brushes;
 }
 
 namespace {

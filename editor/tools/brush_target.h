@@ -32,6 +32,11 @@ void pickFromGround(const Document& document, BrushBook& book, Messages& message
 // After the project changed: the chosen map must be one that it has, the tool one that paints it.
 void keepTargetValid(const Document& document, BrushBook& book);
 
+// Densities of the species of the field whose density is chosen, by PATH; none where another kind of map is.
+std::vector<std::string> speciesOfField(const Document& document, const BrushBook& book);
+// The chosen map, and where that is a density those of the same field's species that are ticked (BrushBook::species).
+std::vector<std::string> paintedMaps(const Document& document, const BrushBook& book);
+
 // What a stroke begun with these modifiers paints, a brush for each map (tools/brush_book.h).
 std::vector<BrushSettings> strokeBrushes(const Document& document, BrushBook& book, bool ctrl, bool shift);
 

@@ -14,7 +14,8 @@ constexpr double kLeastStepTexels = 0.25;  // stamps closer than this change not
 constexpr double kHeadingReach = 0.25;     // radii of the way behind that a comb's direction is the mean of
 constexpr float kHighestGround = 1e5f;     // metres, both ways, of float maps; as far as heightRange goes
 constexpr int kMostImages = 64;            // of a ramp over heights that are mirrored
-constexpr double kMarginFactor = 2;        // points are kept within this many extents of the terrain around it
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMarginFactor = 2;  // points are kept within this many extents of the terrain around it
 
 const Terrain* terrainOf(const Project& p, const std::string& entity) {
     if (const auto* own = p.registry.get<Terrain>(findEntity(p, entity))) return own;
@@ -37,7 +38,8 @@ Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map) {
     const Tiling tiling = tilingOf(*terrain, factor);
     return MapScale{tiling.metres.x, tiling.metres.y,
                     tiling.repeats,  tiling.repeats && map.row->map->kind == MapKind::Heights,
-                    factor,          shaderTiling(*terrain, factor)};
+                    factor,          shaderTiling(*terrain, factor),
+                    terrain->size};
 }
 
 Status checkBrush(const BrushSettings& b) {
@@ -65,6 +67,10 @@ Status checkBrush(const BrushSettings& b) {
         return usage("the brush's bumps are not between 0 and 1e6 m wide", "0 makes them as wide as its radius");
     if (!inside(b.talusDeg, 0, 89))
         return usage("the brush's talus angle is not between 0 and 89", "give degrees; dry sand rests at 35");
+    if (!inside(b.shapeAngleDeg, -1e6, 1e6))
+        return usage("the angle of the brush's shape is not between -1e6 and 1e6", "give degrees, clockwise");
+    if (!inside(b.base, -1e6, 1e6))
+        return usage("the brush's base is not between -1e6 and 1e6 m", "give metres, at which black lies");
     if (!inside(b.water, 0, 1)) return usage("the brush's water is not between 0 and 1", "0 is no rain");
     return {};
 }
@@ -103,6 +109,8 @@ Stroke::Stroke(const BrushRow& row, const BrushSettings& settings, const MapScal
     : row_(&row), settings_(settings), scale_(scale), info_(info), turn_(firstTurn) {
     const double texel = std::min(scale.width / info.width, scale.depth / info.height);
     step_ = std::max(2.0 * settings.spacing * settings.radius, kLeastStepTexels * texel);
+    if (row.spans) settings_.shape.reset();  // its one stamp is a way, not a picture
+    follows_ = row.follows || (settings_.shape && settings_.shapeTurn == ShapeTurn::Along && !row.once);
 }
 
 void Stroke::moveTo(double x, double z) {
@@ -112,6 +120,7 @@ void Stroke::moveTo(double x, double z) {
         x = std::clamp(x, -reachX, scale_.width + reachX);
         z = std::clamp(z, -reachZ, scale_.depth + reachZ);
     }
+    if (first_ && row_->once) return;
     if (!first_) first_ = glm::dvec2(x, z);
     if (row_->spans) {
         points_.assign(1, {x, z});
@@ -125,7 +134,7 @@ void Stroke::moveTo(double x, double z) {
     heading_ = headingAfter(before, dx, dz, length, reach);
     if (headless_ && length > 0) queueStamp(x0, z0, heading_), headless_ = false;
     for (const auto& [sx, sz] : stampsAlong(points_, step_, carry_)) {
-        if (points_.size() == 1 && row_->follows)
+        if (points_.size() == 1 && follows_)
             headless_ = true;
         else
             queueStamp(sx, sz, headingAfter(before, dx, dz, std::hypot(sx - x0, sz - z0), reach));
@@ -136,7 +145,7 @@ void Stroke::moveTo(double x, double z) {
 void Stroke::end() {
     if (headless_) queueStamp(points_.front().first, points_.front().second, heading_);
     headless_ = false;
-    if (row_->spans && !points_.empty()) queueSpan();
+    if (row_->spans && !points_.empty()) queueSpans();
 }
 
 void Stroke::queue(const Stamp& stamp) {
@@ -144,10 +153,47 @@ void Stroke::queue(const Stamp& stamp) {
     reached_ = reached_ || stampTiles(info_, stamp).count() > 0;
 }
 
+// Random ones by the stamp's number and the brush's seed (steps of the golden ratio fill the circle evenly).
+double Stroke::shapeAngle(const glm::dvec2& heading) const {
+    const double fixed = glm::radians(static_cast<double>(settings_.shapeAngleDeg));
+    if (settings_.shapeTurn == ShapeTurn::Random) {
+        const uint32_t share = turn_ * 0x9E3779B9u + static_cast<uint32_t>(settings_.seed) * 0x85EBCA6Bu;
+        return fixed + 2 * kPi * share * 0x1p-32;
+    }
+    const bool goes = settings_.shapeTurn == ShapeTurn::Along && glm::length(heading) > 1e-9;
+    return goes ? fixed + std::atan2(heading.x, -heading.y) : fixed;
+}
+
 void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
-    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX,           settings_.radius * texelsZ, turn_++,
+    Stamp s{x * texelsX, z * texelsZ, settings_.radius * texelsX,           settings_.radius * texelsZ, turn_,
             heading.x,   heading.y,   settings_.colours ? kColourSpread : 0};
+    if (settings_.shape) {
+        s.angle = shapeAngle(heading);
+        s.reach = std::abs(std::cos(s.angle)) + std::abs(std::sin(s.angle));
+    }
+    ++turn_;
+    queueMirrored(s);
+}
+
+// The stamp, and its images on the other sides of the terrain's middle; on the middle line it is its own.
+void Stroke::queueMirrored(const Stamp& stamp) {
+    const double across = scale_.terrain.x * info_.width / scale_.width,
+                 along = scale_.terrain.y * info_.height / scale_.depth;
+    const bool x = settings_.mirrorX && std::abs(across - 2 * stamp.x) > 1e-6,
+               z = settings_.mirrorZ && std::abs(along - 2 * stamp.y) > 1e-6;
+    for (const bool flipZ : {false, true})
+        for (const bool flipX : {false, true}) {
+            if ((flipX && !x) || (flipZ && !z)) continue;
+            Stamp s = stamp;
+            if (flipX) s.x = across - s.x, s.headingX = -s.headingX, s.flipX = true;
+            if (flipZ) s.y = along - s.y, s.headingZ = -s.headingZ, s.flipZ = true;
+            queueRepeats(s);
+        }
+}
+
+// The stamp in the map's one repeat, and what of it crosses its edges.
+void Stroke::queueRepeats(Stamp s) {
     if (scale_.mirrored) {  // what falls over the edge lies nearer to the stamp's middle on this side, where it is
                             // painted already
         s.x = f64::mirrorUnit(s.x / info_.width) * info_.width;
@@ -168,13 +214,12 @@ void Stroke::queueStamp(double x, double z, const glm::dvec2& heading) {
         }
 }
 
-// One stamp from the first point to the last; over heights that are mirrored its image in each repeat that it crosses.
-void Stroke::queueSpan() {
+// One stamp from a point to another; over heights that are mirrored its image in each repeat that it crosses.
+void Stroke::queueSpan(const glm::dvec2& first, const glm::dvec2& last, uint32_t turn) {
     const double texelsX = info_.width / scale_.width, texelsZ = info_.height / scale_.depth;
-    const glm::dvec2 texels(texelsX, texelsZ), size(info_.width, info_.height),
-        last(points_.back().first, points_.back().second);
-    Stamp s{first_->x * texelsX, first_->y * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn_++};
-    const glm::dvec2 begin = *first_ * texels, end = last * texels, reach(s.radiusX, s.radiusY);
+    const glm::dvec2 texels(texelsX, texelsZ), size(info_.width, info_.height);
+    Stamp s{first.x * texelsX, first.y * texelsZ, settings_.radius * texelsX, settings_.radius * texelsZ, turn};
+    const glm::dvec2 begin = first * texels, end = last * texels, reach(s.radiusX, s.radiusY);
     if (!scale_.mirrored) {
         s.acrossX = end.x - begin.x, s.acrossY = end.y - begin.y;
         return queue(s);
@@ -195,23 +240,40 @@ void Stroke::queueSpan() {
         }
 }
 
-// Metres, at a place on the terrain.
-double Stroke::heightAt(const Map& map, const glm::dvec2& place) const {
-    const glm::dvec2 share = place / glm::dvec2(scale_.width, scale_.depth);
-    const double texel =
+// The way from the stroke's first point to its last, and its images on the other sides of the terrain's middle.
+void Stroke::queueSpans() {
+    const glm::dvec2 last(points_.back().first, points_.back().second), size = scale_.terrain;
+    const uint32_t turn = turn_++;
+    for (const bool flipZ : {false, true})
+        for (const bool flipX : {false, true}) {
+            if ((flipX && !settings_.mirrorX) || (flipZ && !settings_.mirrorZ)) continue;
+            const auto image = [&](const glm::dvec2& p) {
+                return glm::dvec2(flipX ? size.x - p.x : p.x, flipZ ? size.y - p.y : p.y);
+            };
+            queueSpan(image(*first_), image(last), turn);
+        }
+}
+
+// Metres, at a place in texels of the map, which may lie in another repeat.
+double Stroke::heightAt(const Map& map, const glm::dvec2& texel) const {
+    const glm::dvec2 share = texel / glm::dvec2(info_.width, info_.height);
+    const double value =
         static_cast<double>(scale_.mirrored ? map.sample(f64::mirrorUnit(share.x), f64::mirrorUnit(share.y))
                                             : map.sample(share.x, share.y));
-    return settings_.metres.x + settings_.metres.y * texel;
+    return settings_.metres.x + settings_.metres.y * value;
 }
 
 // What the stroke takes from the ground as it was when it began.
 void Stroke::takeHeights(const Map& map) {
     if (!settings_.heights || startHeight_) return;
-    startHeight_ = heightAt(map, *first_);
+    startHeight_ = heightAt(map, *first_ * glm::dvec2(info_.width / scale_.width, info_.height / scale_.depth));
     if (settings_.fromStart && row_->levels) settings_.value = static_cast<float>(*startHeight_);
-    if (!row_->spans) return;
-    const double end = heightAt(map, {points_.back().first, points_.back().second});
-    for (Stamp& s : queue_) s.beginHeight = *startHeight_, s.endHeight = end;
+    if (!row_->spans && !row_->once) return;
+    for (Stamp& s : queue_) {
+        s.beginHeight =
+            row_->once && !settings_.fromStart ? static_cast<double>(settings_.base) : heightAt(map, {s.x, s.y});
+        s.endHeight = heightAt(map, {s.x + s.acrossX, s.y + s.acrossY});
+    }
 }
 
 void Stroke::beginStamp(const Map& map) {

@@ -16,8 +16,9 @@ namespace sward {
 struct MapScale {
     double width = 1, depth = 1;  // metres that the map covers once
     bool repeats = false, mirrored = false;
-    float factor = 1;  // its tiling ...
-    float tiling = 0;  // ... as shaders take it
+    float factor = 1;       // its tiling ...
+    float tiling = 0;       // ... as shaders take it
+    glm::dvec2 terrain{0};  // metres of the whole terrain, about whose middle strokes are mirrored
 };
 // Of the terrain that the map's entity has, or the first terrain by name. Fails if there is none.
 Result<MapScale> mapScale(const Project& p, const ConstFieldRef& map);
@@ -47,9 +48,13 @@ class Stroke {
 
   private:
     void queueStamp(double x, double z, const glm::dvec2& heading);
-    void queueSpan();
+    void queueMirrored(const Stamp& stamp);
+    void queueRepeats(Stamp stamp);
+    void queueSpan(const glm::dvec2& first, const glm::dvec2& last, uint32_t turn);
+    void queueSpans();
+    double shapeAngle(const glm::dvec2& heading) const;
     void queue(const Stamp& stamp);
-    double heightAt(const Map& map, const glm::dvec2& place) const;
+    double heightAt(const Map& map, const glm::dvec2& texel) const;
     void takeHeights(const Map& map);
     void beginStamp(const Map& map);
     void paintTiles(Map& map, size_t count);
@@ -63,6 +68,7 @@ class Stroke {
     uint32_t turn_;
     double step_, carry_ = 0;
     glm::dvec2 heading_{0};                          // at the last point
+    bool follows_ = false;                           // stamps need a heading
     bool headless_ = false;                          // the first stamp waits until the stroke goes somewhere
     std::vector<std::pair<double, double>> points_;  // the last one, from which the line goes on
     std::optional<glm::dvec2> first_;                // point of the stroke

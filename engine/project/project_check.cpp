@@ -1,5 +1,6 @@
 // What `check` finds in a scene that loads: what other verbs would refuse, what does nothing, and what is surely not
 // meant.
+#include "project/map_health.h"
 #include "project/project_files.h"
 #include "project/project_json.h"
 #include "scene/field_limits.h"
@@ -84,6 +85,11 @@ void checkScene(const SceneToCheck& given, CheckReport& report) {
     checkLimits(scene, report);
     for (const auto& [name, e] : scene.project.entities)
         for (const ComponentRow& row : scene.rows) checkComponent(scene, name, e, row, report);
+    for (const MapFinding& found : mapFindings(given.project, given.rows))
+        if (!found.meant)
+            report.noticed.push_back(
+                {placeOf(given, nullptr), fmt::format("{}: {}; worst about ({:.1f}, {:.1f}) m", found.map,
+                                                      found.message, found.worst.x, found.worst.y)});
     for (const std::string& map : mapsBeyondPaths(scene.project, scene.rows))
         report.noticed.push_back({placeOf(scene, nullptr), beyondPaths(map)});
 }

@@ -16,12 +16,12 @@ TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     std::vector<std::string> names;
     for (const BrushRow& row : brushRows()) names.push_back(row.name);
     EXPECT_EQ(names, (std::vector<std::string>{"add", "subtract", "set", "smooth", "noise", "comb", "direction",
-                                               "press", "raise", "lower", "flatten", "ramp", "erode"}));
+                                               "press", "raise", "lower", "flatten", "ramp", "erode", "imprint"}));
     for (const BrushRow& row : brushRows()) {
         const std::string name = row.name;
         const bool any = name == "smooth" || name == "subtract", lays = name == "comb" || name == "direction";
-        const bool sculpts =
-            name == "raise" || name == "lower" || name == "flatten" || name == "ramp" || name == "erode";
+        const bool sculpts = name == "raise" || name == "lower" || name == "flatten" || name == "ramp" ||
+                             name == "erode" || name == "imprint";
         const bool amounts = !lays && name != "press" && !sculpts;
         EXPECT_EQ(paints(row, MapKind::Heights), sculpts || name == "smooth" || name == "noise") << name;
         EXPECT_NE(row.apply == nullptr, row.applyWhole == nullptr) << name;
@@ -36,7 +36,7 @@ TEST(Brush, TheTableNamesTheModesAndWhatTheyPaint) {
     EXPECT_STREQ(findBrush("subtract", MapKind::Heights)->name, "lower");
     EXPECT_STREQ(findBrush("set", MapKind::Heights)->name, "flatten");
     EXPECT_STREQ(findBrush("set", MapKind::Amounts)->name, "set");
-    EXPECT_EQ(brushesFor(MapKind::Heights), "smooth, noise, raise, lower, flatten, ramp or erode");
+    EXPECT_EQ(brushesFor(MapKind::Heights), "smooth, noise, raise, lower, flatten, ramp, erode or imprint");
     EXPECT_EQ(brushesFor(MapKind::Forces), "subtract, smooth or press");
     EXPECT_EQ(brushesFor(MapKind::Colours), "add, subtract, set, smooth or noise");
 }

@@ -207,5 +207,40 @@ TEST(BrushCalls, EraseTakesEverySpeciesInOneStep) {
     EXPECT_FAULT(Stage(), "project.new() entity.remove('lawn') brush.erase{{1, 1}}", "no grass to erase");
 }
 
+TEST(BrushCalls, ShapesImprintMirrorAndSeveralMaps) {
+    EXPECT_RUNS(R"(
+        project.new()
+        brush.select{map = 'density', mode = 'subtract', radius = 4, shape = 'square'}
+        brush.stroke{{10, 10}}
+        expect.near(map.at('density', 13.5, 13.5), 0, 1e-4)
+        expect.equal(map.at('density', 15, 10), 1)
+        brush.select{map = 'height', mode = 'imprint', radius = 4, value = 3, shape = 'square', mirror = 'xz'}
+        brush.stroke{{10, 10}}
+        for _, x in ipairs{10, 30} do for _, z in ipairs{10, 30} do
+            expect.near(map.at('height', x, z), 3, 1e-4)
+        end end
+        expect.equal(map.at('height', 20, 20), 0)
+        brush.select{map = 'height', mode = 'imprint', radius = 4, value = 3, shape = 'square', blend = 'maximum',
+            base = 1, falloff = 0}
+        brush.stroke{{10, 10}}
+        expect.near(map.at('height', 10, 10), 4, 1e-4)
+        map.create{path = 'vegetation', width = 64, height = 64, value = 0}
+        map.create{path = 'terrainMap', width = 64, height = 64, value = 0}
+        brush.select{map = {'vegetation', 'terrainMap'}, mode = 'add', radius = 5, color = {1, 0, 0}}
+        brush.stroke{{20, 20}}
+        expect.near(map.at('vegetation', 20, 20, 4), 1, 0.02)
+        expect.near(map.at('terrainMap', 20, 20, 4), 1, 0.02)
+        edit.undo()
+        expect.equal(map.at('vegetation', 20, 20, 4), 0)
+        expect.equal(map.at('terrainMap', 20, 20, 4), 0)
+        brush.select{mode = 'add', radius = 3, shape = 'cracks', shapeTurn = 'random', shapeAngle = 30})");
+    EXPECT_FAULT(Stage(), "brush.select{shape = 'nowhere.png'}", "nowhere.png");
+    EXPECT_FAULT(Stage(), "brush.select{shapeTurn = 'left'}", "\"fixed\", \"random\", \"along\"");
+    EXPECT_FAULT(Stage(), "brush.select{mirror = 'y'}", "mirror");
+    EXPECT_FAULT(Stage(), "brush.select{blend = 'times'}", "\"replace\"");
+    EXPECT_FAULT(Stage(), "brush.select{map = {1}}", "must name maps");
+    EXPECT_FAULT(Stage(), "brush.select{shape = '/etc/passwd'}", "own folder");
+}
+
 }  // namespace
 }  // namespace sward

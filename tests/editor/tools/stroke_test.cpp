@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 
+#include "brushes/shape.h"
 #include "core/log.h"
 #include "model/document.h"
 #include "support.h"
@@ -148,7 +150,7 @@ TEST_F(Sculpting, OnHeightsAddSubtractAndSetMeanRaiseLowerAndFlatten) {
     EXPECT_NEAR(height(10, 10), 7, 1e-5);
     const Status comb = stroke(brush("comb"), {{10, 10}});
     ASSERT_FALSE(comb);
-    EXPECT_NE(comb.error().text().find("raise, lower, flatten, ramp or erode"), std::string::npos);
+    EXPECT_NE(comb.error().text().find("raise, lower, flatten, ramp, erode or imprint"), std::string::npos);
     BrushSettings density = brush("raise");
     density.map = "density";
     EXPECT_FALSE(stroke(density, {{10, 10}}));
@@ -253,6 +255,134 @@ TEST_F(Sculpting, WhatAStrokePaintsIsKeptAsItWasUntilSomethingElseChanges) {
     EXPECT_EQ(doc.strokeBefore()->at(kHeight).hash(), was);
     ASSERT_TRUE(doc.undo());
     EXPECT_EQ(doc.strokeBefore(), nullptr);
+}
+
+// --- shapes, imprint, mirrors, spacing ---------------------------------------------------------------------------
+
+double groundVolume(const Map& map) {
+    double sum = 0;
+    for (int y = 0; y < map.info().height; ++y)
+        for (int x = 0; x < map.info().width; ++x) sum += static_cast<double>(map.at(x, y));
+    return sum;
+}
+
+TEST_F(Sculpting, StampsLieByTheLengthOfTheWayHoweverFastAndCurved) {
+    BrushSettings b = brush("raise", 1, 1);
+    b.falloff = 0.5f, b.spacing = 0.25f;  // a stamp every half metre
+    ASSERT_TRUE(stroke(b, {{20, 20}}));
+    const double one = groundVolume(terrain().height.map);
+    ASSERT_TRUE(doc.undo());
+    // How many, by the ground that they raised: one more or less is one away.
+    const auto stamps = [&](const std::vector<std::pair<double, double>>& points) {
+        EXPECT_TRUE(stroke(b, points));
+        const double all = groundVolume(terrain().height.map);
+        EXPECT_TRUE(doc.undo());
+        return all / one;
+    };
+    std::vector<std::pair<double, double>> slow, circle;
+    for (int i = 0; i <= 500; ++i) slow.emplace_back(10 + i * 0.04, 15);
+    EXPECT_NEAR(stamps({{10, 15}, {30, 15}}), 41, 0.3) << "20 m in one leap: the first and 40 more";
+    EXPECT_NEAR(stamps(slow), 41, 0.3) << "the same way in 500 steps";
+    for (int i = 0; i <= 720; ++i)
+        circle.emplace_back(20 + 8 * std::cos(i * 0.0087266), 20 + 8 * std::sin(i * 0.0087266));
+    EXPECT_NEAR(stamps(circle), 1 + std::floor(2 * 3.14159265 * 8 / 0.5), 0.3) << "50.3 m around";
+    EXPECT_NEAR(stamps({{10, 10}, {10.3, 10}, {10.3, 10.3}, {10.6, 10.3}, {10.6, 10.6}}), 3, 0.3)
+        << "1.2 m of corners shorter than a step";
+    std::vector<std::pair<double, double>> back{{10, 10}, {16.2, 10}, {10, 10}};
+    EXPECT_NEAR(stamps(back), 1 + std::floor(12.4 / 0.5), 0.3) << "turning back counts on";
+}
+
+TEST_F(Sculpting, AStrokeIsMirroredAboutTheTerrainsMiddleInOneStep) {
+    for (const bool whole : {false, true}) {
+        if (whole) integers();
+        for (const char* mode : {"raise", "noise", "ramp", "imprint", "lower"}) {
+            BrushSettings b = brush(mode, 1.5f, 3);
+            b.mirrorX = true, b.mirrorZ = std::string(mode) != "noise";
+            const double level = height(20, 20);
+            const size_t steps = doc.stepsDone();
+            const bool ramp = std::string(mode) == "ramp";
+            if (ramp) {
+                BrushSettings hill = brush("raise", 2, 2);
+                hill.mirrorX = hill.mirrorZ = true;
+                ASSERT_TRUE(stroke(hill, {{8, 9}}));
+            }
+            ASSERT_TRUE(stroke(b, {{8, 9}, {12, 13}}));
+            EXPECT_EQ(doc.stepsDone(), steps + (ramp ? 2 : 1)) << mode;
+            if (std::string(mode) != "noise")
+                for (const auto& [x, z] : {std::pair{8.3, 9.1}, {9.5, 11.2}, {11.7, 12.4}}) {
+                    EXPECT_NEAR(height(40 - x, z), height(x, z), 2e-3) << mode;
+                    EXPECT_NEAR(height(x, 40 - z), height(x, z), 2e-3) << mode;
+                    EXPECT_NEAR(height(40 - x, 40 - z), height(x, z), 2e-3) << mode;
+                }
+            EXPECT_GT(std::abs(height(32, 9) - level), 0.01) << mode;
+            if (std::string(mode) == "noise") EXPECT_EQ(height(8, 31), level) << "mirrored across x alone";
+            while (doc.stepsDone() > steps) ASSERT_TRUE(doc.undo());
+            EXPECT_EQ(height(32, 9), level) << mode;
+        }
+    }
+}
+
+TEST_F(Sculpting, OnTheMiddleLineAMirroredStampIsOne) {
+    BrushSettings b = brush("raise", 1, 3);
+    b.mirrorX = true;
+    ASSERT_TRUE(stroke(b, {{20, 10}}));
+    EXPECT_NEAR(height(20, 10), 1, 1e-4);
+}
+
+TEST_F(Sculpting, AMirroredShapeAndHeadingAreTurnedRound) {
+    std::vector<float> texels(8 * 8, 0.0f);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 4; x < 8; ++x) texels[static_cast<size_t>(y * 8 + x)] = 1;
+    BrushSettings b = brush("raise", 1, 4);
+    b.shape = makeShape("corner", 8, 8, std::move(texels)), b.mirrorX = b.mirrorZ = true;
+    ASSERT_TRUE(stroke(b, {{10, 10}}));
+    EXPECT_NEAR(height(12, 8), 1, 1e-4);
+    EXPECT_NEAR(height(28, 8), 1, 1e-4);
+    EXPECT_NEAR(height(12, 32), 1, 1e-4);
+    EXPECT_NEAR(height(28, 32), 1, 1e-4);
+    EXPECT_EQ(height(32, 8), 0);
+}
+
+TEST_F(Sculpting, AShapeTurnsByItsAngleAtRandomOrAlongTheStroke) {
+    std::vector<float> texels(16 * 16, 0.0f);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 6; x < 10; ++x) texels[static_cast<size_t>(y * 16 + x)] = 1;  // a bar from the middle up
+    BrushSettings b = brush("raise", 1, 3);
+    b.shape = makeShape("bar", 16, 16, std::move(texels)), b.spacing = 10;
+    ASSERT_TRUE(stroke(b, {{20, 20}}));
+    EXPECT_NEAR(height(20, 18), 1, 1e-4);
+    EXPECT_EQ(height(22, 20), 0);
+    ASSERT_TRUE(doc.undo());
+    b.shapeTurn = ShapeTurn::Along;
+    ASSERT_TRUE(stroke(b, {{20, 20}, {21, 20}}));
+    EXPECT_NEAR(height(22, 20), 1, 1e-4) << "the first stamp waits for the way";
+    EXPECT_EQ(height(20, 18), 0);
+    ASSERT_TRUE(doc.undo());
+    b.shapeTurn = ShapeTurn::Random, b.spacing = 1.5f;  // stamps beside each other
+    std::set<int> angles;
+    ASSERT_TRUE(stroke(b, {{4, 20}, {36, 20}}));
+    for (double x = 4; x < 36; x += 9)
+        for (int i = 0; i < 12; ++i)
+            if (height(x + 2 * std::sin(i * 0.5236), 20 - 2 * std::cos(i * 0.5236)) > 0.5) angles.insert(i);
+    EXPECT_GE(angles.size(), 4u) << "no two alike";
+    const uint64_t hash = terrain().height.map.hash();
+    ASSERT_TRUE(doc.undo());
+    ASSERT_TRUE(stroke(b, {{4, 20}, {36, 20}}));
+    EXPECT_EQ(terrain().height.map.hash(), hash) << "the same for the same history";
+}
+
+TEST_F(Sculpting, ImprintIsOneStampAStrokeAndStandsOnTheGroundOrABase) {
+    ASSERT_TRUE(stroke(brush("flatten", 0), {{1, 1}}));
+    BrushSettings hill = brush("raise", 5, 10);
+    ASSERT_TRUE(stroke(hill, {{20, 20}}));
+    BrushSettings b = brush("imprint", 2, 3);
+    b.blend = HeightBlend::Replace, b.falloff = 0;
+    ASSERT_TRUE(stroke(b, {{20, 20}, {30, 20}, {35, 20}}));
+    EXPECT_NEAR(height(20, 20), 7, 1e-3) << "2 m on the hill of 5";
+    EXPECT_LT(height(27, 20), 5.01) << "the drag stamps once";
+    b.fromStart = false, b.base = 1;
+    ASSERT_TRUE(stroke(b, {{20, 20}}));
+    EXPECT_NEAR(height(20, 20), 3, 1e-4);
 }
 
 }  // namespace
