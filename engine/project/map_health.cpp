@@ -76,14 +76,25 @@ double stepOf(const std::vector<double>& levels, PixelType type) {
     return step;
 }
 
+// Whether the texel is the first of a stair along the axis: level with the one after it, and beyond a step from two
+// that are level. A slope that climbs with each texel has no stairs, however even it is.
+bool beginsStair(const Map& map, int x, int y, int dx, int dy) {
+    if (x < 2 * dx || y < 2 * dy || x + dx >= map.info().width || y + dy >= map.info().height) return false;
+    const float here = map.at(x, y), before = map.at(x - dx, y - dy);
+    return here != before && here == map.at(x + dx, y + dy) && before == map.at(x - 2 * dx, y - 2 * dy);
+}
+
 void countBands(const Map& map, TexelHealth& h) {
     const std::vector<double> levels = levelsOf(map);
     if (stepOf(levels, map.info().type) <= 0) return;
-    h.levels = static_cast<int>(levels.size());
-    Place steps{&h.banded};
+    Place stairs{&h.banded};
     eachTexel(
-        map.info(), [&](int x, int y) { x > 0 && map.at(x, y) != map.at(x - 1, y) ? steps.add(x, y) : void(); },
-        [&] { steps.endTile(map.info()); });
+        map.info(),
+        [&](int x, int y) {
+            if (beginsStair(map, x, y, 1, 0) || beginsStair(map, x, y, 0, 1)) stairs.add(x, y);
+        },
+        [&] { stairs.endTile(map.info()); });
+    if (h.banded.count > 0) h.levels = static_cast<int>(levels.size());
 }
 
 void countRange(const Map& map, TexelHealth& h) {

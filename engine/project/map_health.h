@@ -26,7 +26,8 @@ struct TexelHealth {
     TexelFault atLow, atHigh;  // of integers of one channel: at 0, at full scale
     float low = 0, high = 0;   // least and greatest finite number of the first channel, as Map::at gives it
     // Of one channel of 16 bits or floats: the distinct values, if they are 16 to 256 and lie an even step apart that
-    // is at least 8 of the map's own; else 0. `banded`: where neighbours differ by such a step.
+    // is at least 8 of the map's own, with stairs between them; else 0. `banded`: texels that begin a stair (a level of
+    // two texels at least on each side of a step).
     int levels = 0;
     TexelFault banded;
 };

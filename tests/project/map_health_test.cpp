@@ -76,6 +76,9 @@ TEST(MapHealth, StepsOfEightBitsAreFoundInSixteenAndInFloats) {
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x) even.set(x, y, 0, static_cast<float>(1000 + x % 40) / 65535.0f);
     EXPECT_EQ(healthOf(even).levels, 0) << "the map's own steps";
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) even.set(x, y, 0, static_cast<float>(x) / 64);
+    EXPECT_EQ(healthOf(even).levels, 0) << "a ramp that climbs with each texel";
 }
 
 class Findings : public testing::Test {

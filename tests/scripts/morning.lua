@@ -50,7 +50,7 @@ local full = blades()
 expect.near(full, 3.2, 0.01)
 
 -- Two hills and a hollow: the first stroke makes the heights.
-for _, hand in ipairs { { "Raise", 7, 1.2, { 9, 10, 12, 12 } }, { "Raise", 7, 1.2, { 32, 12, 30, 14 } },
+for _, hand in ipairs { { "Raise", 7, 2.4, { 9, 10, 12, 12 } }, { "Raise", 7, 2.4, { 32, 12, 30, 14 } },
                         { "Lower", 6, 0.5, { 27, 28, 30, 29 } } } do
     ui.click("Tools/" .. hand[1])
     ui.set("Brush/Radius", hand[2])
