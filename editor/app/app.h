@@ -21,6 +21,7 @@
 #include "app/messages.h"
 #include "app/object_actions.h"
 #include "app/palette.h"
+#include "app/picture_run.h"
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
@@ -81,6 +82,7 @@ struct EditorApp {
     Edits edits;
     PlayControl play;
     Accuracy accuracy;
+    PictureRun pictureRun;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
     Autosave autosave;

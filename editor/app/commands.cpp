@@ -128,6 +128,21 @@ void invert(EditorApp& app) {
              [](Document& d, const BrushSettings& b) { return invertMap(d, b.map); });
 }
 
+// The camera chosen last, else the one whose view is shown or the first.
+std::string cameraMeant(EditorApp& app) {
+    if (!app.doc.isOpen()) return {};
+    const std::string chosen = shownEntity(app.selection);
+    const Entity e = findEntity(app.doc.project(), chosen);
+    const bool isCamera = e != kNoEntity && app.doc.project().registry.get<Camera>(e);
+    return isCamera ? chosen : accuracyCamera(app.doc, app.view.camera);
+}
+void acceptPictureOf(EditorApp& app) { acceptNow(app.pictureRun, app.doc, app.gpu, app.messages, cameraMeant(app)); }
+void checkPictures(EditorApp& app) {
+    app.layout.hidden.erase("Pictures");
+    app.layout.tab = "Pictures";
+    startPictures(app.pictureRun, app.doc, app.messages);
+}
+
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
@@ -143,6 +158,7 @@ bool scatterChosenLast(EditorApp& app) {
     return e != kNoEntity && app.doc.project().registry.get<Scatter>(e);
 }
 bool canExport(EditorApp& app) { return app.doc.isOpen() && !app.background.exporting; }
+bool hasCamera(EditorApp& app) { return atRest(app) && !cameraMeant(app).empty(); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -195,6 +211,8 @@ constexpr Command kCommands[] = {
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
+    {"Test", "Accept Picture of This Camera", "", "", acceptPictureOf, hasCamera},
+    {"Test", "Check Pictures", "", "", checkPictures, opened},
     {"View", "Focus", "f", "", focusChosen, opened},
     {"View", "Command Palette...", "ctrl+shift+p", "f3", [](App& a) { openPalette(a.palette); }, always},
     {"Help", "Keys...", "f1", "", [](App& a) { openKeys(a.keys); }, always},

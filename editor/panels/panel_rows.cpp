@@ -198,6 +198,11 @@ constexpr PanelRow kPanels[] = {
     {"Layers", Dock::Bottom,
      [](App& a) { drawLayers(fieldParts(a), a.brushes, a.layerView, a.renderer->layerNotes()); }, true, "Layers Panel",
      true},
+    {"Pictures", Dock::Bottom,
+     [](App& a) {
+         drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
+     },
+     true, "Pictures Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits); }, false},
