@@ -23,7 +23,7 @@ Status drawPicture(Renderer& renderer, const Project& p, const std::string& came
     const Camera* eye = e == kNoEntity ? nullptr : p.registry.get<Camera>(e);
     if (!eye) return usage(fmt::format("there is no camera \"{}\"", camera), "choose an entity with a Camera");
     ViewSettings s;
-    s.width = asked.width, s.height = asked.height, s.msaa = asked.msaa;
+    s.width = asked.width, s.height = asked.height, s.msaa = asked.samplesPerPixel;
     s.time = static_cast<double>(asked.seconds);
     return renderer.draw(p, viewOf(*eye), s);
 }

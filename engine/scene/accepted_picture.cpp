@@ -13,7 +13,7 @@ constexpr FieldRow kFields[] = {
     text("madeBy", offsetof(A, madeBy), "the OpenGL renderer that drew it; another may round otherwise"),
     whole("width", offsetof(A, width), "pixels", kPixels, "of the picture"),
     whole("height", offsetof(A, height), "pixels", kPixels, "of the picture"),
-    whole("msaa", offsetof(A, msaa), "", {1, 8, 1, 8}, "samples a pixel"),
+    whole("samplesPerPixel", offsetof(A, samplesPerPixel), "", {1, 8, 1, 8}, "samples a pixel"),
     real("seconds", offsetof(A, seconds), "s", {-1e6, 1e6, 0, 60}, "scene time of the picture"),
     under("Tolerance", real("meanOff", offsetof(A, meanOff), "of 255", {0, 255, 0, 5},
                             "how far channels may be off, as a mean over all pixels")),

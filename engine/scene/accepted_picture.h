@@ -13,7 +13,7 @@ struct AcceptedPicture {
     std::string file;               // PNG, in the project's folder; empty: none is accepted yet
     std::string madeBy;             // the OpenGL renderer that drew it: another may round otherwise
     int width = 640, height = 360;  // pixels
-    int msaa = 4;                   // samples a pixel
+    int samplesPerPixel = 4;        // as --msaa
     float seconds = 0;              // scene time
     // What is tolerated; 0: nothing.
     float meanOff = 0.1f;       // of 255: mean over pixels and channels
