@@ -29,6 +29,7 @@
 #include "frame/renderer.h"
 #include "model/autosave.h"
 #include "model/document.h"
+#include "model/recorder.h"
 #include "tools/brush_book.h"
 #include "tools/brush_cost.h"
 #include "tools/layer_view.h"
@@ -83,6 +84,7 @@ struct EditorApp {
     PlayControl play;
     Accuracy accuracy;
     PictureRun pictureRun;
+    Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
     Autosave autosave;

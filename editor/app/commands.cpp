@@ -143,6 +143,25 @@ void checkPictures(EditorApp& app) {
     startPictures(app.pictureRun, app.doc, app.messages);
 }
 
+void startRecording(EditorApp& app) {
+    if (accept(app.messages, app.recorder.start(app.doc))) say(app.messages, "recording what is edited from here on");
+}
+// The dialog asks where; the recording goes on until it is written.
+void saveRecording(EditorApp& app) {
+    app.files.write = [&app](const std::filesystem::path& file) {
+        const Status written = writeRecording(app.recorder, file);
+        if (written) app.recorder.stop();
+        return written;
+    };
+    requestTask(app.files, app.unsaved, app.doc, FileTask::Recording);
+}
+void dropRecording(EditorApp& app) {
+    app.recorder.stop();
+    say(app.messages, "the recording is dropped");
+}
+bool recording(EditorApp& app) { return app.recorder.recording(); }
+bool canRecord(EditorApp& app) { return app.doc.isOpen() && !app.recorder.recording(); }
+
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
 bool atRest(EditorApp& app) { return !app.doc.stroking() && app.edits.holding.empty(); }
@@ -171,6 +190,9 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undo(a.doc, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redo(a.doc, a.messages); }, canRedo},
+    {"Edit", "Start Recording", "", "", startRecording, canRecord, true, recording},
+    {"Edit", "Stop and Save Recording...", "", "", saveRecording, recording},
+    {"Edit", "Drop Recording", "", "", dropRecording, recording},
     {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},

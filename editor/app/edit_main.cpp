@@ -43,7 +43,12 @@ int editMain(const std::filesystem::path& project) {
     offerBakes(host);
     offerExport(host);
     ScriptConsole console(host);
-    app.console.runLua = [&console](const std::string& line) { return console.run(line); };
+    app.console.runLua = [&console, &app](const std::string& line) {
+        app.recorder.beginLine();
+        const Status ran = console.run(line);
+        app.recorder.endLine(line, static_cast<bool>(ran));
+        return ran;
+    };
     app.console.completions = [&console](const std::string& word) { return console.completions(word); };
     runUntilQuit(app);
     return 0;

@@ -43,6 +43,7 @@ void Document::Impl::show(Project p) {
     groupDepth = 0;
     group = {};
     history.clear();
+    if (listener) listener->tookOther();
     project = std::move(p);
     saved = snapshot(*project, rows());
     ++revision;
@@ -191,14 +192,20 @@ const Playtest* Document::play() const { return impl_->play.get(); }
 
 // --- edits -------------------------------------------------------------------------------------------------------
 
-void Document::Impl::record(const std::string& label, std::vector<Change> changes) {
+void Document::Impl::push(UndoStep step, const StrokeNews* of) {
+    dropEmptyChanges(step.changes);
+    if (step.changes.empty()) return;
+    if (listener) listener->madeStep(step, of);
+    history.push(std::move(step));
+}
+
+void Document::Impl::record(const std::string& label, std::vector<Change> changes, const StrokeNews* of) {
     ++revision;
     if (groupDepth > 0) {
         for (Change& c : changes) mergeChange(group.changes, std::move(c));
         return;
     }
-    dropEmptyChanges(changes);
-    if (!changes.empty()) history.push({label, std::move(changes)});
+    push({label, std::move(changes), {}}, of);
 }
 
 // Edits the component that the field belongs to; the edit must leave it alone if it fails.
@@ -423,7 +430,7 @@ void Document::rememberImport(const std::string& mapPath, const MapImport& impor
 
 void Document::beginGroup(const std::string& label) {
     impl_->finishStroke();
-    if (impl_->groupDepth++ == 0) impl_->group = {label, {}};
+    if (impl_->groupDepth++ == 0) impl_->group = {label, {}, {}};
 }
 
 void Document::endGroup() {
@@ -432,9 +439,13 @@ void Document::endGroup() {
     if (--impl_->groupDepth > 0) return;
     UndoStep done = std::move(impl_->group);
     impl_->group = {};
-    dropEmptyChanges(done.changes);
-    if (!done.changes.empty()) impl_->history.push(std::move(done));
+    impl_->push(std::move(done), nullptr);
 }
+
+void Document::describe(const std::string& call) {
+    if (impl_->groupDepth == 1) impl_->group.script = call;
+}
+void Document::listen(DocumentListener* listener) { impl_->listener = listener; }
 
 void Document::cancelGroup() {
     impl_->finishStroke();
@@ -454,6 +465,7 @@ bool Document::Impl::step(bool forward) {
     applyChanges(*project, next->changes, forward);
     history.moved(forward);
     ++revision;
+    if (listener) forward ? listener->wentForward() : listener->wentBack();
     return true;
 }
 
