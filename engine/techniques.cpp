@@ -7,6 +7,7 @@
 #include "grass/raytraced_settings.h"
 #include "grass/slice_settings.h"
 #include "grass/tessellated_settings.h"
+#include "scene/accepted_picture.h"
 #include "scene/components.h"
 #include "scene/ground_path.h"
 #include "scene/locked.h"
@@ -36,9 +37,10 @@ struct Store {
         for (const TechniqueRow& row : techniques) names.push_back(row.name);
         const std::span<const ComponentRow> shared = sharedComponentRows();
         components.assign(shared.begin(), shared.end());
-        for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
-                                        tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow(),
-                                        meshGrassRow(), groundPathRow(), mapLayersRow(), scatterRow(), lockedRow()})
+        for (const ComponentRow& row :
+             {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
+              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow(),
+              scatterRow(), lockedRow(), acceptedPictureRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

@@ -126,7 +126,8 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
     return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
-           comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy);
+           comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy) ||
+           checking(app.pictureRun) || app.pictureRun.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
@@ -175,6 +176,7 @@ void followWorld(EditorApp& app) {
     followExport(app.background.exporting, app.files, app.clock, app.messages);
     followFilm(app.background.film, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
+    followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
 }
@@ -213,6 +215,7 @@ EditorApp::~EditorApp() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
     stopRuns(accuracy);
+    pictureRun = {};
     endComparison(accuracy.comparison);
     freePicture(picture);
     background.film.reset();

@@ -26,6 +26,7 @@
 #include "app/messages.h"
 #include "app/object_actions.h"
 #include "app/palette.h"
+#include "app/picture_run.h"
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
@@ -33,6 +34,7 @@
 #include "frame/renderer.h"
 #include "model/autosave.h"
 #include "model/document.h"
+#include "model/recorder.h"
 #include "tools/brush_book.h"
 #include "tools/brush_cost.h"
 #include "tools/layer_view.h"
@@ -88,6 +90,8 @@ struct EditorApp {
     Edits edits;
     PlayControl play;
     Accuracy accuracy;
+    PictureRun pictureRun;
+    Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
     Autosave autosave;

@@ -122,6 +122,39 @@ void invert(EditorApp& app) {
 }
 
 void importMapImage(EditorApp& app) { requestImage(app.images, app.doc, ImageTask::Map, app.brushes.map); }
+// The camera chosen last, else the one whose view is shown or the first.
+std::string cameraMeant(EditorApp& app) {
+    if (!app.doc.isOpen()) return {};
+    const std::string chosen = shownEntity(app.selection);
+    const Entity e = findEntity(app.doc.project(), chosen);
+    const bool isCamera = e != kNoEntity && app.doc.project().registry.get<Camera>(e);
+    return isCamera ? chosen : accuracyCamera(app.doc, app.view.camera);
+}
+void acceptPictureOf(EditorApp& app) { acceptNow(app.pictureRun, app.doc, app.gpu, app.messages, cameraMeant(app)); }
+void checkPictures(EditorApp& app) {
+    app.layout.hidden.erase("Pictures");
+    app.layout.tab = "Pictures";
+    startPictures(app.pictureRun, app.doc, app.messages);
+}
+
+void startRecording(EditorApp& app) {
+    if (accept(app.messages, app.recorder.start(app.doc))) say(app.messages, "recording what is edited from here on");
+}
+// The dialog asks where; the recording goes on until it is written.
+void saveRecording(EditorApp& app) {
+    app.files.write = [&app](const std::filesystem::path& file) {
+        const Status written = writeRecording(app.recorder, file);
+        if (written) app.recorder.stop();
+        return written;
+    };
+    requestTask(app.files, app.unsaved, app.doc, FileTask::Recording);
+}
+void dropRecording(EditorApp& app) {
+    app.recorder.stop();
+    say(app.messages, "the recording is dropped");
+}
+bool recording(EditorApp& app) { return app.recorder.recording(); }
+bool canRecord(EditorApp& app) { return app.doc.isOpen() && !app.recorder.recording(); }
 
 bool always(EditorApp&) { return true; }
 bool opened(EditorApp& app) { return app.doc.isOpen(); }
@@ -139,6 +172,7 @@ bool scatterChosenLast(EditorApp& app) {
 }
 bool canExport(EditorApp& app) { return app.doc.isOpen() && !app.background.exporting; }
 bool canFilm(EditorApp& app) { return app.doc.isOpen() && !app.background.film; }
+bool hasCamera(EditorApp& app) { return atRest(app) && !cameraMeant(app).empty(); }
 bool canBake(EditorApp& app) { return app.doc.isOpen() && !app.background.occlusion && app.edits.holding.empty(); }
 
 using App = EditorApp;
@@ -153,6 +187,9 @@ constexpr Command kCommands[] = {
     {"File", "Quit", "ctrl+q", "", requestQuit, always, true, nullptr, true},
     {"Edit", "Undo", "ctrl+z", "", [](App& a) { undoStep(a.doc, a.selection, a.messages); }, canUndo},
     {"Edit", "Redo", "ctrl+y", "ctrl+shift+z", [](App& a) { redoStep(a.doc, a.selection, a.messages); }, canRedo},
+    {"Edit", "Start Recording", "", "", startRecording, canRecord, true, recording},
+    {"Edit", "Stop and Save Recording...", "", "", saveRecording, recording},
+    {"Edit", "Drop Recording", "", "", dropRecording, recording},
     {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
@@ -196,6 +233,8 @@ constexpr Command kCommands[] = {
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
     {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
+    {"Test", "Accept Picture of This Camera", "", "", acceptPictureOf, hasCamera},
+    {"Test", "Check Pictures", "", "", checkPictures, opened},
     {"View", "Focus", "f", "", focusChosen, opened},
     {"View", "Command Palette...", "ctrl+shift+p", "f3", [](App& a) { openPalette(a.palette); }, always},
     {"Help", "Keys...", "f1", "", [](App& a) { openKeys(a.keys); }, always},

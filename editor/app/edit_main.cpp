@@ -44,7 +44,12 @@ int editMain(const std::filesystem::path& project) {
     offerExport(host);
     offerFilms(host, [&app]() -> Result<Gpu*> { return &app.gpu; });
     ScriptConsole console(host);
-    app.console.runLua = [&console](const std::string& line) { return console.run(line); };
+    app.console.runLua = [&console, &app](const std::string& line) {
+        app.recorder.beginLine();
+        const Status ran = console.run(line);
+        app.recorder.endLine(line, static_cast<bool>(ran));
+        return ran;
+    };
     app.console.completions = [&console](const std::string& word) { return console.completions(word); };
     runUntilQuit(app);
     return 0;

@@ -13,9 +13,13 @@ void openDialog(FileDialog& d, const Document& document, FileTask task) {
     d.error.clear();
     if (document.isOpen() && !document.project().dir.empty()) d.folder = document.project().dir.parent_path();
     const std::filesystem::path dir = document.isOpen() ? document.project().dir : std::filesystem::path();
-    d.path = task == FileTask::SaveAs   ? dir.string()
-             : task == FileTask::Export ? (dir.parent_path() / (document.project().name + ".glb")).string()
-                                        : "";
+    const auto beside = [&](const char* ending) {
+        return (dir.parent_path() / (document.project().name + ending)).string();
+    };
+    d.path = task == FileTask::SaveAs      ? dir.string()
+             : task == FileTask::Export    ? beside(".glb")
+             : task == FileTask::Recording ? beside("-session.lua")
+                                           : "";
 }
 
 }  // namespace
@@ -27,7 +31,8 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
 }
 
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
-    if (task == FileTask::SaveAs || task == FileTask::Export) return openDialog(files, document, task);
+    if (task == FileTask::SaveAs || task == FileTask::Export || task == FileTask::Recording)
+        return openDialog(files, document, task);
     askFirst(unsaved, document, [&files, &document, task] { openDialog(files, document, task); });
 }
 

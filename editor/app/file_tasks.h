@@ -13,13 +13,14 @@
 
 namespace sward {
 
-enum class FileTask { None, Open, SaveAs, New, Export };
+enum class FileTask { None, Open, SaveAs, New, Export, Recording };
 struct FileDialog {
     FileTask task = FileTask::None;
-    bool opening = false;          // ImGui's popup is to be opened in this frame
-    std::filesystem::path folder;  // whose folders are listed
-    std::string path;              // what is typed
-    std::string bladesWithin;      // of an export: metres; empty: all that grow
+    bool opening = false;                                       // ImGui's popup is to be opened in this frame
+    std::filesystem::path folder;                               // whose folders are listed
+    std::string path;                                           // what is typed
+    std::string bladesWithin;                                   // of an export: metres; empty: all that grow
+    std::function<Status(const std::filesystem::path&)> write;  // of a Recording: writes its file
     std::string error;
     std::vector<std::pair<std::string, bool>> entries;  // name, is a project
 };
@@ -51,7 +52,7 @@ Status takeTheirs(OutsideDialog& outside, Document& document);
 // Runs `then` at once, or after the person has answered what to do with unsaved work.
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then);
 // Opens the file dialog; Open and New ask about unsaved work first. All three must outlive the dialog. Export names the
-// scene's .glb.
+// scene's .glb, Recording a script, which FileDialog::write writes.
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task);
 // An export that was refused is asked for again: the dialog is back with what was typed, and says why. Nothing while
 // another dialog of files is open: false.

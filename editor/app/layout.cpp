@@ -30,7 +30,8 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    return tab == "Accuracy" || tab == "Layers" ? l.accuracy : l.bottom;
+    const bool tall = tab == "Accuracy" || tab == "Layers" || tab == "Pictures";
+    return tall ? l.accuracy : l.bottom;
 }
 
 void clampLayout(Layout& l, float width, float height) {

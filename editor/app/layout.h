@@ -25,8 +25,8 @@ struct Layout {
     bool shiftErases = false;      // a habit of the hand, not of a project
 };
 // The panels that share the bottom as tabs.
-inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers", "Accuracy",
-                                                "History", "Objects",  "Layers"};
+inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers",  "Accuracy",
+                                                "History", "Objects",  "Layers", "Pictures"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
 // The height that counts for the tab in sight.

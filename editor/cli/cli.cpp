@@ -48,9 +48,10 @@ struct Verbs {
     ImportCommand import;
     ExportCommand exported;
     BakeCommand bake;
+    PictureOptions pictures;
     ScriptOptions script;
     std::string project = "projects/football", dir;
-    bool strict = false, json = false, verbose = false;
+    bool strict = false, judged = false, json = false, verbose = false;
 
     CLI::App* verb(const char* name, const char* help, std::function<int()> run) {
         CLI::App* v = app.add_subcommand(name, help);
@@ -198,6 +199,28 @@ struct Verbs {
         v->add_option("--samples", bake.samples, "rays a texel (default: 64)");
         v->add_option("--size", bake.size, "texels along the longer side (default: as it is, else 512)");
     }
+    void addCheck() {
+        CLI::App* v = verb("check", "Load everything and report every fault; or hold pictures against accepted ones",
+                           [this] { return judged ? pictureVerb(pictures) : checkVerb(pictures.project, strict); });
+        v->add_option("project", pictures.project, "folder of the project")->required();
+        CLI::Option* repaired = v->add_flag("--strict", strict, "what was repaired is a fault too");
+        CLI::Option* on = v->add_flag("--pictures", judged,
+                                      "draw each camera's accepted picture anew and judge it by its tolerances: exit 1 "
+                                      "where one differs")
+                              ->excludes(repaired);
+        v->add_flag("--accept", pictures.accept, "make the pictures the accepted ones, and save the project")
+            ->needs(on);
+        v->add_option("--camera", pictures.camera, "name of one camera (default: all)")->needs(on);
+        v->add_option("--size", pictures.size, "with --accept: WxH (default: as the camera's is, else 640x360)")
+            ->needs(on);
+        v->add_option("--time", pictures.time, "with --accept: scene time in seconds (default: as it is, else 0)")
+            ->needs(on)
+            ->check(kFinite);
+        v->add_option("--out", pictures.out,
+                      "folder for pictures that differ: NAME.png, NAME.accepted.png, NAME.difference.png")
+            ->needs(on);
+        v->add_flag("--json", pictures.json, "print JSON")->needs(on);
+    }
     void addProjects() {
         verb("edit", "Open the editor (default)", [this] {
             return editVerb(project);
@@ -205,10 +228,7 @@ struct Verbs {
         verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
             ->add_option("dir", dir, "folder to make")
             ->required();
-        CLI::App* check =
-            verb("check", "Load everything and report every fault", [this] { return checkVerb(dir, strict); });
-        check->add_option("project", dir, "folder of the project")->required();
-        check->add_flag("--strict", strict, "what was repaired is a fault too");
+        addCheck();
         CLI::App* explain = verb("explain", "Which features a scene has, what each makes run, and why",
                                  [this] { return explainVerb(dir, json); });
         explain->add_option("project", dir, "folder of the project")->required();

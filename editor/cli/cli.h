@@ -83,6 +83,13 @@ int compareVerb(const CompareOptions& options);
 int newVerb(const std::string& dir);
 // `sward check`: reads the project and says what is wrong with it. `strict`: warnings count as errors.
 int checkVerb(const std::string& project, bool strict);
+struct PictureOptions {
+    std::string project, camera, out, size;
+    std::optional<double> time;
+    bool accept = false, json = false;
+};
+// `sward check --pictures`: the accepted pictures of cameras as tests, or made.
+int pictureVerb(const PictureOptions& options);
 struct ImportCommand {
     std::string project, map, file;
     bool flip = false, packed = false;

@@ -43,6 +43,7 @@ void Document::Impl::show(Project p) {
     groupDepth = 0;
     group = {};
     history.clear();
+    if (listener) listener->tookOther();
     project = std::move(p);
     noteSaved();
     ++revision;
@@ -54,11 +55,6 @@ void Document::Impl::noteSaved() {
 }
 
 // What was saved on a branch that could be redone is gone with it.
-void Document::Impl::push(UndoStep step) {
-    if (savedAt && *savedAt > history.position()) savedAt.reset();
-    history.push(std::move(step));
-}
-
 Document::Document(const Tables& tables, size_t undoBytes) : impl_(std::make_unique<Impl>(tables, undoBytes)) {}
 Document::~Document() = default;
 
@@ -202,14 +198,21 @@ const Playtest* Document::play() const { return impl_->play.get(); }
 
 // --- edits -------------------------------------------------------------------------------------------------------
 
-void Document::Impl::record(const std::string& label, std::vector<Change> changes) {
+void Document::Impl::push(UndoStep step, const StrokeNews* of) {
+    dropEmptyChanges(step.changes);
+    if (step.changes.empty()) return;
+    if (savedAt && *savedAt > history.position()) savedAt.reset();
+    if (listener) listener->madeStep(step, of);
+    history.push(std::move(step));
+}
+
+void Document::Impl::record(const std::string& label, std::vector<Change> changes, const StrokeNews* of) {
     ++revision;
     if (groupDepth > 0) {
         for (Change& c : changes) mergeChange(group.changes, std::move(c));
         return;
     }
-    dropEmptyChanges(changes);
-    if (!changes.empty()) push({label, std::move(changes)});
+    push({label, std::move(changes), {}}, of);
 }
 
 // Edits the component that the field belongs to; the edit must leave it alone if it fails.
@@ -434,7 +437,7 @@ void Document::rememberImport(const std::string& mapPath, const MapImport& impor
 
 void Document::beginGroup(const std::string& label) {
     impl_->finishStroke();
-    if (impl_->groupDepth++ == 0) impl_->group = {label, {}};
+    if (impl_->groupDepth++ == 0) impl_->group = {label, {}, {}};
 }
 
 void Document::endGroup() {
@@ -443,9 +446,13 @@ void Document::endGroup() {
     if (--impl_->groupDepth > 0) return;
     UndoStep done = std::move(impl_->group);
     impl_->group = {};
-    dropEmptyChanges(done.changes);
-    if (!done.changes.empty()) impl_->push(std::move(done));
+    impl_->push(std::move(done), nullptr);
 }
+
+void Document::describe(const std::string& call) {
+    if (impl_->groupDepth == 1) impl_->group.script = call;
+}
+void Document::listen(DocumentListener* listener) { impl_->listener = listener; }
 
 void Document::cancelGroup() {
     impl_->finishStroke();
@@ -465,6 +472,7 @@ bool Document::Impl::step(bool forward) {
     applyChanges(*project, next->changes, forward);
     history.moved(forward);
     ++revision;
+    if (listener) forward ? listener->wentForward() : listener->wentBack();
     return true;
 }
 

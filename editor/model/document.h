@@ -25,9 +25,11 @@ struct Change {
 struct UndoStep {
     std::string label;  // "Comb lawn.GrassField.orientation, 42 m", "set lawn.HybridTiers.maxGeom"
     std::vector<Change> changes;
+    std::string script;  // the call of a script that does it, where the changes do not say it (Document::describe)
 };
 
 class Playtest;
+struct DocumentListener;
 struct PlayStart;
 
 class Document {
@@ -104,6 +106,12 @@ class Document {
     // of which one failed.
     void cancelGroup();
 
+    // The call of a script that does the same as the group that is open, where its changes do not say it: a map turned
+    // round, a rename. Within another group it is not kept.
+    void describe(const std::string& call);
+    // Who is told of every step, undo and redo from now on, one at a time (model/document_listener.h); null: nobody.
+    void listen(DocumentListener* listener);
+
     // --- strokes: begin, any number of points, end; one undo step. Points in metres on the terrain.
     // Status fails if the map does not exist, is not of a kind that the brush paints, or a setting is not finite or
     // names no brush. What else a person must know is logged as a warning when the stroke is done: that all of it lay
@@ -112,8 +120,10 @@ class Document {
     // save first work off the whole stroke. Points far outside the terrain are pulled to it.
     Status beginStroke(const BrushSettings& brush, double x, double z);
     // The same on several maps at once, a brush for each. `create`: maps that are not there yet are made first
-    // (model/new_map.h), within the step.
-    Status beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create);
+    // (model/new_map.h), within the step. `turn`: with what the rounding of integer maps begins (Stamp); nothing: by
+    // the number of steps before.
+    Status beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create,
+                        std::optional<uint32_t> turn = {});
     // The next point of the stroke; nothing without one.
     void strokeTo(double x, double z);
     // Works off queued stamps for at most budgetMs (0: all). True while work is left.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "model/document.h"
+#include "model/document_listener.h"
 #include "model/field_walk.h"
 #include "model/history.h"
 #include "playtest/playtest.h"
@@ -36,6 +37,7 @@ struct Document::Impl {
     double saveWaitSeconds = kLockWaitSeconds;
     int groupDepth = 0;
     UndoStep group;
+    DocumentListener* listener = nullptr;
 
     struct StrokePart {
         std::string path;  // canonical
@@ -48,6 +50,7 @@ struct Document::Impl {
         glm::dvec2 last{0};             // point
         double metres = 0;              // that it went
         bool ended = false;
+        StrokeNews news;
         // "Comb lawn.GrassField.orientation, 42 m"
         std::string told() const { return metres > 0 ? fmt::format("{}, {:.3g} m", label, metres) : label; }
         bool idle() const {
@@ -72,11 +75,12 @@ struct Document::Impl {
     void noteSaved();  // the project is as on disk
     void push(UndoStep step);
     void become(const Project& other, const std::string& label);  // in one undo step
-    void record(const std::string& label, std::vector<Change> changes);
+    void record(const std::string& label, std::vector<Change> changes, const StrokeNews* stroke = nullptr);
+    void push(UndoStep step, const StrokeNews* stroke);
     Status changeField(const std::string& label, const FieldRef& field, const std::function<Status()>& edit);
     std::vector<const void*> layeredMaps(const std::string& entity) const;
     void followMaps(const std::string& entity, const std::vector<const void*>& maps);
-    Result<StrokePart> strokePart(const BrushSettings& brush, bool create);
+    Result<StrokePart> strokePart(const BrushSettings& brush, bool create, uint32_t turn);
     void pump(double budgetMs);
     void letGo();  // no more points
     void finishStroke();

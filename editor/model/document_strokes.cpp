@@ -58,7 +58,7 @@ void tellOf(const ConstFieldRef& field, const Stroke& work) {
 
 }  // namespace
 
-Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSettings& brush, bool create) {
+Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSettings& brush, bool create, uint32_t turn) {
     if (Status sound = checkBrush(brush); !sound) return sound.error();
     const Result<ConstFieldRef> field = findMap(std::as_const(*project), rows(), brush.map);
     if (!field) return field.error();
@@ -70,19 +70,21 @@ Result<Document::Impl::StrokePart> Document::Impl::strokePart(const BrushSetting
     const Result<BrushSettings> settings = settingsFor(*field, brush);
     if (!settings) return settings.error();
     const BrushRow& row = *findBrush(brush.mode, field->row->map->kind);
-    return StrokePart{field->path, Stroke(row, *settings, *scale, info, history.position())};
+    return StrokePart{field->path, Stroke(row, *settings, *scale, info, turn)};
 }
 
 Status Document::beginStroke(const BrushSettings& brush, double x, double z) {
     return beginStrokes({&brush, 1}, x, z, false);
 }
 
-Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create) {
+Status Document::beginStrokes(std::span<const BrushSettings> brushes, double x, double z, bool create,
+                              std::optional<uint32_t> turn) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     impl_->finishStroke();
     Impl::ActiveStroke stroke;
+    stroke.news = {{brushes.begin(), brushes.end()}, create, turn.value_or(impl_->history.position()), {}};
     for (const BrushSettings& brush : brushes) {
-        Result<Impl::StrokePart> part = impl_->strokePart(brush, create);
+        Result<Impl::StrokePart> part = impl_->strokePart(brush, create, stroke.news.turn);
         if (!part) return part.error();
         stroke.parts.push_back(std::move(*part));
     }
@@ -111,6 +113,7 @@ void Document::strokeTo(double x, double z) {
     if (!impl_->stroke || impl_->stroke->ended) return;
     const double metres = glm::length(glm::dvec2(x, z) - impl_->stroke->last);
     if (std::isfinite(metres)) impl_->stroke->metres += metres, impl_->stroke->last = {x, z};
+    if (impl_->listener) impl_->stroke->news.points.push_back({x, z});
     for (Impl::StrokePart& part : impl_->stroke->parts) part.work.moveTo(x, z);
 }
 
@@ -128,9 +131,10 @@ void Document::Impl::pump(double budgetMs) {
             tellOf(*findField(std::as_const(*project), rows(), part.path), part.work);
         std::vector<Change> done = std::move(stroke->changes);
         const std::string label = stroke->told();
+        const StrokeNews news = std::move(stroke->news);
         stroke.reset();
         for (Change& c : done) c.after = stateOf(c.entity, *c.row);
-        record(label, std::move(done));
+        record(label, std::move(done), &news);
     }
     lastStroke.revision = revision;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 #include <map>
@@ -42,6 +43,13 @@ std::string cleaned(const std::string& name) {
 
 std::string labelOf(const char* verb, std::span<const std::string> names) {
     return names.size() == 1 ? fmt::format("{} {}", verb, names[0]) : fmt::format("{} {} entities", verb, names.size());
+}
+
+// entity.rename("bench", "seat"): names hold no quotes.
+std::string callOf(const char* call, std::span<const std::string> names) {
+    std::string list;
+    for (const std::string& name : names) list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", name);
+    return fmt::format("{}({})", call, list);
 }
 
 Status copyEntity(Document& doc, const std::string& from, const std::string& to) {
@@ -112,6 +120,7 @@ Result<std::vector<std::string>> duplicateEntities(Document& doc, std::span<cons
     std::vector<std::string> copies;
     std::map<std::string, int> last;  // number of each stem: none is looked for twice
     const Status done = inOneStep(doc, labelOf("duplicate", names), [&]() -> Status {
+        doc.describe(callOf("entity.duplicate", names));
         for (const std::string& name : names) {
             if (!doc.project().entities.contains(name)) return usage(fmt::format("there is no entity \"{}\"", name));
             const Numbered n = numbered(name);
@@ -132,6 +141,7 @@ Status renameEntity(Document& doc, const std::string& from, const std::string& t
             fmt::format("\"{}\" holds parts that this version of Sward does not know, which go by its name", from),
             "rename it in project.json");
     const Status done = inOneStep(doc, fmt::format("rename {} to {}", from, to), [&]() -> Status {
+        doc.describe(callOf("entity.rename", std::array{from, to}));
         if (Status copied = copyEntity(doc, from, to); !copied) return copied;
         if (Status removed = doc.removeEntity(from); !removed) return removed;
         for (const std::string& path : referencesTo(doc, from))

@@ -101,7 +101,11 @@ Status replaceMap(Document& doc, const std::string& path, const std::string& ver
     const Map before = had.present() ? had.map : newMap(doc.project(), *field);
     Result<Map> after = now(*field, before);
     if (!after) return after.error();
-    return doc.setMap(field->path, std::move(*after), fmt::format("{} {}", verb, field->path));
+    const std::string label = fmt::format("{} {}", verb, field->path);
+    return inOneStep(doc, label, [&] {
+        if (verb != "fill") doc.describe(fmt::format("map.{}(\"{}\")", verb, field->path));
+        return doc.setMap(field->path, std::move(*after), label);
+    });
 }
 
 }  // namespace

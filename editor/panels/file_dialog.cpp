@@ -29,9 +29,13 @@ const TaskWords& wordsOf(FileTask task) {
         {"Save the project as", "Save", "saved", "folder of the project"},
         {"New project", "Create", "created", "folder of the project"},
         {"Export the scene", "Export", "exporting", "file, ending in .glb"},
+        {"Save the recorded session", "Save", "recorded", "file, ending in .lua"},
     };
     return kWords[static_cast<size_t>(task)];
 }
+
+// Else a folder.
+bool namesFile(FileTask task) { return task == FileTask::Export || task == FileTask::Recording; }
 
 void list(FileDialog& d) {
     d.entries.clear();
@@ -51,7 +55,7 @@ void enter(FileDialog& d, const fs::path& folder) {
     d.error.clear();
     const fs::path file = fs::path(d.path).filename();
     d.folder = folder;
-    d.path = (d.task == FileTask::Export ? folder / file : folder).string();
+    d.path = (namesFile(d.task) ? folder / file : folder).string();
     list(d);
 }
 
@@ -100,6 +104,8 @@ Status perform(const Parts& parts, const fs::path& target) {
         }
         case FileTask::Export:
             return startExport(parts, target);
+        case FileTask::Recording:
+            return parts.files.write(target);
         case FileTask::None:
             break;
     }
@@ -143,7 +149,7 @@ void folders(const Parts& parts) {
             ImGui::SameLine();
             ui::coloredText(ui::kDimText, "  project");
         }
-        if (pressed && d.task != FileTask::Export) d.path = (d.folder / name).string();
+        if (pressed && !namesFile(d.task)) d.path = (d.folder / name).string();
         if (!twice) continue;
         const fs::path folder = d.folder / name;
         if (project && d.task == FileTask::Open)

@@ -243,6 +243,11 @@ constexpr PanelRow kPanels[] = {
     {"Layers", Dock::Bottom,
      [](App& a) { drawLayers(fieldParts(a), a.brushes, a.layerView, a.renderer->layerNotes()); }, true, "Layers Panel",
      true},
+    {"Pictures", Dock::Bottom,
+     [](App& a) {
+         drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
+     },
+     true, "Pictures Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},

@@ -40,6 +40,7 @@ struct ObjectTool;
 struct OutsideDialog;
 struct Palette;
 struct PaletteLine;
+struct PictureRun;
 struct RenameDialog;
 struct Selection;
 struct TierView;
@@ -100,6 +101,15 @@ void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& sele
                ViewCounts& counts, bool measured);
 // `lastMs`: what the last drawing of the viewport took.
 void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, double lastMs);
+struct PictureParts {
+    PictureRun& run;
+    Document& doc;
+    Gpu& gpu;
+    Edits& edits;
+    Messages& messages;
+};
+// The accepted pictures of the project's cameras as tests.
+void drawPictures(const PictureParts& parts);
 // `drawnScale`: of the viewport's image, as Resolution has it.
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
                    BackgroundWork& work, const std::string& message);

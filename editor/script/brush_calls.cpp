@@ -90,27 +90,52 @@ int select(lua_State* L, State& state) {
 }
 
 // One undo step, done when the call returns.
-int paint(lua_State* L, State& state, std::span<const BrushSettings> brushes, bool create) {
+int paint(lua_State* L, State& state, std::span<const BrushSettings> brushes, bool create,
+          std::optional<uint32_t> turn = {}) {
     const auto points = pointsArg(L, 1, "the stroke");
     if (points.empty()) raise(L, "the stroke must have a point");
     Document& document = state.document();
-    orRaise(L, document.beginStrokes(brushes, points[0].first, points[0].second, create));
+    orRaise(L, document.beginStrokes(brushes, points[0].first, points[0].second, create, turn));
     for (const auto& [x, z] : points) document.strokeTo(x, z);
     document.endStroke();
     while (document.pumpStroke(50)) charge(L, 10'000'000);  // about what a script would do in that time
     return 0;
 }
 
-// brush.stroke{{x, z}, …}; makes heights that are not there yet, since level ground is what their absence means.
+// The option {"meadow.GrassField.species[lawn].density", …}: the selected brush on each; absent: `selected`.
+std::vector<BrushSettings> brushesOption(lua_State* L, Options& options, std::vector<BrushSettings> selected) {
+    if (!options.push("maps")) return selected;
+    if (!lua_istable(L, -1) || luaL_len(L, -1) < 1) raise(L, "maps must be a list of maps");
+    std::vector<BrushSettings> brushes;
+    for (lua_Integer i = 1; i <= luaL_len(L, -1); ++i) {
+        lua_geti(L, -1, i);
+        brushes.push_back(selected[0]);
+        brushes.back().map = textArg(L, lua_gettop(L));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return brushes;
+}
+
+// brush.stroke({{x, z}, …}, {maps =, create =, turn =}); makes heights that are not there yet, since level ground is
+// what their absence means, and other maps if told to.
 int stroke(lua_State* L, State& state) {
     const Project& p = openProject(L);
     const Result<ConstFieldRef> map = findMap(p, state.rows(), state.host.brush.map);
+    const bool heights = map && map->row->map->kind == MapKind::Heights;
     std::vector<BrushSettings> brushes{state.host.brush};
     for (const std::string& path : state.host.alsoPaints) {
         brushes.push_back(state.host.brush);
         brushes.back().map = path;
     }
-    return paint(L, state, brushes, map && map->row->map->kind == MapKind::Heights);
+    if (lua_isnoneornil(L, 2)) return paint(L, state, brushes, heights);
+    Options options(L, 2);
+    brushes = brushesOption(L, options, std::move(brushes));
+    const bool create = options.flag("create", heights);
+    const double turn = options.number("turn", -1);
+    options.finish();
+    if (turn > 4e9) raise(L, "turn must lie between 0 and 4e9");
+    return paint(L, state, brushes, create, turn < 0 ? std::nullopt : std::optional(static_cast<uint32_t>(turn)));
 }
 
 // brush.erase{{x, z}, …}: every species of the field, whatever map is selected; with the brush's size and strength.

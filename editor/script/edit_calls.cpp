@@ -1,5 +1,6 @@
 // edit.undo, edit.redo and camera.use.
 #include "script/state.h"
+#include "script/values.h"
 
 namespace sward::script {
 namespace {
@@ -21,6 +22,18 @@ int redo(lua_State* L, State& state) {
     return 1;
 }
 
+// edit.group(label, function() … end): all that the function changes is one undo step; nothing if it fails.
+int group(lua_State* L, State& state) {
+    openProject(L);
+    const std::string label = textArg(L, 1);
+    luaL_checktype(L, 2, LUA_TFUNCTION);
+    lua_settop(L, 2);
+    GroupOrNothing step(state.document(), label);
+    lua_call(L, 0, 0);
+    step.keep();
+    return 0;
+}
+
 // camera.use(name): the editor shows the view of this entity.
 int use(lua_State* L, State& state) {
     const std::string name = textArg(L, 1);
@@ -35,7 +48,7 @@ int use(lua_State* L, State& state) {
 }  // namespace
 
 void openEditCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"undo", luaCall<undo>}, {"redo", luaCall<redo>}};
+    constexpr NamedCall calls[] = {{"undo", luaCall<undo>}, {"redo", luaCall<redo>}, {"group", luaCall<group>}};
     registerCalls(L, "edit", calls);
 }
 void openCameraCalls(lua_State* L) {

@@ -1,4 +1,5 @@
 // entity.*: list, add, remove, get, set by PATH.
+#include "model/entity_edits.h"
 #include "script/state.h"
 #include "script/values.h"
 
@@ -48,6 +49,45 @@ int add(lua_State* L, State& state) {
 int remove(lua_State* L, State& state) {
     openProject(L);
     orRaise(L, state.document().removeEntity(textArg(L, 1)));
+    return 0;
+}
+
+// entity.rename(from, to): fields that name it follow.
+int rename(lua_State* L, State& state) {
+    openProject(L);
+    orRaise(L, renameEntity(state.document(), textArg(L, 1), textArg(L, 2)));
+    return 0;
+}
+// entity.duplicate(name, …): the copies' names.
+int duplicate(lua_State* L, State& state) {
+    openProject(L);
+    std::vector<std::string> names;
+    for (int i = 1; i <= std::max(lua_gettop(L), 1); ++i) names.push_back(textArg(L, i));
+    const std::vector<std::string> copies = orRaise(L, duplicateEntities(state.document(), names));
+    for (const std::string& copy : copies) lua_pushstring(L, copy.c_str());
+    return static_cast<int>(copies.size());
+}
+int removeComponent(lua_State* L, State& state) {
+    openProject(L);
+    orRaise(L, state.document().removeComponent(textArg(L, 1), textArg(L, 2)));
+    return 0;
+}
+// Elements of lists by PATH; a place counts from 0, as in a PATH.
+int addElement(lua_State* L, State& state) {
+    openProject(L);
+    orRaise(L, state.document().addListElement(textArg(L, 1)));
+    return 0;
+}
+int removeElement(lua_State* L, State& state) {
+    openProject(L);
+    orRaise(L, state.document().removeListElement(textArg(L, 1)));
+    return 0;
+}
+int moveElement(lua_State* L, State& state) {
+    openProject(L);
+    const double to = numberArg(L, 2);
+    if (!(to >= 0 && to < 1e6)) raise(L, "the place must lie between 0 and a million");
+    orRaise(L, state.document().moveListElement(textArg(L, 1), static_cast<size_t>(to)));
     return 0;
 }
 
@@ -114,6 +154,12 @@ void openEntityCalls(lua_State* L) {
     constexpr NamedCall calls[] = {{"list", luaCall<list>},
                                    {"add", luaCall<add>},
                                    {"remove", luaCall<remove>},
+                                   {"rename", luaCall<rename>},
+                                   {"duplicate", luaCall<duplicate>},
+                                   {"removeComponent", luaCall<removeComponent>},
+                                   {"addElement", luaCall<addElement>},
+                                   {"removeElement", luaCall<removeElement>},
+                                   {"moveElement", luaCall<moveElement>},
                                    {"get", luaCall<get>},
                                    {"set", luaCall<set>}};
     registerCalls(L, "entity", calls);

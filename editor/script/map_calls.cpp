@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "core/utf8.h"
 #include "maps/map_repair.h"
+#include "model/whole_map.h"
 #include "project/packed_map.h"
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
@@ -306,6 +307,15 @@ int size(lua_State* L, State&) {
     return 4;
 }
 
+// map.clear(name), map.invert(name): the menu Brush's Clear Map and Invert Map.
+template <Status (*Change)(Document&, const std::string&)>
+int changeWhole(lua_State* L, State& state) {
+    const ConstFieldRef field = orRaise(L, findMap(openProject(L), state.rows(), textArg(L, 1)));
+    charge(L, texelCount(static_cast<const MapField*>(field.value)->map));
+    orRaise(L, Change(state.document(), field.path));
+    return 0;
+}
+
 // map.exists(name): whether the field has a map.
 int exists(lua_State* L, State& state) {
     const Result<ConstFieldRef> field = findMap(openProject(L), state.rows(), textArg(L, 1));
@@ -316,12 +326,21 @@ int exists(lua_State* L, State& state) {
 }  // namespace
 
 void openMapCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {
-        {"create", luaCall<create>}, {"fill", luaCall<fill>},       {"noise", luaCall<noise>},
-        {"blur", luaCall<blur>},     {"curve", luaCall<curve>},     {"copy", luaCall<copy>},
-        {"import", luaCall<import>}, {"export", luaCall<exportTo>}, {"mean", luaCall<mean>},
-        {"at", luaCall<at>},         {"hash", luaCall<hash>},       {"size", luaCall<size>},
-        {"exists", luaCall<exists>}};
+    constexpr NamedCall calls[] = {{"create", luaCall<create>},
+                                   {"fill", luaCall<fill>},
+                                   {"noise", luaCall<noise>},
+                                   {"blur", luaCall<blur>},
+                                   {"curve", luaCall<curve>},
+                                   {"copy", luaCall<copy>},
+                                   {"import", luaCall<import>},
+                                   {"export", luaCall<exportTo>},
+                                   {"mean", luaCall<mean>},
+                                   {"at", luaCall<at>},
+                                   {"hash", luaCall<hash>},
+                                   {"size", luaCall<size>},
+                                   {"exists", luaCall<exists>},
+                                   {"clear", luaCall<changeWhole<clearMap>>},
+                                   {"invert", luaCall<changeWhole<invertMap>>}};
     registerCalls(L, "map", calls);
 }
 

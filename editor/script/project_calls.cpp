@@ -1,4 +1,6 @@
 // project.*: new, open, save, saveAs, export, tempCopy, dir, name, dirty.
+#include "core/hash.h"
+#include "project/project_files.h"
 #include "script/files.h"
 #include "script/state.h"
 
@@ -83,6 +85,13 @@ int name(lua_State* L, State&) {
     pushText(L, openProject(L).name);
     return 1;
 }
+// Reads every texel.
+int hash(lua_State* L, State& state) {
+    const Project& p = openProject(L);
+    charge(L, 1'000'000);
+    pushText(L, hashHex(projectHash(p, state.rows())));
+    return 1;
+}
 int dirty(lua_State* L, State& state) {
     lua_pushboolean(L, state.document().dirty());
     return 1;
@@ -91,10 +100,11 @@ int dirty(lua_State* L, State& state) {
 }  // namespace
 
 void openProjectCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {
-        {"new", luaCall<create>},    {"open", luaCall<open>},        {"save", luaCall<save>},
-        {"saveAs", luaCall<saveAs>}, {"export", luaCall<exportGlb>}, {"tempCopy", luaCall<tempCopy>},
-        {"dir", luaCall<dir>},       {"name", luaCall<name>},        {"dirty", luaCall<dirty>}};
+    constexpr NamedCall calls[] = {{"new", luaCall<create>},       {"open", luaCall<open>},
+                                   {"save", luaCall<save>},        {"saveAs", luaCall<saveAs>},
+                                   {"export", luaCall<exportGlb>}, {"tempCopy", luaCall<tempCopy>},
+                                   {"dir", luaCall<dir>},          {"name", luaCall<name>},
+                                   {"dirty", luaCall<dirty>},      {"hash", luaCall<hash>}};
     registerCalls(L, "project", calls);
 }
 
