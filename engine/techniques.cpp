@@ -9,6 +9,7 @@
 #include "grass/tessellated_settings.h"
 #include "scene/components.h"
 #include "scene/ground_path.h"
+#include "scene/in_folder.h"
 #include "scene/locked.h"
 #include "scene/map_layers.h"
 #include "scene/scatter.h"
@@ -36,9 +37,10 @@ struct Store {
         for (const TechniqueRow& row : techniques) names.push_back(row.name);
         const std::span<const ComponentRow> shared = sharedComponentRows();
         components.assign(shared.begin(), shared.end());
-        for (const ComponentRow& row : {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(),
-                                        tessellatedBladesRow(), raytracedGrassRow(), grassDrawingRow(), farLookRow(),
-                                        meshGrassRow(), groundPathRow(), mapLayersRow(), scatterRow(), lockedRow()})
+        for (const ComponentRow& row :
+             {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
+              raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow(),
+              scatterRow(), lockedRow(), inFolderRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }
