@@ -48,6 +48,7 @@ struct Verbs {
     ImportCommand import;
     ExportCommand exported;
     BakeCommand bake;
+    NewCommand made;
     ScriptOptions script;
     std::string project = "projects/football", dir;
     bool strict = false, json = false, verbose = false;
@@ -199,9 +200,12 @@ struct Verbs {
         verb("edit", "Open the editor (default)", [this] {
             return editVerb(project);
         })->add_option("project", project, "folder of the project");
-        verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
-            ->add_option("dir", dir, "folder to make")
-            ->required();
+        CLI::App* fresh = verb("new", "Make a project: one terrain, one field, a sun, a camera; or from a template",
+                               [this] { return newVerb(made); });
+        fresh->add_option("dir", made.dir, "folder to make")->required();
+        auto* from = fresh->add_option("--template", made.from, "field, hills, pitch or pond");
+        fresh->add_option("--size", made.size, "metres of the terrain each way")->needs(from);
+        fresh->add_option("--relief", made.relief, "metres between the lowest and the highest ground")->needs(from);
         CLI::App* check =
             verb("check", "Load everything and report every fault", [this] { return checkVerb(dir, strict); });
         check->add_option("project", dir, "folder of the project")->required();
