@@ -24,6 +24,7 @@
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
+#include "app/thumbnails.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
 #include "model/autosave.h"
@@ -32,6 +33,7 @@
 #include "tools/brush_cost.h"
 #include "tools/layer_view.h"
 #include "tools/object_tool.h"
+#include "tools/species_palette.h"
 #include "tools/tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
@@ -76,6 +78,7 @@ struct EditorApp {
     BrushCost brushCost;
     TierView tierView;
     LayerView layerView;
+    SpeciesPalette speciesPalette;
     Selection selection;
     ObjectTool objects;
     Edits edits;
@@ -83,6 +86,7 @@ struct EditorApp {
     Accuracy accuracy;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
+    Thumbnails thumbnails;
     Autosave autosave;
 
     // --- what is said and asked

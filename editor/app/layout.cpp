@@ -30,7 +30,7 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    return tab == "Accuracy" || tab == "Layers" ? l.accuracy : l.bottom;
+    return tab == "Accuracy" || tab == "Layers" || tab == "Species" ? l.accuracy : l.bottom;
 }
 
 void clampLayout(Layout& l, float width, float height) {

@@ -1,4 +1,4 @@
-// The menu of the chosen entities, at the pointer: the commands of the menu Object.
+// The menu at the pointer: what can be added, and the commands of the menu Object for what is chosen.
 #include <imgui.h>
 
 #include "app/commands.h"
@@ -8,6 +8,19 @@
 #include "ui/widgets.h"
 
 namespace sward {
+namespace {
+
+// The command of this menu whose item was chosen, or null.
+const Command* items(std::span<const CommandState> states, const std::string& menu) {
+    const Command* chosen = nullptr;
+    for (const CommandState& state : states) {
+        const Command& c = *state.command;
+        if (menu == c.menu && ui::menuItem(c.label, chordText(state.chord), state.checked, state.enabled)) chosen = &c;
+    }
+    return chosen;
+}
+
+}  // namespace
 
 const Command* drawContextMenu(std::span<const CommandState> states, const std::string& title, bool& opening) {
     if (std::exchange(opening, false)) ImGui::OpenPopup("Context");
@@ -16,12 +29,12 @@ const Command* drawContextMenu(std::span<const CommandState> states, const std::
     ImGui::TextDisabled("%s", title.empty() ? "nothing is chosen" : title.c_str());
     ImGui::Separator();
     const Command* chosen = nullptr;
-    for (const CommandState& state : states) {
-        const Command& c = *state.command;
-        if (std::string(c.menu) == "Object" &&
-            ui::menuItem(c.label, chordText(state.chord), state.checked, state.enabled))
-            chosen = &c;
+    if (ui::beginMenu("Add")) {
+        chosen = items(states, "Add");
+        ui::endMenu();
     }
+    ImGui::Separator();
+    if (const Command* c = items(states, "Object")) chosen = c;
     ImGui::EndPopup();
     return chosen;
 }

@@ -25,7 +25,9 @@
 namespace sward {
 namespace {
 
-FieldParts fieldParts(EditorApp& a) { return {a.doc, a.edits, a.book.errors, a.messages}; }
+FieldParts fieldParts(EditorApp& a) {
+    return {a.doc, a.edits, a.book.errors, a.messages, &a.thumbnails, &a.files, &a.brushes};
+}
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
 RingParts ringParts(EditorApp& a) {
     const std::string entity = tierEntity(a.doc, a.tierView.field, shownEntity(a.selection));
@@ -125,7 +127,8 @@ void viewport(EditorApp& a) {
         drawOverlayLegend(a.doc, a.brushes, a.view.camera.yaw, r);
         drawPlayFrame(a.doc, a.play.captured, r);
     } else {
-        drawStart({a.start, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }}, r);
+        drawStart({a.start, a.thumbnails, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }},
+                  r);
     }
     list.PopClipRect();
     drawErrorBar(a.messages.notice, r);
@@ -141,7 +144,7 @@ void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
 void fileDialog(EditorApp& a) {
-    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, [&a] { adoptProject(a); });
+    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, a.thumbnails, [&a] { adoptProject(a); });
 }
 void renameDialog(EditorApp& a) {
     drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
@@ -193,11 +196,14 @@ constexpr PanelRow kPanels[] = {
      true, nullptr, true},
     {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.edits, a.messages, a.historyShown); }, true, nullptr,
      true},
-    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
+    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.thumbnails, a.messages); }, true,
      "Objects Panel", true},
     {"Layers", Dock::Bottom,
      [](App& a) { drawLayers(fieldParts(a), a.brushes, a.layerView, a.renderer->layerNotes()); }, true, "Layers Panel",
      true},
+    {"Species", Dock::Bottom,
+     [](App& a) { drawSpecies(fieldParts(a), a.speciesPalette, a.brushes, shownEntity(a.selection)); }, true,
+     "Species Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits); }, false},
