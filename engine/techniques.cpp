@@ -10,6 +10,7 @@
 #include "scene/accepted_picture.h"
 #include "scene/components.h"
 #include "scene/ground_path.h"
+#include "scene/in_folder.h"
 #include "scene/locked.h"
 #include "scene/map_layers.h"
 #include "scene/scatter.h"
@@ -40,7 +41,7 @@ struct Store {
         for (const ComponentRow& row :
              {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
               raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow(),
-              scatterRow(), lockedRow(), acceptedPictureRow()})
+              scatterRow(), lockedRow(), inFolderRow(), acceptedPictureRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

@@ -126,8 +126,8 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
     return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
-           comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy) ||
-           checking(app.pictureRun) || app.pictureRun.showDue;
+           makingThumbnails(app.thumbnails) || comparing(app.accuracy.comparison, app.doc, app.clock) ||
+           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
@@ -179,6 +179,7 @@ void followWorld(EditorApp& app) {
     followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
+    if (followThumbnails(app.thumbnails, app.gpu, app.clock.fixed)) app.clock.wanted = 2;
 }
 
 }  // namespace
@@ -193,6 +194,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
     clock.fixed = surface->fixedStep() > 0;
+    thumbnails.tables = &doc.tables();
     if (gpu.software)
         picture.resolution.movingScale = picture.resolution.movingDetail = 0.25;  // a guess; drawings teach better
     if (keepLayout)

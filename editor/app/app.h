@@ -30,6 +30,7 @@
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
+#include "app/thumbnails.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
 #include "model/autosave.h"
@@ -39,6 +40,7 @@
 #include "tools/brush_cost.h"
 #include "tools/layer_view.h"
 #include "tools/object_tool.h"
+#include "tools/species_palette.h"
 #include "tools/tier_view.h"
 #include "ui/surface.h"
 #include "ui/widgets.h"
@@ -85,6 +87,7 @@ struct EditorApp {
     BrushCost brushCost;
     TierView tierView;
     LayerView layerView;
+    SpeciesPalette speciesPalette;
     Selection selection;
     ObjectTool objects;
     Edits edits;
@@ -94,6 +97,7 @@ struct EditorApp {
     Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;
+    Thumbnails thumbnails;
     Autosave autosave;
 
     // --- what is said and asked

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "app/add_actions.h"
 #include "app/app.h"
 #include "app/path_actions.h"
 #include "app/step_actions.h"
@@ -91,7 +92,19 @@ void remove(EditorApp& app) {
 void walk(EditorApp& app) {
     walkPath(playParts(app), app.selection, app.view.camera, app.hand, app.edits, ui::typing(app.book));
 }
-void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages); }
+// A little to the right of the originals, as the view has it.
+glm::dvec3 besideChosen(EditorApp& app) {
+    const std::optional<Extent> extent = extentOf(objectParts(app));
+    const double metres = extent ? std::clamp(2 * extent->radius, 0.3, 2.0) : 0;
+    const double yaw = app.view.camera.yaw;
+    return {metres * std::cos(yaw), 0, metres * std::sin(yaw)};
+}
+void duplicate(EditorApp& app) { duplicateChosen(app.doc, app.selection, app.messages, besideChosen(app)); }
+// The tab with the objects to place, which also comes back if it was closed.
+void chooseObject(EditorApp& app) {
+    app.layout.hidden.erase("Objects");
+    app.layout.tab = "Objects";
+}
 template <GizmoMode Mode>
 void takeMode(EditorApp& app) {
     selectTool(app.doc, app.brushes, app.messages, kViewTool);
@@ -201,6 +214,10 @@ constexpr Command kCommands[] = {
     {"Object", "Add Scatter", "", "", [](App& a) { scatterChosen(a.doc, a.selection, a.messages); }, opened},
     {"Object", "Make Objects of It", "", "", [](App& a) { makeObjectsOfChosen(a.doc, a.selection, a.messages); },
      scatterChosenLast},
+    {"Object", "Put into Folder", "ctrl+g", "", [](App& a) { folderChosen(a.doc, a.selection, a.messages); },
+     anyChosen},
+    {"Object", "Out of Folder", "ctrl+shift+g", "", [](App& a) { unfolderChosen(a.doc, a.selection, a.messages); },
+     anyChosen},
     {"Object", "Objects or Brush", "v", "", lookOnly, opened},
     {"Object", "Move", "w", "", takeMode<GizmoMode::Move>, opened, true, inMode<GizmoMode::Move>},
     {"Object", "Turn", "e", "", takeMode<GizmoMode::Turn>, opened, true, inMode<GizmoMode::Turn>},
@@ -211,6 +228,12 @@ constexpr Command kCommands[] = {
     {"Object", "Flatten Along Path", "", "", flattenPath, pathChosen},
     {"Object", "Camera Path from Path", "", "", [](App& a) { cameraFromPath(a.doc, a.selection, a.messages); },
      pathChosen},
+    {"Add", "Object", "", "", chooseObject, opened},
+    {"Add", "Path on the Ground", "", "", newPath, opened},
+    {"Add", "Lamp", "", "", [](App& a) { addLamp(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
+    {"Add", "Camera", "", "", [](App& a) { addCamera(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
+    {"Add", "Pond", "", "", [](App& a) { addPond(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
+    {"Add", "Flowers", "", "", [](App& a) { addFlowers(a.doc, a.selection, a.brushes, a.messages); }, opened},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "core/resources.h"
 #include "project/project_files.h"
 
 namespace sward {
@@ -11,6 +14,11 @@ void openDialog(FileDialog& d, const Document& document, FileTask task) {
     d.task = task;
     d.opening = true;
     d.error.clear();
+    if (task == FileTask::New) d.templates = projectTemplates(resource("projects/templates"));
+    if (task == FileTask::New && d.wish.name.empty() && !d.templates.empty()) {
+        const ProjectTemplate& first = d.templates.front();
+        d.wish = {first.name, first.size, first.relief};
+    }
     if (document.isOpen() && !document.project().dir.empty()) d.folder = document.project().dir.parent_path();
     const std::filesystem::path dir = document.isOpen() ? document.project().dir : std::filesystem::path();
     const auto beside = [&](const char* ending) {
@@ -22,7 +30,54 @@ void openDialog(FileDialog& d, const Document& document, FileTask task) {
                                            : "";
 }
 
+std::string endingOf(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+bool among(const std::string& ending, std::initializer_list<const char*> endings) {
+    return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return ending == e; });
+}
+
+// "park-lawn.density.png" beside the project; floats as EXR.
+std::filesystem::path exportPlace(const Document& document, const std::string& field) {
+    const Project& p = document.project();
+    const auto map = findField(p, document.tables().components, field);
+    const bool floats = map && static_cast<const MapField*>(map->value)->map.info().type == PixelType::F32;
+    std::string name = p.name + "-";
+    for (const char c : field) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '.';
+    return p.dir.parent_path() / (name + (floats ? ".exr" : ".png"));
+}
+
 }  // namespace
+
+bool namesFile(FileTask task) {
+    return task == FileTask::Export || task == FileTask::Recording || task == FileTask::ExportMap ||
+           task == FileTask::ChooseFile;
+}
+
+bool fitsTask(const FileDialog& files, const Document& document, const std::filesystem::path& name) {
+    const std::string ending = endingOf(name);
+    if (files.task == FileTask::Export) return ending == ".glb";
+    if (files.task == FileTask::Recording) return ending == ".lua";
+    if (files.task == FileTask::ExportMap) return among(ending, {".png", ".exr", ".tif", ".tiff", ".r16"});
+    if (files.task != FileTask::ChooseFile) return false;
+    const auto field = findField(document.project(), document.tables().components, files.field);
+    return field && field->row->isMesh ? among(ending, {".glb", ".gltf"}) : ending == ".png";
+}
+
+void requestFieldTask(FileDialog& files, const Document& document, FileTask task, const std::string& field) {
+    openDialog(files, document, task);
+    files.field = field;
+    files.folder = document.project().dir;
+    if (task == FileTask::ExportMap) {
+        files.path = exportPlace(document, field).string();
+        files.folder = files.folder.parent_path();
+    }
+    const auto named = findField(document.project(), document.tables().components, field);
+    if (task == FileTask::ChooseFile && named)
+        files.folder /= std::filesystem::path(*static_cast<const std::string*>(named->value)).parent_path();
+}
 
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then) {
     if (!document.isOpen() || !document.dirty()) return then();

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "app/messages.h"
+#include "app/templates.h"
 #include "model/document.h"
 
 namespace sward {
 
-enum class FileTask { None, Open, SaveAs, New, Export, Recording };
+// The last two are for one field: a map to an image, the file that a field names.
+enum class FileTask { None, Open, SaveAs, New, Export, Recording, ExportMap, ChooseFile };
 struct FileDialog {
     FileTask task = FileTask::None;
     bool opening = false;                                       // ImGui's popup is to be opened in this frame
@@ -23,7 +25,17 @@ struct FileDialog {
     std::function<Status(const std::filesystem::path&)> write;  // of a Recording: writes its file
     std::string error;
     std::vector<std::pair<std::string, bool>> entries;  // name, is a project
+    std::string field;                                  // PATH of the field that the task is for
+    std::vector<std::string> files;  // in the folder, of the kind that the task names; empty where it names folders
+    NewProject wish;                 // what a new project is to be like, made from one of these:
+    std::vector<ProjectTemplate> templates;
 };
+// Whether the task names a file, and not a folder.
+bool namesFile(FileTask task);
+// Whether a file of this name is of the kind that the task names.
+bool fitsTask(const FileDialog& files, const Document& document, const std::filesystem::path& name);
+// Opens the file dialog for one field of the project.
+void requestFieldTask(FileDialog& files, const Document& document, FileTask task, const std::string& field);
 // What waits for the answer to "save, discard or cancel".
 struct UnsavedDialog {
     std::function<void()> then;  // empty: not asked

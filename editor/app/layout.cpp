@@ -30,7 +30,7 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    const bool tall = tab == "Accuracy" || tab == "Layers" || tab == "Pictures";
+    const bool tall = tab == "Accuracy" || tab == "Layers" || tab == "Species" || tab == "Pictures";
     return tall ? l.accuracy : l.bottom;
 }
 

@@ -5,8 +5,11 @@
 #include <algorithm>
 
 #include "model/entity_edits.h"
+#include "model/folder_edits.h"
+#include "model/one_step.h"
 #include "model/scatter_edits.h"
 #include "scene/locked.h"
+#include "tools/motion.h"
 
 namespace sward {
 namespace {
@@ -20,13 +23,50 @@ std::string told(const std::vector<std::string>& names) {
     return names.size() == 1 ? names.front() : fmt::format("{} entities", names.size());
 }
 
+// The ground itself, and water, which has a level alone, stay where they are.
+Status moveAside(Document& doc, const std::vector<std::string>& names, const glm::dvec3& aside) {
+    const Ground ground = findGround(doc.project());
+    for (const std::string& name : names) {
+        const Entity e = findEntity(doc.project(), name);
+        const Handle handle = handleOf(doc.project(), ground, name, 0);
+        const bool still = handle.kind == HandleKind::Water || doc.project().registry.get<Terrain>(e);
+        if (still || (movesTransform(handle.kind) && !doc.project().registry.get<Transform>(e))) continue;
+        Motion motion;
+        motion.pivot = handle.at;
+        motion.move = aside;
+        motion.alongGround = true;
+        for (const auto& [path, text] : movedFields(startOf(doc.project(), handle), motion, ground))
+            if (Status s = doc.setField(path, text); !s) return s;
+    }
+    return {};
+}
+
 }  // namespace
 
-void duplicateChosen(Document& doc, Selection& selection, Messages& messages) {
-    const Result<std::vector<std::string>> copies = duplicateEntities(doc, selection.entities);
-    if (!copies) return showError(messages, copies.error());
-    choose(selection, *copies, Choose::Only);
-    say(messages, "new: " + told(*copies));
+void duplicateChosen(Document& doc, Selection& selection, Messages& messages, const glm::dvec3& aside) {
+    std::vector<std::string> copies;
+    const auto edit = [&]() -> Status {
+        Result<std::vector<std::string>> made = duplicateEntities(doc, selection.entities);
+        if (!made) return made.error();
+        copies = std::move(*made);
+        return moveAside(doc, copies, aside);
+    };
+    if (!accept(messages, inOneStep(doc, "duplicate " + told(selection.entities), edit))) return;
+    choose(selection, copies, Choose::Only);
+    say(messages, "new: " + told(copies));
+}
+
+void folderChosen(Document& doc, Selection& selection, Messages& messages) {
+    const std::string folder = freeFolder(doc.project());
+    if (!accept(messages, moveToFolder(doc, selection.entities, folder))) return;
+    selection.renaming = folder;
+    selection.folderName.clear();
+    say(messages, fmt::format("{} in {}", told(selection.entities), folder));
+}
+
+void unfolderChosen(Document& doc, const Selection& selection, Messages& messages) {
+    if (accept(messages, moveToFolder(doc, selection.entities, "")))
+        say(messages, told(selection.entities) + ": in no folder");
 }
 
 void removeChosen(Document& doc, Selection& selection, Messages& messages) {

@@ -1,6 +1,7 @@
 // What menus and keys do with the chosen entities: each one undo step. And the question for a new name.
 // Does not: draw (panels/rename_dialog.cpp), nor know how entities are copied (model/entity_edits.h).
 #pragma once
+#include <glm/glm.hpp>
 #include <string>
 
 #include "app/messages.h"
@@ -18,8 +19,13 @@ struct RenameDialog {
     bool opening = false;
 };
 
-// The copies are chosen then.
-void duplicateChosen(Document& document, Selection& selection, Messages& messages);
+// The copies are chosen then; what has a place stands `aside` of its original, metres in the world, and on the ground
+// if that does.
+void duplicateChosen(Document& document, Selection& selection, Messages& messages, const glm::dvec3& aside = {});
+// The chosen come into a new folder of the outliner, whose name is asked for there.
+void folderChosen(Document& document, Selection& selection, Messages& messages);
+// They come out of their folders.
+void unfolderChosen(Document& document, const Selection& selection, Messages& messages);
 // None is chosen then.
 void removeChosen(Document& document, Selection& selection, Messages& messages);
 // A new entity that scatters the chosen objects' meshes, or all of the project's; it is chosen then.

@@ -1,6 +1,7 @@
 // What the person has chosen, in the outliner or by a click in the viewport.
 // Does not: hold what tools choose for themselves (tools/brush_book.h, tools/tier_view.h).
 #pragma once
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct Selection {
     std::vector<std::string> entities;  // by name, in the order in which they were chosen
     std::string newEntity;              // being typed in the outliner
     std::string search;                 // likewise: rows without it are not listed
+    std::set<std::string> closedFolders;
+    std::string renaming, folderName;  // a folder whose name is being typed, and the text; empty: none
 };
 
 // How a click or a box chooses: these alone, these too, or each of them on and off.

@@ -25,6 +25,7 @@ StartScreen loadStart(const fs::path& file, const fs::path& samples) {
     std::error_code error;
     for (fs::directory_iterator it(samples, error), end; !error && it != end; it.increment(error))
         if (isProject(it->path())) start.samples.push_back(it->path());
+    start.templates = projectTemplates(samples / "templates");
     std::sort(start.samples.begin(), start.samples.end());
     const Result<std::string> text = readFile(file, kMostBytes);
     std::istringstream lines(text ? *text : "");

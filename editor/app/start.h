@@ -5,13 +5,16 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/templates.h"
+
 namespace sward {
 
 inline constexpr size_t kMostRecent = 8;
 
 struct StartScreen {
     std::vector<std::filesystem::path> recent, samples;
-    bool keep = false;  // whether what is opened is remembered
+    std::vector<ProjectTemplate> templates;  // of the folder templates/ among the samples
+    bool keep = false;                       // whether what is opened is remembered
 };
 // Those of the file that still are projects, and the projects in `samples`, by name.
 StartScreen loadStart(const std::filesystem::path& file, const std::filesystem::path& samples);

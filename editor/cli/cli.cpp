@@ -49,6 +49,7 @@ struct Verbs {
     ExportCommand exported;
     BakeCommand bake;
     PictureOptions pictures;
+    NewCommand made;
     ScriptOptions script;
     std::string project = "projects/football", dir;
     bool strict = false, judged = false, json = false, verbose = false;
@@ -225,9 +226,12 @@ struct Verbs {
         verb("edit", "Open the editor (default)", [this] {
             return editVerb(project);
         })->add_option("project", project, "folder of the project");
-        verb("new", "Make an empty project: one terrain, one field, a sun, a camera", [this] { return newVerb(dir); })
-            ->add_option("dir", dir, "folder to make")
-            ->required();
+        CLI::App* fresh = verb("new", "Make a project: one terrain, one field, a sun, a camera; or from a template",
+                               [this] { return newVerb(made); });
+        fresh->add_option("dir", made.dir, "folder to make")->required();
+        auto* from = fresh->add_option("--template", made.from, "field, hills, pitch or pond");
+        fresh->add_option("--size", made.size, "metres of the terrain each way")->needs(from);
+        fresh->add_option("--relief", made.relief, "metres between the lowest and the highest ground")->needs(from);
         addCheck();
         CLI::App* explain = verb("explain", "Which features a scene has, what each makes run, and why",
                                  [this] { return explainVerb(dir, json); });

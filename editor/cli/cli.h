@@ -79,8 +79,12 @@ struct CompareOptions {
 // `sward compare`: how two pictures or films differ, by all metrics.
 int compareVerb(const CompareOptions& options);
 
+struct NewCommand {
+    std::string dir, from;              // of a template; empty: one terrain, one field, a sun, a camera
+    std::optional<float> size, relief;  // metres; absent: what suits the template
+};
 // `sward new`: a project in a folder that is empty or is not there yet.
-int newVerb(const std::string& dir);
+int newVerb(const NewCommand& options);
 // `sward check`: reads the project and says what is wrong with it. `strict`: warnings count as errors.
 int checkVerb(const std::string& project, bool strict);
 struct PictureOptions {

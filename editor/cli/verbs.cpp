@@ -1,6 +1,8 @@
+#include "app/templates.h"
 #include "cli/cli.h"
 #include "core/json.h"
 #include "core/log.h"
+#include "core/resources.h"
 #include "formulas/hardcases.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
@@ -9,10 +11,28 @@
 
 namespace sward {
 
-int newVerb(const std::string& dir) {
-    auto p = newProject(dir, tables().components);
-    if (!p) return report(p.error());
-    std::printf("%s: a new project; open it with: sward edit %s\n", dir.c_str(), dir.c_str());
+namespace {
+
+Status makeFrom(const NewCommand& o) {
+    std::string known;
+    for (const ProjectTemplate& t : projectTemplates(resource("projects/templates"))) {
+        known += (known.empty() ? "" : ", ") + t.name;
+        if (t.name == o.from)
+            return makeProject(tables(), o.dir, t, {t.name, o.size.value_or(t.size), o.relief.value_or(t.relief)});
+    }
+    return usage(fmt::format("there is no template \"{}\"", o.from), "choose one of " + known);
+}
+
+Status makeBare(const std::string& dir) {
+    const auto made = newProject(dir, tables().components);
+    return made ? Status{} : Status{made.error()};
+}
+
+}  // namespace
+
+int newVerb(const NewCommand& o) {
+    if (const Status made = o.from.empty() ? makeBare(o.dir) : makeFrom(o); !made) return report(made.error());
+    std::printf("%s: a new project; open it with: sward edit %s\n", o.dir.c_str(), o.dir.c_str());
     return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/utf8.h"
+#include "maps/map_io.h"
 #include "mesh/mesh_io.h"
 
 namespace fs = std::filesystem;
@@ -33,8 +34,7 @@ bool holds(const fs::path& to, const fs::path& from) {
 }
 
 // The first of "models/bench.glb", "models/bench-2.glb" ... that is free or holds the same.
-fs::path freePlace(const fs::path& dir, const fs::path& file) {
-    const fs::path folder = dir / kAssetFolder;
+fs::path freePlace(const fs::path& folder, const fs::path& file) {
     const std::string stem = file.stem().string(), ending = file.extension().string();
     fs::path to = folder / (stem + ending);
     std::error_code fault;
@@ -48,6 +48,15 @@ Status copyFile(const fs::path& from, const fs::path& to) {
     if (!bytes) return bytes.error();
     if (Status made = makeFolderOf(to); !made) return made;
     return writeFileAtomic(to, *bytes);
+}
+
+// What a file is called in a folder of the project to which it is copied, unless it is there already.
+Result<std::string> importInto(const fs::path& dir, const char* folder, const fs::path& file) {
+    const fs::path to = freePlace(dir / folder, file);
+    std::error_code fault;
+    if (!fs::exists(to, fault))
+        if (Status copied = copyFile(file, to); !copied) return copied.error();
+    return inProject(dir, to);
 }
 
 // A .gltf goes with what it refers to, into a folder of its own.
@@ -85,11 +94,13 @@ Result<std::string> importAsset(const fs::path& dir, const fs::path& file) {
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
     if (files.size() > 1) return importFolder(dir, file, files);
-    const fs::path to = freePlace(dir, file);
-    std::error_code fault;
-    if (!fs::exists(to, fault))
-        if (Status copied = copyFile(file, to); !copied) return copied.error();
-    return inProject(dir, to);
+    return importInto(dir, kAssetFolder, file);
+}
+
+Result<std::string> importImage(const fs::path& dir, const fs::path& file) {
+    if (Status sound = checkImage(file); !sound) return sound.error();
+    if (const std::string own = inProject(dir, file); !own.empty()) return own;
+    return importInto(dir, kImageFolder, file);
 }
 
 }  // namespace sward

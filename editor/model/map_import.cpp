@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "maps/map_io.h"
+#include "model/assets.h"
 #include "model/one_step.h"
-#include "project/import.h"
 #include "scene/map_fields.h"
 #include "tools/stroke.h"
 #include "world/ground.h"
@@ -90,23 +90,33 @@ size_t setHeights(Map& map, const Terrain& t, const Map& source, const HeightPla
 
 }  // namespace
 
-Status importImage(Document& doc, const std::string& mapPath, const std::string& file, const ImageWay& way) {
+Status importIntoMap(Document& doc, const std::string& mapPath, const std::filesystem::path& file,
+                     const ImportOptions& options, bool flipX) {
     const Result<ConstFieldRef> map = findMap(doc.project(), doc.tables().components, mapPath);
     if (!map) return map.error();
     MapImport used;
-    Result<Map> texels = readImport(doc.project(), *map, file, {.flip = way.flipZ, .range = way.range}, &used);
+    Result<Map> texels = readImport(doc.project(), *map, file, options, &used);
     if (!texels) return texels.error();
     const FieldRow* range = map->row->map->heightRange;
     const bool spans = range && used.range && texels->info().type != PixelType::F32;
     const std::string path = map->path, rangePath = spans ? fieldBeside(*map, *range).path : "";
     const Status done = inOneStep(doc, "import " + path, [&] {
-        if (Status set = doc.setMap(path, way.flipX ? mirroredRows(*texels) : std::move(*texels), "import"); !set)
+        if (Status set = doc.setMap(path, flipX ? mirroredRows(*texels) : std::move(*texels), "import"); !set)
             return set;
         return spans ? doc.setField(rangePath, fmt::format("[{}, {}]", used.range->first, used.range->second))
                      : Status{};
     });
     if (done) doc.rememberImport(path, used);
     return done;
+}
+
+Status chooseFile(Document& doc, const std::string& fieldPath, const std::filesystem::path& file) {
+    const Result<ConstFieldRef> field = findField(doc.project(), doc.tables().components, fieldPath);
+    if (!field) return field.error();
+    if (!field->row->isFile) return usage(fieldPath + " names no file");
+    const std::filesystem::path& dir = doc.project().dir;
+    const Result<std::string> name = field->row->isMesh ? importAsset(dir, file) : importImage(dir, file);
+    return name ? doc.setField(fieldPath, *name) : name.error();
 }
 
 double placedHeight(const Map& source, const HeightPlace& p, double x, double z, double before, double texel) {

@@ -1,21 +1,23 @@
-// Images into the open project's maps, each one undo step: a whole map, or heights into a rectangle of the ground.
-// Does not: ask a person (panels/image_dialog.cpp, panels/height_placing.cpp), nor read packed maps.
+// Files into the open project, each as one undo step: an image into a whole map, heights into a rectangle of the
+// ground, objects and images into its folder. Does not: ask a person (panels/image_dialog.cpp,
+// panels/height_placing.cpp), nor read packed maps.
 #pragma once
+#include <filesystem>
 #include <glm/glm.hpp>
-#include <optional>
 #include <string>
-#include <utility>
 
 #include "model/document.h"
+#include "project/import.h"
 
 namespace sward {
 
-struct ImageWay {
-    bool flipX = false, flipZ = false;               // columns, rows the other way round
-    std::optional<std::pair<double, double>> range;  // as ImportOptions has it (project/import.h)
-};
-// The file as the texels of a map, as `sward import` takes it; heights' range goes with it. Errors as readImport.
-Status importImage(Document& document, const std::string& mapPath, const std::string& file, const ImageWay& way);
+// Reads an image into a map (findMap), and where its integers span a range that into the field beside it; remembered as
+// imports are. `flipX`: columns the other way round. Errors of readImport; then nothing has changed.
+Status importIntoMap(Document& document, const std::string& mapPath, const std::filesystem::path& file,
+                     const ImportOptions& options = {}, bool flipX = false);
+// Sets a field that names an image or an object to this file. One that lies elsewhere is copied into the project's
+// folder: objects to models/, images to images/. Errors of importAsset and checkImage; then nothing has changed.
+Status chooseFile(Document& document, const std::string& fieldPath, const std::filesystem::path& file);
 
 // A picture of heights over a rectangle of the terrain.
 struct HeightPlace {

@@ -1,5 +1,5 @@
-// The menu of the chosen entities, at the pointer: the commands of the menu Object, those that are used most at the top
-// and the others in menus of their own.
+// The menu at the pointer: what can be added, and the commands of the menu Object for what is chosen: those that are
+// used most at the top and the others in menus of their own.
 #include <imgui.h>
 
 #include <algorithm>
@@ -30,11 +30,12 @@ bool holds(const Submenu& menu, std::string_view label) {
     return std::find(menu.labels.begin(), menu.labels.end(), label) != menu.labels.end();
 }
 
-// The command whose item was chosen, of those that `takes`; else `before`.
+// The command of the menu whose item was chosen, of those that `takes`; else `before`.
 template <class Takes>
-const Command* items(std::span<const CommandState> states, const Command* before, const Takes& takes) {
+const Command* items(std::span<const CommandState> states, std::string_view menu, const Command* before,
+                     const Takes& takes) {
     for (const CommandState& s : states)
-        if (std::string_view(s.command->menu) == "Object" && takes(s.command->label) &&
+        if (std::string_view(s.command->menu) == menu && takes(s.command->label) &&
             ui::menuItem(s.command->label, chordText(s.chord), s.checked, s.enabled))
             before = s.command;
     return before;
@@ -48,14 +49,20 @@ const Command* drawContextMenu(std::span<const CommandState> states, const std::
     if (ui::escapePressed()) ImGui::CloseCurrentPopup();
     ImGui::TextDisabled("%s", title.empty() ? "nothing is chosen" : title.c_str());
     ImGui::Separator();
-    const Command* chosen = items(states, nullptr, [](std::string_view label) {
+    const Command* chosen = nullptr;
+    if (ui::beginMenu("Add")) {
+        chosen = items(states, "Add", chosen, [](std::string_view) { return true; });
+        ui::endMenu();
+    }
+    ImGui::Separator();
+    chosen = items(states, "Object", chosen, [](std::string_view label) {
         return std::none_of(std::begin(kSubmenus), std::end(kSubmenus),
                             [&](const Submenu& menu) { return holds(menu, label); });
     });
     ImGui::Separator();
     for (const Submenu& menu : kSubmenus) {
         if (!ui::beginMenu(menu.title)) continue;
-        chosen = items(states, chosen, [&](std::string_view label) { return holds(menu, label); });
+        chosen = items(states, "Object", chosen, [&](std::string_view label) { return holds(menu, label); });
         ui::endMenu();
     }
     ImGui::EndPopup();

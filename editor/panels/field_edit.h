@@ -11,12 +11,22 @@
 
 namespace sward {
 
+struct BrushBook;
+struct FileDialog;
+struct ImageDialog;
+struct Thumbnails;
+
 // What widgets change fields with; all must outlive the edits that they defer.
 struct FieldParts {
     Document& doc;
     Edits& edits;
     ui::Errors& errors;
     Messages& messages;
+    // Of fields that hold maps or name files; null: those show no picture, and have no buttons.
+    Thumbnails* thumbnails = nullptr;
+    FileDialog* files = nullptr;
+    ImageDialog* images = nullptr;
+    BrushBook* brushes = nullptr;
 };
 
 // Sets a field once this frame's widgets are built; what is wrong with the text stands at the widget's label

@@ -1,4 +1,5 @@
-// Open, Save As, New and Export: a browser of folders. A folder that holds project.json is a project and is marked.
+// Open, Save As, New, Export, and files for single fields: a browser of folders, and of files where one is named. A
+// folder that holds project.json is a project and is marked; images and objects are shown as pictures.
 #include <imgui.h>
 
 #include <algorithm>
@@ -7,7 +8,10 @@
 #include "app/background_work.h"
 #include "app/edits.h"
 #include "app/file_tasks.h"
+#include "app/thumbnails.h"
 #include "core/log.h"
+#include "model/map_import.h"
+#include "panels/new_project.h"
 #include "panels/panels.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
@@ -30,33 +34,38 @@ const TaskWords& wordsOf(FileTask task) {
         {"New project", "Create", "created", "folder of the project"},
         {"Export the scene", "Export", "exporting", "file, ending in .glb"},
         {"Save the recorded session", "Save", "recorded", "file, ending in .lua"},
+        {"Export a map", "Export", "exported", "file, ending in .png, .exr, .tif or .r16"},
+        {"Choose a file", "Choose", "chosen:", "file"},
     };
     return kWords[static_cast<size_t>(task)];
 }
 
-// Else a folder.
-bool namesFile(FileTask task) { return task == FileTask::Export || task == FileTask::Recording; }
-
-void list(FileDialog& d) {
+void list(FileDialog& d, const Document& doc) {
     d.entries.clear();
+    d.files.clear();
     std::error_code error;
     for (fs::directory_iterator it(d.folder, fs::directory_options::skip_permission_denied, error), end;
          !error && it != end; it.increment(error)) {
         std::error_code ignored;
         const std::string name = it->path().filename().string();
-        if (!it->is_directory(ignored) || name.starts_with('.')) continue;
+        if (name.starts_with('.')) continue;
+        if (!it->is_directory(ignored)) {
+            if (fitsTask(d, doc, it->path())) d.files.push_back(name);
+            continue;
+        }
         d.entries.emplace_back(name, fs::exists(it->path() / "project.json", ignored));
     }
     if (error) d.error = d.folder.string() + ": " + error.message();
     std::sort(d.entries.begin(), d.entries.end());
+    std::sort(d.files.begin(), d.files.end());
 }
 
-void enter(FileDialog& d, const fs::path& folder) {
+void enter(FileDialog& d, const Document& doc, const fs::path& folder) {
     d.error.clear();
     const fs::path file = fs::path(d.path).filename();
     d.folder = folder;
     d.path = (namesFile(d.task) ? folder / file : folder).string();
-    list(d);
+    list(d, doc);
 }
 
 // What the dialog works on; all must outlive the edits that it defers.
@@ -66,6 +75,7 @@ struct Parts {
     Edits& edits;
     Messages& messages;
     BackgroundWork& work;
+    Thumbnails& thumbnails;
     std::function<void()> adopt;  // after the document holds another project
 };
 
@@ -96,8 +106,12 @@ Status perform(const Parts& parts, const fs::path& target) {
     switch (parts.files.task) {
         case FileTask::Open:
             return doc.open(target);
-        case FileTask::New:
-            return doc.create(target);
+        case FileTask::New: {
+            const ProjectTemplate* from = findTemplate(parts.files.templates, parts.files.wish.name);
+            if (!from) return doc.create(target);
+            const Status made = makeProject(doc.tables(), target, *from, parts.files.wish);
+            return made ? doc.open(target) : made;
+        }
         case FileTask::SaveAs: {
             const auto written = doc.saveAs(target);
             return written ? Status{} : Status{written.error()};
@@ -106,6 +120,10 @@ Status perform(const Parts& parts, const fs::path& target) {
             return startExport(parts, target);
         case FileTask::Recording:
             return parts.files.write(target);
+        case FileTask::ExportMap:
+            return exportMap(doc.project(), doc.tables().components, parts.files.field, target);
+        case FileTask::ChooseFile:
+            return chooseFile(doc, parts.files.field, target);
         case FileTask::None:
             break;
     }
@@ -116,8 +134,9 @@ void act(const Parts& parts) {
     FileDialog& d = parts.files;
     std::error_code error;
     const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status =
-        d.path.empty() ? Status{usage("no folder is named", "type one or choose one above")} : perform(parts, target);
+    const Status status = d.path.empty() ? Status{usage(namesFile(d.task) ? "no file is named" : "no folder is named",
+                                                        "type one or choose one above")}
+                                         : perform(parts, target);
     if (!status) {
         d.error = status.error().text();
         logWarning(d.error);
@@ -127,6 +146,24 @@ void act(const Parts& parts) {
     if (d.task == FileTask::Open || d.task == FileTask::New) parts.adopt();
     parts.messages.notice.clear();
     d.task = FileTask::None;
+}
+
+// Those that the task can take, as pictures; a second click is the button below.
+void files(const Parts& parts) {
+    FileDialog& d = parts.files;
+    const float side = ImGui::GetFontSize() * 6;
+    const ui::TileSize size{side, side * 0.75f};
+    for (const std::string& name : d.files) {
+        ui::nextTile(size, &name == &d.files.front());
+        const bool seen = ImGui::IsRectVisible({size.width, size.height});
+        const Thumbnail* picture = seen ? &fileThumbnail(parts.thumbnails, d.folder, name) : nullptr;
+        const fs::path whole = d.folder / name;
+        bool twice = false;
+        if (ui::tile(name, name, picture ? shownOf(*picture) : ui::Shown{}, size, d.path == whole.string(), &twice))
+            d.path = whole.string();
+        ui::tooltip(picture && !picture->error.empty() ? name + "\n" + picture->error : name);
+        if (twice) parts.edits.deferred.push_back([parts] { act(parts); });
+    }
 }
 
 void folders(const Parts& parts) {
@@ -155,15 +192,18 @@ void folders(const Parts& parts) {
         if (project && d.task == FileTask::Open)
             parts.edits.deferred.push_back([parts] { act(parts); });
         else
-            parts.edits.deferred.push_back([&d, folder] { enter(d, folder); });
+            parts.edits.deferred.push_back([parts, folder] { enter(parts.files, parts.doc, folder); });
     }
     if (d.entries.empty()) ImGui::TextDisabled("No folders here.");
+    files(parts);
     ImGui::EndChild();
 }
 
 void body(const Parts& parts) {
     FileDialog& d = parts.files;
-    if (ui::button("Up")) parts.edits.deferred.push_back([&d] { enter(d, d.folder.parent_path()); });
+    if (d.task == FileTask::New && !d.templates.empty()) drawNewProject(d, parts.thumbnails);
+    if (ui::button("Up"))
+        parts.edits.deferred.push_back([parts] { enter(parts.files, parts.doc, parts.files.folder.parent_path()); });
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(d.folder.c_str());
@@ -196,14 +236,14 @@ void body(const Parts& parts) {
 }  // namespace
 
 void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messages, BackgroundWork& work,
-                    const std::function<void()>& adopt) {
+                    Thumbnails& thumbnails, const std::function<void()>& adopt) {
     if (d.task == FileTask::None) return;
     if (d.opening) {
         d.opening = false;
         ImGui::OpenPopup("###files");
         std::error_code error;
         if (!fs::is_directory(d.folder, error)) d.folder = fs::current_path(error);
-        list(d);
+        list(d, doc);
     }
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowSize(
@@ -213,7 +253,7 @@ void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messag
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
         return;
-    body({d, doc, edits, messages, work, adopt});
+    body({d, doc, edits, messages, work, thumbnails, adopt});
     if (d.task == FileTask::None) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <string_view>
 
+#include "app/add_actions.h"
 #include "model/whole_map.h"
 #include "panels/inspector_fields.h"
 #include "panels/panels.h"
@@ -78,6 +79,26 @@ std::string lowered(std::string title) {
     return title;
 }
 
+// What is added grows where it is painted: the brush goes to its density. `owner`: PATH of what the edit adds.
+void addAndPaint(const FieldParts& parts, const std::function<Status()>& edit,
+                 const std::function<std::string()>& owner) {
+    deferEdit(parts, [&doc = parts.doc, brushes = parts.brushes, edit, owner] {
+        const Status done = edit();
+        if (done && brushes) paintNew(doc, *brushes, owner());
+        return done;
+    });
+}
+
+void addElement(const FieldParts& parts, const std::string& list) {
+    Document& doc = parts.doc;
+    addAndPaint(
+        parts, [&doc, list] { return addUnpainted(doc, list); },
+        [&doc, list] {
+            const auto field = findField(doc.project(), doc.tables().components, list);
+            return list + "[" + elementSelectors(*field->row->list, field->value).back() + "]";
+        });
+}
+
 void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const std::string& path,
                const void* list) {
     const ListRow& l = *row.list;
@@ -98,8 +119,7 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         });
         ImGui::Unindent(8);
     }
-    if (ui::button(path + "/Add " + lowered(elementTitle(row.name))))
-        deferEdit(parts, [&doc = parts.doc, path] { return addUnpainted(doc, path); });
+    if (ui::button(path + "/Add " + lowered(elementTitle(row.name)))) addElement(parts, path);
 }
 
 void component(const FieldParts& parts, ViewState& view, const Owner& owner, const void* value) {
@@ -149,9 +169,10 @@ void addComponent(const FieldParts& parts, const ViewState& view, const std::str
     ImGui::SetNextItemWidth(-1);
     if (ui::combo("Add component", names, chosen)) {
         const std::string name = names[static_cast<size_t>(chosen)];
-        deferEdit(parts, [&doc = parts.doc, &view, entity, name] {
-            return addInView(doc, viewOf(view.camera), entity, name);
-        });
+        addAndPaint(
+            parts,
+            [&doc = parts.doc, &view, entity, name] { return addInView(doc, viewOf(view.camera), entity, name); },
+            [entity, name] { return entity + "." + name; });
     }
 }
 

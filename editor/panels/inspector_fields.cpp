@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/whole_map.h"
+#include "panels/inspector_maps.h"
 #include "ui/theme.h"
 #include "ui/words.h"
 
@@ -84,23 +84,6 @@ void choiceField(const FieldParts& parts, const ConstFieldRef& f) {
     if (ui::combo(f.path, items, chosen)) set(parts, f.path, items[static_cast<size_t>(chosen)]);
 }
 
-void mapField(const ConstFieldRef& f) {
-    const MapField& m = *static_cast<const MapField*>(f.value);
-    std::string text = "none";
-    if (m.present()) {
-        const MapInfo& i = m.map.info();
-        const char* type = i.type == PixelType::U8 ? "8 bit" : i.type == PixelType::U16 ? "16 bit" : "float";
-        text = f.row->map->role == MapRole::Density && unpainted(m.map)
-                   ? "nothing painted yet"
-                   : fmt::format("{} x {}, {}", i.width, i.height, type);
-    }
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(text.c_str());
-    ui::record(f.path, ui::Kind::Label, m.present() ? m.file : "");
-    ui::record(f.path + "/Texels", ui::Kind::Label, text);
-    if (m.present()) ui::tooltip(m.file);
-}
-
 void label(const FieldParts& parts, const ConstFieldRef& f, const void* fallback, float width) {
     const ConstFieldRef usual{fallback, f.row, f.component, f.entity, f.path};
     const bool map = f.row->type == FieldType::Map;
@@ -138,12 +121,13 @@ void value(const FieldParts& parts, const ConstFieldRef& f) {
         case FieldType::Color:
             return colorField(parts, f);
         case FieldType::String:
+            if (f.row->isFile && parts.files) return drawFileField(parts, f);
             return textLine(parts, f, *static_cast<const std::string*>(f.value));
         case FieldType::Enum:
         case FieldType::Name:
             return choiceField(parts, f);
         case FieldType::Map:
-            return mapField(f);
+            return drawMapField(parts, f);
         case FieldType::List:
             return;  // lists have rows of their own
     }

@@ -1,46 +1,83 @@
-// The entities of the project: choose, add, remove.
+// The entities of the project, in folders: choose, add, remove, drag from folder to folder.
 #include <imgui.h>
 
 #include <algorithm>
 #include <set>
 
 #include "app/object_actions.h"
+#include "model/entity_edits.h"
+#include "model/folder_edits.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
+#include "scene/in_folder.h"
 #include "scene/locked.h"
+#include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
 namespace sward {
 namespace {
 
+constexpr const char* kDragged = "ENTITY";
+
+struct Parts {
+    const FieldParts& fields;
+    Selection& selection;
+    bool& menu;
+    std::set<std::string> chosen;
+    std::vector<std::string> shown;  // entities in the order in which they are listed
+};
+
 std::string componentsOf(const Document& doc, Entity e) {
     std::string names;
     for (const ComponentRow& row : doc.tables().components)
-        if (row.get(doc.project().registry, e)) names += (names.empty() ? "" : ", ") + std::string(row.name);
+        if (row.get(doc.project().registry, e) && &row != findComponent(doc.tables().components, "InFolder"))
+            names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
 }
 
-// Names that hold what is searched for, in any case.
-std::vector<std::string> listed(const Document& doc, const std::string& search) {
+bool holds(const std::string& text, const std::string& search) {
     const auto same = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };
-    std::vector<std::string> names;
-    for (const auto& [name, e] : doc.project().entities)
-        if (std::search(name.begin(), name.end(), search.begin(), search.end(), same) != name.end() || search.empty())
-            names.push_back(name);
-    return names;
+    return std::search(text.begin(), text.end(), search.begin(), search.end(), same) != text.end();
+}
+
+// Whether its name, a component or its folder holds what is searched for, in any case.
+bool isFound(const Document& doc, const std::string& name, const std::string& search) {
+    return holds(name, search) || holds(componentsOf(doc, findEntity(doc.project(), name)), search) ||
+           holds(folderOf(doc.project(), name), search);
 }
 
 // Shift chooses all rows from the one chosen last to this one.
-void chooseRow(Selection& selection, const std::vector<std::string>& names, const std::string& name) {
+void chooseRow(const Parts& p, const std::string& name) {
     const ImGuiIO& io = ImGui::GetIO();
-    const auto row = [&](const std::string& of) { return std::find(names.begin(), names.end(), of); };
-    auto from = row(shownEntity(selection)), to = row(name);
-    if (!io.KeyShift || from == names.end()) return choose(selection, name, io.KeyCtrl ? Choose::Toggle : Choose::Only);
+    const auto row = [&](const std::string& of) { return std::find(p.shown.begin(), p.shown.end(), of); };
+    auto from = row(shownEntity(p.selection)), to = row(name);
+    if (!io.KeyShift || from == p.shown.end())
+        return choose(p.selection, name, io.KeyCtrl ? Choose::Toggle : Choose::Only);
     std::vector<std::string> range(std::min(from, to), std::max(from, to) + 1);
     if (to < from) std::reverse(range.begin(), range.end());  // the one under the pointer is the last
-    choose(selection, range, Choose::Add);
+    choose(p.selection, range, Choose::Add);
+}
+
+// What is dropped on the last item comes into the folder; all that is chosen, if it is one of these.
+void takeDrop(const Parts& p, const std::string& folder) {
+    if (!ImGui::BeginDragDropTarget()) return;
+    if (const ImGuiPayload* got = ImGui::AcceptDragDropPayload(kDragged)) {
+        const std::string name = static_cast<const char*>(got->Data);
+        const std::vector<std::string> names =
+            isChosen(p.selection, name) ? p.selection.entities : std::vector<std::string>{name};
+        deferEdit(p.fields, [&doc = p.fields.doc, names, folder] { return moveToFolder(doc, names, folder); });
+    }
+    ImGui::EndDragDropTarget();
+}
+
+void offerDrag(const Parts& p, const std::string& name) {
+    if (!ImGui::BeginDragDropSource()) return;
+    ImGui::SetDragDropPayload(kDragged, name.c_str(), name.size() + 1);
+    const size_t several = p.chosen.contains(name) ? p.chosen.size() : 1;
+    ImGui::TextUnformatted(several > 1 ? (std::to_string(several) + " entities").c_str() : name.c_str());
+    ImGui::EndDragDropSource();
 }
 
 // At the left end of a row's second column.
@@ -52,17 +89,21 @@ void padlock(const ImVec2& at, float size) {
     d.PathStroke(ui::kDimText, 0, 1.5f);
 }
 
-void entityRow(const Document& doc, Selection& selection, const std::vector<std::string>& names,
-               const std::string& name, bool chosen, bool& menu) {
+void entityRow(const Parts& p, const std::string& name) {
+    const Document& doc = p.fields.doc;
     const Entity e = findEntity(doc.project(), name);
-    if (ui::selectable(name, chosen)) chooseRow(selection, names, name);
+    const bool chosen = p.chosen.contains(name);
+    if (ui::selectable(name, chosen)) chooseRow(p, name);
     if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) {
-        if (!chosen) choose(selection, name);
-        menu = true;
+        if (!chosen) choose(p.selection, name);
+        p.menu = true;
     }
     const std::string parts = componentsOf(doc, e);
     ui::tooltip(parts.empty() ? "no components" : parts);
-    ImGui::SameLine(std::max(ImGui::CalcTextSize(name.c_str()).x + 16, ImGui::GetContentRegionAvail().x * 0.42f));
+    takeDrop(p, folderOf(doc.project(), name));
+    offerDrag(p, name);
+    ImGui::SameLine(std::max(ImGui::CalcTextSize(name.c_str()).x + 16 + ImGui::GetCursorPosX(),
+                             ImGui::GetContentRegionAvail().x * 0.42f));
     if (isLocked(doc.project(), name)) {
         const float size = ImGui::GetTextLineHeight();
         padlock(ImGui::GetCursorScreenPos(), size);
@@ -73,6 +114,124 @@ void entityRow(const Document& doc, Selection& selection, const std::vector<std:
     }
     ui::coloredText(ui::kDimText, parts.c_str());
 }
+
+// --- folders
+
+// A button at the right end of a folder's row that does something to all in it; the end of the next one further left.
+bool folderButton(const std::string& path, const char* name, const char* help, float right) {
+    ImGui::SameLine(right);
+    const bool pressed = ImGui::SmallButton((std::string(name) + "##" + path).c_str());
+    ui::record(path + "/" + name, ui::Kind::Button);
+    ui::tooltip(help);
+    return pressed;
+}
+
+template <class F>
+bool all(const std::vector<std::string>& names, const F& is) {
+    return std::all_of(names.begin(), names.end(), is);
+}
+
+void hideAndLock(const Parts& p, const std::string& path, const std::vector<std::string>& names) {
+    Document& doc = p.fields.doc;
+    const auto has = [&](const std::string& name, const char* component) {
+        const ComponentRow* row = findComponent(doc.tables().components, component);
+        return row->get(doc.project().registry, findEntity(doc.project(), name)) != nullptr;
+    };
+    const bool hidden = all(names, [&](const std::string& n) { return has(n, "Hidden"); });
+    const bool locked = all(names, [&](const std::string& n) { return has(n, "Locked"); });
+    const float width = ImGui::CalcTextSize("Unlock").x + 12, right = ImGui::GetContentRegionMax().x;
+    if (folderButton(path, hidden ? "Show" : "Hide", "Hides or shows all in the folder.", right - 2 * width))
+        deferEdit(p.fields, [&doc, names, hidden] { return hideEntities(doc, names, !hidden); });
+    if (folderButton(path, locked ? "Unlock" : "Lock", "Locks or unlocks all in the folder.", right - width))
+        deferEdit(p.fields, [&doc, names, locked] { return lockEntities(doc, names, !locked); });
+}
+
+void arrow(const Parts& p, const std::string& path, const std::string& folder, bool open) {
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(("##arrow" + folder).c_str(), {size, size})) {
+        if (open)
+            p.selection.closedFolders.insert(folder);
+        else
+            p.selection.closedFolders.erase(folder);
+    }
+    ui::record(path + "/Open", ui::Kind::Checkbox, open ? "true" : "false");
+    const float a = size * 0.25f, b = size * 0.75f, m = size * 0.5f;
+    ImDrawList& d = *ImGui::GetWindowDrawList();
+    if (open)
+        d.AddTriangleFilled({at.x + a, at.y + a}, {at.x + b, at.y + a}, {at.x + m, at.y + b}, ui::kDimText);
+    else
+        d.AddTriangleFilled({at.x + a, at.y + a}, {at.x + b, at.y + m}, {at.x + a, at.y + b}, ui::kDimText);
+}
+
+// The name as it is being typed, until Enter, Escape or a click elsewhere.
+void nameLine(const Parts& p, const std::string& path, const std::string& folder) {
+    Selection& s = p.selection;
+    if (s.folderName.empty()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const std::optional<std::string> typed = ui::textField(path + "/Name", folder);
+    const bool typing = ImGui::IsItemActive();
+    if (typed)
+        deferEdit(p.fields, [&doc = p.fields.doc, folder, to = *typed] { return renameFolder(doc, folder, to); });
+    if (typed || (!typing && !s.folderName.empty()))
+        s.renaming.clear(), s.folderName.clear();
+    else if (typing)
+        s.folderName = folder;
+}
+
+// True while it is open.
+bool folderRow(const Parts& p, const std::string& folder, const std::vector<std::string>& names) {
+    const std::string path = "Folders/" + folder;
+    const bool open = !p.selection.closedFolders.contains(folder);
+    arrow(p, path, folder, open);
+    ImGui::SameLine(0, 2);
+    if (p.selection.renaming == folder) {
+        nameLine(p, path, folder);
+        return open;
+    }
+    const bool chosen = all(names, [&](const std::string& n) { return p.chosen.contains(n); });
+    bool twice = false;
+    const bool pressed = ui::selectable(path, chosen, &twice);
+    ImGui::SetItemAllowOverlap();
+    const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(1);
+    if (pressed || asked) choose(p.selection, names, ImGui::GetIO().KeyCtrl ? Choose::Add : Choose::Only);
+    if (asked) p.menu = true;
+    if (twice) p.selection.renaming = folder, p.selection.folderName.clear();
+    ui::tooltip(std::to_string(names.size()) + " in it; a click chooses all, a double click renames the folder");
+    takeDrop(p, folder);
+    hideAndLock(p, path, names);
+    return open;
+}
+
+void tree(Parts& p, const std::map<std::string, std::vector<std::string>>& folders) {
+    for (const auto& [folder, names] : folders)
+        if (!folder.empty() && !p.selection.closedFolders.contains(folder))
+            p.shown.insert(p.shown.end(), names.begin(), names.end());
+    if (const auto loose = folders.find(""); loose != folders.end())
+        p.shown.insert(p.shown.end(), loose->second.begin(), loose->second.end());
+    for (const auto& [folder, names] : folders) {
+        if (folder.empty() || !folderRow(p, folder, names)) continue;
+        ImGui::Indent();
+        for (const std::string& name : names) entityRow(p, name);
+        ImGui::Unindent();
+    }
+    if (const auto loose = folders.find(""); loose != folders.end())
+        for (const std::string& name : loose->second) entityRow(p, name);
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, std::max(ImGui::GetContentRegionAvail().y, ImGui::GetFontSize())});
+    ui::record("No folder", ui::Kind::Area);
+    takeDrop(p, "");
+}
+
+void rows(Parts& p) {
+    const Document& doc = p.fields.doc;
+    const std::string& search = p.selection.search;
+    if (search.empty()) return tree(p, entitiesByFolder(doc.project()));
+    for (const auto& [name, e] : doc.project().entities)
+        if (isFound(doc, name, search)) p.shown.push_back(name);
+    for (const std::string& name : p.shown) entityRow(p, name);
+}
+
+// --- below
 
 void add(const FieldParts& parts, Selection& selection) {
     const std::string name = selection.newEntity;
@@ -117,14 +276,13 @@ void drawOutliner(const FieldParts& parts, Selection& selection, bool& menu) {
     const ui::Disabled noProject(!doc.isOpen());
     ImGui::SameLine(0, 12);
     ImGui::SetNextItemWidth(-1);
-    ui::input("Search", selection.search, "search");
+    ui::input("Search", selection.search, "search names, components, folders");
     const std::string* error = ui::errorAt("New entity");
     const float below = ImGui::GetFrameHeightWithSpacing() + (error ? ImGui::GetTextLineHeightWithSpacing() * 2 : 0);
     ImGui::BeginChild("entities", {0, -below});
     if (doc.isOpen()) {
-        const std::vector<std::string> names = listed(doc, selection.search);
-        const std::set<std::string> chosen(selection.entities.begin(), selection.entities.end());
-        for (const std::string& name : names) entityRow(doc, selection, names, name, chosen.contains(name), menu);
+        Parts p{parts, selection, menu, {selection.entities.begin(), selection.entities.end()}, {}};
+        rows(p);
     }
     ImGui::EndChild();
     footer(parts, selection);

@@ -30,7 +30,9 @@
 namespace sward {
 namespace {
 
-FieldParts fieldParts(EditorApp& a) { return {a.doc, a.edits, a.book.errors, a.messages}; }
+FieldParts fieldParts(EditorApp& a) {
+    return {a.doc, a.edits, a.book.errors, a.messages, &a.thumbnails, &a.files, &a.images, &a.brushes};
+}
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
 RingParts ringParts(EditorApp& a) {
     const std::string entity = tierEntity(a.doc, a.tierView.field, shownEntity(a.selection));
@@ -146,7 +148,8 @@ void viewport(EditorApp& a) {
         drawOverlayLegend(a.doc, a.brushes, a.view.camera.yaw, r);
         drawPlayFrame(a.doc, a.play.captured, r);
     } else {
-        drawStart({a.start, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }}, r);
+        drawStart({a.start, a.thumbnails, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }},
+                  r);
     }
     list.PopClipRect();
     drawErrorBar(a.messages.notice, r);
@@ -162,7 +165,7 @@ void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
 void fileDialog(EditorApp& a) {
-    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, [&a] { adoptProject(a); });
+    drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, a.thumbnails, [&a] { adoptProject(a); });
 }
 // What is done with an image that was chosen.
 Status takeImage(EditorApp& a, const ImageDialog& d) {
@@ -170,7 +173,7 @@ Status takeImage(EditorApp& a, const ImageDialog& d) {
     if (d.task == ImageTask::Heights) return beginPlacing(a.placing, a.doc, d.path, d.flipX, d.flipZ);
     const auto range = rangeOf(d.low, d.high);
     if (!range) return range.error();
-    const Status done = importImage(a.doc, d.map, d.path, {d.flipX, d.flipZ, *range});
+    const Status done = importIntoMap(a.doc, d.map, d.path, {.flip = d.flipZ, .range = *range}, d.flipX);
     if (done) say(a.messages, "imported " + d.path);
     return done;
 }
@@ -238,11 +241,14 @@ constexpr PanelRow kPanels[] = {
      true, nullptr, true},
     {"History", Dock::Bottom, [](App& a) { drawHistory(a.doc, a.selection, a.edits, a.messages, a.historyShown); },
      true, nullptr, true},
-    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.messages); }, true,
+    {"Objects", Dock::Bottom, [](App& a) { drawAssets(a.doc, a.brushes, a.objects, a.thumbnails, a.messages); }, true,
      "Objects Panel", true},
     {"Layers", Dock::Bottom,
      [](App& a) { drawLayers(fieldParts(a), a.brushes, a.layerView, a.renderer->layerNotes()); }, true, "Layers Panel",
      true},
+    {"Species", Dock::Bottom,
+     [](App& a) { drawSpecies(fieldParts(a), a.speciesPalette, a.brushes, shownEntity(a.selection)); }, true,
+     "Species Panel", true},
     {"Pictures", Dock::Bottom,
      [](App& a) {
          drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});

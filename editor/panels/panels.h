@@ -43,6 +43,8 @@ struct PaletteLine;
 struct PictureRun;
 struct RenameDialog;
 struct Selection;
+struct Thumbnails;
+struct SpeciesPalette;
 struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
@@ -93,7 +95,10 @@ void drawConsole(Console& console, bool inputWaits);
 // measured drawing.
 void drawProfiler(ViewCounts& counts, FrameTimes& times, bool measured, const std::string& gpuName);
 // The project's objects, to be placed by clicks in the viewport.
-void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Messages& messages);
+void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& objects, Thumbnails& thumbnails,
+                Messages& messages);
+// The species of a field and presets to add or to dress one in, as pictures. `selected`: the entity chosen last.
+void drawSpecies(const FieldParts& parts, SpeciesPalette& palette, BrushBook& brushes, const std::string& selected);
 // The layers over the map that the brush paints. `notes`: of those that the last drawing showed.
 void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, const std::vector<LayerNote>& notes);
 // The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
@@ -115,7 +120,7 @@ void drawStatusBar(const Document& document, const ViewCounts& counts, double dr
                    BackgroundWork& work, const std::string& message);
 // `adopt` runs after the document holds another project.
 void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
-                    const std::function<void()>& adopt);
+                    Thumbnails& thumbnails, const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
 void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, const OutsideDialog& outside, Edits& edits);
 // Asks for as long as there are files in it: whose counts, or a copy elsewhere.

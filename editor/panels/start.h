@@ -6,11 +6,13 @@
 #include "app/file_tasks.h"
 #include "app/layout.h"
 #include "app/start.h"
+#include "app/thumbnails.h"
 
 namespace sward {
 
 struct StartParts {
     const StartScreen& start;
+    Thumbnails& thumbnails;
     Document& doc;
     FileDialog& files;
     UnsavedDialog& unsaved;

@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "core/utf8.h"
 #include "maps/map_repair.h"
+#include "model/map_import.h"
 #include "model/whole_map.h"
 #include "project/packed_map.h"
 #include "scene/map_fields.h"
@@ -241,16 +242,7 @@ int import(lua_State* L, State& state) {
     const auto file = readablePath(L, textArg(L, 2));
     const TransferOptions options = transferOptions(L);
     if (options.packed) return importBoth(L, state, field, file, options);
-    MapImport used;
-    Map map = orRaise(L, readImport(p, field, file, options, &used));
-    const bool spansRange = field.row->map->heightRange && used.range && map.info().type != PixelType::F32;
-    GroupOrNothing group(state.document(), "import " + field.path);
-    orRaise(L, state.document().setMap(field.path, std::move(map), "import"));
-    if (spansRange)
-        orRaise(L, state.document().setField(fieldBeside(field, *field.row->map->heightRange).path,
-                                             fmt::format("[{}, {}]", used.range->first, used.range->second)));
-    group.keep();
-    state.document().rememberImport(field.path, used);
+    orRaise(L, importIntoMap(state.document(), field.path, file, options));
     return 0;
 }
 

@@ -15,10 +15,14 @@ Project emptyProject(const fs::path& dir) {
     const std::vector<uint16_t> row(256, 65535);
     for (int y = 0; y < 256; ++y) density.writeRows(y, 1, row.data());
     GrassField field;
-    field.species[0].name = "lawn";
-    field.species[0].bladesPerM2 = 2000;
-    field.species[0].density = {"maps/lawn.lawn.density.png", std::move(density)};
-    p.registry.add<Terrain>(*addEntity(p, "ground"));
+    Species& lawn = field.species[0];
+    lawn.name = "lawn";
+    lawn.bladesPerM2 = 4000;  // with broad blades that lie over the ground: green from above, at a third of a real lawn
+    lawn.width = 0.006f, lawn.bend = 0.7f, lawn.leanDeg = 14;
+    lawn.density = {"maps/lawn.lawn.density.png", std::move(density)};
+    Terrain ground;
+    ground.groundColor = {0.06f, 0.07f, 0.03f};  // mossy: what shows between blades is no bare soil
+    p.registry.add<Terrain>(*addEntity(p, "ground"), std::move(ground));
     p.registry.add<GrassField>(*addEntity(p, "lawn"), std::move(field));
     p.registry.add<Light>(*addEntity(p, "sun"));
     p.registry.add<Sky>(*addEntity(p, "sky"));

@@ -54,7 +54,7 @@ TEST_F(EditorPlay, BladesAreCountedThoughItBeganBeforeTheFirstPicture) {
     ASSERT_TRUE(doc.startPlay({.view = viewOf(app->view.camera)}));
     ok(ui->wait(3));
     EXPECT_EQ(shown(), "playing");
-    EXPECT_EQ(app->counts.bladesVirtual, 2000.0 * 40 * 40);
+    EXPECT_EQ(app->counts.bladesVirtual, 4000.0 * 40 * 40);
 }
 
 TEST_F(EditorPlay, ButtonsAndTheMenuDoTheSame) {

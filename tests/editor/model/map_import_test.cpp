@@ -1,4 +1,4 @@
-// Images into maps: whole, flipped, one step; heights into a rectangle of the ground.
+// Images into maps: whole, flipped, one step; heights into a rectangle of the ground; files into fields.
 #include "model/map_import.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +29,10 @@ class MapImports : public testing::Test {
         EXPECT_TRUE(writeMap(dir / "slope.png", ramp));
         return (dir / "slope.png").string();
     }
+    std::string text(const std::string& path) {
+        const auto f = findField(doc.project(), tables().components, path);
+        return f ? fieldText(*f) : f.error().message;
+    }
     test::TempDir dir;
     Document doc{tables()};
 };
@@ -39,21 +43,22 @@ TEST_F(MapImports, AnImageBecomesAMapFlippedAsAskedInOneStep) {
     ASSERT_TRUE(writeMap(dir / "a.png", image));
     for (const bool x : {false, true})
         for (const bool z : {false, true}) {
-            ASSERT_TRUE(importImage(doc, kDensity, (dir / "a.png").string(), {x, z, {}}));
+            ASSERT_TRUE(importIntoMap(doc, kDensity, dir / "a.png", {.flip = z, .range = {}}, x));
             EXPECT_EQ(map(kDensity).at(x ? 3 : 0, z ? 1 : 0), 1) << x << z;
             EXPECT_EQ(map(kDensity).mean(), 1 / 8.0);
         }
     EXPECT_EQ(doc.stepsDone(), 4u);
-    const Status missing = importImage(doc, kDensity, (dir / "none.png").string(), {});
+    const Status missing = importIntoMap(doc, kDensity, dir / "none.png");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().text().find("none.png"), std::string::npos);
     EXPECT_EQ(doc.stepsDone(), 4u);
 }
 
 TEST_F(MapImports, HeightsBringTheirRange) {
-    ImageWay way;
-    way.range = {{-10, 30}};
-    ASSERT_TRUE(importImage(doc, kHeight, slope(), way));
+    ImportOptions options;
+    options.range = {{-10, 30}};
+    ASSERT_TRUE(importIntoMap(doc, kHeight, slope(), options));
+    EXPECT_EQ(doc.project().imports.at(kHeight).file, "slope.png");
     EXPECT_NEAR(height(39.5, 20), -10 + 40 * 39.5 / 40, 0.05);
     ASSERT_TRUE(doc.undo());
     EXPECT_FALSE(doc.canUndo());
@@ -130,6 +135,27 @@ TEST_F(MapImports, BadPlacesAreRefusedAndWhatIsBeyondTheRangeIsTold) {
     const Status repeats = placeHeights(doc, *source, place);
     ASSERT_FALSE(repeats);
     EXPECT_NE(repeats.error().text().find("repeats"), std::string::npos);
+}
+
+TEST_F(MapImports, WhatCannotBeReadChangesNothing) {
+    test::writeText(dir / "h.png", "no image");
+    EXPECT_FALSE(importIntoMap(doc, "ground.Terrain.height", dir / "h.png"));
+    EXPECT_FALSE(importIntoMap(doc, "ground.Terrain.nothing", dir / "h.png"));
+    EXPECT_FALSE(chooseFile(doc, "ground.Terrain.groundTexture", dir / "h.png"));
+    EXPECT_FALSE(chooseFile(doc, "ground.Terrain.size", dir / "h.png"));
+    EXPECT_FALSE(doc.canUndo());
+    EXPECT_FALSE(std::filesystem::exists(dir / "p" / "images"));
+}
+
+TEST_F(MapImports, AnImageFromElsewhereIsCopiedOnceAndOneOfTheProjectStays) {
+    ASSERT_TRUE(writeImagePng(dir / "soil.png", 2, 2, 4, std::vector<uint8_t>(16, 9)));
+    ASSERT_TRUE(chooseFile(doc, "ground.Terrain.groundTexture", dir / "soil.png"));
+    EXPECT_EQ(text("ground.Terrain.groundTexture"), "images/soil.png");
+    EXPECT_TRUE(std::filesystem::exists(dir / "p" / "images" / "soil.png"));
+    ASSERT_TRUE(doc.undo());
+    EXPECT_EQ(text("ground.Terrain.groundTexture"), "");
+    ASSERT_TRUE(chooseFile(doc, "ground.Terrain.groundTexture", dir / "p" / "images" / "soil.png"));
+    EXPECT_EQ(text("ground.Terrain.groundTexture"), "images/soil.png");
 }
 
 }  // namespace

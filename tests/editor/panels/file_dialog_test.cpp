@@ -1,6 +1,7 @@
 // The file dialog: what it lists, what it refuses, and that another project is told of.
 #include "app/background_work.h"
 #include "app/file_tasks.h"
+#include "app/thumbnails.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 #include "techniques.h"
@@ -11,7 +12,7 @@ namespace {
 class FileDialogPanel : public test::PanelStage {
   protected:
     FileDialogPanel() {
-        draw = [this] { drawFileDialog(files, doc, edits, messages, work, [this] { ++adopted; }); };
+        draw = [this] { drawFileDialog(files, doc, edits, messages, work, thumbnails, [this] { ++adopted; }); };
     }
     void open(FileTask task) {
         requestTask(files, unsaved, doc, task);
@@ -20,6 +21,7 @@ class FileDialogPanel : public test::PanelStage {
     FileDialog files;
     UnsavedDialog unsaved;
     BackgroundWork work;
+    Thumbnails thumbnails;
     int adopted = 0;
 };
 
@@ -57,6 +59,30 @@ TEST_F(FileDialogPanel, SavingElsewhereIsNoOtherProject) {
     click("Panel/Save");
     EXPECT_EQ(doc.project().dir, dir / "copy");
     EXPECT_EQ(adopted, 0);
+}
+
+TEST_F(FileDialogPanel, ANewProjectIsAsLargeAndHillyAsAskedFor) {
+    open(FileTask::New);
+    EXPECT_EQ(value("Panel/Template/field"), "true");
+    EXPECT_TRUE(shown("Panel/Template/pond"));
+    files.wish.size = 200, files.wish.relief = 6;
+    files.path = (dir / "wide").string();
+    click("Panel/Create");
+    EXPECT_EQ(files.error, "");
+    EXPECT_EQ(adopted, 1);
+    EXPECT_EQ(field("ground.Terrain.size"), "[200, 200]");
+    EXPECT_TRUE(firstOf<Terrain>(doc.project())->height.present());
+    EXPECT_FALSE(doc.canUndo()) << "it is as if it had been opened";
+}
+
+TEST_F(FileDialogPanel, ASizeThatCannotBeIsRefusedAndNothingIsMade) {
+    open(FileTask::New);
+    files.wish.size = 9000;
+    files.path = (dir / "huge").string();
+    click("Panel/Create");
+    EXPECT_NE(files.error.find("9000"), std::string::npos) << files.error;
+    EXPECT_FALSE(std::filesystem::exists(dir / "huge"));
+    EXPECT_EQ(doc.project().dir, dir / "meadow");
 }
 
 TEST_F(FileDialogPanel, CancelChangesNothing) {

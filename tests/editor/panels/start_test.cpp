@@ -17,9 +17,12 @@ TEST_F(StartPanel, OpensASampleOrSaysWhyNot) {
     std::ofstream(dir / "broken/project.json") << "{";
     StartScreen start{{dir / "broken"}, {sample}};
     FileDialog files;
+    Thumbnails thumbnails;
     UnsavedDialog unsaved;
     int adopted = 0;
-    draw = [&] { drawStart({start, none, files, unsaved, edits, messages, [&] { ++adopted; }}, {0, 30, 800, 570}); };
+    draw = [&] {
+        drawStart({start, thumbnails, none, files, unsaved, edits, messages, [&] { ++adopted; }}, {0, 30, 800, 570});
+    };
     click("Panel/Start/Last opened/broken");
     EXPECT_FALSE(none.isOpen());
     EXPECT_NE(messages.notice.find("project.json"), std::string::npos) << messages.notice;
@@ -28,6 +31,22 @@ TEST_F(StartPanel, OpensASampleOrSaysWhyNot) {
     EXPECT_EQ(adopted, 1);
     click("Panel/Start/New project...");
     EXPECT_EQ(files.task, FileTask::New);
+}
+
+TEST_F(StartPanel, ATemplateOpensTheDialogNewWithItsOwnSize) {
+    Document none(tables());
+    StartScreen start;
+    start.templates = {{"field", "Empty field", "", dir / "field.lua", "field.png", 40, 0},
+                       {"hills", "Hills", "", dir / "hills.lua", "hills.png", 120, 14}};
+    FileDialog files;
+    Thumbnails thumbnails;
+    UnsavedDialog unsaved;
+    draw = [&] { drawStart({start, thumbnails, none, files, unsaved, edits, messages, [] {}}, {0, 30, 800, 570}); };
+    click("Panel/Start/New/hills");
+    EXPECT_EQ(files.task, FileTask::New);
+    EXPECT_EQ(files.wish.name, "hills");
+    EXPECT_EQ(files.wish.size, 120);
+    EXPECT_EQ(files.wish.relief, 14);
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+#include "app/add_actions.h"
+
+#include <fmt/format.h>
+
+#include "core/json.h"
+#include "model/entity_edits.h"
+#include "model/hollow.h"
+#include "model/one_step.h"
+#include "model/whole_map.h"
+#include "tools/appear.h"
+#include "tools/brush_target.h"
+#include "world/ground.h"
+
+namespace sward {
+namespace {
+
+constexpr double kPondRadius = 6, kPondDepth = 1.4, kBelowRim = 0.12;  // metres; the water stands below the rim
+
+// An entity of a free name with these components, as they appear where one looks.
+Status addWith(Document& doc, const ViewCamera& view, const std::string& name,
+               std::initializer_list<const char*> components) {
+    if (Status s = doc.addEntity(name); !s) return s;
+    for (const char* component : components)
+        if (Status s = addInView(doc, view, name, component); !s) return s;
+    return {};
+}
+
+void add(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages, const char* like,
+         std::initializer_list<const char*> components) {
+    const std::string name = freeName(doc.project(), like);
+    const auto edit = [&] { return addWith(doc, view, name, components); };
+    if (!accept(messages, inOneStep(doc, "add " + name, edit))) return;
+    choose(selection, name);
+    say(messages, "new: " + name);
+}
+
+// The entity whose water the scene has, and its level; "": none.
+std::pair<std::string, double> waterOf(const Project& p) {
+    const Water* water = firstOf<Water>(p);
+    return water ? std::pair(entityOf(p, *water), static_cast<double>(water->level)) : std::pair(std::string(), 0.0);
+}
+
+Status addWater(Document& doc, const std::string& name, double level) {
+    if (Status s = doc.addEntity(name); !s) return s;
+    if (Status s = doc.addComponent(name, "Water"); !s) return s;
+    return doc.setField(name + ".Water.level", shortestText(static_cast<float>(level)));
+}
+
+}  // namespace
+
+void addLamp(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
+    add(doc, view, selection, messages, "lamp", {"Transform", "Light"});
+}
+
+void addCamera(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
+    add(doc, view, selection, messages, "camera", {"Camera"});
+}
+
+void addFlowers(Document& doc, Selection& selection, BrushBook& brushes, Messages& messages) {
+    const std::string name = freeName(doc.project(), "flowers");
+    const Status done = inOneStep(doc, "add " + name, [&]() -> Status {
+        if (Status s = doc.addEntity(name); !s) return s;
+        return addComponentUnpainted(doc, name, "Flowers");
+    });
+    if (!accept(messages, done)) return;
+    choose(selection, name);
+    paintNew(doc, brushes, name + ".Flowers");
+    say(messages, "new: " + name + "; paint where they grow");
+}
+
+void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
+    const auto at = pickGround(doc.project(), view, 2, 2, 1, 1);
+    if (!at) return showError(messages, failed("there is no ground in the middle of the view", "look at the ground"));
+    const double base = findGround(doc.project()).origin.y, here = at->y - base;
+    const auto [own, level] = waterOf(doc.project());
+    const double surface = own.empty() ? here - kBelowRim : level;
+    const std::string name = own.empty() ? freeName(doc.project(), "pond") : own;
+    Hollow hollow{{at->x, at->z}, kPondRadius, std::max(kPondDepth, here - surface + kPondDepth), surface};
+    const Status done = inOneStep(doc, own.empty() ? "add " + name : "dig into " + name, [&]() -> Status {
+        if (Status s = digHollow(doc, hollow); !s || !own.empty()) return s;
+        return addWater(doc, name, surface);
+    });
+    if (!accept(messages, done)) return;
+    choose(selection, name);
+    say(messages, own.empty() ? "new: " + name : "a hollow below the level of " + name);
+}
+
+void paintNew(const Document& doc, BrushBook& brushes, const std::string& owner) {
+    for (const ConstFieldRef& map : allMaps(doc.project(), doc.tables().components))
+        if (map.row->map->role == MapRole::Density && map.path.starts_with(owner) && !map.row->map->onMesh)
+            return selectMap(doc, brushes, map.path);
+}
+
+}  // namespace sward

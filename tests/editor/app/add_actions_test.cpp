@@ -1,0 +1,106 @@
+// The menu Add: each whole thing is one undo step, where one looks, and chosen.
+#include "app/add_actions.h"
+
+#include <gtest/gtest.h>
+
+#include "app/object_actions.h"
+#include "model/field_walk.h"
+#include "support.h"
+#include "techniques.h"
+#include "world/ground.h"
+
+namespace sward {
+namespace {
+
+class AddMenu : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_TRUE(doc.create(dir / "p"));
+        before = snapshot(doc.project(), tables().components);
+    }
+    template <class C>
+    const C& get(const std::string& name) {
+        return *doc.project().registry.get<C>(findEntity(doc.project(), name));
+    }
+    // One step back, all is as it was.
+    void expectOneStep() {
+        EXPECT_EQ(messages.notice, "");
+        ASSERT_TRUE(doc.undo());
+        EXPECT_TRUE(sameProject(doc.project(), before, tables().components));
+        EXPECT_FALSE(doc.canUndo());
+    }
+    test::TempDir dir;
+    Document doc{tables()};
+    Project before;
+    Selection selection;
+    Messages messages;
+    ViewCamera view{{20, 5, 30}, {20, 0, 20}, 55, 0};
+};
+
+TEST_F(AddMenu, ALampShinesTwoMetresOverWhereOneLooks) {
+    addLamp(doc, view, selection, messages);
+    EXPECT_EQ(shownEntity(selection), "lamp");
+    EXPECT_EQ(get<Light>("lamp").type, LightType::Point);
+    const glm::dvec3 at = get<Transform>("lamp").position;
+    EXPECT_NEAR(at.x, 20, 0.01);
+    EXPECT_NEAR(at.y, 2, 0.01);
+    EXPECT_NEAR(at.z, 20, 0.01);
+    expectOneStep();
+}
+
+TEST_F(AddMenu, ACameraSeesWhatIsSeen) {
+    addCamera(doc, view, selection, messages);
+    EXPECT_EQ(shownEntity(selection), "camera-2");
+    EXPECT_EQ(get<Camera>("camera-2").eye, view.eye);
+    expectOneStep();
+}
+
+TEST_F(AddMenu, FlowersAreWhatTheBrushPaintsNext) {
+    BrushBook brushes;
+    brushes.map = "lawn.GrassField.species[lawn].density";
+    addFlowers(doc, selection, brushes, messages);
+    EXPECT_EQ(brushes.map, "flowers.Flowers.density");
+    EXPECT_EQ(get<Flowers>("flowers").density.map.mean(), 0);
+    expectOneStep();
+}
+
+TEST_F(AddMenu, APondIsAHollowWithWaterBelowItsRim) {
+    addPond(doc, view, selection, messages);
+    const Water& water = get<Water>("pond");
+    const Terrain& ground = get<Terrain>("ground");
+    EXPECT_LT(water.level, 0);
+    EXPECT_LT(terrainHeight(ground, 20, 20), water.level - 0.8);
+    EXPECT_EQ(terrainHeight(ground, 20, 30), 0) << "dry";
+    expectOneStep();
+}
+
+TEST_F(AddMenu, ASecondPondHasTheLevelOfTheFirst) {
+    addPond(doc, view, selection, messages);
+    view = {{10, 5, 20}, {10, 0, 10}, 55, 0};
+    addPond(doc, view, selection, messages);
+    EXPECT_FALSE(doc.project().entities.contains("pond-2"));
+    EXPECT_LT(terrainHeight(get<Terrain>("ground"), 10, 10), get<Water>("pond").level - 0.8);
+}
+
+TEST_F(AddMenu, APondInTheSkyIsRefused) {
+    view.target = {20, 50, 20};
+    addPond(doc, view, selection, messages);
+    EXPECT_NE(messages.notice.find("no ground"), std::string::npos) << messages.notice;
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(AddMenu, ACopyStandsAsideOfItsOriginalAndTheGroundStays) {
+    addLamp(doc, view, selection, messages);
+    choose(selection, std::vector<std::string>{"lamp", "camera", "ground"}, Choose::Only);
+    const glm::dvec3 lamp = get<Transform>("lamp").position, eye = get<Camera>("camera").eye;
+    const size_t steps = doc.stepsDone();
+    duplicateChosen(doc, selection, messages, {0.5, 0, 0});
+    EXPECT_EQ(selection.entities, (std::vector<std::string>{"lamp-2", "camera-2", "ground-2"}));
+    EXPECT_NEAR(get<Transform>("lamp-2").position.x, lamp.x + 0.5, 1e-6);
+    EXPECT_NEAR(get<Camera>("camera-2").eye.x, eye.x + 0.5, 1e-6);
+    EXPECT_EQ(doc.project().registry.get<Transform>(findEntity(doc.project(), "ground-2")), nullptr);
+    EXPECT_EQ(doc.stepsDone(), steps + 1);
+}
+
+}  // namespace
+}  // namespace sward
