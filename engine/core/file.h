@@ -25,6 +25,7 @@ struct FileStamp {
     int64_t changedNs = 0;           // when its bytes last changed
     bool operator==(const FileStamp&) const = default;
 };
+// Of the file as it is on disk now.
 FileStamp stampOf(const std::filesystem::path& file);
 
 // Writes beside the file, flushes to the disk, renames over it, and flushes the folder: at any instant the file is

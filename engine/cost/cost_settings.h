@@ -14,6 +14,7 @@ namespace sward {
 struct SettingValue {
     std::string entity;  // empty: every one
     std::string name, value;
+    // Whether the entity called `e` takes the value.
     bool isFor(const std::string& e) const { return entity.empty() || entity == e; }
 };
 // Usage error: the text has no '='.

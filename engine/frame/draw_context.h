@@ -26,6 +26,7 @@ struct Frustum {
     bool touches(const glm::vec3& low, const glm::vec3& high) const;
     bool holds(const glm::vec3& low, const glm::vec3& high) const;  // all of the box
 };
+// The volume that a view of this matrix (world to clip space) shows.
 Frustum frustumOf(const glm::mat4& viewProj);
 
 // Triangles that shade what lies behind them. The vertex array has positions at 0, texture coordinates at 2, and at 3

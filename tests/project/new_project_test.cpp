@@ -28,7 +28,7 @@ TEST(NewProject, HasGroundGrassSunSkyHazeAndACamera) {
     std::set<std::string> found;
     for (const auto& [name, entity] : p.entities) found.insert(name);
     EXPECT_EQ(found, names);
-    EXPECT_DOUBLE_EQ(virtualBlades(p), 2000.0 * 40 * 40);
+    EXPECT_DOUBLE_EQ(virtualBlades(p), 4000.0 * 40 * 40);
     const FeatureSet expected =
         featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps,
                    Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows,

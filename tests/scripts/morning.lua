@@ -47,7 +47,7 @@ ui.set("Inspector/camera.Camera.eye", "[20, 24, 46]")
 ui.set("Inspector/camera.Camera.target", "[20, 0, 20]")
 ui.set("Viewport/Camera", "camera")
 local full = blades()
-expect.near(full, 3.2, 0.01)
+expect.near(full, 6.4, 0.01)
 
 -- Two hills and a hollow: the first stroke makes the heights.
 for _, hand in ipairs { { "Raise", 7, 2.4, { 9, 10, 12, 12 } }, { "Raise", 7, 2.4, { 32, 12, 30, 14 } },
@@ -153,7 +153,7 @@ ui.key("ctrl+s")
 expect.truthy(ui.get("Status/Message"):match("^saved: %d+ files written$"), ui.get("Status/Message"))
 expect.truthy(not project.dirty())
 ui.click("Menu/File/Export...")
-ui.set("Files/Blades Within", 26)
+ui.set("Files/Blades Within", 18)
 ui.click("Files/Export")
 for _ = 1, 500 do
     if not ui.exists("Status/Exporting") then break end

@@ -67,7 +67,7 @@ drag() { # from x y to x y
   rest
 }
 
-click 23 518               # the tool Raise
+click 23 542               # the tool Raise
 drag 420 480 560 470
 at 300 520
 key p                      # the path tool

@@ -1,4 +1,5 @@
 // The tab Objects: what lies in models/, taken into the hand and laid down.
+#include "app/thumbnails.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 #include "tools/brush_book.h"
@@ -12,10 +13,11 @@ class AssetsPanel : public test::PanelStage {
   protected:
     AssetsPanel() {
         name = "Objects";
-        draw = [this] { drawAssets(doc, brushes, objects, messages); };
+        draw = [this] { drawAssets(doc, brushes, objects, thumbnails, messages); };
     }
     BrushBook brushes;
     ObjectTool objects;
+    Thumbnails thumbnails;
 };
 
 TEST_F(AssetsPanel, AClickTakesAnObjectIntoTheHandAndAnotherLaysItDown) {

@@ -31,7 +31,7 @@ TEST_F(StatusBar, SaysWhatIsDrawnHowFineAndWhetherItIsSaved) {
     counts.bladesVirtual = 3'200'000, counts.populationRevision = doc.revision();
     counts.lastMs = 12.345;
     frames(2);
-    EXPECT_EQ(value("Panel/Blades"), "6.4 M");
+    EXPECT_EQ(value("Panel/Blades"), "3.2 M");
     EXPECT_EQ(value("Panel/Frame"), "12.3 ms");
     EXPECT_EQ(value("Panel/Resolution"), "25 %");
     EXPECT_EQ(value("Panel/Saved"), "true");
