@@ -92,7 +92,8 @@ TEST_F(EditorUi, TheInspectorShowsMapsAndFillsImportsAndExportsThem) {
     EXPECT_NE(density(), before);
     ok(ui->click(at + "/Import"));
     ok(ui->wait(2));
-    ok(ui->set("Files/Path", file));
+    ok(ui->set("Image/Path", file));
+    ok(ui->click("Image/Import"));
     EXPECT_EQ(density(), before) << "what was exported came back";
     ok(ui->click("Menu/Edit/Undo"));
     EXPECT_NE(density(), before) << "in one step";
@@ -100,20 +101,21 @@ TEST_F(EditorUi, TheInspectorShowsMapsAndFillsImportsAndExportsThem) {
     EXPECT_EQ(density(), before) << "ones everywhere, as a new project has them";
 }
 
-TEST_F(EditorUi, TheFileDialogListsImagesForAMapAndTakesAnObjectFromElsewhere) {
-    ASSERT_TRUE(writeImagePng(dir / "mask.png", 4, 4, 1, std::vector<uint8_t>(16, 255)));
+TEST_F(EditorUi, TheFileDialogTakesAnImageAndAnObjectFromElsewhere) {
+    ASSERT_TRUE(writeImagePng(dir / "soil.png", 4, 4, 4, std::vector<uint8_t>(64, 255)));
     const Solid box;
     test::writeText(dir / "crate.glb", *encodeGlb(makeMesh({&box, 1})));
-    ok(ui->click("Outliner/lawn"));
-    ok(ui->click("Inspector/lawn.GrassField.species[lawn].density/Import"));
+    ok(ui->click("Outliner/ground"));
+    ok(ui->click("Inspector/ground.Terrain.groundTexture/Browse"));
     ok(ui->click("Files/Up"));
     ok(ui->wait(2));
-    EXPECT_TRUE(ui->exists("Files/mask.png"));
+    EXPECT_TRUE(ui->exists("Files/soil.png"));
     EXPECT_FALSE(ui->exists("Files/crate.glb"));
-    EXPECT_NE(fileThumbnail(app->thumbnails, dir.path, "mask.png").texture.id(), 0u);
-    ok(ui->click("Files/mask.png"));
-    ok(ui->click("Files/Import"));
+    EXPECT_NE(fileThumbnail(app->thumbnails, dir.path, "soil.png").texture.id(), 0u);
+    ok(ui->click("Files/soil.png"));
+    ok(ui->click("Files/Choose"));
     EXPECT_EQ(app->files.task, FileTask::None) << app->files.error;
+    EXPECT_EQ(field("ground.Terrain.groundTexture"), "images/soil.png");
     ASSERT_TRUE(doc.addEntity("crate"));
     ASSERT_TRUE(doc.addComponent("crate", "StaticMesh"));
     ok(ui->click("Outliner/crate"));

@@ -10,7 +10,7 @@ using test::EditorUi;
 TEST_F(EditorUi, WhatKeepsTheSceneFromBeingDrawnIsSaidUntilItIsMended) {
     ok(doc.setField("lawn.GrassField.population", "unique"));
     ok(ui->wait(3));
-    EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 3200000 blades"), std::string::npos)
+    EXPECT_NE(get("Viewport/Error").find("lawn.GrassField.population: 6400000 blades"), std::string::npos)
         << get("Viewport/Error");
     ok(doc.setField("lawn.GrassField.species[lawn].bladesPerM2", "1500"));
     ok(ui->wait(3));
