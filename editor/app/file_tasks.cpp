@@ -75,8 +75,9 @@ void requestFieldTask(FileDialog& files, const Document& document, FileTask task
         files.folder = files.folder.parent_path();
     }
     const auto named = findField(document.project(), document.tables().components, field);
-    if (task == FileTask::ChooseFile && named)
-        files.folder /= std::filesystem::path(*static_cast<const std::string*>(named->value)).parent_path();
+    if (task != FileTask::ChooseFile || !named) return;
+    const auto inside = std::filesystem::path(*static_cast<const std::string*>(named->value)).parent_path();
+    if (!inside.empty()) files.folder /= inside;  // an empty one would leave a slash, which Up takes for a folder
 }
 
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then) {

@@ -1,6 +1,6 @@
 // tinygltf costs two seconds to compile: it is included here and in mesh_write.cpp alone. What it hands over is not
 // trusted: every offset, count and type is held against the bytes there are.
-// Index: before tinygltf sees the file · accessors · triangles · materials and images · nodes · reading.
+// Index: reading by tinygltf · accessors · triangles · materials and images · nodes · reading.
 #include "mesh/mesh_io.h"
 
 #include <stb/stb_image.h>
@@ -11,15 +11,14 @@
 #include <optional>
 
 #include "core/file.h"
-#include "core/json.h"
 #include "core/save_folder.h"
+#include "mesh/gltf_head.h"
 
 namespace fs = std::filesystem;
 
 namespace sward {
 namespace {
 
-constexpr size_t kMaxBuffers = 16, kMaxImages = 64;
 constexpr size_t kMaxVerticesRead = 12 * kMaxMeshTriangles;  // of all parts, each with all that its accessor holds
 constexpr float kMaxCoordinate = 1e6f;
 
@@ -28,45 +27,7 @@ Error refused(std::string message, std::string remedy = "export it again") {
     return unsound(std::move(message), std::move(remedy));
 }
 
-// --- before tinygltf sees the file -------------------------------------------------------------------------------
-bool isBinary(const std::string& bytes) { return bytes.starts_with("glTF"); }
-
-// The JSON of a .gltf or of a .glb's first chunk.
-Result<std::string> jsonText(const std::string& bytes) {
-    if (!isBinary(bytes)) return bytes;
-    uint32_t length = 0;
-    if (bytes.size() >= 20) std::memcpy(&length, bytes.data() + 12, 4);
-    if (bytes.size() < 20 || length > bytes.size() - 20) return refused("is truncated: it ends within its header");
-    std::string text = bytes.substr(20, length);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
-    return text;
-}
-
-// A few bytes may ask for any memory, or for what is not read here.
-Status checkHead(const Json& json) {
-    const auto list = [&](const char* name) {
-        const Json* j = json.find(name);
-        return j && j->isArray() ? j : nullptr;
-    };
-    double bytes = 0;
-    if (const Json* buffers = list("buffers")) {
-        for (const Json& b : buffers->array)
-            if (const Json* n = b.find("byteLength"); n && n->isNumber()) bytes += n->number;
-        if (buffers->array.size() > kMaxBuffers || bytes > static_cast<double>(kMaxMeshBytes))
-            return refused(fmt::format("has {} buffers of {:.0f} MB together; the limits are {} and {} MB",
-                                       buffers->array.size(), bytes / 1e6, kMaxBuffers, kMaxMeshBytes / 1'000'000),
-                           "make the object simpler");
-    }
-    if (const Json* images = list("images"); images && images->array.size() > kMaxImages)
-        return refused(fmt::format("has {} images; the limit is {}", images->array.size(), kMaxImages),
-                       "make the object simpler");
-    if (const Json* needs = list("extensionsRequired"))
-        for (const Json& name : needs->array)
-            if (name.isString() && name.text != "KHR_texture_transform" && name.text != "KHR_materials_unlit")
-                return refused("requires the extension " + name.text + ", which is not read", "export it without");
-    return {};
-}
-
+// --- reading by tinygltf -----------------------------------------------------------------------------------------
 // What the library asks files of: inside the project, and no longer than the limit.
 struct Files {
     fs::path root;
@@ -121,10 +82,9 @@ Status parse(tinygltf::Model& model, const std::string& bytes, const std::string
     std::string error, warning;
     const unsigned size = static_cast<unsigned>(bytes.size());
     const bool done =
-        isBinary(bytes)
-            ? reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                          reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-            : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
+        isGlb(bytes) ? reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                   reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
+                     : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
     if (files.failed) return *files.failed;
     if (done) return {};
     return refused("is damaged or no glTF 2.0: " + error.substr(0, error.find('\n')));
@@ -498,11 +458,7 @@ Status checkMeshTriangles(size_t count) {
 
 Result<Mesh> readMeshBytes(const std::string& bytes, const fs::path& root, const std::string& file) {
     if (bytes.empty()) return refused("is empty");
-    const Result<std::string> text = jsonText(bytes);
-    if (!text) return text.error();
-    const Result<Json> json = parseJson(*text, file);
-    if (!json) return json.error();
-    if (Status s = checkHead(*json); !s) return s.error();
+    if (Status s = checkGltfHead(bytes, file); !s) return s.error();
     Reading r;
     Files files{root, {file}, {}};
     if (Status s = parse(r.model, bytes, fs::path(file).parent_path().generic_string(), files); !s) return s.error();

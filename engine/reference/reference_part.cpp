@@ -38,24 +38,38 @@ std::optional<int> numberIn(const Json& j, const char* key, int least, int most)
     return static_cast<int>(v);
 }
 
-}  // namespace
+std::string lineOf(const Json& head) {
+    std::string line = writeJson(head);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return line + '\n';
+}
 
-std::string encodePart(const ReferencePart& p) {
+// What the part is one of, and the hash of that and of its pixels.
+std::string firstLineOf(const ReferencePart& p, std::string_view pixels) {
     const ReferenceSettings& s = p.settings;
     Json head;
     head["kind"] = kKind, head["camera"] = p.camera, head["of"] = hashHex(p.of);
     head["width"] = s.width, head["height"] = s.height, head["samples"] = s.samples, head["shard"] = s.shard,
     head["shards"] = s.shards;
-    std::string out = writeJson(head);
-    std::replace(out.begin(), out.end(), '\n', ' ');
-    out += '\n';
+    const std::string unhashed = lineOf(head);
+    Hasher hash;
+    hash.add(unhashed.data(), unhashed.size());
+    hash.add(pixels.data(), pixels.size());
+    head["hash"] = hashHex(hash.value());
+    return lineOf(head);
+}
+
+}  // namespace
+
+std::string encodePart(const ReferencePart& p) {
+    std::string pixels;
     const auto add = [&](const std::vector<float>& from, size_t first, size_t n, size_t channels) {
-        out.append(reinterpret_cast<const char*>(&from[first * channels]), n * channels * sizeof(float));
+        pixels.append(reinterpret_cast<const char*>(&from[first * channels]), n * channels * sizeof(float));
     };
-    eachRow(s, [&](size_t first, size_t n) {
+    eachRow(p.settings, [&](size_t first, size_t n) {
         add(p.truth.color, first, n, 3), add(p.truth.error, first, n, 3), add(p.truth.grass, first, n, 1);
     });
-    return out;
+    return firstLineOf(p, pixels) + pixels;
 }
 
 bool isReferencePart(const std::filesystem::path& file) {
@@ -91,6 +105,9 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     if (bytes->size() - end - 1 != wanted)
         return broken(file, fmt::format("the part is damaged: {} bytes of pixels instead of {}",
                                         bytes->size() - end - 1, wanted));
+    const std::string_view all(*bytes);
+    if (all.substr(0, end + 1) != firstLineOf(p, all.substr(end + 1)))
+        return broken(file, "the part is damaged: its bytes do not have the hash that its first line names");
     p.truth = {s.width, s.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
                std::vector<float>(pixels)};
     const char* at = bytes->data() + end + 1;

@@ -1,6 +1,6 @@
 // One machine's share of a reference image as a file, and the whole that shares make, bit for bit as one machine's.
-// A part: one line of JSON (what it is a part of), then float32, little-endian: color, error and grass of its rows from
-// the top.
+// A part: one line of JSON (what it is a part of, and a hash of this and of what follows), then float32, little-endian:
+// color, error and grass of its rows from the top.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -18,7 +18,7 @@ struct ReferencePart {
 };
 // The bytes of the part's file.
 std::string encodePart(const ReferencePart& part);
-// Unsound error naming the file: unreadable, no part, truncated.
+// Unsound error naming the file: unreadable, no part, truncated, any byte another than was written.
 Result<ReferencePart> readPart(const std::filesystem::path& file);
 // Whether a file begins as a part of a reference does.
 bool isReferencePart(const std::filesystem::path& file);

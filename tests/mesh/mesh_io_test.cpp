@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/json.h"
+#include "mesh/gltf_head.h"
 #include "mesh/mesh_shapes.h"
 #include "project/project_files.h"
 #include "scene/project.h"
@@ -32,7 +33,7 @@ struct Parts {
                                 {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
     std::string views = R"([{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}])";
     std::string buffers;
-    std::string more;
+    std::string more, asset = R"({"version": "2.0"})";
     Parts() {
         append<float>(bin, {0, 0, 0, 1, 0, 0, 0, 0, -1});
         append<uint16_t>(bin, {0, 1, 2});
@@ -41,9 +42,9 @@ struct Parts {
         const std::string uri =
             buffers.empty() ? fmt::format(R"([{{"byteLength": {}, "uri": "part.bin"}}])", bin.size()) : buffers;
         return fmt::format(
-            R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": {}, "meshes": [{{"primitives": [{}]}}],
+            R"({{"asset": {}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": {}, "meshes": [{{"primitives": [{}]}}],
  "accessors": {}, "bufferViews": {}, "buffers": {}{}}})",
-            nodes, primitive, accessors, views, uri, more);
+            asset, nodes, primitive, accessors, views, uri, more);
     }
     void write(const fs::path& dir) const {
         writeText(dir / "models/thing.gltf", text());
@@ -220,6 +221,43 @@ const Bad kBad[] = {
      "refers to ../other.bin"},
     {"compression", [](Parts& p) { p.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; },
      "KHR_draco_mesh_compression"},
+    {"a later version", [](Parts& p) { p.asset = R"({"version": "3.0"})"; }, "glTF version 3.0; only 2.x is read"},
+    {"an earlier version", [](Parts& p) { p.asset = R"({"version": "1.0"})"; }, "glTF version 1.0"},
+    {"no version", [](Parts& p) { p.asset = "{}"; }, "asset.version"},
+    {"a reader of a later version", [](Parts& p) { p.asset = R"({"version": "2.1", "minVersion": "2.1"})"; },
+     "asset.minVersion"},
+    {"a negative offset of a view",
+     [](Parts& p) {
+         p.views = R"([{"buffer": 0, "byteOffset": -4, "byteLength": 36},
+        {"buffer": 0, "byteOffset": 36, "byteLength": 6}])";
+     },
+     "bufferViews[0].byteOffset is -4"},
+    {"a negative length",
+     [](Parts& p) {
+         p.views = R"([{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": -6}])";
+     },
+     "bufferViews[1].byteLength is -6"},
+    {"a negative offset of an accessor",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 0, "byteOffset": -1, "componentType": 5126, "count": 3, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
+     },
+     "accessors[0].byteOffset is -1"},
+    {"a count that is no whole number",
+     [](Parts& p) {
+         p.accessors = R"([{"bufferView": 0, "componentType": 5126, "count": 2.5, "type": "VEC3"},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}])";
+     },
+     "accessors[0].count is 2.5"},
+    {"a buffer shorter than nothing", [](Parts& p) { p.buffers = R"([{"byteLength": -42, "uri": "part.bin"}])"; },
+     "buffers[0].byteLength is -42"},
+    {"materials without end",
+     [](Parts& p) {
+         p.more = R"(, "materials": [{})";
+         for (size_t i = 0; i < kMaxGltfElements; ++i) p.more += ",{}";
+         p.more += "]";
+     },
+     "65537 materials"},
     {"a broken image",
      [](Parts& p) {
          p.more =
@@ -333,6 +371,17 @@ TEST(MeshIo, DamageOfEveryKindIsRefusedOrReadAsSomethingSound) {
     expectNoCrash(dir.path, "models/thing.gltf", p.text(), 1500);
     const Solid solid;
     expectNoCrash(dir.path, "a.glb", *encodeGlb(makeMesh({&solid, 1})), 1500);
+}
+
+TEST(MeshIo, ABinaryFileOfAnotherVersionIsRefused) {
+    const TempDir dir;
+    const Solid solid;
+    std::string bytes = *encodeGlb(makeMesh({&solid, 1}));
+    bytes[4] = 3;
+    writeText(dir / "a.glb", bytes);
+    const Result<Mesh> m = readMesh(dir.path, "a.glb");
+    ASSERT_FALSE(m);
+    EXPECT_NE(m.error().text().find(".glb of version 3; only 2"), std::string::npos) << m.error().text();
 }
 
 // --- in a project ------------------------------------------------------------------------------------------------

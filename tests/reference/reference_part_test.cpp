@@ -98,5 +98,23 @@ TEST_F(ReferenceParts, WhatIsDamagedIsRefused) {
     }
 }
 
+TEST_F(ReferenceParts, OneBitThatFlippedAnywhereIsRefusedAndTheFileNamed) {
+    const auto a = part(0, 2, "a"), b = part(1, 2, "b");
+    const std::string bytes = readText(b);
+    constexpr size_t kPlaces = 120;
+    for (size_t i = 0; i < kPlaces; ++i) {
+        std::string flipped = bytes;
+        // A third of the places lie in the first line.
+        const size_t line = bytes.find('\n') + 1,
+                     at = i % 3 == 0 ? i * line / kPlaces : line + i * (bytes.size() - line) / kPlaces;
+        flipped[at] = static_cast<char>(flipped[at] ^ (1 << (i % 8)));
+        writeText(dir / "flipped", flipped);
+        const auto merged = mergeParts({a, dir / "flipped"});
+        ASSERT_FALSE(merged) << "bit " << i % 8 << " of byte " << at;
+        EXPECT_EQ(merged.error().code, ExitCode::Unsound) << merged.error().text();
+        EXPECT_NE(merged.error().text().find("flipped"), std::string::npos) << merged.error().text();
+    }
+}
+
 }  // namespace
 }  // namespace sward::test
