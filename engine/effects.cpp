@@ -1,4 +1,7 @@
 // The table of contents of what draws: every effect row, side by side.
+#include "forest/stand.h"
+#include "forest/texcells.h"
+#include "forest/trees.h"
 #include "grass/field.h"
 #include "grass/flowers.h"
 #include "grass/force_outlines.h"
@@ -33,6 +36,7 @@ std::span<const EffectRow> effectRows() {
         sunEffect(),     skyEffect(),           hazeEffect(),         lampsEffect(),                       // light
         windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
         meshEffect(),    scatterEffect(),       shadowEffect(),                                            // objects
+        forestEffect(),  treesEffect(),         texcellsEffect(),                                          // forest
         forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
         uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
         slicesEffect(),  raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass

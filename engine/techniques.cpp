@@ -9,6 +9,7 @@
 #include "grass/tessellated_settings.h"
 #include "scene/accepted_picture.h"
 #include "scene/components.h"
+#include "scene/forest.h"
 #include "scene/ground_path.h"
 #include "scene/in_folder.h"
 #include "scene/locked.h"
@@ -41,7 +42,7 @@ struct Store {
         for (const ComponentRow& row :
              {grassFieldRow(names, grassFields), hybridTiersRow(), grassSlicesRow(), tessellatedBladesRow(),
               raytracedGrassRow(), grassDrawingRow(), farLookRow(), meshGrassRow(), groundPathRow(), mapLayersRow(),
-              scatterRow(), lockedRow(), inFolderRow(), acceptedPictureRow()})
+              scatterRow(), forestRow(), lockedRow(), inFolderRow(), acceptedPictureRow()})
             components.push_back(row);
         all = {components, effectRows(), techniques};
     }

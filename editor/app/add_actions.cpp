@@ -46,6 +46,20 @@ Status addWater(Document& doc, const std::string& name, double level) {
     return doc.setField(name + ".Water.level", shortestText(static_cast<float>(level)));
 }
 
+// What grows where its density is painted: nothing at first.
+void addPainted(Document& doc, Selection& selection, BrushBook& brushes, Messages& messages, const char* like,
+                const char* component) {
+    const std::string name = freeName(doc.project(), like);
+    const Status done = inOneStep(doc, "add " + name, [&]() -> Status {
+        if (Status s = doc.addEntity(name); !s) return s;
+        return addComponentUnpainted(doc, name, component);
+    });
+    if (!accept(messages, done)) return;
+    choose(selection, name);
+    paintNew(doc, brushes, name + "." + component);
+    say(messages, "new: " + name + "; paint where it grows");
+}
+
 }  // namespace
 
 void addLamp(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
@@ -57,15 +71,10 @@ void addCamera(Document& doc, const ViewCamera& view, Selection& selection, Mess
 }
 
 void addFlowers(Document& doc, Selection& selection, BrushBook& brushes, Messages& messages) {
-    const std::string name = freeName(doc.project(), "flowers");
-    const Status done = inOneStep(doc, "add " + name, [&]() -> Status {
-        if (Status s = doc.addEntity(name); !s) return s;
-        return addComponentUnpainted(doc, name, "Flowers");
-    });
-    if (!accept(messages, done)) return;
-    choose(selection, name);
-    paintNew(doc, brushes, name + ".Flowers");
-    say(messages, "new: " + name + "; paint where they grow");
+    addPainted(doc, selection, brushes, messages, "flowers", "Flowers");
+}
+void addForest(Document& doc, Selection& selection, BrushBook& brushes, Messages& messages) {
+    addPainted(doc, selection, brushes, messages, "forest", "Forest");
 }
 
 void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {

@@ -17,6 +17,8 @@ void addLamp(Document& document, const ViewCamera& view, Selection& selection, M
 void addCamera(Document& document, const ViewCamera& view, Selection& selection, Messages& messages);
 // Flowers that grow nowhere yet; the brush is on their density.
 void addFlowers(Document& document, Selection& selection, BrushBook& brushes, Messages& messages);
+// A forest without a tree yet; the brush is on its density.
+void addForest(Document& document, Selection& selection, BrushBook& brushes, Messages& messages);
 // A hollow in the ground in the middle of the view, bare below the waterline, with water in it; where the scene has
 // water, the hollow reaches below its level. Without ground there, it says so.
 void addPond(Document& document, const ViewCamera& view, Selection& selection, Messages& messages);

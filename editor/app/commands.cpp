@@ -234,6 +234,7 @@ constexpr Command kCommands[] = {
     {"Add", "Camera", "", "", [](App& a) { addCamera(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
     {"Add", "Pond", "", "", [](App& a) { addPond(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
     {"Add", "Flowers", "", "", [](App& a) { addFlowers(a.doc, a.selection, a.brushes, a.messages); }, opened},
+    {"Add", "Forest", "", "", [](App& a) { addForest(a.doc, a.selection, a.brushes, a.messages); }, opened},
     {"Brush", "Larger", "]", "", size<1>, opened},
     {"Brush", "Smaller", "[", "", size<-1>, opened},
     {"Brush", "Stronger", "=", "", strength<1>, opened},

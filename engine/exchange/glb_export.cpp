@@ -12,6 +12,7 @@
 #include "frame/flower_image.h"
 #include "mesh/glb_parts.h"
 #include "mesh/mesh_io.h"
+#include "world/forest_stand.h"
 #include "world/lights.h"
 #include "world/placement.h"
 #include "world/scatter.h"
@@ -182,6 +183,7 @@ Status compareCounts(const Project& p, const std::string& bytes, const GlbCounts
     GlbNames names;
     for (const auto& [name, f] : flowersOf(p)) names.flowers.insert(name);
     for (const auto& [name, s] : scattersOf(p)) names.scatters.insert(name);
+    for (const auto& [name, f] : forestsOf(p)) names.scatters.insert(name);
     const Result<GlbCounts> found = checkGlb(bytes, names);
     if (!found) return found.error();
     if (*found == meant) return {};

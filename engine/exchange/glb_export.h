@@ -25,8 +25,8 @@ struct GlbOptions {
     std::string camera;                  // by whose eye they are measured; empty: the first by name
     size_t mostBlades = kMaxGlbBlades;
 };
-// What a file holds; scattered: objects that Scatters put there. Growth counts single blades and flowers, cells the
-// nodes that instance them.
+// What a file holds; scattered: objects that Scatters put there, and trees of Forests. Growth counts single blades and
+// flowers, cells the nodes that instance them.
 struct GlbCounts {
     size_t blades = 0, flowers = 0, cells = 0;
     size_t chunks = 0, objects = 0, scattered = 0, lights = 0, cameras = 0;

@@ -10,6 +10,7 @@
 #include "mesh/glb_parts.h"
 #include "mesh/mesh_io.h"
 #include "reference/surface.h"
+#include "world/forest_stand.h"
 #include "world/scatter.h"
 
 namespace sward {
@@ -212,22 +213,51 @@ void addBladesOnMeshes(tinygltf::Model& m, const Project& p, std::span<const Sta
     }
 }
 
+namespace {
+
+// A node for each mesh that has instances; meshOf(i) reads the i-th.
+template <class F>
+Status addInstanced(tinygltf::Model& m, const std::string& entity, const glm::dvec3& origin,
+                    std::vector<Instances>& byMesh, const F& meshOf) {
+    for (size_t i = 0; i < byMesh.size(); ++i) {
+        if (byMesh[i].at.empty()) continue;
+        const auto& [mesh, name] = meshOf(i);
+        if (!mesh) return mesh.error();
+        const Result<int> number = addObject(m, *mesh, true);
+        if (!number) return number.error();
+        m.meshes.back().name = name;
+        addInstances(m, entity, *number, origin, byMesh[i]);
+    }
+    return {};
+}
+
+}  // namespace
+
 Status addScattered(tinygltf::Model& m, const Project& p, const Ground& ground, GlbCounts& counts) {
-    for (const auto& [entity, scatter] : scattersOf(p)) {
-        std::vector<Instances> byMesh(scatter->meshes.size());
-        const Scattering all = scatterIn(p, *scatter, ground);
+    for (const auto& [entity, rule] : scattersOf(p)) {
+        const Scatter& scatter = *rule;
+        std::vector<Instances> byMesh(scatter.meshes.size());
+        const Scattering all = scatterIn(p, scatter, ground);
         for (const ScatteredObject& o : all.objects)
             byMesh[o.mesh].add({glm::vec3(o.at - ground.origin), quaternionOf(o.turn), glm::vec3(o.scale)});
-        for (size_t i = 0; i < byMesh.size(); ++i) {
-            if (byMesh[i].at.empty()) continue;
-            const Result<Mesh> mesh = readMesh(p.dir, scatter->meshes[i].file);
-            if (!mesh) return mesh.error();
-            const Result<int> number = addObject(m, *mesh, true);
-            if (!number) return number.error();
-            m.meshes.back().name = scatter->meshes[i].file;
-            addInstances(m, entity, *number, ground.origin, byMesh[i]);
-        }
+        const auto meshOf = [&](size_t i) {
+            return std::pair(readMesh(p.dir, scatter.meshes[i].file), scatter.meshes[i].file);
+        };
+        if (Status s = addInstanced(m, entity, ground.origin, byMesh, meshOf); !s) return s;
         counts.scattered += all.objects.size();
+    }
+    for (const auto& [entity, rule] : forestsOf(p)) {
+        const Forest& forest = *rule;
+        std::vector<Instances> byMesh(forest.species.size());
+        const StandingForest all = standingForest(forest, ground);
+        for (const StandingTree& t : all.trees)
+            byMesh[t.species].add(
+                {glm::vec3(t.at - ground.origin), quaternionOf(glm::mat3(turnOf(t)) / t.size), glm::vec3(t.size)});
+        const auto meshOf = [&](size_t i) {
+            return std::pair(treeMesh(p.dir, forest.species[i]), forest.species[i].name);
+        };
+        if (Status s = addInstanced(m, entity, ground.origin, byMesh, meshOf); !s) return s;
+        counts.scattered += all.trees.size();
     }
     return {};
 }

@@ -28,7 +28,8 @@ void addBlades(tinygltf::Model& m, const Project& p, std::span<const StandingSpe
                GlbCounts& counts);
 void addBladesOnMeshes(tinygltf::Model& m, const Project& p, std::span<const StandingOnMesh> species,
                        const glm::dvec3& origin, GlbCounts& counts);
-// Objects of every Scatter, a node for each of its meshes. Unsound: a file that cannot be read.
+// Objects of every Scatter and trees of every Forest, a node for each of its meshes. Unsound: a file that cannot be
+// read.
 Status addScattered(tinygltf::Model& m, const Project& p, const Ground& ground, GlbCounts& counts);
 // In the order in which standingFlowers gives them.
 void addFlowers(tinygltf::Model& m, const Project& p, std::span<const StandingFlower> flowers, const glm::dvec3& origin,

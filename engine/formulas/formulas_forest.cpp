@@ -187,12 +187,53 @@ void addPyramidCases(std::vector<FormulaRow>& rows) {
     });
 }
 
+// Where tiles lie, and how their leaves are lit: no hard cases of the paper, but the same on CPU and GPU.
+void addTileRows(std::vector<FormulaRow>& rows) {
+    rows.push_back({
+        .name = "colours around a tile of forest, and where it is stored", .inputs = 4, .outputs = 5,
+        .ours =
+            BODY(EdgeColors c = edgeColors(int(x[0]), int(x[1]), x[2] > 0.5f, uint(int(x[3]))); vec2 cell = tileCell(c);
+                 y[0] = real(c.row); y[1] = real(c.slant); y[2] = real(c.across); y[3] = cell.x; y[4] = cell.y;),
+        .samples = sweep(1000,
+                         [](Sweep& s, int i) {
+                             return std::vector<double>{double(s.whole(-9000, 9000)), double(s.whole(-9000, 9000)),
+                                                        double(i % 2), double(s.whole(0, 999))};
+                         }),
+        .low = 0, .high = 1
+    });
+    rows.push_back({
+        .name = "places on the lattice of a forest, there and back", .inputs = 3, .outputs = 2,
+        .ours = BODY(vec2 uv = toLattice(vec2(x[0], x[1]), x[2]); vec2 back = fromLattice(uv, x[2]);
+                     y[0] = (back.x - x[0]) / x[2]; y[1] = (back.y - x[1]) / x[2];),
+        .samples = sweep(1000,
+                         [](Sweep& s, int) {
+                             return std::vector<double>{s.in(-50, 50), s.in(-50, 50), s.in(2, 60)};
+                         }),
+        .tolerance = 2e-5, .low = -1e-4, .high = 1e-4
+    });
+    rows.push_back({
+        .name = "light that leaves in all directions send back", .inputs = 1, .outputs = 1,
+        .ours = BODY(y[0] = foliagePhase(x[0]);),
+        .samples =
+            [](const ExpectedValues&) {
+                FormulaSamples samples;
+                for (int i = -1000; i <= 1000; ++i) {
+                    const double c = i / 1000.0, a = std::acos(c), pi = std::acos(-1.0);
+                    samples.add({c}, {2 / (3 * pi) * (std::sin(a) + (pi - a) * c)});
+                }
+                return samples;
+            },
+        .tolerance = 1e-6, .gpuTolerance = 4e-6, .low = 0, .high = 0.66667
+    });
+}
+
 }  // namespace
 
 void addForestRows(std::vector<FormulaRow>& rows) {
     addCorrectionCases(rows);
     addTiltCases(rows);
     addPyramidCases(rows);
+    addTileRows(rows);
 }
 
 }  // namespace sward

@@ -50,10 +50,11 @@ struct GroundMesh {
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
 
-struct GrownFields;  // grass/grown.h
-struct GrassFields;  // grass/field.h
-struct MaskState;    // grass/mask.h
-struct Force;        // world/forces.h
+struct GrownFields;   // grass/grown.h
+struct GrassFields;   // grass/field.h
+struct MaskState;     // grass/mask.h
+struct ForestsState;  // forest/stand.h
+struct Force;         // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
     GLuint framebuffer = 0;
@@ -69,6 +70,7 @@ struct SharedByViews {
     GLuint heights = 0;  // the height map's texture; 0: flat
     MaskState* masks = nullptr;
     GrownFields* grown = nullptr;
+    ForestsState* forests = nullptr;
     ForceTarget forceTarget;
 };
 // And what each view has of its own; a frame begins with none of it.

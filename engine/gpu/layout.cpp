@@ -7,6 +7,7 @@
 
 #include "shared/cells.h"
 #include "shared/flowers.h"
+#include "shared/forest.h"
 #include "shared/frame.h"
 #include "shared/grass.h"
 #include "shared/light.h"

@@ -9,6 +9,7 @@ namespace sward {
 size_t formatBytes(GLenum format) {
     switch (format) {
         case GL_R8:
+        case GL_R8UI:
             return 1;
         case GL_RG8:
         case GL_R16:

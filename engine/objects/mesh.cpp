@@ -1,7 +1,7 @@
 #include "objects/mesh.h"
 
 #include "core/hash.h"
-#include "objects/gpu_mesh.h"
+#include "frame/gpu_mesh.h"
 #include "world/placement.h"
 
 namespace sward {

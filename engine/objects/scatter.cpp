@@ -4,7 +4,7 @@
 
 #include "core/hash.h"
 #include "core/log.h"
-#include "objects/gpu_mesh.h"
+#include "frame/gpu_mesh.h"
 #include "world/scatter.h"
 
 namespace sward {

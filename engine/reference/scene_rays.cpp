@@ -4,6 +4,7 @@
 #include "core/save_folder.h"
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
+#include "world/forest_stand.h"
 #include "world/ground.h"
 #include "world/placement.h"
 #include "world/scatter.h"
@@ -26,6 +27,35 @@ Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm:
             glm::vec3(at + placed.turn * (glm::dvec3(v.position) * static_cast<double>(placed.mesh->scale))));
     out.indices = mesh.indices;
     return out;
+}
+
+// Adds a mesh that is shown by instances; returns its number.
+uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file) {
+    Triangles& shown = out.instances.meshes.emplace_back();
+    for (const MeshVertex& v : mesh.vertices) shown.positions.push_back(v.position);
+    shown.indices = mesh.indices;
+    out.files.push_back(file);
+    out.meshes.push_back(std::move(mesh));
+    return static_cast<uint32_t>(out.meshes.size()) - 1;
+}
+
+Status addForests(ScatteredTriangles& out, const Project& p, const Ground& ground, const glm::dvec3& origin,
+                  bool castersAlone) {
+    for (const auto& [entity, forest] : forestsOf(p)) {
+        if (castersAlone && !forest->castShadows) continue;
+        std::vector<uint32_t> meshOf(forest->species.size());
+        for (size_t i = 0; i < meshOf.size(); ++i) {
+            if (!stands(forest->species[i])) continue;
+            Result<Mesh> mesh = treeMesh(p.dir, forest->species[i]);
+            if (!mesh) return mesh.error();
+            meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file);
+        }
+        for (const StandingTree& t : standingForest(*forest, ground).trees) {
+            out.instances.placed.push_back({meshOf[t.species], glm::vec3(t.at - origin), glm::mat3(turnOf(t))});
+            out.casts.push_back(forest->castShadows);
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -94,18 +124,14 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
             if (!isScattered(scatter->meshes[i])) continue;
             Result<Mesh> mesh = readMesh(p.dir, scatter->meshes[i].file);
             if (!mesh) return mesh.error();
-            meshOf[i] = static_cast<uint32_t>(out.meshes.size());
-            Triangles& shown = out.instances.meshes.emplace_back();
-            for (const MeshVertex& v : mesh->vertices) shown.positions.push_back(v.position);
-            shown.indices = mesh->indices;
-            out.files.push_back(scatter->meshes[i].file);
-            out.meshes.push_back(std::move(*mesh));
+            meshOf[i] = addMesh(out, std::move(*mesh), scatter->meshes[i].file);
         }
         for (const ScatteredObject& o : scatterIn(p, *scatter, ground).objects) {
             out.instances.placed.push_back({meshOf[o.mesh], glm::vec3(o.at - origin), o.turn * o.scale});
             out.casts.push_back(scatter->castShadows);
         }
     }
+    if (Status s = addForests(out, p, ground, origin, castersAlone); !s) return s.error();
     return out;
 }
 
@@ -157,6 +183,14 @@ uint64_t sceneTrianglesHash(const Project& p) {
         if (!scatter->castShadows) continue;
         add(scatterIn(p, *scatter, ground).hash);
         for (const ScatterMesh& m : scatter->meshes) addFile(m.file);
+    }
+    for (const auto& [entity, forest] : forestsOf(p)) {
+        if (!forest->castShadows) continue;
+        add(standingForest(*forest, ground).hash);
+        for (const TreeSpecies& s : forest->species) {
+            add(s.kind), add(s.height), add(s.crown), add(s.leaves), add(s.seed);
+            if (!s.file.empty()) addFile(s.file);
+        }
     }
     return h.value();
 }

@@ -23,7 +23,7 @@ struct TerrainSurface {
 // Heights at the corners of the squares; level ground is one square.
 TerrainSurface terrainSurface(const Terrain& t);
 
-// Objects of all Scatters, and what each shows.
+// Objects of all Scatters, then trees of all Forests, and what each shows.
 struct ScatteredTriangles {
     std::vector<std::string> files;  // of `instances.meshes`
     std::vector<Mesh> meshes;        // the same with their vertices' other parts

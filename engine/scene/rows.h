@@ -188,6 +188,7 @@ enum class Stage {
     FarShadow,
     Sky,
     Water,
+    Canopy,
     Post,
     Overlay,
     Decal

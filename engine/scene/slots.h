@@ -26,6 +26,7 @@ enum class Slot : uint8_t {
     BladeCells,   // commands that the GPU makes of cells that it chooses
     ForceList,    // what presses on the grass
     Forces,       // the map in which that adds up
+    Forests,      // which trees stand
     Casters,      // triangles that shade
     Shadows,      // where the sun does not reach
     Reflection,   // what water mirrors

@@ -22,6 +22,11 @@ std::pair<double, double> heightScale(const Terrain& t) {
     return {t.heightRange.x, t.heightRange.y - t.heightRange.x};
 }
 
+bool sameGround(const Terrain& a, const Terrain& b) {
+    return a.size == b.size && a.height.map.sameTiles(b.height.map) && a.heightRange == b.heightRange &&
+           a.gridSpacing == b.gridSpacing && a.heightTiling == b.heightTiling && a.mapSize == b.mapSize;
+}
+
 double terrainHeight(const Terrain& t, double x, double z) {
     if (!t.height.present()) return 0;
     const auto [offset, scale] = heightScale(t);

@@ -18,6 +18,9 @@ struct Ground {
 // The first entity by name that has a Terrain.
 Ground findGround(const Project& p);
 
+// Whether both have the same size and the same heights everywhere.
+bool sameGround(const Terrain& a, const Terrain& b);
+
 // Metres at terrain-relative (x, z); beyond the terrain as at its edge, or as the map repeats (scene/tiling.h). 0
 // without a height map.
 double terrainHeight(const Terrain& t, double x, double z);

@@ -167,10 +167,6 @@ bool sameRule(const Scatter& a, const Scatter& b) {
            a.heights == b.heights && a.size == b.size && a.headingDeg == b.headingDeg &&
            a.alignToGround == b.alignToGround && a.seed == b.seed;
 }
-bool sameGround(const Terrain& a, const Terrain& b) {
-    return a.size == b.size && a.height.map.sameTiles(b.height.map) && a.heightRange == b.heightRange &&
-           a.gridSpacing == b.gridSpacing && a.heightTiling == b.heightTiling && a.mapSize == b.mapSize;
-}
 
 }  // namespace
 

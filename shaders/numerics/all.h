@@ -30,3 +30,4 @@
 #include "numerics/tess.h"
 #include "numerics/cells.h"
 #include "numerics/wrap.h"
+#include "numerics/forest.h"

@@ -17,6 +17,7 @@
 #define UBO_FLOWERS 11
 #define UBO_CULL 12
 #define UBO_SOIL 13
+#define UBO_FOREST 14
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
@@ -27,6 +28,8 @@
 #define SSBO_NODES 5
 #define SSBO_CHOSEN 6
 #define SSBO_UP_TO 7
+#define SSBO_FOREST_TILES 1  // as cells: bound for each draw
+#define SSBO_FOREST_FEET 3
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1
@@ -54,6 +57,10 @@
 #define TEX_SOIL 24        // and the MAX_SOIL_MAPS - 1 that follow: what the ground reads of fields
 #define TEX_SHELL_ENDS 44  // where rays leave the shells over meshes
 #define TEX_SHELL_LEAVING 45
+#define TEX_FOREST_FINE 46
+#define TEX_FOREST_COARSE 47
+#define TEX_FOREST_LIGHT 48
+#define TEX_FOREST_SLOTS 49
 #define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw

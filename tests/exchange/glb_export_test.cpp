@@ -12,6 +12,7 @@
 #include "objects.h"
 #include "reference/standing.h"
 #include "scene/scatter.h"
+#include "world/forest_stand.h"
 #include "world/lights.h"
 #include "world/placement.h"
 #include "world/scatter.h"
@@ -242,6 +243,24 @@ TEST(GlbExport, ScatteredObjectsAreInstances) {
     const auto at = values<glm::vec3>(m, attributesOf(*node(m, "stones"))->Get("TRANSLATION").GetNumberAsInt());
     ASSERT_EQ(at.size(), there.size());
     EXPECT_LT(glm::distance(placeOf(*node(m, "stones")) + glm::dvec3(at[3]), there[3].at), 1e-5);
+}
+
+TEST(GlbExport, TreesOfAForestAreInstances) {
+    const TempDir dir;
+    Project p = meadow(dir.path);
+    const Forest rule{.species = {{.leaves = 30}, {.name = "oak", .kind = TreeKind::Broadleaf, .leaves = 30}},
+                      .perHectare = 2000,
+                      .distance = 1.5f,
+                      .tileSize = 6};
+    put(p, "trees", rule);
+    const Glb glb = encoded(p);
+    const auto there = standingForest(rule, findGround(p)).trees;
+    ASSERT_GT(there.size(), 10u);
+    EXPECT_EQ(glb.counts.scattered, there.size());
+    const Model m = read(glb.bytes);
+    const auto first = std::find_if(there.begin(), there.end(), [](const StandingTree& t) { return t.species == 0; });
+    const auto at = values<glm::vec3>(m, attributesOf(*node(m, "trees"))->Get("TRANSLATION").GetNumberAsInt());
+    EXPECT_LT(glm::distance(placeOf(*node(m, "trees")) + glm::dvec3(at[0]), first->at), 1e-5);
 }
 
 TEST(GlbExport, AnEmptySceneAndOneWithoutGrassAreSound) {

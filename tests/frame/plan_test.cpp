@@ -181,6 +181,7 @@ TEST(PlanTable, ASlotThatIsReadIsFilledAndNoTwoMakeIt) {
 // Which slot a member of SharedResources is; `ground` is there before the first step.
 const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
                                                     {"grown", "Grown"},
+                                                    {"forests", "Forests"},
                                                     {"groundMesh", "GroundNodes"},
                                                     {"grass", "Grass"},
                                                     {"bounds", "Ground"},

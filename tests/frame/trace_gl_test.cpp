@@ -4,6 +4,7 @@
 #include "fields.h"
 #include "grass/mesh_grass_settings.h"
 #include "objects.h"
+#include "scene/forest.h"
 #include "scene/scatter.h"
 #include "techniques.h"
 
@@ -71,6 +72,9 @@ Project everything() {
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
     put<Water>(p, "lake", {.level = 0.56f});  // ground lies at 0.5
     put<Scatter>(p, "stones", {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500});
+    put<Forest>(
+        p, "trees",
+        {.species = {{.leaves = 40}}, .perHectare = 900, .distance = 2, .tileSize = 8, .meshesTo = 14, .voxel = 1});
     put<Flowers>(p, "flowers",
                  {.density = field(filled({16, 16, 1, PixelType::U16}, 0.5f)), .flowersPerM2 = 10, .headSize = 0.1f});
     Light lamp;
@@ -186,6 +190,12 @@ TEST(TraceSettings, ThatEndATierLeaveTheSceneThatNeverHadIt) {
          [](Project& p) { p.registry.get<Flowers>(findEntity(p, "flowers"))->flowersPerM2 = 0; }},
         {"a rule that scatters nothing",
          [](Project& p) { p.registry.get<Scatter>(findEntity(p, "stones"))->perHectare = 0; }},
+        {"trees as meshes alone",
+         [](Project& p) {
+             p.registry.get<Forest>(findEntity(p, "trees"))->meshesTo = std::numeric_limits<float>::infinity();
+         }},
+        {"trees as volumes alone", [](Project& p) { p.registry.get<Forest>(findEntity(p, "trees"))->meshesTo = 0; }},
+        {"a forest of no trees", [](Project& p) { p.registry.get<Forest>(findEntity(p, "trees"))->perHectare = 0; }},
         {"grass without blades", [&](Project& p) { grass(p).species[0].bladesPerM2 = 0; }},
     };
     expectNoTraces(removals);

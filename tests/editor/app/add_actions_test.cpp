@@ -5,6 +5,7 @@
 
 #include "app/object_actions.h"
 #include "model/field_walk.h"
+#include "scene/forest.h"
 #include "support.h"
 #include "techniques.h"
 #include "world/ground.h"
@@ -52,6 +53,16 @@ TEST_F(AddMenu, ACameraSeesWhatIsSeen) {
     addCamera(doc, view, selection, messages);
     EXPECT_EQ(shownEntity(selection), "camera-2");
     EXPECT_EQ(get<Camera>("camera-2").eye, view.eye);
+    expectOneStep();
+}
+
+TEST_F(AddMenu, AForestIsWhatTheBrushPaintsNext) {
+    BrushBook brushes;
+    addForest(doc, selection, brushes, messages);
+    EXPECT_EQ(shownEntity(selection), "forest");
+    EXPECT_EQ(brushes.map, "forest.Forest.density");
+    EXPECT_TRUE(get<Forest>("forest").density.present()) << "nothing stands before it is painted";
+    EXPECT_EQ(get<Forest>("forest").density.map.at(3, 3), 0);
     expectOneStep();
 }
 

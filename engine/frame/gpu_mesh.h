@@ -1,5 +1,5 @@
 // Objects' meshes on the GPU, one a file however often it is shown, and how instances of one are drawn. For the effects
-// of this domain. Does not: know where instances stand.
+// of objects and of forests. Does not: know where instances stand.
 #pragma once
 #include <map>
 #include <string>
@@ -21,6 +21,12 @@ struct GpuMesh {
     float radius = 0;
 };
 
+// The mesh on the GPU, charged to `owner`.
+GpuMesh uploadMesh(Gpu& gpu, const char* owner, const Mesh& mesh);
+// Draws instances [first, first + count[ of the buffer that the mesh's vertex array has; the program is current. white:
+// a texture of one white texel, for parts without an image.
+void drawMesh(DrawContext& ctx, const GpuMesh& mesh, const Texture& white, size_t first, size_t count);
+
 class GpuMeshes {
   public:
     // `owner` ("domain/stem") is charged for their bytes; it must outlive this.
@@ -34,8 +40,10 @@ class GpuMeshes {
     void keepIf(const F& wanted) {
         std::erase_if(meshes_, [&](const auto& m) { return !wanted(m.first); });
     }
-    // Draws instances [first, first + count[ of the buffer that the mesh's vertex array has; the program is current.
-    void draw(DrawContext& ctx, const GpuMesh& mesh, size_t first, size_t count) const;
+    // drawMesh with the white texture of these.
+    void draw(DrawContext& ctx, const GpuMesh& mesh, size_t first, size_t count) const {
+        drawMesh(ctx, mesh, white_, first, count);
+    }
 
   private:
     const char* owner_;

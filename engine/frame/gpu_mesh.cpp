@@ -1,4 +1,4 @@
-#include "objects/gpu_mesh.h"
+#include "frame/gpu_mesh.h"
 
 #include "core/log.h"
 #include "frame/color_image.h"
@@ -24,6 +24,8 @@ void describe(GpuMesh& m) {
         glVertexArrayAttribFormat(mesh, 3 + row, 4, GL_FLOAT, GL_FALSE, row * sizeof(glm::vec4));
 }
 
+}  // namespace
+
 GpuMesh uploadMesh(Gpu& gpu, const char* owner, const Mesh& mesh) {
     GpuMesh out;
     out.vertices = makeBuffer(gpu, owner, mesh.vertices.size() * sizeof(MeshVertex), mesh.vertices.data());
@@ -37,8 +39,6 @@ GpuMesh uploadMesh(Gpu& gpu, const char* owner, const Mesh& mesh) {
     describe(out);
     return out;
 }
-
-}  // namespace
 
 GpuMeshes::GpuMeshes(Gpu& gpu, const char* owner)
     : owner_(owner), white_(makeColorTexture(gpu, owner, {1, 1, {255, 255, 255, 255}})) {}
@@ -54,11 +54,10 @@ const GpuMesh& GpuMeshes::of(DrawContext& ctx, const std::string& file) {
     return m;
 }
 
-void GpuMeshes::draw(DrawContext& ctx, const GpuMesh& mesh, size_t first, size_t count) const {
+void drawMesh(DrawContext& ctx, const GpuMesh& mesh, const Texture& white, size_t first, size_t count) {
     glBindVertexArray(mesh.mesh.id());
     for (const MeshPart& part : mesh.parts) {
-        glBindTextureUnit(TEX_OBJECT,
-                          part.image >= 0 ? mesh.images[static_cast<size_t>(part.image)].id() : white_.id());
+        glBindTextureUnit(TEX_OBJECT, part.image >= 0 ? mesh.images[static_cast<size_t>(part.image)].id() : white.id());
         glUniform3f(0, part.color.x, part.color.y, part.color.z);
         glUniform1f(1, part.cutoff);
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(part.count), GL_UNSIGNED_INT,

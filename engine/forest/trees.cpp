@@ -1,0 +1,163 @@
+#include "forest/trees.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/hash.h"
+#include "forest/stand.h"
+#include "frame/color_image.h"
+#include "frame/gpu_mesh.h"
+
+namespace sward {
+namespace {
+
+constexpr const char* kOwner = "forest/trees";
+constexpr double kShadowsFrom = 200;  // metres from the eye to which trees that are not seen cast shadows into view
+
+// A species' mesh at each level.
+using TreeLevels = std::array<GpuMesh, kTreeLevels>;
+struct Uploaded {
+    uint64_t grown = 0;  // ForestHere::grown
+    std::vector<TreeLevels> species;
+};
+struct TreesState : EffectState {
+    std::map<std::string, Uploaded> forests;  // by entity
+    Texture white;
+    explicit TreesState(Gpu& gpu) : white(makeColorTexture(gpu, kOwner, {1, 1, {255, 255, 255, 255}})) {}
+};
+// Instances of one mesh: first the seen.
+struct Group {
+    const GpuMesh* mesh;
+    size_t first, seen;
+};
+struct TreesView : EffectState {
+    Buffer instances;
+    std::vector<ObjectInstance> rows;
+    std::vector<Group> groups;
+};
+
+void upload(DrawContext& ctx, Uploaded& u, const ForestHere& here) {
+    if (u.grown == here.grown) return;
+    u.grown = here.grown;
+    u.species.clear();
+    u.species.resize(here.meshes.size());
+    for (size_t i = 0; i < here.meshes.size(); ++i)
+        for (size_t l = 0; l < kTreeLevels && !here.meshes[i].parts.empty(); ++l)
+            u.species[i][l] = uploadMesh(ctx.gpu, kOwner, thinned(here.meshes[i], kTreeKeep[l]));
+}
+
+size_t levelAt(double distance, double height) {
+    size_t level = 0;
+    while (level + 1 < kTreeLevels && distance > kTreeLevelEnds[level] * height / 12) ++level;
+    return level;
+}
+
+// Trees of one mesh in this frame.
+struct Chosen {
+    std::vector<const StandingTree*> seen, unseen;
+};
+
+void addGroup(DrawContext& ctx, TreesView& view, const GpuMesh& m, const Chosen& chosen, bool casts) {
+    const auto add = [&](const StandingTree& t) {
+        const glm::dvec3 at = t.at - ctx.camera.eye;
+        if (casts)
+            addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
+                      (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
+        view.rows.push_back(instanceAt(at, turnOf(t)));
+    };
+    view.groups.push_back({&m, view.rows.size(), chosen.seen.size()});
+    for (const StandingTree* t : chosen.seen) add(*t);
+    for (const StandingTree* t : chosen.unseen) add(*t);
+}
+
+void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
+    std::vector<std::array<Chosen, kTreeLevels>> chosen(u.species.size());
+    for (const StandingTree& t : here.stand->trees) {
+        const GpuMesh& whole = u.species[t.species][0];
+        if (whole.parts.empty()) continue;
+        const glm::dvec3 at = t.at - ctx.camera.eye;
+        const double distance = glm::length(at);
+        if (!isMesh(here.rule, t, distance)) continue;
+        const float radius = (whole.radius + glm::length(whole.centre)) * t.size;
+        const double height = static_cast<double>(here.rule.species[t.species].height * t.size);
+        Chosen& group = chosen[t.species][levelAt(distance, height)];
+        if (ctx.frustum.touches(glm::vec3(at) - radius, glm::vec3(at) + radius))
+            group.seen.push_back(&t);
+        else if (here.rule.castShadows && distance < kShadowsFrom)
+            group.unseen.push_back(&t);
+    }
+    for (size_t s = 0; s < chosen.size(); ++s)
+        for (size_t l = 0; l < kTreeLevels; ++l)
+            if (!chosen[s][l].seen.empty() || !chosen[s][l].unseen.empty())
+                addGroup(ctx, view, u.species[s][l], chosen[s][l], here.rule.castShadows);
+}
+
+// Which trees cast, and at which level: what shadow maps are kept by.
+uint64_t hashOf(const TreesView& view, const glm::dvec3& eye) {
+    Hasher h;
+    for (const Group& g : view.groups) h.add(&g.mesh->parts[0].count, sizeof(uint32_t));
+    for (const ObjectInstance& r : view.rows) {
+        // Where it stands, to a millimetre, whatever the eye.
+        const glm::dvec3 at = glm::dvec3(double(r.row[0].w), double(r.row[1].w), double(r.row[2].w)) + eye;
+        for (int i = 0; i < 3; ++i) {
+            const int64_t millimetres = std::llround(at[i] * 1000);
+            h.add(&millimetres, sizeof millimetres);
+        }
+    }
+    return h.value();
+}
+
+void place(DrawContext& ctx) {
+    TreesState& s = ctx.own<TreesState>();
+    TreesView& view = ctx.ofView<TreesView>();
+    view.rows.clear();
+    view.groups.clear();
+    std::erase_if(s.forests, [&](const auto& f) {
+        return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
+                            [&](const auto& h) { return h->entity == f.first && h->rule.meshesTo > 0; });
+    });
+    bool casts = false;
+    for (const auto& here : ctx.shared.forests->all) {
+        if (!(here->rule.meshesTo > 0)) continue;
+        Uploaded& u = s.forests[here->entity];
+        upload(ctx, u, *here);
+        choose(ctx, view, *here, u);
+        casts = casts || here->rule.castShadows;
+    }
+    if (casts) ctx.shared.castersHash += hashOf(view, ctx.camera.eye);
+    writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
+    for (const Group& g : view.groups)
+        glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
+}
+
+void draw(DrawContext& ctx) {
+    const TreesState& s = ctx.own<TreesState>();
+    if (!ctx.use()) return;
+    for (const Group& g : ctx.ofView<TreesView>().groups)
+        if (g.seen > 0) drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
+}
+
+const System kSystems[] = {{"forest/trees/place", {.reads = {Slot::Forests}, .appends = {Slot::Casters}}, place}};
+const ProgramRow kPrograms[] = {{"forest/trees", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"forest/trees",
+                         Stage::Opaque,
+                         kViewMain | kViewReflection,
+                         {.reads = {Slot::Shadows}, .appends = {Slot::SceneColor, Slot::SceneDepth}},
+                         kPrograms,
+                         draw}};
+
+}  // namespace
+
+const EffectRow& treesEffect() {
+    static const EffectRow row{
+        "forest/trees",
+        featureSet(Feature::ForestMeshes, Feature::Terrain),
+        kSystems,
+        kPasses,
+        [](DrawContext& ctx) -> std::unique_ptr<EffectState> { return std::make_unique<TreesState>(ctx.gpu); },
+        "near trees of a forest are drawn as meshes",
+        [](DrawContext&) -> std::unique_ptr<EffectState> { return std::make_unique<TreesView>(); }};
+    return row;
+}
+
+}  // namespace sward

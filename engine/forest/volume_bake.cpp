@@ -1,0 +1,245 @@
+#include "forest/volume_bake.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+constexpr EdgeFamily kFamilies[] = {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across};
+
+// The tile that lies in one of the 2 x 2 cells that repeat.
+ForestTile storedTile(int x, int y, bool up) { return {x + 2 * y, up, {up ? x ^ y : x ^ y ^ 1, y, x}}; }
+
+glm::dvec2 metres(double u, double v, double edge) {
+    const f64::vec2 at = f64::fromLattice({u, v}, edge);
+    return {at.x, at.y};
+}
+
+struct Splat {
+    ForestVolume& volume;
+    std::vector<glm::vec4> sums;  // reflectance times area, and area (m2, half of the leaves': what is seen of them)
+
+    size_t at(int u, int v, int layer) const {
+        return (static_cast<size_t>(layer) * static_cast<size_t>(volume.side) + static_cast<size_t>(v)) *
+                   static_cast<size_t>(volume.side) +
+               static_cast<size_t>(u);
+    }
+    void point(const glm::dvec3& p, const glm::vec3& color, double area) {
+        const f64::vec2 uv = f64::toLattice({p.x, p.z}, volume.edge);
+        const auto wrap = [&](double x) {
+            const int texel = static_cast<int>(std::floor(x * 0.5 * volume.side));
+            return ((texel % volume.side) + volume.side) % volume.side;
+        };
+        const int layer = std::clamp(static_cast<int>(p.y / volume.height * volume.layers), 0, volume.layers - 1);
+        const float seen = static_cast<float>(0.5 * area);
+        sums[at(wrap(uv.x), wrap(uv.y), layer)] += glm::vec4(color * seen, seen);
+    }
+    // Points spread over a triangle, each for its share of the area.
+    void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::vec3& color,
+                  double spacing) {
+        const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+        const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 256);
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < 2 * i + 1; ++k) {
+                // Middles of the n * n equal triangles.
+                const double third = k % 2 ? 2.0 / 3 : 1.0 / 3;
+                const double s = (n - i - 1 + third) / n, t = (k / 2 + third) / n;
+                point(a * s + b * t + c * (1 - s - t), color, area / (n * n));
+            }
+    }
+};
+
+glm::vec3 imageAt(const MeshImage& image, const glm::vec2& uv, float& alpha) {
+    const auto texel = [](float x, int n) {
+        return std::clamp(static_cast<int>((x - std::floor(x)) * static_cast<float>(n)), 0, n - 1);
+    };
+    const uint8_t* p =
+        &image.rgba[4 * static_cast<size_t>(texel(uv.y, image.height) * image.width + texel(uv.x, image.width))];
+    alpha = static_cast<float>(p[3]) / 255;
+    return f32::srgbDecode3(
+        {static_cast<float>(p[0]) / 255, static_cast<float>(p[1]) / 255, static_cast<float>(p[2]) / 255});
+}
+
+// foot: of the tree, x and z from the corner of the 2 x 2 cells.
+void splatTree(Splat& out, const Mesh& mesh, const TileTree& tree, const glm::dvec2& foot, double spacing) {
+    const glm::dmat3 turn = turnOf(StandingTree{{}, tree.species, tree.size, tree.headingDeg, 0});
+    std::vector<glm::dvec3> at;
+    for (const MeshVertex& v : mesh.vertices)
+        at.push_back(turn * glm::dvec3(v.position) + glm::dvec3(foot.x, 0, foot.y));
+    for (const MeshPart& part : mesh.parts)
+        for (uint32_t i = part.first; i + 2 < part.first + part.count; i += 3) {
+            const uint32_t* t = &mesh.indices[i];
+            glm::vec3 color = part.color;
+            if (part.image >= 0) {
+                float alpha = 1;
+                const glm::vec2 uv = (mesh.vertices[t[0]].uv + mesh.vertices[t[1]].uv + mesh.vertices[t[2]].uv) / 3.0f;
+                color *= imageAt(mesh.images[static_cast<size_t>(part.image)], uv, alpha);
+                if (alpha < part.cutoff) continue;
+            }
+            out.triangle(at[t[0]], at[t[1]], at[t[2]], color, spacing);
+        }
+}
+
+// Calls body(tree, foot) for each tree of the 2 x 2 cells: those within tiles once, those across edges at each of them.
+template <class F>
+void eachStored(const ForestTiles& tiles, F body) {
+    for (int cell = 0; cell < 4; ++cell) {
+        const int x = cell & 1, y = cell >> 1;
+        const glm::dvec2 corner = metres(x, y, tiles.edge);
+        const ForestTile up = storedTile(x, y, true);
+        for (const bool side : {false, true})
+            for (const TileTree& t : tiles.within(cell, side)) body(t, corner + t.at);
+        for (const EdgeFamily f : kFamilies)
+            for (const TileTree& t : tiles.across(f, up.colors[static_cast<size_t>(f)])) body(t, corner + t.at);
+    }
+}
+
+// The number in its tile's list of the tree that stands nearest to a place.
+uint8_t nearestSlot(const ForestTiles& tiles, double u, double v) {
+    const int x = static_cast<int>(u), y = static_cast<int>(v);
+    const ForestTile tile = storedTile(x, y, u - x + v - y <= 1);
+    const glm::dvec2 at = metres(u - x, v - y, tiles.edge);
+    double least = 1e30;
+    uint8_t best = 255;
+    const auto look = [&](const std::vector<TileTree>& list, const glm::dvec2& shift, int first) {
+        for (size_t k = 0; k < list.size(); ++k) {
+            const double d = glm::distance(list[k].at + shift, at);
+            if (d < least) least = d, best = static_cast<uint8_t>(first + static_cast<int>(k));
+        }
+    };
+    look(tiles.within(tile.cell, tile.up), {}, 0);
+    for (const EdgeFamily f : kFamilies) {
+        const glm::ivec2 owner = edgeOwner(0, 0, tile.up, f);
+        look(tiles.across(f, tile.colors[static_cast<size_t>(f)]), metres(owner.x, owner.y, tiles.edge), firstSlot(f));
+    }
+    return best;
+}
+
+void fillSlots(ForestVolume& v, const ForestTiles& tiles) {
+    v.slots.resize(static_cast<size_t>(v.side) * static_cast<size_t>(v.side));
+    parallelFor(static_cast<size_t>(v.side), [&](size_t y) {
+        for (int x = 0; x < v.side; ++x)
+            v.slots[y * static_cast<size_t>(v.side) + static_cast<size_t>(x)] =
+                nearestSlot(tiles, 2 * (x + 0.5) / v.side, 2 * (static_cast<double>(y) + 0.5) / v.side);
+    });
+}
+
+void fillLevels(ForestVolume& v, const std::vector<glm::vec4>& sums) {
+    const double cell = 2 * v.edge / v.side, area = cell * cell * 0.8660254037844386;
+    std::vector<glm::vec4>& finest = v.levels.emplace_back(sums.size());
+    for (size_t i = 0; i < sums.size(); ++i) {
+        if (!(sums[i].w > 0)) continue;
+        const float alpha = f32::oneMinusExp(-sums[i].w / static_cast<float>(area));  // extinction times the slab
+        finest[i] = glm::vec4(glm::vec3(sums[i]) / sums[i].w * alpha, alpha);
+    }
+    const size_t slab = static_cast<size_t>(v.side) * static_cast<size_t>(v.side);
+    for (int layers = v.layers / 2; layers > 0; layers /= 2) {
+        const std::vector<glm::vec4>& below = v.levels.back();
+        std::vector<glm::vec4> level(static_cast<size_t>(layers) * slab);
+        parallelFor(static_cast<size_t>(layers), [&](size_t l) {
+            for (size_t i = 0; i < slab; ++i) {
+                const glm::vec4 low = below[2 * l * slab + i], high = below[(2 * l + 1) * slab + i];
+                level[l * slab + i] = high + low * (1 - high.w);
+            }
+        });
+        v.levels.push_back(std::move(level));
+    }
+}
+
+ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
+    ForestAir a{std::max(v.side / kLightCoarser, 1), std::max(v.layers / kLightCoarser, 1), v.edge, v.height, {}};
+    a.extinction.resize(static_cast<size_t>(a.side) * static_cast<size_t>(a.side) * static_cast<size_t>(a.layers));
+    const double cell = 2 * v.edge / a.side, volume = cell * cell * 0.8660254037844386 * v.height / a.layers;
+    for (int layer = 0; layer < v.layers; ++layer)
+        for (int y = 0; y < v.side; ++y)
+            for (int x = 0; x < v.side; ++x) {
+                const size_t from =
+                    (static_cast<size_t>(layer) * static_cast<size_t>(v.side) + static_cast<size_t>(y)) *
+                        static_cast<size_t>(v.side) +
+                    static_cast<size_t>(x);
+                const int cx = x * a.side / v.side, cy = y * a.side / v.side, cl = layer * a.layers / v.layers;
+                a.extinction[(static_cast<size_t>(cl) * static_cast<size_t>(a.side) + static_cast<size_t>(cy)) *
+                                 static_cast<size_t>(a.side) +
+                             static_cast<size_t>(cx)] += sums[from].w / static_cast<float>(volume);
+            }
+    return a;
+}
+
+}  // namespace
+
+ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel) {
+    ForestVolume v;
+    v.edge = tiles.edge;
+    v.height = std::max(static_cast<double>(tiles.highest), 0.1);
+    const int wanted = static_cast<int>(std::ceil(2 * tiles.edge / voxel / kLightCoarser)) * kLightCoarser;
+    v.side = std::clamp(wanted, kLightCoarser, kMostVolumeSide);
+    v.layers = static_cast<int>(std::bit_ceil(static_cast<unsigned>(
+        std::clamp(std::ceil(v.height / voxel), double(kLightCoarser), double(kMostVolumeLayers)))));
+    Splat splat{v, {}};
+    splat.sums.resize(static_cast<size_t>(v.side) * static_cast<size_t>(v.side) * static_cast<size_t>(v.layers));
+    const double spacing = 0.5 * std::min(2 * v.edge / v.side, v.height / v.layers);
+    eachStored(tiles, [&](const TileTree& t, const glm::dvec2& foot) {
+        if (!meshes[t.species].parts.empty()) splatTree(splat, meshes[t.species], t, foot, spacing);
+    });
+    fillLevels(v, splat.sums);
+    fillSlots(v, tiles);
+    v.air = airOf(v, splat.sums);
+    return v;
+}
+
+std::vector<float> lightThrough(const ForestAir& air, const glm::dvec3& towards) {
+    glm::dvec3 way = towards;
+    if (std::abs(way.y) < 0.01) way.y = way.y < 0 ? -0.01 : 0.01;
+    way = glm::normalize(way);
+    const double part = air.height / air.layers, across = 2 * air.edge / air.side;
+    const double step = 0.5 * std::min(part, across);
+    const f64::vec2 perMetre = f64::toLattice({way.x, way.z}, air.edge);
+    std::vector<float> out(air.extinction.size());
+    const auto at = [&](double u, double v, int layer) {
+        const auto wrap = [&](double x) {
+            const int i = static_cast<int>(std::floor(x * 0.5 * air.side));
+            return static_cast<size_t>(((i % air.side) + air.side) % air.side);
+        };
+        return air.extinction[(static_cast<size_t>(layer) * static_cast<size_t>(air.side) + wrap(v)) *
+                                  static_cast<size_t>(air.side) +
+                              wrap(u)];
+    };
+    parallelFor(static_cast<size_t>(air.layers), [&](size_t layer) {
+        size_t i = layer * static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
+        for (int y = 0; y < air.side; ++y)
+            for (int x = 0; x < air.side; ++x, ++i) {
+                const double u = 2 * (x + 0.5) / air.side, v = 2 * (y + 0.5) / air.side;
+                const double h = (static_cast<double>(layer) + 0.5) * part;
+                double depth = 0;
+                for (double t = 0.5 * step; depth < 7; t += step) {
+                    const int l = static_cast<int>(std::floor((h + way.y * t) / part));
+                    if (l < 0 || l >= air.layers) break;
+                    depth += step * static_cast<double>(at(u + perMetre.x * t, v + perMetre.y * t, l));
+                }
+                out[i] = static_cast<float>(std::exp(-depth));
+            }
+    });
+    return out;
+}
+
+std::array<std::vector<float>, 2> skyThrough(const ForestAir& air) {
+    constexpr int kDirections = 24;  // on each half
+    std::array<std::vector<float>, 2> out;
+    for (size_t half = 0; half < 2; ++half) {
+        out[half].assign(air.extinction.size(), 0);
+        for (int k = 0; k < kDirections; ++k) {
+            const double y = (k + 0.5) / kDirections, turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
+            const std::vector<float> seen =
+                lightThrough(air, {r * std::cos(turn), half == 0 ? y : -y, r * std::sin(turn)});
+            for (size_t i = 0; i < seen.size(); ++i) out[half][i] += seen[i] / kDirections;
+        }
+    }
+    return out;
+}
+
+}  // namespace sward

@@ -1,0 +1,117 @@
+#include "scene/forest.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/components.h"
+#include "scene/field_rows.h"
+
+namespace sward {
+namespace {
+
+bool isGrown(const void* species) { return static_cast<const TreeSpecies*>(species)->file.empty(); }
+
+constexpr FieldRow range(const char* name, size_t offset, const char* unit, Range r, const char* help) {
+    return number(FieldType::Vec2, name, offset, unit, r, help);
+}
+constexpr FieldRow kSpeciesFields[] = {
+    text("name", offsetof(TreeSpecies, name), "what these trees are called"),
+    where(isGrown, choice("kind", &TreeSpecies::kind, offsetof(TreeSpecies, kind), kTreeKinds,
+                          "what is grown: conifer, broadleaf or birch")),
+    meshFile("file", offsetof(TreeSpecies, file), "a tree of your own, .glb or .gltf; none: one is grown"),
+    real("share", offsetof(TreeSpecies, share), "", {0, 1e6, 0, 1}, "how many of all trees, against the other kinds"),
+    real("height", offsetof(TreeSpecies, height), "m", {0.1, 150, 1, 40}, "of a tree of size 1"),
+    where(isGrown, real("crown", offsetof(TreeSpecies, crown), "", {0.05, 2, 0.1, 1},
+                        "width of the crown as a share of the height")),
+    where(isGrown, whole("leaves", offsetof(TreeSpecies, leaves), "", {1, 100000, 200, 5000},
+                         "of a tree seen from near, two triangles each")),
+    where(isGrown, color("leafColor", offsetof(TreeSpecies, leafColor), kReflectance, "of leaves: share of light")),
+    where(isGrown, color("barkColor", offsetof(TreeSpecies, barkColor), kReflectance, "of bark: share of light")),
+    range("size", offsetof(TreeSpecies, size), "", {0.05, 10, 0.3, 2}, "factor of the height, from and to"),
+    where(isGrown,
+          whole("seed", offsetof(TreeSpecies, seed), "", {0, 2147483647, 0, 1000}, "another number: another tree")),
+};
+constexpr ListRow kSpeciesList = listRow<TreeSpecies>(kSpeciesFields);
+constexpr FieldRow kTiling1 =
+    tiling("densityTiling", offsetof(Forest, densityTiling), "repeats of the density map over the terrain's mapSize");
+constexpr MapRow kDensity{.role = MapRole::Density, .texelsPerMetre = 1, .tiling = &kTiling1};
+constexpr FieldRow kFields[] = {
+    under("Where it grows", listOf("species", offsetof(Forest, species), &kSpeciesList, "the kinds of trees")),
+    real("perHectare", offsetof(Forest, perHectare), "1/ha", {0, 1e5, 0, 1500},
+         "trees on 10,000 square metres at density 1; 0: none"),
+    real("distance", offsetof(Forest, distance), "m", {0.1, 100, 1, 10}, "between two trunks at least"),
+    map("density", offsetof(Forest, density), &kDensity, "where trees stand: share of perHectare; none: everywhere"),
+    kTiling1,
+    range("slopeDeg", offsetof(Forest, slopeDeg), "deg", {0, 90, 0, 90}, "slopes of the ground on which they stand"),
+    real("tileSize", offsetof(Forest, tileSize), "m", {2, 500, 8, 40},
+         "edge of the triangles that hold the trees; a larger one holds more different places"),
+    whole("seed", offsetof(Forest, seed), "", {0, 2147483647, 0, 1000}, "another number: other places"),
+    under("Distances", distance("meshesTo", offsetof(Forest, meshesTo), {0, 1e6, 0, 300},
+                                "how far trees are drawn as meshes; as volumes beyond; inf: all as meshes")),
+    real("voxel", offsetof(Forest, voxel), "m", {0.02, 5, 0.1, 1}, "size of a volume's smallest part"),
+    under(kAdvanced, real("silhouetteDeg", offsetof(Forest, silhouetteDeg), "deg", {0, 90, 0, 90},
+                          "where the ground is seen at a smaller angle, a volume's slices face the eye")),
+    real("slant", offsetof(Forest, slant), "", {0.05, 20, 0.5, 4},
+         "how far such a slice may rise across a tile, in heights of the forest"),
+    under("Light", flag("castShadows", offsetof(Forest, castShadows), "near trees shade the ground and the grass")),
+};
+
+FeatureSet featuresOf(const void* component) {
+    const auto& f = *static_cast<const Forest*>(component);
+    if (!grows(f)) return {};
+    FeatureSet s = featureSet(Feature::Forest);
+    if (f.meshesTo > 0) s |= featureSet(Feature::ForestMeshes);
+    if (f.meshesTo > 0 && f.castShadows) s |= featureSet(Feature::ObjectShadows);
+    if (f.meshesTo < std::numeric_limits<float>::infinity()) s |= featureSet(Feature::ForestVolumes);
+    return s;
+}
+
+std::vector<std::string> repair(void* component) {
+    auto& f = *static_cast<Forest*>(component);
+    std::vector<std::string> said;
+    const auto order = [&](glm::dvec2& r, const std::string& name) {
+        if (r.x <= r.y) return;
+        std::swap(r.x, r.y);
+        said.push_back(name + " ran from its greater to its lesser value; they are exchanged");
+    };
+    order(f.slopeDeg, "slopeDeg");
+    for (size_t i = 0; i < f.species.size(); ++i) order(f.species[i].size, fmt::format("species[{}].size", i));
+    return said;
+}
+
+void check(const Registry& registry, Entity e, const std::string& path, std::vector<ComponentFault>& faults) {
+    const Forest& f = *registry.get<Forest>(e);
+    const auto tell = [&](const char* field, const std::string& what, bool without = false) {
+        faults.push_back({std::string("Forest.") + field, fmt::format("{}.{}: {}", path, field, what), without});
+    };
+    if (std::none_of(f.species.begin(), f.species.end(), stands))
+        tell("species", "no species has a share: no tree stands; give one a share", true);
+    registry.each<Terrain>([&](Entity, const Terrain& t) {
+        const double all = static_cast<double>(f.perHectare) / 1e4 * t.size.x * t.size.y;
+        if (all > kMostForestTrees)
+            tell("perHectare",
+                 fmt::format(
+                     "{:.0f} trees are asked for on this terrain; the most are {:.0f}, and none stands; lower it", all,
+                     kMostForestTrees),
+                 true);
+    });
+}
+
+}  // namespace
+
+bool stands(const TreeSpecies& s) { return s.share > 0 && s.height > 0; }
+
+bool grows(const Forest& f) { return f.perHectare > 0 && std::any_of(f.species.begin(), f.species.end(), stands); }
+
+const ComponentRow& forestRow() {
+    static const ComponentRow row = [] {
+        ComponentRow r = componentRow<Forest>("Forest", "A forest of trees over the terrain.", kFields, featuresOf);
+        r.repair = repair;
+        r.check = check;
+        r.readByTruth = true;
+        return r;
+    }();
+    return row;
+}
+
+}  // namespace sward

@@ -1,0 +1,190 @@
+#include "world/forest_stand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/jobs.h"
+#include "core/numerics.h"
+#include "mesh/mesh_io.h"
+#include "scene/tiling.h"
+#include "world/placement.h"
+
+namespace sward {
+namespace {
+
+constexpr double kStagger = 0.1;
+constexpr uint32_t kInsideKey = 3;  // beside the three families, for hashes
+
+struct Stander {
+    const Forest& forest;
+    const Terrain& terrain;
+    const ForestTiles& tiles;
+    Tiling tiling;
+    glm::dvec3 origin;
+    uint32_t seed;
+
+    bool stands(const glm::dvec2& at, uint32_t hash) const {
+        if (!(at.x >= 0 && at.y >= 0 && at.x <= terrain.size.x && at.y <= terrain.size.y)) return false;
+        if (forest.density.present() &&
+            !(tiledSample(forest.density.map, tiling, at.x, at.y) > f32::hashUnit(f32::hash2(hash, 1))))
+            return false;
+        const double slope = glm::degrees(std::acos(std::min(terrainNormal(terrain, at.x, at.y).y, 1.0)));
+        return slope >= forest.slopeDeg.x && slope <= forest.slopeDeg.y;
+    }
+    // Adds those of a list that stand; `numbers` takes their place among the trees, -1 for the others.
+    void add(const glm::ivec2& cell, uint32_t key, const std::vector<TileTree>& list, std::vector<StandingTree>& out,
+             int32_t* numbers) const {
+        const f64::vec2 corner = f64::fromLattice({cell.x, cell.y}, tiles.edge);
+        for (size_t k = 0; k < list.size(); ++k) {
+            const glm::dvec2 at = glm::dvec2(corner.x, corner.y) + list[k].at;
+            const uint32_t h = f32::hash2(f32::cellHash(cell.x, cell.y, seed), key * 64 + static_cast<uint32_t>(k));
+            numbers[k] = -1;
+            if (!stands(at, h)) continue;
+            numbers[k] = static_cast<int32_t>(out.size());
+            out.push_back({origin + glm::dvec3(at.x, terrainHeight(terrain, at.x, at.y), at.y), list[k].species,
+                           list[k].size, list[k].headingDeg, f32::hashUnit(f32::hash2(h, 2))});
+        }
+    }
+};
+
+// What belongs to one cell of the lattice: its three edges' trees, and those of its two triangles.
+struct CellTrees {
+    std::array<std::array<int32_t, kMostOnEdge>, 3> onEdge;
+    std::array<std::array<int32_t, kMostInside>, 2> inside;
+};
+// The cells from (i, j) on that may reach the terrain.
+struct Row {
+    int first = 0;
+    std::vector<CellTrees> cells;
+    std::vector<StandingTree> trees;
+};
+
+Row standRow(const Stander& s, int j, int first, int count) {
+    Row row{first, std::vector<CellTrees>(static_cast<size_t>(count)), {}};
+    for (int c = 0; c < count; ++c) {
+        CellTrees& cell = row.cells[static_cast<size_t>(c)];
+        for (auto& e : cell.onEdge) e.fill(-1);
+        for (auto& e : cell.inside) e.fill(-1);
+        const glm::ivec2 at(first + c, j);
+        const ForestTile up = tileAt(at.x, at.y, true, s.seed), down = tileAt(at.x, at.y, false, s.seed);
+        for (uint32_t f = 0; f < 3; ++f)
+            s.add(at, f, s.tiles.onEdge[f][static_cast<size_t>(up.colors[f])], row.trees, cell.onEdge[f].data());
+        s.add(at, kInsideKey, s.tiles.within(down.cell, false), row.trees, cell.inside[0].data());
+        s.add(at, kInsideKey + 1, s.tiles.within(up.cell, true), row.trees, cell.inside[1].data());
+    }
+    return row;
+}
+
+void shift(CellTrees& cell, int32_t by) {
+    const auto each = [&](auto& numbers) {
+        for (int32_t& n : numbers)
+            if (n >= 0) n += by;
+    };
+    for (auto& e : cell.onEdge) each(e);
+    for (auto& e : cell.inside) each(e);
+}
+
+uint64_t hashOf(const std::vector<StandingTree>& trees) {
+    Hasher h;
+    const auto add = [&](const auto& v) { h.add(&v, sizeof(v)); };
+    for (const StandingTree& t : trees) add(t.at), add(t.species), add(t.size), add(t.headingDeg);
+    return h.value();
+}
+
+}  // namespace
+
+StandingForest standingForest(const Forest& forest, const Ground& ground) {
+    StandingForest out;
+    if (!ground.terrain || !grows(forest)) return out;
+    const Terrain& t = *ground.terrain;
+    if (static_cast<double>(forest.perHectare) / 1e4 * t.size.x * t.size.y > kMostForestTrees) return out;
+    out.tiles = forestTiles(forest);
+    out.origin = ground.origin;
+    const uint32_t seed = f32::hash2(static_cast<uint32_t>(forest.seed), 0x7115u);
+    const Stander s{forest, t, out.tiles, tilingOf(t, forest.densityTiling), ground.origin, seed};
+    // From one row and one cell beyond the terrain on each side, whose edges' trees may stand on it.
+    const double rise = out.tiles.edge * 0.8660254037844386;
+    const int rows = static_cast<int>(std::ceil(t.size.y / rise)) + 2;
+    const int cells = static_cast<int>(std::ceil(t.size.x / out.tiles.edge)) + 3;
+    const auto firstOf = [&](int j) { return static_cast<int>(std::floor(-0.5 * (j + 1))) - 1; };
+    std::vector<Row> all(static_cast<size_t>(rows));
+    parallelFor(all.size(), [&](size_t r) {
+        const int j = static_cast<int>(r) - 1;
+        all[r] = standRow(s, j, firstOf(j), cells + 1);
+    });
+    for (Row& r : all) {
+        const int32_t by = static_cast<int32_t>(out.trees.size());
+        for (CellTrees& c : r.cells) shift(c, by);
+        out.trees.insert(out.trees.end(), r.trees.begin(), r.trees.end());
+    }
+    const auto cellAt = [&](const glm::ivec2& at) -> const CellTrees* {
+        if (at.y < -1 || at.y >= rows - 1) return nullptr;
+        const Row& r = all[static_cast<size_t>(at.y + 1)];
+        const int c = at.x - r.first;
+        return c < 0 || c >= static_cast<int>(r.cells.size()) ? nullptr : &r.cells[static_cast<size_t>(c)];
+    };
+    for (int j = -1; j < rows - 1; ++j)
+        for (int c = 0; c <= cells; ++c)
+            for (const bool up : {false, true}) {
+                ForestTriangle tri{{firstOf(j) + c, j}, tileAt(firstOf(j) + c, j, up, seed), {}};
+                tri.trees.fill(-1);
+                if (const CellTrees* own = cellAt(tri.cell))
+                    std::copy(own->inside[up].begin(), own->inside[up].end(), tri.trees.begin());
+                for (const EdgeFamily f : {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across})
+                    if (const CellTrees* owner = cellAt(edgeOwner(tri.cell.x, tri.cell.y, up, f))) {
+                        const auto& list = owner->onEdge[static_cast<size_t>(f)];
+                        std::copy(list.begin(), list.end(), tri.trees.begin() + firstSlot(f));
+                    }
+                if (std::any_of(tri.trees.begin(), tri.trees.end(), [](int32_t n) { return n >= 0; }))
+                    out.triangles.push_back(tri);
+            }
+    out.hash = hashOf(out.trees);
+    return out;
+}
+
+bool isMesh(const Forest& forest, const StandingTree& tree, double distance) {
+    return distance <
+           static_cast<double>(forest.meshesTo) * (1 + kStagger * (2 * static_cast<double>(tree.chance) - 1));
+}
+double meshesEnd(const Forest& forest) { return static_cast<double>(forest.meshesTo) * (1 + kStagger); }
+double volumesBegin(const Forest& forest) { return static_cast<double>(forest.meshesTo) * (1 - kStagger); }
+
+Result<Mesh> treeMesh(const std::filesystem::path& dir, const TreeSpecies& s) {
+    if (s.file.empty())
+        return growTree({s.kind, s.height, s.crown, s.leaves, s.leafColor, s.barkColor, static_cast<uint32_t>(s.seed)});
+    Result<Mesh> mesh = readMesh(dir, s.file);
+    if (!mesh) return mesh;
+    const float scale = s.height / std::max(mesh->high.y, 1e-6f);
+    for (MeshVertex& v : mesh->vertices) v.position *= scale;
+    updateBounds(*mesh);
+    return mesh;
+}
+
+glm::dmat3 turnOf(const StandingTree& t) {
+    return rotationOf({0, static_cast<double>(t.headingDeg), 0}) * static_cast<double>(t.size);
+}
+
+std::vector<std::pair<std::string, const Forest*>> forestsOf(const Project& p) {
+    std::vector<std::pair<std::string, const Forest*>> out;
+    for (const auto& [name, e] : p.entities)
+        if (const Forest* f = p.registry.get<Forest>(e); f && grows(*f)) out.emplace_back(name, f);
+    return out;
+}
+
+bool sameTiles(const Forest& a, const Forest& b) {
+    const auto sameSpecies = [](const TreeSpecies& x, const TreeSpecies& y) {
+        return x.kind == y.kind && x.file == y.file && x.share == y.share && x.height == y.height &&
+               x.crown == y.crown && x.leaves == y.leaves && x.leafColor == y.leafColor && x.barkColor == y.barkColor &&
+               x.size == y.size && x.seed == y.seed;
+    };
+    return std::equal(a.species.begin(), a.species.end(), b.species.begin(), b.species.end(), sameSpecies) &&
+           a.perHectare == b.perHectare && a.distance == b.distance && a.tileSize == b.tileSize && a.seed == b.seed;
+}
+
+bool sameForest(const Forest& a, const Forest& b) {
+    return sameTiles(a, b) && a.density.map.sameTiles(b.density.map) && a.densityTiling == b.densityTiling &&
+           a.slopeDeg == b.slopeDeg;
+}
+
+}  // namespace sward

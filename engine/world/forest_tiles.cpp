@@ -1,0 +1,193 @@
+#include "world/forest_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics.h"
+
+namespace sward {
+namespace {
+
+constexpr double kSlope = 0.8660254037844386;  // sine of 60 degrees
+constexpr int kDartsATree = 400;
+
+struct Dice {
+    uint32_t seed, at = 0;
+    double unit() { return f32::hash2(seed, at++) * (1.0 / 4294967296.0); }
+    double in(double low, double high) { return low + (high - low) * unit(); }
+};
+
+glm::dvec2 metres(const glm::dvec2& uv, double edge) { return {edge * (uv.x + 0.5 * uv.y), edge * kSlope * uv.y}; }
+
+// Distances of a place to the three edges of its triangle of cell (0, 0), by family; inside they are positive.
+std::array<double, 3> edgeDistances(const glm::dvec2& uv, bool up, double edge) {
+    const double height = edge * kSlope;
+    return up ? std::array{uv.y * height, uv.x * height, (1 - uv.x - uv.y) * height}
+              : std::array{(1 - uv.y) * height, (1 - uv.x) * height, (uv.x + uv.y - 1) * height};
+}
+
+// The triangles beside an edge that belongs to cell (0, 0): their cells, and whether they point up.
+struct Beside {
+    glm::ivec2 cell;
+    bool up;
+};
+std::array<Beside, 2> besideOf(EdgeFamily f) {
+    if (f == EdgeFamily::Row) return {{{{0, 0}, true}, {{0, -1}, false}}};
+    if (f == EdgeFamily::Slant) return {{{{0, 0}, true}, {{-1, 0}, false}}};
+    return {{{{0, 0}, true}, {{0, 0}, false}}};
+}
+// The edges of a triangle of cell (0, 0), as the cells that they belong to.
+glm::ivec2 ownerOf(bool up, EdgeFamily f) {
+    if (up || f == EdgeFamily::Across) return {0, 0};
+    return f == EdgeFamily::Row ? glm::ivec2(0, 1) : glm::ivec2(1, 0);
+}
+constexpr EdgeFamily kFamilies[] = {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across};
+
+int colorOf(int cell, bool up, EdgeFamily f) {
+    const int x = cell & 1, y = cell >> 1;
+    if (f == EdgeFamily::Slant) return y;
+    if (f == EdgeFamily::Across) return x;
+    return up ? x ^ y : x ^ y ^ 1;
+}
+
+struct Placer {
+    const Forest& forest;
+    ForestTiles tiles{};
+    Dice dice;
+    double apart;
+
+    bool free(const std::vector<TileTree>& among, const glm::dvec2& at, const glm::dvec2& shift) const {
+        return std::all_of(among.begin(), among.end(),
+                           [&](const TileTree& t) { return glm::length(t.at + shift - at) >= apart; });
+    }
+    glm::dvec2 offset(const glm::ivec2& cell) const { return metres(glm::dvec2(cell), tiles.edge); }
+
+    // Whether a tree across an edge of a colour keeps its distance from all that may stand in the triangles beside it.
+    bool freeOnEdge(EdgeFamily f, int color, const glm::dvec2& at) const {
+        if (!free(tiles.across(f, color), at, {})) return false;
+        for (const Beside& b : besideOf(f)) {
+            for (const EdgeFamily other : kFamilies) {
+                if (other == f) continue;
+                const glm::dvec2 shift = offset(b.cell + ownerOf(b.up, other));
+                if (!free(tiles.across(other, 0), at, shift) || !free(tiles.across(other, 1), at, shift)) return false;
+            }
+            for (int cell = 0; cell < 4; ++cell)
+                if (colorOf(cell, b.up, f) == color && !free(tiles.within(cell, b.up), at, offset(b.cell)))
+                    return false;
+        }
+        return true;
+    }
+    bool freeInside(int cell, bool up, const glm::dvec2& at) const {
+        if (!free(tiles.within(cell, up), at, {})) return false;
+        return std::all_of(std::begin(kFamilies), std::end(kFamilies), [&](EdgeFamily f) {
+            return free(tiles.across(f, colorOf(cell, up, f)), at, offset(ownerOf(up, f)));
+        });
+    }
+    TileTree tree(const glm::dvec2& at) {
+        TileTree t{at, 0, 1, static_cast<float>(dice.in(-180, 180))};
+        double all = 0, left;
+        for (const TreeSpecies& s : forest.species) all += stands(s) ? static_cast<double>(s.share) : 0;
+        left = dice.unit() * all;
+        for (uint32_t i = 0; i < forest.species.size(); ++i) {
+            if (!stands(forest.species[i])) continue;
+            t.species = i;
+            left -= static_cast<double>(forest.species[i].share);
+            if (left < 0) break;
+        }
+        const TreeSpecies& s = forest.species[t.species];
+        t.size = static_cast<float>(dice.in(s.size.x, s.size.y));
+        tiles.highest = std::max(tiles.highest, t.size * s.height);
+        return t;
+    }
+    // Edges that a circle around the place crosses; `which`: the last of them.
+    int crossed(const glm::dvec2& uv, bool up, EdgeFamily& which) const {
+        const std::array<double, 3> d = edgeDistances(uv, up, tiles.edge);
+        int count = 0;
+        for (size_t i = 0; i < 3; ++i)
+            if (d[i] < tiles.circle) ++count, which = kFamilies[i];
+        return count;
+    }
+    void edge(EdgeFamily f, int color, int wanted) {
+        std::vector<TileTree>& out = tiles.onEdge[static_cast<size_t>(f)][static_cast<size_t>(color)];
+        for (int k = 0; k < wanted * kDartsATree && static_cast<int>(out.size()) < std::min(wanted, kMostOnEdge); ++k) {
+            const Beside b = besideOf(f)[dice.unit() < 0.5 ? 0 : 1];
+            const glm::dvec2 uv = inTriangle(b.up);
+            EdgeFamily met{};
+            if (crossed(uv, b.up, met) != 1 || met != f) continue;
+            const glm::dvec2 at = metres(uv + glm::dvec2(b.cell), tiles.edge);
+            if (freeOnEdge(f, color, at)) out.push_back(tree(at));
+        }
+    }
+    void inside(int cell, bool up, int wanted) {
+        std::vector<TileTree>& out = tiles.inside[static_cast<size_t>(cell)][up ? 1 : 0];
+        for (int k = 0; k < wanted * kDartsATree && static_cast<int>(out.size()) < std::min(wanted, kMostInside); ++k) {
+            const glm::dvec2 uv = inTriangle(up), at = metres(uv, tiles.edge);
+            EdgeFamily met{};
+            if (crossed(uv, up, met) == 0 && freeInside(cell, up, at)) out.push_back(tree(at));
+        }
+    }
+    glm::dvec2 inTriangle(bool up) {
+        glm::dvec2 uv(dice.unit(), dice.unit());
+        if ((uv.x + uv.y > 1) == up) uv = 1.0 - uv;
+        return uv;
+    }
+    // Shares of a tile's area whose circles cross no edge, and one.
+    glm::dvec2 areas() {
+        constexpr int kSide = 256;
+        glm::dvec2 share(0);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide - y; ++x) {
+                EdgeFamily met{};
+                const int n = crossed((glm::dvec2(x, y) + 1.0 / 3) / double(kSide), true, met);
+                if (n < 2) share[n] += 1;
+            }
+        return share / (0.5 * kSide * (kSide + 1));
+    }
+};
+
+double circleOf(const Forest& f) {
+    double widest = static_cast<double>(f.distance) / 2;
+    for (const TreeSpecies& s : f.species)
+        if (stands(s) && s.file.empty())
+            widest = std::max(widest, static_cast<double>(s.crown * s.height) * s.size.y / 2);
+    return std::min(widest, 0.2 * static_cast<double>(f.tileSize));  // what a triangle has room for
+}
+
+}  // namespace
+
+ForestTiles forestTiles(const Forest& forest) {
+    Placer p{
+        forest, {}, {f32::hash2(static_cast<uint32_t>(forest.seed), 0xF0E57u)}, static_cast<double>(forest.distance)};
+    p.tiles.edge = static_cast<double>(forest.tileSize);
+    p.tiles.circle = circleOf(forest);
+    if (!grows(forest)) return p.tiles;
+    const double tile = p.tiles.edge * p.tiles.edge * kSlope / 2;
+    const double trees = static_cast<double>(forest.perHectare) / 1e4 * tile;  // in a tile; half of each edge's counts
+    const glm::dvec2 share = p.areas();
+    const double inside = trees * share.x / (share.x + share.y), onEdge = (trees - inside) * 2 / 3;
+    // Edges and tiles in turn, so that neither finds the ground taken; what is owed goes on to the next.
+    double owedEdge = p.dice.unit(), owedInside = p.dice.unit();
+    const auto whole = [](double& owed, double more) {
+        owed += more;
+        const double n = std::floor(owed);
+        owed -= n;
+        return static_cast<int>(n);
+    };
+    for (int k = 0; k < 6; ++k) p.edge(kFamilies[k % 3], k / 3, whole(owedEdge, onEdge));
+    for (int k = 0; k < 8; ++k) p.inside(k / 2, k % 2 != 0, whole(owedInside, inside));
+    p.tiles.asked = 8 * trees;
+    for (const auto& family : p.tiles.onEdge)
+        for (const auto& color : family) p.tiles.placed += 2 * static_cast<double>(color.size());
+    for (const auto& cell : p.tiles.inside)
+        for (const auto& tile8 : cell) p.tiles.placed += static_cast<double>(tile8.size());
+    return p.tiles;
+}
+
+ForestTile tileAt(int i, int j, bool up, uint32_t seed) {
+    const f32::EdgeColors c = f32::edgeColors(i, j, up, seed);
+    return {c.across + 2 * c.slant, up, {c.row, c.slant, c.across}};
+}
+
+glm::ivec2 edgeOwner(int i, int j, bool up, EdgeFamily family) { return glm::ivec2(i, j) + ownerOf(up, family); }
+
+}  // namespace sward

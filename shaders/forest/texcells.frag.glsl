@@ -1,0 +1,59 @@
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, in the
+// haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "numerics/correction.h"
+#include "numerics/forest.h"
+#include "shared/bindings.h"
+#include "shared/forest.h"
+
+layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
+layout(std430, binding = SSBO_FOREST_FEET) readonly buffer FeetBlock { float feet[]; };
+layout(binding = TEX_FOREST_FINE) uniform sampler2DArray finer;
+layout(binding = TEX_FOREST_COARSE) uniform sampler2DArray coarser;
+layout(binding = TEX_FOREST_LIGHT) uniform sampler2DArray lightImage;  // shares of sun, sky and ground
+layout(binding = TEX_FOREST_SLOTS) uniform usampler2D slots;
+
+in vec3 position;
+in vec2 stored;
+flat in int number;
+flat in vec2 blend;
+flat in vec3 facing;
+flat in float path;
+out vec4 color;
+
+vec3 lightShares(vec2 uv, float at) {
+    float part = clamp(at * forest.lightSlabs - 0.5, 0.0, forest.lightSlabs - 1.0);
+    float low = floor(part);
+    return mix(textureLod(lightImage, vec3(uv, low), 0.0).rgb,
+               textureLod(lightImage, vec3(uv, min(low + 1.0, forest.lightSlabs - 1.0)), 0.0).rgb, part - low);
+}
+
+void main() {
+    vec2 uv = 0.5 * stored;
+    ivec2 side = textureSize(slots, 0);
+    uint slot = texelFetch(slots, ivec2(fract(uv) * vec2(side)), 0).r;
+    if (slot >= uint(FOREST_SLOTS)) discard;
+    float at = (position.y - feet[number * FOREST_SLOTS + int(slot)]) / forest.height;
+    if (!(at > 0.0 && at < 1.0)) discard;  // no tree stands there, or the slice passes over or under it
+    float distance = length(position);
+    float level = log2(max(distance * forest.pixel / forest.voxel, 1.0));
+    vec4 leaves = blend.x * textureLod(finer, vec3(uv, floor(at * forest.fineSlabs)), level);
+    if (blend.y > 0.0) leaves += blend.y * textureLod(coarser, vec3(uv, floor(at * forest.coarseSlabs)), level);
+    if (leaves.a < 1.0 / 512.0) discard;
+    vec3 way = position / distance;
+    leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));
+    vec3 shares = lightShares(uv, at);
+    vec3 light = 0.5 * (frame.skyLight * shares.g + frame.groundLight * shares.b);
+    if (SUN) {
+        float visible = shares.r;
+        if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
+        light += frame.sunLight * (visible * foliagePhase(-dot(way, frame.sunDirection)));
+    }
+    color = vec4(mix(leaves.rgb * light, leaves.a * horizonColor(position.xz), hazeShare(distance)), leaves.a);
+    if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
+    if (viewMode() == VIEW_DENSITY) color.rgb = leaves.a * vec3(0.25);
+    if (viewMode() == VIEW_NORMALS) color.rgb = leaves.a * (facing * 0.5 + 0.5);
+    if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);
+}

@@ -1,0 +1,42 @@
+// A corner of one slice of one tile. Slices lie parallel to the tile's ground, or are tilted towards the eye by moving
+// their corners up and down. The farther one always comes first.
+#include "lib/frame.glsl"
+#include "lib/mirror.glsl"
+#include "shared/bindings.h"
+#include "shared/forest.h"
+
+layout(std430, binding = SSBO_FOREST_TILES) readonly buffer TilesBlock { TileInView tiles[]; };
+layout(location = 0) uniform int firstTile;
+
+out vec3 position;     // relative to the eye
+out vec2 stored;       // lattice coordinates in the 2 x 2 cells that repeat
+flat out int number;   // of the tile
+flat out vec2 blend;   // shares of the finer and of the coarser level
+flat out vec3 facing;  // unit normal of the slice
+flat out float path;   // TileInView::path
+
+// Corners in the cell, as edges' families are named by (numerics/forest.h).
+vec2 cornerOf(int corner, bool up) {
+    if (up) return vec2(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
+    return vec2(corner == 1 ? 0.0 : 1.0, corner == 2 ? 0.0 : 1.0);
+}
+
+void main() {
+    number = firstTile + gl_InstanceID;
+    TileInView t = tiles[number];
+    int k = gl_VertexID / 3, corner = gl_VertexID % 3;
+    int slice = k < t.under ? k : t.slices - 1 - (k - t.under);
+    float share = t.coarser;
+    // Slices by pairs: the lower one becomes the pair's, between the two, while the upper one fades.
+    bool lower = (slice & 1) == 0;
+    blend = lower ? vec2(1.0 - share, share) : vec2(1.0 - share, 0.0);
+    float rise = (float(slice) + 0.5 + (lower ? 0.5 * share : 0.0)) * t.spacing;
+    position = t.corner[corner].xyz + vec3(0.0, t.corner[corner].w + rise, 0.0);
+    stored = t.stored + cornerOf(corner, t.up == 1);
+    vec3 low[3];
+    for (int i = 0; i < 3; ++i) low[i] = t.corner[i].xyz + vec3(0.0, t.corner[i].w, 0.0);
+    facing = normalize(cross(low[2] - low[0], low[1] - low[0]));
+    path = t.path;
+    cutAtWater(position.y);
+    gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+}

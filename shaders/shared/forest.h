@@ -1,0 +1,32 @@
+// A forest's tiles as volumes (forest/texcells.h). Does not: hold the volumes, which are textures.
+#pragma once
+#include "shared/types.h"
+#define FOREST_SLOTS 32
+#ifdef __cplusplus
+namespace sward {
+#endif
+
+struct STD140 ForestGlobals {
+    float height;     // metres that all slabs reach
+    float voxel;      // metres of a texel of the finest image
+    float fineSlabs;  // slabs of the level that is drawn, and of the next
+    float coarseSlabs;
+    float pixel;       // metres that a pixel covers at a distance of 1 m
+    float lightSlabs;  // parts of the light's image upwards
+};
+
+// A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.
+struct TileInView {
+    vec4 corner[3];  // x, y, z; w: metres from the ground there up to where slices begin
+    vec2 stored;     // its cell among the 2 x 2 that repeat
+    float spacing;   // metres from slice to slice, upwards
+    float path;      // what a slice stands for: slabs' heights that lie between two slices
+    float coarser;   // share of the next level: 0 to 1
+    int up;          // 1 where it points up
+    int slices;      // that are drawn
+    int under;       // how many of them come from below upwards; the others from above downwards
+};
+
+#ifdef __cplusplus
+}
+#endif

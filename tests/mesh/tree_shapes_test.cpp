@@ -1,0 +1,111 @@
+// Grown trees: the same from the same numbers, within their bounds, and with as many leaves as were asked for; thinned
+// ones keep their leaves' area.
+#include "mesh/tree_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/mesh_io.h"
+
+namespace sward {
+namespace {
+
+double areaOf(const Mesh& m, size_t fromPart) {
+    double sum = 0;
+    for (size_t k = fromPart; k < m.parts.size(); ++k)
+        for (uint32_t i = m.parts[k].first; i < m.parts[k].first + m.parts[k].count; i += 3) {
+            const auto at = [&](uint32_t n) { return glm::dvec3(m.vertices[m.indices[i + n]].position); };
+            sum += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+        }
+    return sum;
+}
+
+TEST(TreeShapes, StayWithinTheirCrownAndHeight) {
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch})
+        for (const float height : {0.5f, 12.0f, 60.0f}) {
+            const TreeShape shape{.kind = kind, .height = height, .crown = 0.4f};
+            const Mesh m = growTree(shape);
+            const float reach = 0.5f * shape.crown * height * 1.0001f;
+            for (const MeshVertex& v : m.vertices) {
+                EXPECT_LE(std::hypot(v.position.x, v.position.z), reach);
+                EXPECT_GE(v.position.y, 0);
+                EXPECT_LE(v.position.y, height);
+                EXPECT_NEAR(glm::length(v.normal), 1, 1e-4);
+            }
+            EXPECT_GT(m.high.y, 0.85f * height) << "it is as tall as it says";
+            EXPECT_GT(m.high.x - m.low.x, 1.2f * reach) << "and its crown as wide";
+        }
+}
+
+TEST(TreeShapes, HaveTheLeavesThatAreAskedFor) {
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch})
+        for (const int leaves : {200, 2400, 20000}) {
+            const Mesh m = growTree({.kind = kind, .leaves = leaves});
+            size_t triangles = 0;
+            for (size_t k = 1; k < m.parts.size(); ++k) triangles += m.parts[k].count / 3;
+            EXPECT_NEAR(static_cast<double>(triangles), 2.0 * leaves, 0.02 * leaves);
+        }
+}
+
+TEST(TreeShapes, AreTheSameFromTheSameNumbersAndOthersFromOthers) {
+    const auto bytes = [](const Mesh& m) {
+        return std::string(reinterpret_cast<const char*>(m.vertices.data()), m.vertices.size() * sizeof(MeshVertex));
+    };
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch}) {
+        EXPECT_EQ(bytes(growTree({.kind = kind, .seed = 7})), bytes(growTree({.kind = kind, .seed = 7})));
+        EXPECT_NE(bytes(growTree({.kind = kind, .seed = 7})), bytes(growTree({.kind = kind, .seed = 8})));
+    }
+}
+
+TEST(TreeShapes, CanBeWrittenAndReadAgain) {
+    const Mesh m = growTree({});
+    const Result<std::string> glb = encodeGlb(m);
+    ASSERT_TRUE(glb) << glb.error().text();
+    const Result<Mesh> back = readMeshBytes(*glb, ".", "tree.glb");
+    ASSERT_TRUE(back) << back.error().text();
+    EXPECT_EQ(back->indices.size(), m.indices.size());
+    EXPECT_EQ(back->parts.size(), m.parts.size());
+}
+
+TEST(TreeShapes, ThinnedKeepTheirLeavesArea) {
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch}) {
+        const Mesh m = growTree({.kind = kind, .leaves = 6000});
+        for (const float keep : {0.5f, 0.1f}) {
+            const Mesh few = thinned(m, keep);
+            EXPECT_NEAR(static_cast<double>(few.indices.size()) / static_cast<double>(m.indices.size()), keep, 0.06);
+            // Leaves differ in size, and those at the crown's edge are kept within it.
+            EXPECT_NEAR(areaOf(few, 1) / areaOf(m, 1), 1, 0.12) << keep;
+            EXPECT_EQ(few.parts[0].count, m.parts[0].count) << "the trunk and its branches stay";
+            EXPECT_LE(few.high.y, m.high.y);
+        }
+        // A coarser one is a part of a finer one: nothing appears as one goes away.
+        EXPECT_EQ(thinned(m, 1).indices, m.indices);
+    }
+}
+
+TEST(TreeShapes, ThinningIsNested) {
+    const Mesh m = growTree({.leaves = 500});
+    const Mesh some = thinned(m, 0.5f), few = thinned(m, 0.2f);
+    // Leaves by their middles, which thinning leaves where they are.
+    const auto middles = [](const Mesh& t) {
+        std::vector<glm::vec3> out;
+        for (size_t k = 1; k < t.parts.size(); ++k)
+            for (uint32_t i = t.parts[k].first; i < t.parts[k].first + t.parts[k].count; i += 6) {
+                glm::vec3 sum(0);
+                for (uint32_t n = 0; n < 6; ++n) sum += t.vertices[t.indices[i + n]].position;
+                out.push_back(sum / 6.0f);
+            }
+        return out;
+    };
+    const std::vector<glm::vec3> known = middles(some);
+    size_t found = 0, all = 0;
+    for (const glm::vec3& leaf : middles(few)) {
+        ++all;
+        found +=
+            std::any_of(known.begin(), known.end(), [&](const glm::vec3& k) { return glm::distance(k, leaf) < 0.06f; });
+    }
+    EXPECT_GT(all, 60u);
+    EXPECT_GT(static_cast<double>(found), 0.97 * static_cast<double>(all)) << "but for those at the crown's edge";
+}
+
+}  // namespace
+}  // namespace sward

@@ -1,0 +1,131 @@
+// Which trees stand: those that density and slopes allow, each once, in every triangle that it reaches into, wherever
+// the terrain lies.
+#include "world/forest_stand.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace sward {
+namespace {
+
+struct Wood {
+    Terrain terrain;
+    Forest rule;
+    glm::dvec3 origin{0};
+    Wood() { terrain.size = {200, 150}; }
+    StandingForest all() const { return standingForest(rule, {&terrain, origin}); }
+    void density(float value) {
+        Map m({16, 16, 1, PixelType::U16});
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x) m.set(x, y, 0, value);
+        rule.density = {"maps/d.png", m};
+    }
+    // A plane that rises along x by so many metres over the terrain.
+    void plane(float rise) {
+        Map m({64, 64, 1, PixelType::F32});
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) m.set(x, y, 0, rise * (static_cast<float>(x) + 0.5f) / 64);
+        terrain.height = {"maps/h.exr", m};
+    }
+};
+
+TEST(ForestStand, HasTheNumberThatIsAskedForWithinTheTerrain) {
+    const StandingForest f = Wood().all();
+    EXPECT_NEAR(static_cast<double>(f.trees.size()), 0.04 * 200 * 150, 0.06 * 1200);
+    for (const StandingTree& t : f.trees) {
+        EXPECT_TRUE(t.at.x >= 0 && t.at.x <= 200 && t.at.z >= 0 && t.at.z <= 150);
+        EXPECT_EQ(t.at.y, 0);
+    }
+}
+
+TEST(ForestStand, EachTreeIsInATriangleAndEachTrianglesTreesStandThere) {
+    const StandingForest f = Wood().all();
+    std::vector<int> times(f.trees.size());
+    for (const ForestTriangle& t : f.triangles)
+        for (const int32_t n : t.trees)
+            if (n >= 0) ++times[static_cast<size_t>(n)];
+    std::set<std::pair<double, double>> places;
+    for (size_t i = 0; i < times.size(); ++i) {
+        EXPECT_TRUE(times[i] == 1 || times[i] == 2) << "within one tile, or across an edge of two";
+        places.insert({f.trees[i].at.x, f.trees[i].at.z});
+    }
+    EXPECT_EQ(places.size(), f.trees.size()) << "none stands twice";
+}
+
+TEST(ForestStand, DensityLeavesItsShare) {
+    Wood w;
+    w.terrain.size = {400, 400};
+    const double all = static_cast<double>(w.all().trees.size());
+    for (const float share : {0.0f, 0.3f, 0.8f, 1.0f}) {
+        w.density(share);
+        EXPECT_NEAR(static_cast<double>(w.all().trees.size()), share * all,
+                    4 * std::sqrt(all * share * (1 - share)) + 1);
+    }
+    // What a lower density leaves stands at a higher one, too.
+    w.density(0.3f);
+    std::set<std::pair<double, double>> few, more;
+    for (const StandingTree& t : w.all().trees) few.insert({t.at.x, t.at.z});
+    w.density(0.6f);
+    for (const StandingTree& t : w.all().trees) more.insert({t.at.x, t.at.z});
+    for (const auto& place : few) EXPECT_TRUE(more.contains(place));
+}
+
+TEST(ForestStand, SlopesBeyondTheRangeAreBare) {
+    Wood w;
+    w.plane(60);  // 16.7 degrees
+    w.rule.slopeDeg = {0, 20};
+    EXPECT_GT(w.all().trees.size(), 1000u);
+    for (const StandingTree& t : w.all().trees) EXPECT_NEAR(t.at.y, terrainHeight(w.terrain, t.at.x, t.at.z), 1e-9);
+    w.rule.slopeDeg = {0, 10};
+    EXPECT_LT(w.all().trees.size(), 60u) << "but for the level rims of the map";
+}
+
+TEST(ForestStand, MovesWithItsTerrain) {
+    Wood w;
+    const StandingForest here = w.all();
+    w.origin = {90000, 3, -70000};
+    const StandingForest there = w.all();
+    ASSERT_EQ(here.trees.size(), there.trees.size());
+    for (size_t i = 0; i < here.trees.size(); ++i)
+        EXPECT_LT(glm::distance(there.trees[i].at - w.origin, here.trees[i].at), 1e-9);
+}
+
+TEST(ForestStand, AnEditMovesNothingFarAway) {
+    Wood w;
+    w.density(1);
+    const StandingForest before = w.all();
+    w.rule.density.map.set(2, 2, 0, 0);
+    const StandingForest after = w.all();
+    std::set<std::pair<double, double>> left;
+    for (const StandingTree& t : after.trees) left.insert({t.at.x, t.at.z});
+    EXPECT_LT(after.trees.size(), before.trees.size());
+    for (const StandingTree& t : before.trees)
+        if (t.at.x > 60 || t.at.z > 50) EXPECT_TRUE(left.contains({t.at.x, t.at.z}));
+}
+
+TEST(ForestStand, EachTreeIsAMeshOrAVolume) {
+    Forest f;
+    f.meshesTo = 50;
+    StandingTree t;
+    for (const float chance : {0.0f, 0.25f, 0.5f, 0.999f}) {
+        t.chance = chance;
+        EXPECT_TRUE(isMesh(f, t, volumesBegin(f) - 0.01));
+        EXPECT_FALSE(isMesh(f, t, meshesEnd(f)));
+        EXPECT_EQ(isMesh(f, t, 50), chance > 0.5f);
+    }
+    f.meshesTo = 0;
+    EXPECT_FALSE(isMesh(f, t, 0));
+    f.meshesTo = std::numeric_limits<float>::infinity();
+    EXPECT_TRUE(isMesh(f, t, 1e8));
+}
+
+TEST(ForestStand, TooManyAreRefusedAndNoTerrainHasNone) {
+    Wood w;
+    w.terrain.size = {1e5, 1e5};
+    EXPECT_TRUE(w.all().trees.empty());
+    EXPECT_TRUE(standingForest(w.rule, {}).trees.empty());
+}
+
+}  // namespace
+}  // namespace sward
