@@ -177,6 +177,7 @@ void followWorld(EditorApp& app) {
     followFilm(app.background.film, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
+    followHardCases(app.hardCases, &app.gpu, app.clock);
     followPlay(playParts(app), app.in);
     takeDropped(app);
     if (followThumbnails(app.thumbnails, app.gpu, app.clock.fixed)) app.clock.wanted = 2;

@@ -49,6 +49,7 @@ struct Verbs {
     ExportCommand exported;
     BakeCommand bake;
     PictureOptions pictures;
+    HardCasesOptions cases;
     NewCommand made;
     ScriptOptions script;
     std::string project = "projects/football", dir;
@@ -222,6 +223,16 @@ struct Verbs {
             ->needs(on);
         v->add_flag("--json", pictures.json, "print JSON")->needs(on);
     }
+    void addHardCases() {
+        CLI::App* v =
+            verb("hardcases", "Run every numerical hard case on this machine", [this] { return hardcasesVerb(cases); });
+        CLI::Option* asJson = v->add_flag("--json", cases.json, "print JSON");
+        CLI::Option* curve =
+            v->add_option("--curve", cases.curve, "one case (B-1; B-1.2 for its second row) along what makes it hard")
+                ->excludes(asJson);
+        v->add_option("--out", cases.out, "with --curve: file for it, .png, .svg or .csv (default: printed)")
+            ->needs(curve);
+    }
     void addProjects() {
         verb("edit", "Open the editor (default)", [this] {
             return editVerb(project);
@@ -237,9 +248,7 @@ struct Verbs {
                                  [this] { return explainVerb(dir, json); });
         explain->add_option("project", dir, "folder of the project")->required();
         explain->add_flag("--json", json, "print JSON");
-        verb("hardcases", "Run every numerical hard case on this machine", [this] {
-            return hardcasesVerb(json);
-        })->add_flag("--json", json, "print JSON");
+        addHardCases();
         CLI::App* s = verb("script", "Run an editor script", [this] { return scriptVerb(script); });
         s->add_option("file", script.file, "Lua file")->required();
         s->add_option("--project", script.project, "project to open first");

@@ -119,8 +119,12 @@ struct BakeCommand {
 int bakeVerb(const BakeCommand& options);
 // `sward explain`: the passes that run for a project, and why.
 int explainVerb(const std::string& project, bool json);
+struct HardCasesOptions {
+    bool json = false;
+    std::string curve, out;  // one case along its variable: its key, and a file for it; empty: it is printed
+};
 // `sward hardcases`: the formulas on the CPU and the GPU where they are hardest.
-int hardcasesVerb(bool json);
+int hardcasesVerb(const HardCasesOptions& options);
 struct ScriptOptions {
     std::string file, project;
     std::string size = "1280x800";  // of the editor without a window, in points

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "panels/brush_shape.h"
 #include "panels/field_edit.h"
+#include "panels/hardcase_gallery.h"
 #include "panels/image_dialog.h"
 #include "panels/map_windows.h"
 #include "panels/overlay_legend.h"
@@ -254,6 +255,7 @@ constexpr PanelRow kPanels[] = {
          drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
      },
      true, "Pictures Panel", true},
+    {"Hard Cases", Dock::Bottom, [](App& a) { drawHardCases(a.hardCases, a.edits); }, true, "Hard Cases Panel"},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},
