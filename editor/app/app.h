@@ -32,6 +32,7 @@
 #include "app/selection.h"
 #include "app/start.h"
 #include "app/thumbnails.h"
+#include "app/transition_run.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
 #include "model/autosave.h"
@@ -96,6 +97,7 @@ struct EditorApp {
     Accuracy accuracy;
     PictureRun pictureRun;
     HardCaseRun hardCases;
+    TransitionMeter transitions;
     Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;

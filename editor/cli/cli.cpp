@@ -50,6 +50,7 @@ struct Verbs {
     BakeCommand bake;
     PictureOptions pictures;
     HardCasesOptions cases;
+    TransitionOptions transitions;
     NewCommand made;
     ScriptOptions script;
     std::string project = "projects/football", dir;
@@ -161,6 +162,21 @@ struct Verbs {
         v->add_flag("--json", compare.json, "print JSON");
         v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
     }
+    void addTransitions() {
+        TransitionOptions& o = transitions;
+        CLI::App* v = verb("transitions", "What pops along a camera's path, against other blades of the field",
+                           [this] { return transitionsVerb(transitions); });
+        v->add_option("project", o.project, "folder of the project")->required();
+        v->add_option("--path", o.path, "name of the CameraPath that is walked")->required();
+        v->add_option("--pictures", o.pictures, "how many, evenly over all of it (default: 25)");
+        v->add_option("--size", o.size, "WxH in pixels (default: 160x120)");
+        v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 4)");
+        v->add_option("--technique", o.technique, techniqueNames(tables().techniques) + " (default: the project's)");
+        v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--time", o.time, "scene time in seconds, at which it stands still (default: 0)")->check(kFinite);
+        v->add_option("--out", o.out, "file for the graph, .png or .svg");
+        v->add_flag("--json", o.json, "print JSON");
+    }
     void addMaps() {
         CLI::App* in = verb("import", "Read a map of a project from a file, and save the project",
                             [this] { return importVerb(import); });
@@ -265,6 +281,7 @@ struct Verbs {
         addReference();
         addCost();
         addCompare();
+        addTransitions();
         addMaps();
         addBakes();
         app.require_subcommand(0, 1);

@@ -79,6 +79,15 @@ struct CompareOptions {
 // `sward compare`: how two pictures or films differ, by all metrics.
 int compareVerb(const CompareOptions& options);
 
+struct TransitionOptions {
+    std::string project, path, size = "160x120", technique, out;
+    std::vector<std::string> set;
+    int pictures = 25, samples = 4;
+    double time = 0;
+    bool json = false;
+};
+// `sward transitions`: what pops along a path of the camera.
+int transitionsVerb(const TransitionOptions& options);
 struct NewCommand {
     std::string dir, from;              // of a template; empty: one terrain, one field, a sun, a camera
     std::optional<float> size, relief;  // metres; absent: what suits the template

@@ -139,7 +139,7 @@ void graph(HardCaseRun& run, const HardCase& h, CaseGraph which, ImVec2 size) {
     ImGui::InvisibleButton(name, size);
     ui::record(name, ui::Kind::Area);
     const auto width = static_cast<double>(size.x), height = static_cast<double>(size.y);
-    const CaseBox box{56, 20, width - 12, height - 36};
+    const PlotBox box{56, 20, width - 12, height - 36};
     const double share = (static_cast<double>(ImGui::GetIO().MousePos.x - at.x) - box.left) / (box.right - box.left);
     if (ImGui::IsItemActive()) moveCase(run, valueAt(h.curve, share));
     Plot plot;

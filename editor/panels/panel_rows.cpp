@@ -15,6 +15,7 @@
 #include "panels/panels.h"
 #include "panels/play_bar.h"
 #include "panels/start.h"
+#include "panels/transitions.h"
 #include "panels/viewport.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
@@ -255,6 +256,11 @@ constexpr PanelRow kPanels[] = {
          drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
      },
      true, "Pictures Panel", true},
+    {"Transitions", Dock::Bottom,
+     [](App& a) {
+         drawTransitions({a.transitions, a.doc, a.view, a.edits});
+     },
+     true, "Transitions Panel", true},
     {"Hard Cases", Dock::Bottom, [](App& a) { drawHardCases(a.hardCases, a.edits); }, true, "Hard Cases Panel"},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},

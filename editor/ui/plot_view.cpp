@@ -38,6 +38,7 @@ void drawText(ImDrawList& list, const PlotText& t, ImVec2 at) {
 
 void drawPlot(const Plot& plot, ImVec2 at) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (const PlotBar& b : plot.bars) list.AddRectFilled(placed(b.low, at), placed(b.high, at), colorOf(b.color));
     for (const PlotLine& l : plot.lines) drawLine(list, l, at);
     for (const PlotDot& d : plot.dots) {
         const auto radius = static_cast<float>(d.radius);

@@ -18,7 +18,7 @@ constexpr double kExact = 1e-12;  // an error below is none: far less than float
 struct Height {
     double low = 0, high = 1;
     bool log = false;
-    const CaseBox* box = nullptr;
+    const PlotBox* box = nullptr;
     double at(double v) const {
         const double from = log ? std::log10(low) : low, to = log ? std::log10(high) : high;
         const double share = ((log ? std::log10(std::max(v, low)) : v) - from) / (to - from);
@@ -26,7 +26,7 @@ struct Height {
     }
 };
 
-double across(const HardCase& h, const CaseBox& b, double at) {
+double across(const HardCase& h, const PlotBox& b, double at) {
     return b.left + (b.right - b.left) * shareOn(h.curve, at);
 }
 
@@ -35,7 +35,7 @@ double shown(const HardCase& h, const std::vector<double>& outputs) {
 }
 
 // Decades from the smallest to the largest error; both ends hold them all.
-Height errorHeight(std::span<const CasePoint> points, const CaseBox& box, double tolerance) {
+Height errorHeight(std::span<const CasePoint> points, const PlotBox& box, double tolerance) {
     Height y{1e300, 0, true, &box};
     const auto take = [&](double v) {
         if (std::isfinite(v) && v > kExact) y.low = std::min(y.low, v), y.high = std::max(y.high, v);
@@ -52,7 +52,7 @@ Height errorHeight(std::span<const CasePoint> points, const CaseBox& box, double
 }
 
 // All of what is wanted, and as much of the printed form as that again on each side.
-Height valueHeight(const HardCase& h, std::span<const CasePoint> points, const CaseBox& box) {
+Height valueHeight(const HardCase& h, std::span<const CasePoint> points, const PlotBox& box) {
     double low = 1e300, high = -1e300;
     const auto take = [&](double v, double least, double most) {
         if (!std::isfinite(v)) return;
@@ -68,20 +68,6 @@ Height valueHeight(const HardCase& h, std::span<const CasePoint> points, const C
     return {low - edge, high + edge, false, &box};
 }
 
-// 1, 2 or 5 of a decade, so that about `wanted` of them fill a span.
-double evenStep(double span, int wanted) {
-    const double rough = span / wanted, decade = std::pow(10, std::floor(std::log10(rough)));
-    for (const double m : {1.0, 2.0, 5.0})
-        if (m * decade >= rough) return m * decade;
-    return 10 * decade;
-}
-
-std::vector<double> evenTicks(double low, double high, int wanted) {
-    std::vector<double> out;
-    const double step = evenStep(high - low, wanted);
-    for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) out.push_back(i * step);
-    return out;
-}
 // Whole decades, so many apart that about `wanted` remain.
 std::vector<double> logTicks(double low, double high, int wanted) {
     std::vector<double> out;
@@ -92,7 +78,7 @@ std::vector<double> logTicks(double low, double high, int wanted) {
     return out;
 }
 
-void axes(Plot& plot, const HardCase& h, const Height& y, const CaseBox& b, const CaseColors& c) {
+void axes(Plot& plot, const HardCase& h, const Height& y, const PlotBox& b, const CaseColors& c) {
     const int columns = std::max(2, static_cast<int>((b.right - b.left) / 70));
     const int rows = std::max(2, static_cast<int>((b.bottom - b.top) / 28));
     std::vector<double> ticks = h.curve.scale == CaseScale::Log ? logTicks(h.curve.low, h.curve.high, columns)
@@ -120,7 +106,7 @@ void axes(Plot& plot, const HardCase& h, const Height& y, const CaseBox& b, cons
 }
 
 // The line of one form; where it is no number the line breaks and the upper edge is marked.
-void form(Plot& plot, const HardCase& h, std::span<const CasePoint> points, const Height& y, const CaseBox& b,
+void form(Plot& plot, const HardCase& h, std::span<const CasePoint> points, const Height& y, const PlotBox& b,
           const std::string& color, double width, const std::function<double(const CasePoint&)>& value) {
     PlotLine line{{}, color, width};
     const auto end = [&] {
@@ -141,7 +127,7 @@ void form(Plot& plot, const HardCase& h, std::span<const CasePoint> points, cons
     end();
 }
 
-void legend(Plot& plot, const HardCase& h, CaseGraph graph, const CaseBox& b, const CaseColors& c) {
+void legend(Plot& plot, const HardCase& h, CaseGraph graph, const PlotBox& b, const CaseColors& c) {
     const std::string what = graph == CaseGraph::Values ? h.curve.value : "error";
     plot.texts.push_back({{b.left, b.top - 6}, what, c.ink, kSmall + 1});
     std::vector<std::pair<std::string, std::string>> names;
@@ -183,7 +169,7 @@ std::string caseNumber(double v) {
     return fmt::format("{:.4g}", std::abs(v) < 1e-300 ? 0.0 : v);
 }
 
-void addCaseGraph(Plot& plot, const HardCase& h, std::span<const CasePoint> points, CaseGraph graph, const CaseBox& b,
+void addCaseGraph(Plot& plot, const HardCase& h, std::span<const CasePoint> points, CaseGraph graph, const PlotBox& b,
                   const CaseColors& c, double marked) {
     const bool values = graph == CaseGraph::Values;
     const Height y = values ? valueHeight(h, points, b) : errorHeight(points, b, h.row.tolerance);

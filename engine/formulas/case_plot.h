@@ -13,17 +13,13 @@ struct CaseColors {
     std::string ink = "#333333", dim = "#777777", faint = "#e4e4e4";
     std::string published = "#c0392b", ours = "#2e7d32", truth = "#9a9a9a", back = "#ffffff";
 };
-// Where the axes of one graph lie, in the plot's pixels.
-struct CaseBox {
-    double left = 0, top = 0, right = 0, bottom = 0;
-};
 // Whether to draw the values or the errors, whose axis is logarithmic. What is no number is a mark at the graph's upper
 // edge; an error of 0 lies on its lower one.
 enum class CaseGraph { Values, Errors };
 // Adds a graph of the points to `plot`, with labels left of the box, below and above it: about 60, 34 and 18 pixels.
 // `marked`: a value of the variable that gets a line; a NaN: none.
 void addCaseGraph(Plot& plot, const HardCase& hardCase, std::span<const CasePoint> points, CaseGraph graph,
-                  const CaseBox& box, const CaseColors& colors, double marked);
+                  const PlotBox& box, const CaseColors& colors, double marked);
 // Both graphs, one above the other, with the case's name and what goes wrong. Of a case that can be swept.
 Plot casePlot(const HardCase& hardCase, int width = 900, int height = 700);
 

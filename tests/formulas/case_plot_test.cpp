@@ -15,7 +15,7 @@ HardCase caseOf(const std::string& key) {
     ADD_FAILURE() << "no case " << key;
     return {};
 }
-constexpr CaseBox kBox{60, 30, 460, 230};
+constexpr PlotBox kBox{60, 30, 460, 230};
 const double kNothing = std::nan("");
 
 Plot graphOf(const HardCase& h, CaseGraph graph, double marked = kNothing) {

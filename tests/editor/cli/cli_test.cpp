@@ -71,6 +71,14 @@ TEST(Options, ACurveIsOfAHardCaseAndGoesToAGraphOrATable) {
     EXPECT_NE(random.said.find("random"), std::string::npos) << "it says why";
 }
 
+TEST(Options, TransitionsAreOfAPathAndGoToAGraph) {
+    EXPECT_NE(run({"transitions", "/no/project"}).said.find("--path"), std::string::npos);
+    EXPECT_NE(run({"transitions", "/no/project", "--path", "walk", "--out", "t.csv"}).said.find(".svg"),
+              std::string::npos);
+    EXPECT_EQ(run({"transitions", "/no/project", "--path", "walk", "--size", "wide"}).code, 2);
+    EXPECT_EQ(run({"transitions", "/no/project", "--path", "walk"}).code, kTaken);
+}
+
 TEST(Options, ACurveIsWrittenAsItsEndingSays) {
     const test::TempDir dir;
     for (const char* ending : {"png", "svg", "csv"}) {

@@ -31,6 +31,9 @@ TEST_F(PlotView, LinesDotsAndTextsAreDrawnAndNothingElse) {
     plot.dots.push_back({{50, 50}, 3, "#00ff00", true, ""});
     const int dotted = verticesOf(plot);
     EXPECT_GT(dotted, 5 * line);
+    plot.bars.push_back({{10, 10}, {20, 40}, "#0000ff"});
+    EXPECT_EQ(verticesOf(plot), dotted + 4);
+    plot.bars.clear();
     plot.texts.push_back({{50, 80}, "abc", "#ffffff"});
     EXPECT_EQ(verticesOf(plot), dotted + 3 * 4) << "a rectangle a letter";
 }
