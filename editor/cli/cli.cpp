@@ -169,6 +169,8 @@ struct Verbs {
         v->add_option("project", o.project, "folder of the project")->required();
         v->add_option("--path", o.path, "name of the CameraPath that is walked")->required();
         v->add_option("--pictures", o.pictures, "how many, evenly over all of it (default: 25)");
+        v->add_option("--from", o.from, "second of the path at which it begins (default: 0)");
+        v->add_option("--to", o.to, "second of the path at which it ends (default: its end)");
         v->add_option("--size", o.size, "WxH in pixels (default: 160x120)");
         v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 4)");
         v->add_option("--technique", o.technique, techniqueNames(tables().techniques) + " (default: the project's)");

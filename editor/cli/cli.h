@@ -83,7 +83,7 @@ struct TransitionOptions {
     std::string project, path, size = "160x120", technique, out;
     std::vector<std::string> set;
     int pictures = 25, samples = 4;
-    double time = 0;
+    double time = 0, from = 0, to = 0;
     bool json = false;
 };
 // `sward transitions`: what pops along a path of the camera.

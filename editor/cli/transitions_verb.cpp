@@ -56,7 +56,7 @@ int transitionsVerb(const TransitionOptions& o) {
         return report(usage("the graph is written as .png or .svg", "name --out so").at(o.out));
     const auto size = parseSize(o.size);
     if (!size) return report(size.error());
-    const TransitionPlan plan{o.path, o.pictures, size->first, size->second, o.samples, o.time};
+    const TransitionPlan plan{o.path, o.pictures, size->first, size->second, o.samples, o.time, o.from, o.to};
     const auto t = measure(o, plan);
     if (!t) return report(t.error());
     if (!o.out.empty())

@@ -40,6 +40,12 @@ void choosePictures(TransitionPlan& plan) {
         "transitions and take longer.");
 }
 
+// From one second of the path to another; 0: to its end.
+void walk(const TransitionParts& p, double from, double to) {
+    p.meter.plan.from = from, p.meter.plan.to = to;
+    p.edits.deferred.push_back([meter = &p.meter, doc = &p.doc] { startTransitions(*meter, *doc); });
+}
+
 void controls(const TransitionParts& p, const std::vector<std::string>& paths) {
     TransitionMeter& m = p.meter;
     ImGui::AlignTextToFramePadding();
@@ -58,7 +64,7 @@ void controls(const TransitionParts& p, const std::vector<std::string>& paths) {
         ui::record("Walking", ui::Kind::Label, newsOf(m));
         return;
     }
-    if (ui::button("Walk")) p.edits.deferred.push_back([meter = &m, doc = &p.doc] { startTransitions(*meter, *doc); });
+    if (ui::button("Walk")) walk(p, 0, 0);
     ui::tooltip(
         "Draws the project from each of these moments and ray-traces the same: what changes from one to the next "
         "and not in the truth pops.\nTime stands still meanwhile. Goes on beside your work.");
@@ -78,18 +84,25 @@ std::string summaryOf(const Transitions& t) {
         stepsAboveFloor(t), t.drawn.steps.size(), t.drawn.mean, t.floor.mean, t.drawn.worst);
 }
 
+// What can be done with the step that the view was taken to.
+void shownStep(const TransitionParts& p, const Transitions& t) {
+    const auto i = static_cast<size_t>(p.meter.shown);
+    if (ui::button("Next moment")) p.view.camera = flyFrom(t.views[i + 1]);
+    ui::tooltip("Takes the view to where that step ends: what pops is between the two.");
+    ImGui::SameLine(0, 8);
+    {
+        const ui::Disabled runs(walking(p.meter));
+        if (ui::button("Walk this step")) walk(p, t.seconds[i], t.seconds[i + 1]);
+    }
+    ui::tooltip("Walks that step alone, by as many pictures: short steps tell a transition from blades that move by.");
+    ImGui::SameLine(0, 8);
+}
+
 void summary(const TransitionParts& p, const Transitions& t) {
     if (ui::button("Go to worst")) goTo(p, t.drawn.worstStep);
     ui::tooltip("Takes the view to where the step begins that pops most.");
     ImGui::SameLine(0, 8);
-    if (t.drawn.steps.size() > 1 && p.meter.shown >= 0) {
-        if (ui::button("Next moment")) {
-            const size_t next = std::min(static_cast<size_t>(p.meter.shown) + 1, t.views.size() - 1);
-            p.view.camera = flyFrom(t.views[next]);
-        }
-        ui::tooltip("Takes the view to where that step ends: what pops is between the two.");
-        ImGui::SameLine(0, 8);
-    }
+    if (p.meter.shown >= 0) shownStep(p, t);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(summaryOf(t).c_str());
     ui::record("Summary", ui::Kind::Label, summaryOf(t));

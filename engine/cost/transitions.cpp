@@ -29,12 +29,18 @@ std::string pathsOf(const Project& p) {
     return list.empty() ? "add an entity with a CameraPath" : "its paths: " + list;
 }
 
+double endOf(const TransitionPlan& plan, const CameraPath& path) { return plan.to > 0 ? plan.to : secondsOf(path); }
+
 Status checkPlan(const TransitionPlan& plan, const Project& p) {
     const Entity e = findEntity(p, plan.path);
     const CameraPath* path = e == kNoEntity ? nullptr : p.registry.get<CameraPath>(e);
     if (!path) return usage("there is no path \"" + plan.path + "\"", pathsOf(p)).at(p.dir);
     if (!(secondsOf(*path) > 0))
         return usage(plan.path + ".CameraPath has no length", "give it keys at several seconds").at(p.dir);
+    if (!(plan.from >= 0 && plan.from < endOf(plan, *path) && plan.to <= secondsOf(*path)))
+        return usage(fmt::format("{} has no way from second {:g} to {:g}", plan.path, plan.from, endOf(plan, *path)),
+                     fmt::format("it goes from 0 to {:g}", secondsOf(*path)))
+            .at(p.dir);
     if (plan.pictures < 2 || plan.pictures > kMostTransitionPictures)
         return usage(fmt::format("{} pictures make no walk", plan.pictures),
                      fmt::format("2 to {}", kMostTransitionPictures));
@@ -110,7 +116,7 @@ Result<std::shared_ptr<TransitionWalk>> beginWalk(const Project& project, const 
     walk->project = snapshot(project, tables.components);
     const CameraPath& path = *project.registry.get<CameraPath>(findEntity(project, plan.path));
     for (int i = 0; i < plan.pictures; ++i) {
-        const double at = secondsOf(path) * i / (plan.pictures - 1);
+        const double at = plan.from + (endOf(plan, path) - plan.from) * i / (plan.pictures - 1);
         walk->seconds.push_back(at);
         walk->views.push_back(viewOf(cameraOn(path, at)));
     }

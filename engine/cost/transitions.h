@@ -20,10 +20,12 @@ namespace sward {
 inline constexpr int kMostTransitionPictures = 400;
 struct TransitionPlan {
     std::string path;   // the entity whose CameraPath is walked
-    int pictures = 25;  // evenly from its beginning to its end; 2 to kMostTransitionPictures
+    int pictures = 25;  // evenly from `from` to `to`; 2 to kMostTransitionPictures
     int width = 160, height = 120;
     int samples = 4;  // rays a pixel of the truth, and of a picture's edges
     double time = 0;  // scene seconds
+    // Seconds of the path; 0: to its end. Far apart, pictures differ by all their blades and little else shows.
+    double from = 0, to = 0;
 };
 
 struct WalkTruth;  // what rays have found so far
@@ -36,8 +38,8 @@ struct TransitionWalk {
     std::vector<Picture> drawn;  // of the first views
     std::shared_ptr<WalkTruth> truth;
 };
-// A snapshot and the views. Usage error: a path that is none or has no length, and pictures, sizes or samples out of
-// range.
+// A snapshot and the views. Usage error: a path that is none or has no length, and pictures, sizes, samples or
+// seconds out of range.
 Result<std::shared_ptr<TransitionWalk>> beginWalk(const Project& project, const Tables& tables,
                                                   const TransitionPlan& plan);
 // Draws the next view as the project draws itself, and waits for what that needs. Nothing once all are.

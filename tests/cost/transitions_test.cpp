@@ -69,6 +69,16 @@ TEST(Transitions, MomentsLieEvenlyFromThePathsBeginningToItsEnd) {
     EXPECT_FALSE(isDrawn(**walk));
 }
 
+TEST(Transitions, APartOfThePathIsWalkedAlone) {
+    TransitionPlan part = plan();
+    part.from = 0.5, part.to = 0.7;
+    const auto walk = beginWalk(walked(kForward), tables(), part);
+    ASSERT_TRUE(walk);
+    EXPECT_EQ((*walk)->seconds.front(), 0.5);
+    EXPECT_NEAR((*walk)->seconds[1], 0.55, 1e-12);
+    EXPECT_NEAR((*walk)->seconds.back(), 0.7, 1e-12);
+}
+
 TEST(Transitions, WhatIsNoWalkIsRefusedWithWhatToDo) {
     const Project p = walked(kForward);
     const auto refused = [&](auto change) {
@@ -81,6 +91,9 @@ TEST(Transitions, WhatIsNoWalkIsRefusedWithWhatToDo) {
     EXPECT_NE(refused([](auto& w) { w.path = "grass"; }).find("still, walk"), std::string::npos)
         << "it names the paths";
     EXPECT_NE(refused([](auto& w) { w.path = "still"; }).find("no length"), std::string::npos);
+    EXPECT_NE(refused([](auto& w) { w.from = 2; }).find("from 0 to 2"), std::string::npos);
+    EXPECT_NE(refused([](auto& w) { w.to = 2.5; }).find("from 0 to 2"), std::string::npos);
+    EXPECT_NE(refused([](auto& w) { w.from = -1; }).find("from 0 to 2"), std::string::npos);
     EXPECT_NE(refused([](auto& w) { w.pictures = 1; }).find("2 to 400"), std::string::npos);
     EXPECT_NE(refused([](auto& w) { w.width = 8; }).find("16"), std::string::npos);
     EXPECT_NE(refused([](auto& w) { w.samples = 0; }).find("1024"), std::string::npos);

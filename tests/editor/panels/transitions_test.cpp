@@ -66,6 +66,14 @@ TEST_F(TransitionPanel, GoToWorstTakesTheViewThere) {
     EXPECT_EQ(value("Transitions/Graph"), "second 2 to 3: 0.2500, other blades 0.1000");
     click("Transitions/Next moment");
     EXPECT_EQ(viewOf(view.camera).eye.x, 3) << "what pops is between the two";
+    click("Transitions/Walk this step");
+    ASSERT_TRUE(walking(meter)) << meter.error;
+    EXPECT_EQ(meter.walk->seconds.front(), 2);
+    EXPECT_EQ(meter.walk->seconds.back(), 3);
+    EXPECT_EQ(meter.walk->seconds.size(), 5u);
+    click("Transitions/Stop");
+    click("Transitions/Walk");
+    EXPECT_EQ(meter.walk->seconds.back(), 4) << "all of it again";
 }
 
 TEST_F(TransitionPanel, AClickOnABarTakesTheViewToItsStep) {
