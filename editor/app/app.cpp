@@ -127,7 +127,7 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 bool waitsForWork(const EditorApp& app) {
     return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
            makingThumbnails(app.thumbnails) || comparing(app.accuracy.comparison, app.doc, app.clock) ||
-           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue;
+           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions);
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
@@ -177,6 +177,8 @@ void followWorld(EditorApp& app) {
     followFilm(app.background.film, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
+    followHardCases(app.hardCases, &app.gpu, app.clock);
+    followTransitions(app.transitions, app.doc, app.gpu, app.clock, app.messages, app.clock.fixed);
     followPlay(playParts(app), app.in);
     takeDropped(app);
     if (followThumbnails(app.thumbnails, app.gpu, app.clock.fixed)) app.clock.wanted = 2;
@@ -218,6 +220,7 @@ EditorApp::~EditorApp() {
     ImGui::DestroyContext(imgui);
     stopRuns(accuracy);
     pictureRun = {};
+    transitions = {};
     endComparison(accuracy.comparison);
     freePicture(picture);
     background.film.reset();

@@ -19,6 +19,7 @@
 #include "app/film_dialog.h"
 #include "app/frame_clock.h"
 #include "app/frame_times.h"
+#include "app/hardcase_run.h"
 #include "app/height_placing.h"
 #include "app/image_tasks.h"
 #include "app/layout.h"
@@ -31,6 +32,7 @@
 #include "app/selection.h"
 #include "app/start.h"
 #include "app/thumbnails.h"
+#include "app/transition_run.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
 #include "model/autosave.h"
@@ -94,6 +96,8 @@ struct EditorApp {
     PlayControl play;
     Accuracy accuracy;
     PictureRun pictureRun;
+    HardCaseRun hardCases;
+    TransitionMeter transitions;
     Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;

@@ -30,7 +30,8 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    const bool tall = tab == "Accuracy" || tab == "Layers" || tab == "Species" || tab == "Pictures";
+    constexpr const char* kTall[] = {"Accuracy", "Layers", "Species", "Pictures", "Transitions", "Hard Cases"};
+    const bool tall = std::find(std::begin(kTall), std::end(kTall), tab) != std::end(kTall);
     return tall ? l.accuracy : l.bottom;
 }
 
@@ -87,8 +88,8 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "outliner") readNumber(line, l.outliner, 0.1f, 0.9f);
         if (name == "bottom") readNumber(line, l.bottom, 50, 4000);
         if (name == "accuracy") readNumber(line, l.accuracy, 50, 4000);
-        if (name == "hidden" && line >> word) l.hidden.insert(word);
-        if (name == "tab" && line >> word) l.tab = word;
+        if (name == "hidden" && std::getline(line >> std::ws, word)) l.hidden.insert(word);
+        if (name == "tab" && std::getline(line >> std::ws, word)) l.tab = word;
         if (name == "budget") readNumber(line, l.budgetMs, 1, 1000);
         if (name == "theme" && line >> word) l.lightTheme = word == "light";
         if (name == "shift" && line >> word) l.shiftErases = word == "erases";

@@ -17,7 +17,7 @@ struct Layout {
     float right = 350;             // width of the right column
     float outliner = 0.28f;        // its upper part, as a share of its height
     float bottom = 170;            // height of the bottom panels
-    float accuracy = 290;          // ... while Accuracy, Layers, Species or Pictures is in sight, which need more
+    float accuracy = 290;          // ... while one of those is in sight that need more
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
     bool lightTheme = false;       // the panels' colours
@@ -25,8 +25,9 @@ struct Layout {
     bool shiftErases = false;      // a habit of the hand, not of a project
 };
 // The panels that share the bottom as tabs.
-inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers",   "Accuracy", "History",
-                                                "Objects", "Layers",   "Species", "Pictures"};
+inline constexpr const char* kBottomPanels[] = {"Console",  "Profiler",    "Tiers",     "Accuracy",
+                                                "History",  "Objects",     "Layers",    "Species",
+                                                "Pictures", "Transitions", "Hard Cases"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
 // The height that counts for the tab in sight.

@@ -49,6 +49,8 @@ struct Verbs {
     ExportCommand exported;
     BakeCommand bake;
     PictureOptions pictures;
+    HardCasesOptions cases;
+    TransitionOptions transitions;
     NewCommand made;
     ScriptOptions script;
     std::string project = "projects/football", dir;
@@ -160,6 +162,23 @@ struct Verbs {
         v->add_flag("--json", compare.json, "print JSON");
         v->add_flag("--linear", compare.linear, "compare EXR values as they are, without tone mapping");
     }
+    void addTransitions() {
+        TransitionOptions& o = transitions;
+        CLI::App* v = verb("transitions", "What pops along a camera's path, against other blades of the field",
+                           [this] { return transitionsVerb(transitions); });
+        v->add_option("project", o.project, "folder of the project")->required();
+        v->add_option("--path", o.path, "name of the CameraPath that is walked")->required();
+        v->add_option("--pictures", o.pictures, "how many, evenly over all of it (default: 25)");
+        v->add_option("--from", o.from, "second of the path at which it begins (default: 0)");
+        v->add_option("--to", o.to, "second of the path at which it ends (default: its end)");
+        v->add_option("--size", o.size, "WxH in pixels (default: 160x120)");
+        v->add_option("--samples", o.samples, "rays a pixel of the truth (default: 4)");
+        v->add_option("--technique", o.technique, techniqueNames(tables().techniques) + " (default: the project's)");
+        v->add_option("--set", o.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--time", o.time, "scene time in seconds, at which it stands still (default: 0)")->check(kFinite);
+        v->add_option("--out", o.out, "file for the graph, .png or .svg");
+        v->add_flag("--json", o.json, "print JSON");
+    }
     void addMaps() {
         CLI::App* in = verb("import", "Read a map of a project from a file, and save the project",
                             [this] { return importVerb(import); });
@@ -222,6 +241,16 @@ struct Verbs {
             ->needs(on);
         v->add_flag("--json", pictures.json, "print JSON")->needs(on);
     }
+    void addHardCases() {
+        CLI::App* v =
+            verb("hardcases", "Run every numerical hard case on this machine", [this] { return hardcasesVerb(cases); });
+        CLI::Option* asJson = v->add_flag("--json", cases.json, "print JSON");
+        CLI::Option* curve =
+            v->add_option("--curve", cases.curve, "one case (B-1; B-1.2 for its second row) along what makes it hard")
+                ->excludes(asJson);
+        v->add_option("--out", cases.out, "with --curve: file for it, .png, .svg or .csv (default: printed)")
+            ->needs(curve);
+    }
     void addProjects() {
         verb("edit", "Open the editor (default)", [this] {
             return editVerb(project);
@@ -237,9 +266,7 @@ struct Verbs {
                                  [this] { return explainVerb(dir, json); });
         explain->add_option("project", dir, "folder of the project")->required();
         explain->add_flag("--json", json, "print JSON");
-        verb("hardcases", "Run every numerical hard case on this machine", [this] {
-            return hardcasesVerb(json);
-        })->add_flag("--json", json, "print JSON");
+        addHardCases();
         CLI::App* s = verb("script", "Run an editor script", [this] { return scriptVerb(script); });
         s->add_option("file", script.file, "Lua file")->required();
         s->add_option("--project", script.project, "project to open first");
@@ -256,6 +283,7 @@ struct Verbs {
         addReference();
         addCost();
         addCompare();
+        addTransitions();
         addMaps();
         addBakes();
         app.require_subcommand(0, 1);

@@ -79,6 +79,15 @@ struct CompareOptions {
 // `sward compare`: how two pictures or films differ, by all metrics.
 int compareVerb(const CompareOptions& options);
 
+struct TransitionOptions {
+    std::string project, path, size = "160x120", technique, out;
+    std::vector<std::string> set;
+    int pictures = 25, samples = 4;
+    double time = 0, from = 0, to = 0;
+    bool json = false;
+};
+// `sward transitions`: what pops along a path of the camera.
+int transitionsVerb(const TransitionOptions& options);
 struct NewCommand {
     std::string dir, from;              // of a template; empty: one terrain, one field, a sun, a camera
     std::optional<float> size, relief;  // metres; absent: what suits the template
@@ -119,8 +128,12 @@ struct BakeCommand {
 int bakeVerb(const BakeCommand& options);
 // `sward explain`: the passes that run for a project, and why.
 int explainVerb(const std::string& project, bool json);
+struct HardCasesOptions {
+    bool json = false;
+    std::string curve, out;  // one case along its variable: its key, and a file for it; empty: it is printed
+};
 // `sward hardcases`: the formulas on the CPU and the GPU where they are hardest.
-int hardcasesVerb(bool json);
+int hardcasesVerb(const HardCasesOptions& options);
 struct ScriptOptions {
     std::string file, project;
     std::string size = "1280x800";  // of the editor without a window, in points

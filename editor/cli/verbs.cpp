@@ -3,7 +3,6 @@
 #include "core/json.h"
 #include "core/log.h"
 #include "core/resources.h"
-#include "formulas/hardcases.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "techniques.h"
@@ -65,14 +64,6 @@ int explainVerb(const std::string& dir, bool json) {
         return report(s.error());
     std::printf("%s", renderer.explain(*project, json).c_str());
     return 0;
-}
-
-int hardcasesVerb(bool json) {
-    auto gpu = makeHeadlessGpu();
-    if (!gpu) logWarning(gpu.error().text() + "; the shaders' column stays empty");
-    const std::vector<HardCaseRow> rows = runHardCases(gpu ? gpu->get() : nullptr);
-    std::printf("%s", (json ? hardCasesJson(rows) : hardCasesText(rows)).c_str());
-    return std::all_of(rows.begin(), rows.end(), [](const HardCaseRow& r) { return r.pass; }) ? 0 : 1;
 }
 
 }  // namespace sward

@@ -8,12 +8,14 @@
 #include "app/commands.h"
 #include "panels/brush_shape.h"
 #include "panels/field_edit.h"
+#include "panels/hardcase_gallery.h"
 #include "panels/image_dialog.h"
 #include "panels/map_windows.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
 #include "panels/play_bar.h"
 #include "panels/start.h"
+#include "panels/transitions.h"
 #include "panels/viewport.h"
 #include "panels/viewport_compare.h"
 #include "panels/viewport_gizmo.h"
@@ -254,6 +256,12 @@ constexpr PanelRow kPanels[] = {
          drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
      },
      true, "Pictures Panel", true},
+    {"Transitions", Dock::Bottom,
+     [](App& a) {
+         drawTransitions({a.transitions, a.doc, a.view, a.edits});
+     },
+     true, "Transitions Panel", true},
+    {"Hard Cases", Dock::Bottom, [](App& a) { drawHardCases(a.hardCases, a.edits); }, true, "Hard Cases Panel"},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},

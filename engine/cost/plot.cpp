@@ -55,6 +55,12 @@ struct Canvas {
                             l.width, l.color);
         }
     }
+    void bar(const PlotBar& b) {
+        shape(b.low, b.high, b.color, [&](const glm::dvec2& p) {
+            const glm::dvec2 outside = glm::max(b.low - p, p - b.high);
+            return std::max(outside.x, outside.y);
+        });
+    }
     void dot(const PlotDot& d) {
         shape(d.at - d.radius, d.at + d.radius, d.color, [&](const glm::dvec2& p) {
             const double outside = glm::distance(p, d.at) - d.radius;
@@ -117,7 +123,22 @@ std::string pointsText(const std::vector<glm::dvec2>& points) {
     return out;
 }
 
+// 1, 2 or 5 of a decade, so that about `wanted` of them fill a span.
+double evenStep(double span, int wanted) {
+    const double rough = span / wanted, decade = std::pow(10, std::floor(std::log10(rough)));
+    for (const double m : {1.0, 2.0, 5.0})
+        if (m * decade >= rough) return m * decade;
+    return 10 * decade;
+}
+
 }  // namespace
+
+std::vector<double> evenTicks(double low, double high, int wanted) {
+    std::vector<double> out;
+    const double step = evenStep(high - low, wanted);
+    for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) out.push_back(i * step + 0.0);
+    return out;
+}
 
 std::string escaped(const std::string& text) {
     std::string out;
@@ -142,6 +163,9 @@ std::string plotSvg(const Plot& plot) {
         "font-family=\"DejaVu Sans, sans-serif\">\n"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"{2}\"/>\n",
         plot.width, plot.height, plot.background);
+    for (const PlotBar& b : plot.bars)
+        out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n",
+                           b.low.x, b.low.y, b.high.x - b.low.x, b.high.y - b.low.y, b.color);
     for (const PlotLine& l : plot.lines)
         out += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n",
                            pointsText(l.points), l.color, l.width,
@@ -166,6 +190,7 @@ std::vector<uint8_t> plotPixels(const Plot& plot) {
     Canvas canvas{plot.width, plot.height,
                   std::vector<glm::vec3>(static_cast<size_t>(plot.width) * static_cast<size_t>(plot.height),
                                          rgbOf(plot.background))};
+    for (const PlotBar& b : plot.bars) canvas.bar(b);
     for (const PlotLine& l : plot.lines) canvas.line(l);
     for (const PlotDot& d : plot.dots) canvas.dot(d);
     const Font font;

@@ -29,14 +29,26 @@ struct PlotText {
     PlotAnchor anchor = PlotAnchor::Start;
     bool upright = false;  // reads from below
 };
-// Pixels, from the top left. Drawn in the order lines, dots, texts.
+struct PlotBar {
+    glm::dvec2 low{0}, high{0};  // corners: upper left, lower right
+    std::string color;
+};
+// Pixels, from the top left. Drawn in the order bars, lines, dots, texts.
 struct Plot {
     int width = 0, height = 0;
     std::string background = "#ffffff";
+    std::vector<PlotBar> bars;
     std::vector<PlotLine> lines;
     std::vector<PlotDot> dots;
     std::vector<PlotText> texts;
 };
+// Where the axes of a graph lie in a plot.
+struct PlotBox {
+    double left = 0, top = 0, right = 0, bottom = 0;
+};
+// Multiples of 1, 2 or 5 of a decade in [low, high], about `wanted` of them. low < high.
+std::vector<double> evenTicks(double low, double high, int wanted);
+
 // The plot as an SVG file that refers to nothing else.
 std::string plotSvg(const Plot& plot);
 // RGB8, first row on top. Text needs a font of the system (DejaVu Sans); without it there are no labels.

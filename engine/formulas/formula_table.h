@@ -74,6 +74,10 @@ double circleError(double got, double want, double scale);
 // How far got is above want: for bounds, where less is fine.
 double excessError(double got, double want, double scale);
 
+// The wind's inputs as the engine hands them to a shader: phases of the 8 m cell and the time, wrapped in double; place
+// in the cell. The last three are the raw position and time, for the published form.
+std::vector<double> windInputs(double px, double pz, double t, const double c[3], double eps);
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Each appends the rows of one formulas_*.cpp to `rows`; formulaRows calls all of them.

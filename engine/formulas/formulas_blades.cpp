@@ -3,10 +3,7 @@
 #include "formulas/formula_table.h"
 
 namespace sward {
-namespace {
 
-// The wind's inputs as the engine hands them to a shader: phases of the 8 m cell and the time, wrapped in double; place
-// in the cell. The last three are the raw position and time, for the published form.
 std::vector<double> windInputs(double px, double pz, double t, const double c[3], double eps) {
     const double cellX = 8 * std::floor(px / 8), cellZ = 8 * std::floor(pz / 8);
     const f64::WindPhase p = f64::windPhase(cellX, cellZ, t, c[0], c[1], c[2]);
@@ -14,6 +11,8 @@ std::vector<double> windInputs(double px, double pz, double t, const double c[3]
     for (double& v : in) v = double(float(v));
     return in;
 }
+
+namespace {
 
 // Tolerance 4e-6 + 5e-7 da/dpz: what float positions can reach at the sensitivity of the phase.
 FormulaSamples windSamples(const ExpectedValues& values) {

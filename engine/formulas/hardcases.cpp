@@ -19,26 +19,6 @@ bool runOnThisGpu(Gpu& gpu, const FormulaRow& row, const FormulaSamples& samples
     return out.oursGpu <= out.gpuTolerance && outOfRange(row, *outputs) == 0;
 }
 
-HardCaseRow runRow(const FormulaRow& row, const ExpectedValues& values, Gpu* gpu) {
-    HardCaseRow out;
-    out.id = row.id;
-    out.name = row.name;
-    out.tolerance = row.tolerance;
-    out.gpuTolerance = row.gpuTolerance > 0 ? row.gpuTolerance : row.tolerance;
-    const FormulaSamples samples = samplesOf(row, values);
-    if (samples.count == 0) {
-        out.fault = "the expected values have no such group";
-        return out;
-    }
-    out.hasPublished = bool(row.published);
-    if (out.hasPublished) out.published = largestError(row, samples, runSingle(row, row.published, samples));
-    const auto outputs = runSingle(row, row.ours, samples);
-    out.oursCpu = largestError(row, samples, outputs);
-    out.pass = out.oursCpu <= out.tolerance && outOfRange(row, outputs) == 0;
-    if (gpu && !runOnThisGpu(*gpu, row, samples, out)) out.pass = false;
-    return out;
-}
-
 std::string number(double error) {
     if (std::isnan(error)) return "NaN";
     if (std::isinf(error)) return "inf";
@@ -63,6 +43,26 @@ std::string jsonText(const std::string& text) {
 
 }  // namespace
 
+HardCaseRow runHardCase(const FormulaRow& row, const ExpectedValues& values, Gpu* gpu) {
+    HardCaseRow out;
+    out.id = row.id;
+    out.name = row.name;
+    out.tolerance = row.tolerance;
+    out.gpuTolerance = row.gpuTolerance > 0 ? row.gpuTolerance : row.tolerance;
+    const FormulaSamples samples = samplesOf(row, values);
+    if (samples.count == 0) {
+        out.fault = "the expected values have no such group";
+        return out;
+    }
+    out.hasPublished = bool(row.published);
+    if (out.hasPublished) out.published = largestError(row, samples, runSingle(row, row.published, samples));
+    const auto outputs = runSingle(row, row.ours, samples);
+    out.oursCpu = largestError(row, samples, outputs);
+    out.pass = out.oursCpu <= out.tolerance && outOfRange(row, outputs) == 0;
+    if (gpu && !runOnThisGpu(*gpu, row, samples, out)) out.pass = false;
+    return out;
+}
+
 std::vector<HardCaseRow> runHardCases(Gpu* gpu) {
     std::vector<HardCaseRow> out;
     const auto values = loadExpectedValues(expectedValuesFile());
@@ -74,7 +74,7 @@ std::vector<HardCaseRow> runHardCases(Gpu* gpu) {
         return {row};
     }
     for (const FormulaRow& row : formulaRows())
-        if (!row.id.empty()) out.push_back(runRow(row, *values, gpu));
+        if (!row.id.empty()) out.push_back(runHardCase(row, *values, gpu));
     return out;
 }
 

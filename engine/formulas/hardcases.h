@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formulas/formula_rows.h"
 #include "gpu/gpu.h"
 
 namespace sward {
@@ -23,6 +24,8 @@ struct HardCaseRow {
     std::string fault;  // why the row could not be run, or empty
 };
 
+// One row of the table on its samples; gpu may be null.
+HardCaseRow runHardCase(const FormulaRow& row, const ExpectedValues& values, Gpu* gpu);
 // Every hard case; gpu may be null: CPU only. Where the expected values cannot be read, one failing row says so.
 std::vector<HardCaseRow> runHardCases(Gpu* gpu);
 bool allPass(const std::vector<HardCaseRow>& rows);

@@ -64,15 +64,15 @@ TEST(Layout, ATinyWindowHasNoNegativeSizes) {
 TEST(Layout, WhatWasSavedIsLoaded) {
     const test::TempDir dir;
     Layout l;
-    l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Profiler", l.hidden = {"Inspector"},
-    l.shiftErases = true;
+    l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Hard Cases",
+    l.hidden = {"Inspector", "Hard Cases"}, l.shiftErases = true;
     ASSERT_TRUE(saveLayout(dir / "a/b/layout.txt", l));
     const Layout back = loadLayout(dir / "a/b/layout.txt");
     EXPECT_EQ(back.right, 401);
     EXPECT_EQ(back.bottom, 99);
     EXPECT_EQ(back.accuracy, 222);
     EXPECT_EQ(back.outliner, 0.5f);
-    EXPECT_EQ(back.tab, "Profiler");
+    EXPECT_EQ(back.tab, "Hard Cases");
     EXPECT_EQ(back.hidden, l.hidden);
     EXPECT_TRUE(back.shiftErases);
 }

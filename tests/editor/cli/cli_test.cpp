@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/cli.h"
+#include "support.h"
 
 namespace sward {
 namespace {
@@ -56,6 +57,36 @@ TEST(Options, AFilmsRateIsAboveZero) {
         }
     EXPECT_EQ(run({"render", "/no/project", "--frames", "2", "--out", "t", "--fps", "0.5"}).code, kTaken);
     EXPECT_EQ(run({"render", "/no/project", "--frames", "-2"}).code, 2);
+}
+
+TEST(Options, ACurveIsOfAHardCaseAndGoesToAGraphOrATable) {
+    EXPECT_EQ(run({"hardcases", "--curve", "B-1", "--json"}).code, 2) << "a table has no curve";
+    EXPECT_EQ(run({"hardcases", "--out", "t.png"}).code, 2) << "all cases have no graph";
+    EXPECT_NE(run({"hardcases", "--curve", "B-1", "--out", "t.txt"}).said.find(".csv"), std::string::npos);
+    const Refused unknown = run({"hardcases", "--curve", "Z-1"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.said.find("B-1, B-1.2"), std::string::npos) << "it names those there are";
+    const Refused random = run({"hardcases", "--curve", "J-3"});
+    EXPECT_EQ(random.code, 1);
+    EXPECT_NE(random.said.find("random"), std::string::npos) << "it says why";
+}
+
+TEST(Options, TransitionsAreOfAPathAndGoToAGraph) {
+    EXPECT_NE(run({"transitions", "/no/project"}).said.find("--path"), std::string::npos);
+    EXPECT_NE(run({"transitions", "/no/project", "--path", "walk", "--out", "t.csv"}).said.find(".svg"),
+              std::string::npos);
+    EXPECT_EQ(run({"transitions", "/no/project", "--path", "walk", "--size", "wide"}).code, 2);
+    EXPECT_EQ(run({"transitions", "/no/project", "--path", "walk"}).code, kTaken);
+}
+
+TEST(Options, ACurveIsWrittenAsItsEndingSays) {
+    const test::TempDir dir;
+    for (const char* ending : {"png", "svg", "csv"}) {
+        const auto file = dir / (std::string("noon.") + ending);
+        EXPECT_EQ(run({"hardcases", "--curve", "B-1", "--out", file.string()}).code, 0);
+        EXPECT_GT(std::filesystem::file_size(file), 2000u) << ending;
+    }
+    EXPECT_EQ(test::readText(dir / "noon.csv").substr(0, 13), "at,published,");
 }
 
 }  // namespace
