@@ -127,7 +127,8 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 bool waitsForWork(const EditorApp& app) {
     return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
            makingThumbnails(app.thumbnails) || comparing(app.accuracy.comparison, app.doc, app.clock) ||
-           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue;
+           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue ||
+           app.effects.child.running() || app.effects.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
@@ -177,6 +178,7 @@ void followWorld(EditorApp& app) {
     followFilm(app.background.film, app.clock, app.messages);
     followRuns(app.accuracy, app.clock, app.messages);
     followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
+    followEffects(app.effects, app.doc, app.gpu, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
     if (followThumbnails(app.thumbnails, app.gpu, app.clock.fixed)) app.clock.wanted = 2;
@@ -217,6 +219,8 @@ EditorApp::~EditorApp() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
     stopRuns(accuracy);
+    stopRun(effects);
+    effects.picture = {};
     pictureRun = {};
     endComparison(accuracy.comparison);
     freePicture(picture);

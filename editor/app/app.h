@@ -15,6 +15,7 @@
 #include "app/bindings.h"
 #include "app/console.h"
 #include "app/edits.h"
+#include "app/effect_run.h"
 #include "app/file_tasks.h"
 #include "app/film_dialog.h"
 #include "app/frame_clock.h"
@@ -94,6 +95,7 @@ struct EditorApp {
     PlayControl play;
     Accuracy accuracy;
     PictureRun pictureRun;
+    EffectRun effects;
     Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;

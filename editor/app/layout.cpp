@@ -30,8 +30,8 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    const bool tall = tab == "Accuracy" || tab == "Layers" || tab == "Species" || tab == "Pictures";
-    return tall ? l.accuracy : l.bottom;
+    constexpr const char* kTall[] = {"Accuracy", "Layers", "Species", "Pictures", "Effects"};
+    return std::find(std::begin(kTall), std::end(kTall), tab) != std::end(kTall) ? l.accuracy : l.bottom;
 }
 
 void clampLayout(Layout& l, float width, float height) {

@@ -14,10 +14,10 @@ struct Rect {
 };
 
 struct Layout {
-    float right = 350;             // width of the right column
-    float outliner = 0.28f;        // its upper part, as a share of its height
-    float bottom = 170;            // height of the bottom panels
-    float accuracy = 290;          // ... while Accuracy, Layers, Species or Pictures is in sight, which need more
+    float right = 350;       // width of the right column
+    float outliner = 0.28f;  // its upper part, as a share of its height
+    float bottom = 170;      // height of the bottom panels
+    float accuracy = 290;    // ... while Accuracy, Layers, Species, Pictures or Effects is in sight, which need more
     std::set<std::string> hidden;  // panels that the person closed
     std::string tab = "Console";   // of the bottom panels
     bool lightTheme = false;       // the panels' colours
@@ -26,7 +26,7 @@ struct Layout {
 };
 // The panels that share the bottom as tabs.
 inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers",   "Accuracy", "History",
-                                                "Objects", "Layers",   "Species", "Pictures"};
+                                                "Objects", "Layers",   "Species", "Pictures", "Effects"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
 // The height that counts for the tab in sight.

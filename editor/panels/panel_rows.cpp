@@ -161,6 +161,11 @@ void profiler(EditorApp& a) { drawProfiler(a.counts, a.frameTimes, a.picture.dra
 void tiers(EditorApp& a) {
     drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
 }
+void effects(EditorApp& a) {
+    const MeasureParts measure{a.doc, a.effects.program, a.view.camera, a.clock, a.messages};
+    const ViewSettings shown = wantedSettings(a);
+    drawEffects({a.effects, measure, a.edits, effectSize(shown.width, shown.height, a.gpu.software), shown.time});
+}
 void statusBar(EditorApp& a) {
     drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
 }
@@ -254,6 +259,7 @@ constexpr PanelRow kPanels[] = {
          drawPictures({a.pictureRun, a.doc, a.gpu, a.edits, a.messages});
      },
      true, "Pictures Panel", true},
+    {"Effects", Dock::Bottom, effects, true, "Effects Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},

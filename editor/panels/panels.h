@@ -24,6 +24,7 @@ struct Command;
 struct CommandState;
 struct Console;
 struct EditorApp;
+struct EffectRun;
 struct Edits;
 struct FieldParts;
 struct FileDialog;
@@ -115,6 +116,15 @@ struct PictureParts {
 };
 // The accepted pictures of the project's cameras as tests.
 void drawPictures(const PictureParts& parts);
+struct EffectParts {
+    EffectRun& run;
+    const MeasureParts& measure;
+    Edits& edits;
+    glm::ivec2 size;  // pixels at which the view is measured
+    double seconds;   // scene time that it shows
+};
+// What each effect changes in the view that is shown, what it costs, and how to turn it off.
+void drawEffects(const EffectParts& parts);
 // `drawnScale`: of the viewport's image, as Resolution has it.
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
                    BackgroundWork& work, const std::string& message);
