@@ -31,6 +31,7 @@
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
+#include "app/stroke_timing.h"
 #include "app/thumbnails.h"
 #include "app/viewport.h"
 #include "frame/renderer.h"
@@ -86,6 +87,7 @@ struct EditorApp {
     // --- tools
     BrushBook brushes;
     BrushCost brushCost;
+    StrokeTiming strokeTiming;
     TierView tierView;
     LayerView layerView;
     SpeciesPalette speciesPalette;

@@ -92,6 +92,7 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "budget") readNumber(line, l.budgetMs, 1, 1000);
         if (name == "theme" && line >> word) l.lightTheme = word == "light";
         if (name == "shift" && line >> word) l.shiftErases = word == "erases";
+        if (name == "strokes" && line >> word) l.timesStrokes = word != "untimed";
     }
     return l;
 }
@@ -104,6 +105,7 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
                        l.bottom, l.accuracy, l.budgetMs, l.tab);
     if (l.lightTheme) out << "theme light\n";
     if (l.shiftErases) out << "shift erases\n";
+    if (!l.timesStrokes) out << "strokes untimed\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());
 }

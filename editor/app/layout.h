@@ -23,6 +23,7 @@ struct Layout {
     bool lightTheme = false;       // the panels' colours
     float budgetMs = 1000 / 60.f;  // what a frame may take (app/frame_times.h)
     bool shiftErases = false;      // a habit of the hand, not of a project
+    bool timesStrokes = true;      // what strokes cost a frame is measured (app/stroke_timing.h)
 };
 // The panels that share the bottom as tabs.
 inline constexpr const char* kBottomPanels[] = {"Console", "Profiler", "Tiers",   "Accuracy", "History",

@@ -18,7 +18,7 @@ struct Messages;
 
 // How far a program beside is: what it printed last of the share done of its present part.
 struct RunNews {
-    std::string what;               // "human: hybrid maxGeom=6"; empty: nothing was told yet
+    std::string what = {};          // "human: hybrid maxGeom=6"; empty: nothing was told yet
     double share = 0;               // of this part
     double since = 0, read = -1e9;  // seconds: when the part began; when the file was looked at last
 };

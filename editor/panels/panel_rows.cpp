@@ -167,7 +167,8 @@ void effects(EditorApp& a) {
     drawEffects({a.effects, measure, a.edits, effectSize(shown.width, shown.height, a.gpu.software), shown.time});
 }
 void statusBar(EditorApp& a) {
-    drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
+    drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.strokeTiming, a.background,
+                  a.messages.status);
 }
 void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, a.thumbnails, [&a] { adoptProject(a); });

@@ -46,6 +46,7 @@ struct RenameDialog;
 struct Selection;
 struct Thumbnails;
 struct SpeciesPalette;
+struct StrokeTiming;
 struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
@@ -127,7 +128,7 @@ struct EffectParts {
 void drawEffects(const EffectParts& parts);
 // `drawnScale`: of the viewport's image, as Resolution has it.
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
-                   BackgroundWork& work, const std::string& message);
+                   const StrokeTiming& timing, BackgroundWork& work, const std::string& message);
 // `adopt` runs after the document holds another project.
 void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
                     Thumbnails& thumbnails, const std::function<void()>& adopt);

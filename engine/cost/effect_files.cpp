@@ -1,7 +1,6 @@
 #include "cost/effect_files.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/file.h"
 #include "maps/map_io.h"
@@ -75,12 +74,6 @@ EffectLine lineFrom(const Json& j) {
     return e;
 }
 
-// Two digits, but no less than hundredths and no exponents.
-std::string msText(double ms) {
-    if (std::abs(ms) < 0.005) return "0";
-    return fmt::format("{:.{}f}", ms, std::abs(ms) < 0.995 ? 2 : std::abs(ms) < 9.95 ? 1 : 0);
-}
-
 std::string joined(const std::vector<SwitchStep>& steps) {
     std::string out;
     for (const SwitchStep& s : steps) out += (out.empty() ? "" : "; ") + s.told();
@@ -88,11 +81,6 @@ std::string joined(const std::vector<SwitchStep>& steps) {
 }
 
 }  // namespace
-
-std::string differenceText(const PairedDifference& ms, bool signs) {
-    const char* sign = signs && ms.median > 0 ? "+" : "";
-    return fmt::format("{}{} ms ({} to {})", sign, msText(ms.median), msText(ms.low), msText(ms.high));
-}
 
 std::string shareText(uint64_t changed, double share) {
     if (changed == 0) return "0 pixels";

@@ -17,8 +17,6 @@ Json effectMapJson(const EffectMap& map, const std::string& camera, const std::s
 Status writeEffectPictures(const EffectMap& map, const std::filesystem::path& folder);
 // As a table for people, a line an effect.
 std::string effectMapText(const EffectMap& map, const std::string& camera);
-// "0.8 ms (0.6 to 1.1)"; signs are told where `signs`.
-std::string differenceText(const PairedDifference& ms, bool signs = false);
 // "0 pixels", "12.3 %", "< 0.1 %"
 std::string shareText(uint64_t changed, double share);
 

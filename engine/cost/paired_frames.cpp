@@ -20,6 +20,12 @@ double confidenceOf(int n, int k) {
     return std::max(0.0, 1 - 2 * chance);
 }
 
+// Two digits, but no less than hundredths and no exponents.
+std::string msText(double ms) {
+    if (std::abs(ms) < 0.005) return "0";
+    return fmt::format("{:.{}f}", ms, std::abs(ms) < 0.995 ? 2 : std::abs(ms) < 9.95 ? 1 : 0);
+}
+
 int framesAPair(const PairedFrames& f) { return f.settles ? 4 : 2; }
 
 struct NextFrame {
@@ -48,6 +54,11 @@ PairedDifference pairedDifference(std::span<const double> a, std::span<const dou
     out.low = d[static_cast<size_t>(k) - 1], out.high = d[n - static_cast<size_t>(k)];
     out.confidence = confidenceOf(out.pairs, k);
     return out;
+}
+
+std::string differenceText(const PairedDifference& ms, bool sign) {
+    const char* plus = sign && ms.median > 0 ? "+" : "";
+    return fmt::format("{}{} ms ({} to {})", plus, msText(ms.median), msText(ms.low), msText(ms.high));
 }
 
 int framesOf(const PairedFrames& f) { return f.pairs * framesAPair(f); }

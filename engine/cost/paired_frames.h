@@ -6,6 +6,7 @@
 #pragma once
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/error.h"
@@ -21,6 +22,8 @@ struct PairedDifference {
 // Of a[i] - b[i], as many as both have. The interval is the narrowest of at least 95%, else the widest there is: of 7
 // pairs it runs from the least to the greatest, 98%.
 PairedDifference pairedDifference(std::span<const double> a, std::span<const double> b);
+// Of milliseconds: "0.80 ms (0.60 to 1.1)". `sign`: "+" before a median above 0.
+std::string differenceText(const PairedDifference& ms, bool sign = false);
 
 struct FrameSide {
     Renderer& renderer;
@@ -31,7 +34,8 @@ struct PairedFrames {
     bool settles = false;  // a frame that is not counted comes before each: both sides share a renderer, and what
                            // differs is uploaded in it
     int drawn = 0;         // frames so far
-    std::array<std::vector<double>, 2> ms, blades;  // of each side: the timed frames, and the blades that they drew
+    std::array<std::vector<double>, 2> ms = {},
+                                       blades = {};  // of each side: the timed frames, and the blades that they drew
 };
 // Frames that all pairs take.
 int framesOf(const PairedFrames& frames);

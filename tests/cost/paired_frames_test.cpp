@@ -49,6 +49,13 @@ TEST(PairedFrames, FewPairsSayHowLittleIsKnown) {
     EXPECT_EQ(pairedDifference(upTo(3), upTo(5)).pairs, 3) << "as many as both have";
 }
 
+TEST(PairedFrames, PeopleReadTwoDigitsAndTheInterval) {
+    EXPECT_EQ(differenceText({0.8, 0.6, 1.1, 0.98, 7}), "0.80 ms (0.60 to 1.1)");
+    EXPECT_EQ(differenceText({0.8, 0.6, 1.1, 0.98, 7}, true), "+0.80 ms (0.60 to 1.1)");
+    EXPECT_EQ(differenceText({-123.4, -200, 0.001, 0.98, 7}, true), "-123 ms (-200 to 0)");
+    EXPECT_EQ(differenceText({0.9999, 0.9999, 9.99, 0.98, 7}), "1.0 ms (1.0 to 10)");
+}
+
 // What meets both frames of a pair alike leaves no trace, however large it is.
 TEST(PairedFrames, ALoadThatComesAndGoesCancels) {
     std::vector<double> with, without;
