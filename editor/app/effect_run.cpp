@@ -41,7 +41,8 @@ void upload(EffectRun& run, Gpu& gpu) {
 void tellEnd(const EffectRun& run, Messages& messages) {
     const auto wasted =
         std::count_if(run.effects.begin(), run.effects.end(), [](const EffectLine& e) { return e.costsUnseen; });
-    say(messages, fmt::format("{} effects measured, {} cost time and change no pixel", run.effects.size(), wasted));
+    say(messages,
+        fmt::format("{} effects measured, {} of them unseen though they cost time", run.effects.size(), wasted));
 }
 
 void takeIn(EffectRun& run, Messages& messages, int code) {

@@ -62,6 +62,7 @@ std::string stepsOf(const EffectLine& e) {
 
 void cell(const char* label, const std::string& text, bool marked, const std::string& help) {
     ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
     if (marked)
         ui::coloredText(ui::kWarningText, text.c_str());
     else
@@ -72,6 +73,7 @@ void cell(const char* label, const std::string& text, bool marked, const std::st
 
 void offButton(const EffectParts& p, const EffectLine& e) {
     ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
     if (!has(p.run.present, e.feature)) return ui::coloredText(ui::kDimText, "is off");
     if (ui::button("Turn Off", 0, e.costsUnseen))
         p.edits.deferred.push_back([doc = &p.measure.doc, messages = &p.measure.messages, feature = e.feature] {
@@ -84,6 +86,7 @@ void effectRow(const EffectParts& p, const EffectLine& e) {
     const ui::Scope scope(featureName(e.feature));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
     if (ui::selectable(spoken(e.feature), p.run.shown == e.feature)) showEffect(p.run, e.feature);
     ui::tooltip(std::string(featureRow(e.feature).help) + "; off by:" + stepsOf(e));
     if (!e.error.empty()) {

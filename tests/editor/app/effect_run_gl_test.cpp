@@ -53,7 +53,8 @@ TEST_F(EffectRunEditor, AClickTurnsOffWhatCostsUnseenAndOneUndoBringsItBack) {
     EXPECT_EQ(get("Effects/grass-clumps/Cost"), "1.5 ms (1.0 to 2.0)");
     EXPECT_EQ(get("Effects/sky/Changes"), "90.0 %");
     EXPECT_EQ(app->effects.picture.width, 4) << "where the first one changes pixels";
-    EXPECT_NE(app->messages.status.find("2 effects measured, 1 cost"), std::string::npos) << app->messages.status;
+    EXPECT_NE(app->messages.status.find("2 effects measured, 1 of them unseen"), std::string::npos)
+        << app->messages.status;
     const std::string strength = "lawn.GrassField.species[lawn].clumpStrength", before = field(strength);
     ASSERT_NE(before, "0");
     ok(ui->click("Effects/grass-clumps/Turn Off"));
