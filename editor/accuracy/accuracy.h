@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/child_process.h"
+#include "app/side_run.h"
 #include "core/jobs.h"
 #include "cost/cost.h"
 #include "frame/renderer.h"
@@ -134,26 +134,9 @@ std::string comparisonLabel(const Comparison& c, const Document& document, const
 // Of the project's first field; "" without one.
 std::string techniqueShown(const Document& document);
 
-// How far a program beside is: what it printed last of the share done of its present part.
-struct RunNews {
-    std::string what;               // "human: hybrid maxGeom=6"; empty: nothing was told yet
-    double share = 0;               // of this part
-    double since = 0, read = -1e9;  // seconds: when the part began; when the file was looked at last
-};
-// The last line "NN %  what" of a text; nothing without one.
-std::optional<RunNews> newsFrom(const std::string& text);
-// "41 %, 20 s left: human: hybrid maxGeom=6", or that it starts.
-std::string newsText(const RunNews& news, double now);
-
 // --- the project's own plot, measured by `sward cost` beside the editor
-struct Sweep {
-    ChildProcess child;
-    std::filesystem::path folder, copy;
-    double started = 0;
-    RunNews news;
-    std::string camera;          // from which it measures
+struct Sweep : SideRun {
     std::optional<CostRun> run;  // while it runs: the rows that are drawn, by their first frames
-    std::string error;
 };
 // --- settings for a budget, by `sward fit`
 struct FitShown {
@@ -163,15 +146,9 @@ struct FitShown {
         better;  // better: the next better one that does not fit, described; "": none was seen
     std::string error;
 };
-struct Fit {
-    ChildProcess child;
-    std::filesystem::path folder, copy;
-    double started = 0;
-    RunNews news;
-    std::string camera;
+struct Fit : SideRun {
     float budget = 16;  // ms
     std::optional<FitShown> result;
-    std::string error;
 };
 
 struct Accuracy {
@@ -181,14 +158,6 @@ struct Accuracy {
     Fit fit;
 };
 
-// What a measurement is started from.
-struct MeasureParts {
-    Document& doc;
-    const std::string& program;  // Accuracy::program
-    const FlyCamera& camera;
-    const FrameClock& clock;
-    Messages& messages;
-};
 // Starts on a copy of the project as it is now, from the view that is shown; what was measured before is reused. Shows
 // why if it cannot: no project, or it runs already.
 void startSweep(Sweep& sweep, const MeasureParts& parts);

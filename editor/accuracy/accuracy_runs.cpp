@@ -11,12 +11,10 @@
 #include "accuracy/accuracy.h"
 #include "app/frame_clock.h"
 #include "app/messages.h"
-#include "app/time_left.h"
 #include "core/file.h"
 #include "core/hash.h"
 #include "cost/cost_files.h"
 #include "model/document.h"
-#include "project/project_files.h"
 #include "tools/camera_control.h"
 #include "world/view_camera.h"
 
@@ -28,94 +26,15 @@ namespace {
 constexpr const char* kSize = "320x240";
 constexpr const char* kSamples = "16";
 
-fs::path folderFor(const Document& doc) {
-    return stateDir() / "cost" / hashHex(projectHash(doc.project(), doc.tables().components));
-}
-
-// Unsaved work included, and the view as a camera of that name; image files come from the project's folder.
-Status writeCopy(const Document& doc, const fs::path& to, const std::string& camera, const FlyCamera& from) {
-    std::error_code fault;
-    fs::remove_all(to, fault);
-    if (Status s = makeFolderOf(to); !s) return s;
-    Project copy = snapshot(doc.project(), doc.tables().components), original;
-    original.dir = copy.dir;
-    copy.dir = to;
-    if (findEntity(copy, camera) == kNoEntity) {
-        const Result<Entity> added = addEntity(copy, camera);
-        if (!added) return added.error();
-        const ViewCamera view = viewOf(from);
-        Camera c;
-        c.eye = view.eye, c.target = view.target, c.fovDeg = view.fovDeg, c.exposure = view.exposure;
-        copy.registry.add<Camera>(*added, c);
-    }
-    const auto written = saveProject(copy, doc.tables().components, original.dir.empty() ? nullptr : &original);
-    return written ? Status{} : Status{written.error()};
-}
-
-bool isNews(const std::string& line) { return line.find(" %  ") < 4; }
-
-// But for progress.
-std::string lastLine(const fs::path& file) {
-    const Result<std::string> text = readFile(file, 1 << 20);
-    if (!text) return "";
-    std::string line, last;
-    for (std::istringstream in(*text); std::getline(in, line);)
-        if (!line.empty() && !isNews(line)) last = line;
-    return last;
-}
-
-std::string failure(const char* verb, int code, const fs::path& errors) {
-    const std::string said = lastLine(errors);
-    return said.empty() ? fmt::format("sward {} ended with exit code {}", verb, code) : said;
-}
-
-template <class Run>
-Status launch(const MeasureParts& p, Run& run, const char* verb, std::vector<std::string> more) {
+Status launch(SideRun& run, const MeasureParts& p, const char* verb, std::vector<std::string> more) {
     if (!p.doc.isOpen()) return failed("no project is open", "open or create one first");
-    const std::string camera = run.camera = accuracyCamera(p.doc, p.camera);
-    if (run.child.running()) return failed(std::string(verb) + " runs already", "stop it first");
-    run.folder = folderFor(p.doc);
-    run.copy = run.folder / (std::string("project-") + verb);
-    run.started = p.clock.now;
-    run.news = {.since = p.clock.now};
-    run.error.clear();
-    if (Status s = writeCopy(p.doc, run.copy, camera, p.camera); !s) return s;
-    std::vector<std::string> args{p.program, verb,  run.copy.string(), "--camera", camera,
-                                  "--size",  kSize, "--samples",       kSamples};
-    args.insert(args.end(), more.begin(), more.end());
-    Result<ChildProcess> child =
-        ChildProcess::start(args, run.folder / (std::string(verb) + ".out"), run.folder / (std::string(verb) + ".err"));
-    if (!child) return child.error();
-    run.child = std::move(*child);
-    return {};
-}
-
-template <class Run>
-void dropCopy(Run& run) {
-    std::error_code ignored;
-    if (!run.copy.empty()) fs::remove_all(run.copy, ignored);
-    run.copy.clear();
-}
-
-template <class Run>
-void stopRun(Run& run) {
-    run.child.stop();
-    dropCopy(run);
-}
-
-// The end of a run: its exit code, once.
-template <class Run>
-std::optional<int> ended(Run& run, FrameClock& clock) {
-    const std::optional<int> code = run.child.poll();
-    if (!code) return {};
-    dropCopy(run);
-    clock.wanted = 4;
-    return code;
+    more.insert(more.begin(), {"--size", kSize, "--samples", kSamples});
+    return launchRun(run, p, verb, accuracyCamera(p.doc, p.camera), more);
 }
 
 void finishSweep(Sweep& s, Messages& messages, int code) {
     if (code != 0) {
-        s.error = failure("cost", code, s.folder / "cost.err");
+        s.error = failureOf(s, "cost", code);
         return;
     }
     Result<CostRun> run = readCost(s.folder / "cost.json");
@@ -129,31 +48,12 @@ void finishSweep(Sweep& s, Messages& messages, int code) {
 void finishFit(Fit& f, Messages& messages, int code) {
     const Result<std::string> text = readFile(f.folder / "fit.out", 1 << 20);
     Result<FitShown> shown =
-        text && !text->empty() ? fitFrom(*text) : Result<FitShown>(failed(failure("fit", code, f.folder / "fit.err")));
+        text && !text->empty() ? fitFrom(*text) : Result<FitShown>(failed(failureOf(f, "fit", code)));
     if (shown)
         f.result = std::move(*shown),
         say(messages, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
     else
         f.error = shown.error().text();
-}
-
-constexpr double kLookSeconds = 0.5;
-
-// Looks now and then at what the program printed. True if it is further.
-template <class Run>
-bool followNews(Run& run, const char* verb, double now) {
-    if (!run.child.running() || now - run.news.read < kLookSeconds) return false;
-    run.news.read = now;
-    const Result<std::string> text = readFile(run.folder / (std::string(verb) + ".err"), 1 << 20);
-    std::optional<RunNews> told = text ? newsFrom(*text) : std::nullopt;
-    if (!told || (told->what == run.news.what && told->share == run.news.share)) return false;
-    if (told->share >= run.news.share && !run.news.what.empty())
-        told->since = run.news.since;
-    else
-        told->since = now;  // another part
-    told->read = now;
-    run.news = std::move(*told);
-    return true;
 }
 
 // What is drawn so far, as a plot without floors.
@@ -200,23 +100,22 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
 
 void startSweep(Sweep& s, const MeasureParts& parts) {
     s.run.reset();
-    const Status started = launch(parts, s, "cost", {"--rounds", "3", "--out", folderFor(parts.doc).string()});
-    if (!accept(parts.messages, started)) dropCopy(s);
+    const std::string out = parts.doc.isOpen() ? sideFolder(parts.doc).string() : "";
+    accept(parts.messages, launch(s, parts, "cost", {"--rounds", "3", "--out", out}));
 }
 
 void startFit(Fit& f, const MeasureParts& parts) {
     f.result.reset();
-    const Status started =
-        launch(parts, f, "fit", {"--budget-ms", fmt::format("{:g}", f.budget), "--candidates", "20", "--json"});
-    if (!accept(parts.messages, started)) dropCopy(f);
+    const std::string budget = fmt::format("{:g}", f.budget);
+    accept(parts.messages, launch(f, parts, "fit", {"--budget-ms", budget, "--candidates", "20", "--json"}));
 }
 
 void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
     const bool further = followNews(accuracy.sweep, "cost", clock.now);
     if (further) showRowsSoFar(accuracy.sweep);
     if (followNews(accuracy.fit, "fit", clock.now) || further) clock.wanted = std::max(clock.wanted, 2);
-    if (const auto code = ended(accuracy.sweep, clock)) finishSweep(accuracy.sweep, messages, *code);
-    if (const auto code = ended(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
+    if (const auto code = endedRun(accuracy.sweep, clock)) finishSweep(accuracy.sweep, messages, *code);
+    if (const auto code = endedRun(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
 }
 
 bool measuring(const Accuracy& accuracy) { return accuracy.sweep.child.running() || accuracy.fit.child.running(); }
@@ -242,22 +141,6 @@ std::vector<CostRow> rowsSoFar(const fs::path& work, const std::string& camera) 
         rows.push_back(std::move(*row));
     }
     return rows;
-}
-
-std::optional<RunNews> newsFrom(const std::string& text) {
-    std::optional<RunNews> news;
-    std::string line;
-    for (std::istringstream in(text); std::getline(in, line);)
-        if (isNews(line))
-            news =
-                RunNews{.what = line.substr(line.find(" %  ") + 4), .share = std::strtod(line.c_str(), nullptr) / 100};
-    return news;
-}
-
-std::string newsText(const RunNews& news, double now) {
-    if (news.what.empty()) return fmt::format("starts, {:.0f} s", std::max(now - news.since, 0.0));
-    const std::string left = timeLeft(news.share, now - news.since);
-    return fmt::format("{:.0f} %{}{}: {}", 100 * news.share, left.empty() ? "" : ", ", left, news.what);
 }
 
 std::string adoptedText(const CostSetting& setting, std::span<const std::string> left) {

@@ -127,7 +127,8 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 bool waitsForWork(const EditorApp& app) {
     return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
            makingThumbnails(app.thumbnails) || comparing(app.accuracy.comparison, app.doc, app.clock) ||
-           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions);
+           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) ||
+           app.effects.child.running() || app.effects.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }
@@ -138,6 +139,17 @@ bool wantsFrame(const EditorApp& app) {
            app.picture.drawnRevision != app.doc.revision() || hasFreshLog(app.console.log);
 }
 
+// What the last stroke costs, a frame of it at a time.
+void timeStroke(EditorApp& app) {
+    const Resolution& r = app.picture.resolution;
+    TimingState state{viewShown(app.doc, app.view.camera), app.picture.drawnSettings, r.fullMs};
+    state.restless = app.clock.wanted > 0 || app.queue.pending() || app.hand.flying ||
+                     app.hand.gesture != Gesture::None || !app.edits.holding.empty();
+    const bool whole = app.clock.fixed || (r.drawnScale >= 1 && !r.stale);
+    state.free = whole && app.picture.drawnRevision == app.doc.revision() && !app.background.film && !waitsForWork(app);
+    followStroke(app.strokeTiming, {app.doc, *app.renderer, app.clock}, state);
+}
+
 // What the last frame's widgets and the hand asked for, and what follows from it.
 void settleEdits(EditorApp& app) {
     runDeferred(app.edits);
@@ -146,6 +158,7 @@ void settleEdits(EditorApp& app) {
     const FrameStats* measured = app.picture.drawnSettings.measure ? &app.counts.stats : nullptr;
     followBrushCost(app.brushCost, app.doc, app.brushes, app.hand.ground, measured);
     followRenderer(*app.renderer, app.doc.isOpen(), app.background.making, app.picture);
+    timeStroke(app);
 }
 
 // Files dropped onto the window come into the project as objects; the last one is in the hand then.
@@ -179,6 +192,7 @@ void followWorld(EditorApp& app) {
     followPictures(app.pictureRun, app.doc, app.gpu, app.clock, app.messages);
     followHardCases(app.hardCases, &app.gpu, app.clock);
     followTransitions(app.transitions, app.doc, app.gpu, app.clock, app.messages, app.clock.fixed);
+    followEffects(app.effects, app.doc, app.gpu, app.clock, app.messages);
     followPlay(playParts(app), app.in);
     takeDropped(app);
     if (followThumbnails(app.thumbnails, app.gpu, app.clock.fixed)) app.clock.wanted = 2;
@@ -204,6 +218,7 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     start = loadStart(keepLayout ? recentFile() : std::filesystem::path(), resource("projects"));
     start.keep = keepLayout;
     brushes.shiftErases = layout.shiftErases;
+    strokeTiming.on = layout.timesStrokes && !clock.fixed;  // headless frames are drawn for what they show alone
     frameTimes.budgetMs = std::round(layout.budgetMs * 10) / 10;
     openLog(console.log);
 }
@@ -212,6 +227,7 @@ EditorApp::~EditorApp() {
     closeLog(console.log);
     if (!edits.holding.empty()) doc.endGroup();
     layout.shiftErases = brushes.shiftErases;
+    if (!clock.fixed) layout.timesStrokes = strokeTiming.on;
     layout.budgetMs = frameTimes.budgetMs;
     if (keepLayout)
         if (const auto file = layoutFile()) saveLayout(*file, layout);
@@ -219,6 +235,8 @@ EditorApp::~EditorApp() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
     stopRuns(accuracy);
+    stopRun(effects);
+    effects.picture = {};
     pictureRun = {};
     transitions = {};
     endComparison(accuracy.comparison);
@@ -272,8 +290,11 @@ double idleSeconds(const EditorApp& app) {
     if (wantsFrame(app)) return 0;
     const double refine =
         app.clock.fixed || !app.doc.isOpen() ? -1 : secondsToRefine(app.picture.resolution, clockSeconds());
-    const double idle = app.book.tooltipDue || waitsForWork(app) ? 0.1 : kIdleSeconds;
-    return refine >= 0 ? std::min(refine, idle) : idle;
+    const double timing = secondsToTiming(app.strokeTiming, clockSeconds());
+    double idle = app.book.tooltipDue || waitsForWork(app) ? 0.1 : kIdleSeconds;
+    for (const double due : {refine, timing})
+        if (due >= 0) idle = std::min(idle, due);
+    return idle;
 }
 
 namespace {
@@ -300,7 +321,9 @@ void runUntilQuit(EditorApp& app) {
         if (tickAutosave(app.autosave, app.doc, !app.edits.holding.empty(), clockSeconds())) app.clock.wanted = 4;
         app.surface->poll(app.queue, idleSeconds(app));
         const bool refine = app.doc.isOpen() && secondsToRefine(app.picture.resolution, clockSeconds()) == 0;
-        if (wantsFrame(app) || refine || app.book.tooltipDue || waitsForWork(app) || app.surface->closeRequested())
+        const bool timing = secondsToTiming(app.strokeTiming, clockSeconds()) == 0;
+        if (wantsFrame(app) || refine || timing || app.book.tooltipDue || waitsForWork(app) ||
+            app.surface->closeRequested())
             runFrame(app);
     }
     endAutosave(app.autosave);

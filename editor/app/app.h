@@ -15,6 +15,7 @@
 #include "app/bindings.h"
 #include "app/console.h"
 #include "app/edits.h"
+#include "app/effect_run.h"
 #include "app/file_tasks.h"
 #include "app/film_dialog.h"
 #include "app/frame_clock.h"
@@ -31,6 +32,7 @@
 #include "app/play_control.h"
 #include "app/selection.h"
 #include "app/start.h"
+#include "app/stroke_timing.h"
 #include "app/thumbnails.h"
 #include "app/transition_run.h"
 #include "app/viewport.h"
@@ -87,6 +89,7 @@ struct EditorApp {
     // --- tools
     BrushBook brushes;
     BrushCost brushCost;
+    StrokeTiming strokeTiming;
     TierView tierView;
     LayerView layerView;
     SpeciesPalette speciesPalette;
@@ -98,6 +101,7 @@ struct EditorApp {
     PictureRun pictureRun;
     HardCaseRun hardCases;
     TransitionMeter transitions;
+    EffectRun effects;
     Recorder recorder;
     size_t historyShown = 0;  // steps behind when the history was last drawn
     BackgroundWork background;

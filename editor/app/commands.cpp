@@ -34,6 +34,12 @@ void shiftErases(BrushBook& brushes, Messages& messages) {
     say(messages, brushes.shiftErases ? "Shift erases while painting" : "Shift smooths while painting");
 }
 
+void timeStrokes(StrokeTiming& timing, Messages& messages) {
+    dropTiming(timing);
+    timing.on = !timing.on;
+    say(messages, timing.on ? "strokes are timed once all rests" : "strokes are not timed");
+}
+
 void bakeOcclusion(Document& doc, std::optional<OcclusionBake>& bake, Messages& messages) {
     Result<OcclusionBake> started = startOcclusion(doc, {});
     if (!started) return showError(messages, started.error());
@@ -247,6 +253,8 @@ constexpr Command kCommands[] = {
     {"Brush", "Invert Map", "", "", invert, hasMap},
     {"Brush", "Shift Erases", "", "", [](App& a) { shiftErases(a.brushes, a.messages); }, always, true,
      [](App& a) { return a.brushes.shiftErases; }},
+    {"Brush", "Time Strokes", "", "", [](App& a) { timeStrokes(a.strokeTiming, a.messages); }, always, true,
+     [](App& a) { return a.strokeTiming.on; }},
     {"Maps", "Import Image...", "", "", importMapImage, hasMap},
     {"Maps", "Place Heights...", "", "", [](App& a) { requestImage(a.images, a.doc, ImageTask::Heights); }, opened},
     {"Maps", "Check Maps", "", "", [](App& a) { checkMaps(a.mapHealth, a.doc); }, opened},

@@ -30,7 +30,8 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    constexpr const char* kTall[] = {"Accuracy", "Layers", "Species", "Pictures", "Transitions", "Hard Cases"};
+    constexpr const char* kTall[] = {"Accuracy", "Layers", "Species", "Pictures", "Transitions", "Hard Cases",
+                                     "Effects"};
     const bool tall = std::find(std::begin(kTall), std::end(kTall), tab) != std::end(kTall);
     return tall ? l.accuracy : l.bottom;
 }
@@ -93,6 +94,7 @@ Layout loadLayout(const std::filesystem::path& file) {
         if (name == "budget") readNumber(line, l.budgetMs, 1, 1000);
         if (name == "theme" && line >> word) l.lightTheme = word == "light";
         if (name == "shift" && line >> word) l.shiftErases = word == "erases";
+        if (name == "strokes" && line >> word) l.timesStrokes = word != "untimed";
     }
     return l;
 }
@@ -105,6 +107,7 @@ bool saveLayout(const std::filesystem::path& file, const Layout& l) {
                        l.bottom, l.accuracy, l.budgetMs, l.tab);
     if (l.lightTheme) out << "theme light\n";
     if (l.shiftErases) out << "shift erases\n";
+    if (!l.timesStrokes) out << "strokes untimed\n";
     for (const std::string& name : l.hidden) out << "hidden " << name << '\n';
     return static_cast<bool>(out.flush());
 }

@@ -23,11 +23,12 @@ struct Layout {
     bool lightTheme = false;       // the panels' colours
     float budgetMs = 1000 / 60.f;  // what a frame may take (app/frame_times.h)
     bool shiftErases = false;      // a habit of the hand, not of a project
+    bool timesStrokes = true;      // what strokes cost a frame is measured (app/stroke_timing.h)
 };
 // The panels that share the bottom as tabs.
 inline constexpr const char* kBottomPanels[] = {"Console",  "Profiler",    "Tiers",     "Accuracy",
                                                 "History",  "Objects",     "Layers",    "Species",
-                                                "Pictures", "Transitions", "Hard Cases"};
+                                                "Pictures", "Transitions", "Hard Cases",  "Effects"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
 // The height that counts for the tab in sight.

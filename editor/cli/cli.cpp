@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/log.h"
+#include "cost/effect_probe.h"
 #include "model/bakes.h"
 
 namespace sward {
@@ -44,6 +45,7 @@ struct Verbs {
     MergeCommand merge;
     CostOptions cost;
     FitOptions fit;
+    EffectOptions effects;
     CompareOptions compare;
     ImportCommand import;
     ExportCommand exported;
@@ -146,6 +148,24 @@ struct Verbs {
                       "settings that the search may try beside the grid's 27 (default: 40)");
         f->add_flag("--write", fit.write, "save the settings in the project");
         f->add_flag("--json", fit.json, "print JSON");
+    }
+    void addEffects() {
+        CLI::App* v = verb("effects", "Where each effect changes the picture, and what it costs: what is never seen",
+                           [this] { return effectsVerb(effects); });
+        v->add_option("project", effects.project, "folder of the project")->required();
+        v->add_option("--camera", effects.camera, "name of one camera (default: all)");
+        v->add_option("--size", effects.size, "WxH in pixels (default: 1024x768)");
+        v->add_option("--technique", effects.technique,
+                      techniqueNames(tables().techniques) + " (default: the project's)");
+        v->add_option("--set", effects.set, "PATH=VALUE overrides a field; may be repeated")->allow_extra_args(false);
+        v->add_option("--msaa", effects.msaa, "samples a pixel: 1, 2, 4 or 8 (default: 4; clamped to the driver's)")
+            ->check(kSamples);
+        v->add_option("--time", effects.time, "scene time in seconds (default: 0)")->check(kFinite);
+        v->add_option("--pairs", effects.pairs,
+                      "frames with and without each effect that are timed (default: 7, whose interval is 98% sure)")
+            ->check(CLI::Range(1, kMostPairs));
+        v->add_option("--out", effects.out, "folder for effects.json and, a camera each, a picture an effect");
+        v->add_flag("--json", effects.json, "print JSON");
     }
     void addCompare() {
         CLI::App* v =
@@ -282,6 +302,7 @@ struct Verbs {
         addRender();
         addReference();
         addCost();
+        addEffects();
         addCompare();
         addTransitions();
         addMaps();

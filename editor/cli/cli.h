@@ -71,6 +71,13 @@ struct FitOptions : CostOptions {
 // `sward fit`: the truest settings within a budget.
 int fitVerb(const FitOptions& options);
 
+struct EffectOptions : RenderOptions {
+    int pairs = 7;
+    bool json = false;
+};
+// `sward effects`: where each effect changes the picture, what it costs, and what turns it off.
+int effectsVerb(const EffectOptions& options);
+
 struct CompareOptions {
     std::string a, b, mask, heatmap, metric = "appearance";
     double ppd = 67;  // pixels per degree, of FLIP

@@ -163,8 +163,14 @@ void profiler(EditorApp& a) { drawProfiler(a.counts, a.frameTimes, a.picture.dra
 void tiers(EditorApp& a) {
     drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
 }
+void effects(EditorApp& a) {
+    const MeasureParts measure{a.doc, a.effects.program, a.view.camera, a.clock, a.messages};
+    const ViewSettings shown = wantedSettings(a);
+    drawEffects({a.effects, measure, a.edits, effectSize(shown.width, shown.height, a.gpu.software), shown.time});
+}
 void statusBar(EditorApp& a) {
-    drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.background, a.messages.status);
+    drawStatusBar(a.doc, a.counts, a.picture.resolution.drawnScale, a.brushCost, a.strokeTiming, a.background,
+                  a.messages.status);
 }
 void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, a.thumbnails, [&a] { adoptProject(a); });
@@ -262,6 +268,7 @@ constexpr PanelRow kPanels[] = {
      },
      true, "Transitions Panel", true},
     {"Hard Cases", Dock::Bottom, [](App& a) { drawHardCases(a.hardCases, a.edits); }, true, "Hard Cases Panel"},
+    {"Effects", Dock::Bottom, effects, true, "Effects Panel", true},
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},

@@ -24,6 +24,7 @@ struct Command;
 struct CommandState;
 struct Console;
 struct EditorApp;
+struct EffectRun;
 struct Edits;
 struct FieldParts;
 struct FileDialog;
@@ -45,6 +46,7 @@ struct RenameDialog;
 struct Selection;
 struct Thumbnails;
 struct SpeciesPalette;
+struct StrokeTiming;
 struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
@@ -115,9 +117,18 @@ struct PictureParts {
 };
 // The accepted pictures of the project's cameras as tests.
 void drawPictures(const PictureParts& parts);
+struct EffectParts {
+    EffectRun& run;
+    const MeasureParts& measure;
+    Edits& edits;
+    glm::ivec2 size;  // pixels at which the view is measured
+    double seconds;   // scene time that it shows
+};
+// What each effect changes in the view that is shown, what it costs, and how to turn it off.
+void drawEffects(const EffectParts& parts);
 // `drawnScale`: of the viewport's image, as Resolution has it.
 void drawStatusBar(const Document& document, const ViewCounts& counts, double drawnScale, const BrushCost& cost,
-                   BackgroundWork& work, const std::string& message);
+                   const StrokeTiming& timing, BackgroundWork& work, const std::string& message);
 // `adopt` runs after the document holds another project.
 void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
                     Thumbnails& thumbnails, const std::function<void()>& adopt);

@@ -67,18 +67,6 @@ TEST(AccuracyRuns, AdoptingIsToldInWords) {
     EXPECT_EQ(adoptedText(settingOf("hybrid", "maxGeom=6"), {}), "adopted: hybrid, maxGeom 6");
 }
 
-TEST(AccuracyRuns, ProgressIsTheLastLineThatTellsIt) {
-    const auto news = newsFrom("  3 %  view: truth\nsward: warning: odd\n 50 %  view: hybrid maxGeom=6\n");
-    ASSERT_TRUE(news);
-    EXPECT_EQ(news->what, "view: hybrid maxGeom=6");
-    EXPECT_EQ(news->share, 0.5);
-    EXPECT_FALSE(newsFrom("sward: error: no\n"));
-    RunNews at = *news;
-    at.since = 100;
-    EXPECT_EQ(newsText(at, 130), "50 %, 30 s left: view: hybrid maxGeom=6");
-    EXPECT_EQ(newsText({.since = 2}, 5), "starts, 3 s");
-}
-
 TEST(AccuracyRuns, WhatIsDrawnSoFarIsShownByItsFirstFrames) {
     const test::TempDir dir;
     CostRow row;

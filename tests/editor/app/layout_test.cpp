@@ -66,6 +66,7 @@ TEST(Layout, WhatWasSavedIsLoaded) {
     Layout l;
     l.right = 401, l.bottom = 99, l.accuracy = 222, l.outliner = 0.5f, l.tab = "Hard Cases",
     l.hidden = {"Inspector", "Hard Cases"}, l.shiftErases = true;
+    l.timesStrokes = false;
     ASSERT_TRUE(saveLayout(dir / "a/b/layout.txt", l));
     const Layout back = loadLayout(dir / "a/b/layout.txt");
     EXPECT_EQ(back.right, 401);
@@ -75,6 +76,7 @@ TEST(Layout, WhatWasSavedIsLoaded) {
     EXPECT_EQ(back.tab, "Hard Cases");
     EXPECT_EQ(back.hidden, l.hidden);
     EXPECT_TRUE(back.shiftErases);
+    EXPECT_FALSE(back.timesStrokes);
 }
 
 TEST(Layout, SenselessFilesGiveTheDefaults) {

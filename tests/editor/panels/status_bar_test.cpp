@@ -1,5 +1,6 @@
 // The status bar: large numbers shortly, and what a stroke adds.
 #include "app/background_work.h"
+#include "app/stroke_timing.h"
 #include "app/viewport.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
@@ -19,10 +20,11 @@ TEST(Counted, HasThreeDigitsAndALetterFromTenThousandOn) {
 class StatusBar : public test::PanelStage {
   protected:
     StatusBar() {
-        draw = [this] { drawStatusBar(doc, counts, 0.25, cost, work, "ready"); };
+        draw = [this] { drawStatusBar(doc, counts, 0.25, cost, timing, work, "ready"); };
     }
     ViewCounts counts;
     BrushCost cost;
+    StrokeTiming timing;
     BackgroundWork work;
     float width = 780;
 };
@@ -53,6 +55,12 @@ TEST_F(StatusBar, SaysWhatAStrokeAddsAndItsTimeOnceThatWasMeasured) {
     cost.stroke = BladeChange{1000, 0}, cost.grassMs = 8, counts.stats.bladesGeometry = 4000;
     frames(2);
     EXPECT_EQ(value("Panel/Stroke"), "+1000 blades, about +2 ms");
+    timing.ms = PairedDifference{0.8, 0.6, 1.1, 0.984, 7}, timing.blades = PairedDifference{900, 900, 900, 0.984, 7};
+    frames(2);
+    EXPECT_EQ(value("Panel/Stroke"), "+1000 blades, +0.80 ms (0.60 to 1.1)") << "measured, no longer an estimate";
+    cost.stroke.reset();
+    frames(2);
+    EXPECT_EQ(value("Panel/Stroke"), "+0.80 ms (0.60 to 1.1)") << "heights have no blades to count";
 }
 
 TEST_F(StatusBar, TellsWhatIsMadeBeside) {
@@ -70,7 +78,7 @@ TEST_F(StatusBar, WhatFindsNoRoomGivesWayToTheMessage) {
     counts.populationRevision = doc.revision();
     draw = [this] {
         ImGui::BeginChild("narrow", {width, 40});
-        drawStatusBar(doc, counts, 1, cost, work, std::string(200, 'm'));
+        drawStatusBar(doc, counts, 1, cost, timing, work, std::string(200, 'm'));
         ImGui::EndChild();
     };
     frames(2);

@@ -1,0 +1,73 @@
+// A verb beside the editor: what it says of how far it is, what it is given, and how it ends.
+#include "editor/app/side_run.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/frame_clock.h"
+#include "app/messages.h"
+#include "core/file.h"
+#include "model/document.h"
+#include "project/project_files.h"
+#include "support.h"
+#include "techniques.h"
+#include "tools/camera_control.h"
+
+namespace sward {
+namespace {
+
+TEST(SideRun, ProgressIsTheLastLineThatTellsIt) {
+    const auto news = newsFrom("  3 %  view: truth\nsward: warning: odd\n 50 %  view: hybrid maxGeom=6\n");
+    ASSERT_TRUE(news);
+    EXPECT_EQ(news->what, "view: hybrid maxGeom=6");
+    EXPECT_EQ(news->share, 0.5);
+    EXPECT_FALSE(newsFrom("sward: error: no\n"));
+    RunNews at = *news;
+    at.since = 100;
+    EXPECT_EQ(newsText(at, 130), "50 %, 30 s left: view: hybrid maxGeom=6");
+    EXPECT_EQ(newsText({.since = 2}, 5), "starts, 3 s");
+}
+
+// A program that keeps its arguments and the project that it is given beside its output, says something, and fails.
+constexpr const char* kProgram =
+    "#!/bin/sh\necho \"$@\"\ncp \"$2/project.json\" \"$0.seen\"\necho ' 40 %  half' >&2\necho 'sward: error: tired' "
+    ">&2\n"
+    "exit 3\n";
+
+TEST(SideRun, GetsACopyWithUnsavedWorkAndTheViewAndTellsWhyItFailed) {
+    const test::TempDir dir;
+    setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+    const std::filesystem::path program = dir / "program";
+    test::writeText(program, kProgram);
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    Document doc(tables());
+    FlyCamera camera;
+    FrameClock clock;
+    Messages messages;
+    SideRun run;
+    const std::string file = program.string();
+    const MeasureParts parts{doc, file, camera, clock, messages};
+    EXPECT_FALSE(launchRun(run, parts, "effects", "view", {})) << "no project is open";
+    ASSERT_TRUE(doc.create(dir / "p"));
+    ASSERT_TRUE(doc.addEntity("unsaved"));
+    ASSERT_TRUE(launchRun(run, parts, "effects", "view", {"--json"}));
+    std::optional<int> code;
+    for (int i = 0; i < 1000 && !(code = endedRun(run, clock)); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_EQ(code, 3);
+    EXPECT_EQ(failureOf(run, "effects", 3), "sward: error: tired");
+    EXPECT_EQ(run.folder, sideFolder(doc));
+    EXPECT_EQ(test::readText(run.folder / "effects.out"),
+              "effects " + (run.folder / "project-effects").string() + " --camera view --json\n");
+    const std::string seen = test::readText(file + ".seen");
+    EXPECT_NE(seen.find("unsaved"), std::string::npos);
+    EXPECT_NE(seen.find("\"view\""), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(run.folder / "project-effects")) << "the copy is gone";
+    EXPECT_EQ(findEntity(doc.project(), "view"), kNoEntity) << "the project itself has no such camera";
+    unsetenv("XDG_STATE_HOME");
+}
+
+}  // namespace
+}  // namespace sward
