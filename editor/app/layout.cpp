@@ -30,8 +30,8 @@ std::string openTab(const Layout& l) {
 
 float& bottomHeight(Layout& l) {
     const std::string tab = openTab(l);
-    constexpr const char* kTall[] = {"Accuracy", "Layers", "Species", "Pictures", "Transitions", "Hard Cases",
-                                     "Effects"};
+    constexpr const char* kTall[] = {"Accuracy",    "Layers",     "Species", "Pictures",
+                                     "Transitions", "Hard Cases", "Effects"};
     const bool tall = std::find(std::begin(kTall), std::end(kTall), tab) != std::end(kTall);
     return tall ? l.accuracy : l.bottom;
 }

@@ -26,9 +26,9 @@ struct Layout {
     bool timesStrokes = true;      // what strokes cost a frame is measured (app/stroke_timing.h)
 };
 // The panels that share the bottom as tabs.
-inline constexpr const char* kBottomPanels[] = {"Console",  "Profiler",    "Tiers",     "Accuracy",
-                                                "History",  "Objects",     "Layers",    "Species",
-                                                "Pictures", "Transitions", "Hard Cases",  "Effects"};
+inline constexpr const char* kBottomPanels[] = {"Console",  "Profiler",    "Tiers",      "Accuracy",
+                                                "History",  "Objects",     "Layers",     "Species",
+                                                "Pictures", "Transitions", "Hard Cases", "Effects"};
 // The tab that is in sight: the chosen one, or the first that is not hidden; "" if all are.
 std::string openTab(const Layout& layout);
 // The height that counts for the tab in sight.

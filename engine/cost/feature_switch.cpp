@@ -25,8 +25,8 @@ struct FeatureSwitch {
 
 constexpr IsRow kTerrain = isRowOf<Terrain>, kField = isRowOf<GrassField>, kDrawing = isRowOf<GrassDrawing>,
                 kPath = isRowOf<GroundPath>, kLight = isRowOf<Light>, kMesh = isRowOf<StaticMesh>,
-                kScatter = isRowOf<Scatter>, kForest = isRowOf<Forest>, kForce = isRowOf<ForceSource>, kFar = isRowOf<FarLook>,
-                kWind = isRowOf<Wind>, kWater = isRowOf<Water>, kFlowers = isRowOf<Flowers>;
+                kScatter = isRowOf<Scatter>, kForest = isRowOf<Forest>, kForce = isRowOf<ForceSource>,
+                kFar = isRowOf<FarLook>, kWind = isRowOf<Wind>, kWater = isRowOf<Water>, kFlowers = isRowOf<Flowers>;
 
 constexpr FeatureSwitch kSwitches[] = {
     {Feature::TerrainMap, kTerrain, "terrainMap"},

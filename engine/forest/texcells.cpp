@@ -26,6 +26,7 @@ struct Prism {
     glm::dvec3 centre{0};
     glm::dvec3 normal{0, 1, 0};  // unit
     double slope = 0;            // metres a metre
+    glm::vec2 canopy{1};         // TileInView::canopy
 };
 // A forest's volume on the GPU.
 struct Volume {
@@ -164,6 +165,50 @@ void makePrisms(Volume& v, const ForestHere& here) {
     }
 }
 
+// The share of its tile's trees that stand in a triangle, by its cell.
+class Stands {
+  public:
+    explicit Stands(const StandingForest& f) : edge_(f.tiles.edge), origin_(f.origin) {
+        for (const ForestTriangle& t : f.triangles) {
+            size_t all = f.tiles.within(t.tile.cell, t.tile.up).size(), there = 0;
+            for (size_t k = 0; k < 3; ++k) all += f.tiles.onEdge[k][static_cast<size_t>(t.tile.colors[k])].size();
+            for (const int32_t n : t.trees) there += n >= 0;
+            shares_[{t.cell.x, t.cell.y, t.tile.up}] = static_cast<float>(there) / static_cast<float>(all);
+        }
+    }
+    // At a place of the world; 0 where none stands.
+    float at(const glm::dvec2& place) const {
+        const f64::vec2 uv = f64::toLattice({place.x - origin_.x, place.y - origin_.z}, edge_);
+        const double i = std::floor(uv.x), j = std::floor(uv.y);
+        const auto found = shares_.find({static_cast<int>(i), static_cast<int>(j), uv.x - i + uv.y - j <= 1});
+        return found == shares_.end() ? 0 : found->second;
+    }
+
+  private:
+    double edge_;
+    glm::dvec3 origin_;
+    std::map<std::tuple<int, int, bool>, float> shares_;
+};
+
+// How full the forest stands along the way to the sun, and all around as far as it is high.
+void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
+    const Stands stands(f);
+    const double across = std::hypot(sun.x, sun.z), height = v.baked.height;
+    const double reach = std::min(height * across / std::max(sun.y, 0.05), 4 * f.tiles.edge);
+    const glm::dvec2 way = across > 1e-9 ? glm::dvec2(sun.x, sun.z) / across : glm::dvec2(0);
+    parallelFor(v.prisms.size(), [&](size_t i) {
+        const glm::dvec2 at(v.prisms[i].centre.x, v.prisms[i].centre.z);
+        glm::vec2 sum(0);
+        constexpr int kSteps = 8;
+        for (int k = 0; k < kSteps; ++k) {
+            const double turn = k * 2.399963229728653, out = std::sqrt((k + 0.5) / kSteps);
+            sum.x += stands.at(at + way * (reach * (k + 0.5) / kSteps));
+            sum.y += stands.at(at + glm::dvec2(std::cos(turn), std::sin(turn)) * (height * out));
+        }
+        v.prisms[i].canopy = sum / static_cast<float>(kSteps);
+    });
+}
+
 // Height of the prism's ground over or under a place of the world.
 double planeAt(const Prism& p, const glm::dvec3& at) {
     const glm::dvec3 to = at - p.corner[0];
@@ -281,6 +326,7 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const Volume& v, const
     tile.spacing = static_cast<float>(s.reach / s.count);
     tile.path = static_cast<float>(s.weight * s.reach / s.count / slab);
     tile.coarser = static_cast<float>(level - whole);
+    tile.canopy = p.canopy;
     tile.stored = {static_cast<float>(t.tile.cell & 1), static_cast<float>(t.tile.cell >> 1)};
     tile.up = t.tile.up;
     tile.slices = s.count;
@@ -325,9 +371,12 @@ void place(DrawContext& ctx) {
         if (!drawn(*here) || here->stand->trees.empty()) continue;
         Volume& v = s.volumes[here->entity];
         if (v.grown != here->grown || v.voxelOf != here->rule.voxel) bake(ctx, v, *here);
-        if (v.stood != here->stood) makePrisms(v, *here);
+        const bool stale = v.stood != here->stood || v.grown != here->grown;
+        if (stale) makePrisms(v, *here);
         v.grown = here->grown, v.stood = here->stood, v.voxelOf = here->rule.voxel;
-        light(v, ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0));
+        const glm::vec3 sun = ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0);
+        if (stale || v.sun != sun) fillCanopies(v, *here->stand, glm::dvec3(sun));
+        light(v, sun);
         for (const Choice& c : inView(ctx, *here, v)) addTile(ctx, view, *here, v, c);
     }
     writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());

@@ -9,7 +9,7 @@ namespace sward {
 namespace {
 
 constexpr double kSlope = 0.8660254037844386;  // sine of 60 degrees
-constexpr int kDartsATree = 400;
+constexpr int kDarts = 2000;                   // until a tree is given up
 
 struct Dice {
     uint32_t seed, at = 0;
@@ -107,24 +107,34 @@ struct Placer {
             if (d[i] < tiles.circle) ++count, which = kFamilies[i];
         return count;
     }
-    void edge(EdgeFamily f, int color, int wanted) {
+    // One more tree across an edge, or within a tile; none where it finds no room.
+    void addAcross(EdgeFamily f, int color) {
         std::vector<TileTree>& out = tiles.onEdge[static_cast<size_t>(f)][static_cast<size_t>(color)];
-        for (int k = 0; k < wanted * kDartsATree && static_cast<int>(out.size()) < std::min(wanted, kMostOnEdge); ++k) {
+        if (out.size() == kMostOnEdge) return;
+        for (int k = 0; k < kDarts; ++k) {
             const Beside b = besideOf(f)[dice.unit() < 0.5 ? 0 : 1];
             const glm::dvec2 uv = inTriangle(b.up);
             EdgeFamily met{};
             if (crossed(uv, b.up, met) != 1 || met != f) continue;
             const glm::dvec2 at = metres(uv + glm::dvec2(b.cell), tiles.edge);
-            if (freeOnEdge(f, color, at)) out.push_back(tree(at));
+            if (freeOnEdge(f, color, at)) return out.push_back(tree(at));
         }
     }
-    void inside(int cell, bool up, int wanted) {
+    void addWithin(int cell, bool up) {
         std::vector<TileTree>& out = tiles.inside[static_cast<size_t>(cell)][up ? 1 : 0];
-        for (int k = 0; k < wanted * kDartsATree && static_cast<int>(out.size()) < std::min(wanted, kMostInside); ++k) {
+        if (out.size() == kMostInside) return;
+        for (int k = 0; k < kDarts; ++k) {
             const glm::dvec2 uv = inTriangle(up), at = metres(uv, tiles.edge);
             EdgeFamily met{};
-            if (crossed(uv, up, met) == 0 && freeInside(cell, up, at)) out.push_back(tree(at));
+            if (crossed(uv, up, met) == 0 && freeInside(cell, up, at)) return out.push_back(tree(at));
         }
+    }
+    // The 6 edges, then the 8 tiles.
+    void add(int place) {
+        if (place < 6)
+            addAcross(kFamilies[place % 3], place / 3);
+        else
+            addWithin((place - 6) / 2, place % 2 != 0);
     }
     glm::dvec2 inTriangle(bool up) {
         glm::dvec2 uv(dice.unit(), dice.unit());
@@ -165,16 +175,19 @@ ForestTiles forestTiles(const Forest& forest) {
     const double trees = static_cast<double>(forest.perHectare) / 1e4 * tile;  // in a tile; half of each edge's counts
     const glm::dvec2 share = p.areas();
     const double inside = trees * share.x / (share.x + share.y), onEdge = (trees - inside) * 2 / 3;
-    // Edges and tiles in turn, so that neither finds the ground taken; what is owed goes on to the next.
+    // One tree after the other in random order, so that neither edges nor tiles find the ground taken; what is owed
+    // goes on to the next.
+    std::vector<int> order;
     double owedEdge = p.dice.unit(), owedInside = p.dice.unit();
-    const auto whole = [](double& owed, double more) {
-        owed += more;
-        const double n = std::floor(owed);
-        owed -= n;
-        return static_cast<int>(n);
-    };
-    for (int k = 0; k < 6; ++k) p.edge(kFamilies[k % 3], k / 3, whole(owedEdge, onEdge));
-    for (int k = 0; k < 8; ++k) p.inside(k / 2, k % 2 != 0, whole(owedInside, inside));
+    for (int place = 0; place < 14; ++place) {
+        double& owed = place < 6 ? owedEdge : owedInside;
+        owed += place < 6 ? onEdge : inside;
+        order.insert(order.end(), static_cast<size_t>(owed), place);
+        owed -= std::floor(owed);
+    }
+    for (size_t i = order.size(); i > 1; --i)
+        std::swap(order[i - 1], order[std::min(static_cast<size_t>(p.dice.unit() * static_cast<double>(i)), i - 1)]);
+    for (const int place : order) p.add(place);
     p.tiles.asked = 8 * trees;
     for (const auto& family : p.tiles.onEdge)
         for (const auto& color : family) p.tiles.placed += 2 * static_cast<double>(color.size());

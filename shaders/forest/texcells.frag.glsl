@@ -21,6 +21,7 @@ flat in int number;
 flat in vec2 blend;
 flat in vec3 facing;
 flat in float path;
+flat in vec2 canopy;
 out vec4 color;
 
 vec3 lightShares(vec2 uv, float at) {
@@ -44,7 +45,8 @@ void main() {
     if (leaves.a < 1.0 / 512.0) discard;
     vec3 way = position / distance;
     leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));
-    vec3 shares = lightShares(uv, at);
+    // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
+    vec3 shares = pow(lightShares(uv, at), canopy.xyy);
     vec3 light = 0.5 * (frame.skyLight * shares.g + frame.groundLight * shares.b);
     if (SUN) {
         float visible = shares.r;

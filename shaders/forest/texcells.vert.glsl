@@ -14,6 +14,7 @@ flat out int number;   // of the tile
 flat out vec2 blend;   // shares of the finer and of the coarser level
 flat out vec3 facing;  // unit normal of the slice
 flat out float path;   // TileInView::path
+flat out vec2 canopy;  // TileInView::canopy
 
 // Corners in the cell, as edges' families are named by (numerics/forest.h).
 vec2 cornerOf(int corner, bool up) {
@@ -37,6 +38,7 @@ void main() {
     for (int i = 0; i < 3; ++i) low[i] = t.corner[i].xyz + vec3(0.0, t.corner[i].w, 0.0);
     facing = normalize(cross(low[2] - low[0], low[1] - low[0]));
     path = t.path;
+    canopy = t.canopy;
     cutAtWater(position.y);
     gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

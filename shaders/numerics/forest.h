@@ -5,7 +5,6 @@
 // come in three families: along rows, H; from (i, j) to (i, j+1), S; from (i+1, j) to (i, j+1), D.
 
 #ifndef __cplusplus
-#include "numerics/basics.h"
 #include "numerics/glsl.h"
 #include "numerics/hash.h"
 #endif

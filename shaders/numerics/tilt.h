@@ -1,6 +1,6 @@
 // Slices of a forest prism tilted towards the eye (Decaudin, Neyret 2004, section 6). z is up here, as in the paper; V
 // is the direction from the eye to the scene, P1..P3 the ground triangle, h the height of the prism, kM the largest
-// slant.
+// slant. On the GPU only the formula suite runs this (shaders/formulas); forest/texcells.cpp tilts slices by it.
 
 #ifndef __cplusplus
 #include "numerics/basics.h"

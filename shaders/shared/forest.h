@@ -19,12 +19,14 @@ struct STD140 ForestGlobals {
 struct TileInView {
     vec4 corner[3];  // x, y, z; w: metres from the ground there up to where slices begin
     vec2 stored;     // its cell among the 2 x 2 that repeat
+    vec2 canopy;     // shares of the forest that stand: towards the sun, and all around
     float spacing;   // metres from slice to slice, upwards
     float path;      // what a slice stands for: slabs' heights that lie between two slices
     float coarser;   // share of the next level: 0 to 1
     int up;          // 1 where it points up
     int slices;      // that are drawn
     int under;       // how many of them come from below upwards; the others from above downwards
+    ivec2 padding;   // to 16 bytes, as arrays of buffers stride
 };
 
 #ifdef __cplusplus

@@ -11,7 +11,7 @@ Project wood(float meshesTo) {
     Project p = lawn();
     removeEntity(p, "grass");
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {120, 120};
-    put<Forest>(p, "trees", {.species = {{.leaves = 300}}, .meshesTo = meshesTo, .castShadows = false});
+    put<Forest>(p, "trees", {.species = {{.leaves = 1500}}, .meshesTo = meshesTo, .castShadows = false});
     return p;
 }
 const PassStats* passNamed(const Renderer& r, const std::string& name) {
@@ -52,7 +52,7 @@ TEST(ForestTrees, TakeFewerTrianglesFarAway) {
         return static_cast<double>(pass->vertices) / static_cast<double>(pass->instances);
     };
     const double near = verticesATree(16), far = verticesATree(150);
-    EXPECT_LT(far, 0.5 * near);
+    EXPECT_LT(far, 0.6 * near) << "bark stays as it is";
 }
 
 }  // namespace
