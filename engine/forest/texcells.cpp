@@ -33,8 +33,9 @@ struct Volume {
     uint64_t grown = 0, stood = 0;  // as ForestHere
     float voxelOf = 0;              // Forest::voxel
     std::vector<Texture> levels;
-    Texture slots, light;
-    ForestVolume baked;  // its levels are dropped once they are textures
+    Texture slots, light, canopies;
+    glm::ivec2 firstCell{0};  // of canopies
+    ForestVolume baked;       // its levels are dropped once they are textures
     std::array<std::vector<float>, 2> sky;
     glm::vec3 sun{0};           // that the light is of
     std::vector<Prism> prisms;  // of StandingForest::triangles
@@ -45,6 +46,7 @@ struct TexcellsState : EffectState {
 };
 // Tiles of one level, drawn by one call.
 struct Run {
+    const ForestHere* here;
     const Volume* volume;
     int level;
     size_t first, count;
@@ -55,6 +57,7 @@ struct TexcellsView : EffectState {
     std::vector<TileInView> inView;
     std::vector<float> feet;  // FOREST_SLOTS of each tile in view
     std::vector<Run> runs;
+    Buffer nodes;  // of the ground, as many as one draw has
 };
 
 // --- textures ------------------------------------------------------------------------------------------------------
@@ -147,13 +150,16 @@ void light(Volume& v, const glm::vec3& sun) {
 
 // --- tiles ---------------------------------------------------------------------------------------------------------
 
+// A triangle's corner k in its cell, in the order of the tile's.
+glm::ivec2 cornerOf(bool up, int k) { return up ? glm::ivec2(k == 1, k == 2) : glm::ivec2(k != 1, k != 2); }
+
 void makePrisms(Volume& v, const ForestHere& here) {
     v.prisms.clear();
     const StandingForest& f = *here.stand;
     for (const ForestTriangle& t : f.triangles) {
         Prism p;
         for (size_t k = 0; k < 3; ++k) {
-            const glm::ivec2 at = t.cell + (t.tile.up ? glm::ivec2(k == 1, k == 2) : glm::ivec2(k != 1, k != 2));
+            const glm::ivec2 at = t.cell + cornerOf(t.tile.up, static_cast<int>(k));
             const f64::vec2 place = f64::fromLattice({at.x, at.y}, f.tiles.edge);
             p.corner[k] = f.origin + glm::dvec3(place.x, terrainHeight(*here.terrain, place.x, place.y), place.y);
             p.centre += p.corner[k] / 3.0;
@@ -189,6 +195,30 @@ class Stands {
     glm::dvec3 origin_;
     std::map<std::tuple<int, int, bool>, float> shares_;
 };
+
+// Canopies as an image, a texel a vertex of the lattice: the mean of the six triangles around it, so that shade on the
+// ground has no edges where tiles have.
+void drawCanopies(DrawContext& ctx, Volume& v, const StandingForest& f) {
+    glm::ivec2 first = f.triangles[0].cell, last = first;
+    for (const ForestTriangle& t : f.triangles) first = glm::min(first, t.cell), last = glm::max(last, t.cell);
+    const glm::ivec2 size = last - first + 2;
+    std::vector<glm::vec2> sums(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), glm::vec2(0));
+    for (size_t i = 0; i < f.triangles.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const glm::ivec2 at = f.triangles[i].cell - first + cornerOf(f.triangles[i].tile.up, k);
+            sums[static_cast<size_t>(at.y * size.x + at.x)] += v.prisms[i].canopy / 6.0f;
+        }
+    std::vector<uint8_t> bytes;
+    for (const glm::vec2& s : sums)
+        for (int c = 0; c < 2; ++c)
+            bytes.push_back(static_cast<uint8_t>(std::lround(std::clamp(s[c], 0.0f, 1.0f) * 255)));
+    if (v.canopies.width != size.x || v.canopies.height != size.y)
+        v.canopies = makeTexture2D(ctx.gpu, kOwner, GL_RG8, size.x, size.y);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(v.canopies.id(), 0, 0, 0, size.x, size.y, GL_RG, GL_UNSIGNED_BYTE, bytes.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    v.firstCell = first;
+}
 
 // How full the forest stands along the way to the sun, and all around as far as it is high.
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
@@ -316,8 +346,8 @@ double levelAt(const DrawContext& ctx, const Volume& v, double distance) {
     return std::clamp(std::log2(std::max(pixels, 1e-9)), 0.0, last + 0.999);
 }
 
-void addSlices(TexcellsView& view, const glm::dvec3& eye, const Volume& v, const ForestTriangle& t, const Prism& p,
-               double level, const Slicing& s) {
+void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here, const Volume& v,
+               const ForestTriangle& t, const Prism& p, double level, const Slicing& s) {
     const int whole = static_cast<int>(level);
     const double slab = v.baked.height / v.baked.layers * (1 << whole);
     TileInView tile{};
@@ -332,7 +362,7 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const Volume& v, const
     tile.slices = s.count;
     tile.under = s.under;
     if (view.runs.empty() || view.runs.back().volume != &v || view.runs.back().level != whole)
-        view.runs.push_back({&v, whole, view.inView.size(), 0, 0});
+        view.runs.push_back({&here, &v, whole, view.inView.size(), 0, 0});
     view.runs.back().count += 1;
     view.runs.back().slices = std::max(view.runs.back().slices, s.count);
     view.inView.push_back(tile);
@@ -351,7 +381,7 @@ void addTile(const DrawContext& ctx, TexcellsView& view, const ForestHere& here,
     const auto add = [&](Slicing s, double weight) {
         if (!(weight > 0)) return;
         s.weight = weight;
-        addSlices(view, ctx.camera.eye, v, t, p, level, s);
+        addSlices(view, ctx.camera.eye, here, v, t, p, level, s);
         view.feet.insert(view.feet.end(), feet.begin(), feet.end());
     };
     add(regular(ctx, p, reach, slab), 1 - share);
@@ -375,7 +405,10 @@ void place(DrawContext& ctx) {
         if (stale) makePrisms(v, *here);
         v.grown = here->grown, v.stood = here->stood, v.voxelOf = here->rule.voxel;
         const glm::vec3 sun = ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0);
-        if (stale || v.sun != sun) fillCanopies(v, *here->stand, glm::dvec3(sun));
+        if (stale || v.sun != sun) {
+            fillCanopies(v, *here->stand, glm::dvec3(sun));
+            drawCanopies(ctx, v, *here->stand);
+        }
         light(v, sun);
         for (const Choice& c : inView(ctx, *here, v)) addTile(ctx, view, *here, v, c);
     }
@@ -383,22 +416,57 @@ void place(DrawContext& ctx) {
     writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(float), view.feet.data());
 }
 
-void bind(DrawContext& ctx, TexcellsView& view, const Run& run) {
-    const Volume& v = *run.volume;
-    const size_t level = static_cast<size_t>(run.level), next = std::min(level + 1, v.levels.size() - 1);
+ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v, const ForestHere& here) {
     ForestGlobals g{};
     g.height = static_cast<float>(v.baked.height);
     g.voxel = static_cast<float>(2 * v.baked.edge / v.baked.side);
-    g.fineSlabs = static_cast<float>(v.baked.layers >> level);
-    g.coarseSlabs = static_cast<float>(v.baked.layers >> next);
     g.pixel = pixelAt1m(ctx);
     g.lightSlabs = static_cast<float>(v.baked.air.layers);
+    g.firstCell = v.firstCell;
+    g.edge = static_cast<float>(v.baked.edge);
+    g.seed = here.stand->seed;
+    const bool meshesCast = here.rule.castShadows && here.rule.meshesTo > 0;
+    g.shadeFrom = meshesCast ? static_cast<float>(volumesBegin(here.rule)) : -2;
+    g.shadeTo = meshesCast ? static_cast<float>(meshesEnd(here.rule)) : -1;
+    return g;
+}
+
+void bindGlobals(DrawContext& ctx, TexcellsView& view, const ForestGlobals& g) {
     writeBuffer(ctx.gpu, view.globals, kOwner, sizeof(g), &g);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, view.globals.id());
+}
+
+void bind(DrawContext& ctx, TexcellsView& view, const Run& run) {
+    const Volume& v = *run.volume;
+    const size_t level = static_cast<size_t>(run.level), next = std::min(level + 1, v.levels.size() - 1);
+    ForestGlobals g = globalsOf(ctx, v, *run.here);
+    g.fineSlabs = static_cast<float>(v.baked.layers >> level);
+    g.coarseSlabs = static_cast<float>(v.baked.layers >> next);
+    bindGlobals(ctx, view, g);
     glBindTextureUnit(TEX_FOREST_FINE, v.levels[level].id());
     glBindTextureUnit(TEX_FOREST_COARSE, v.levels[next].id());
     glBindTextureUnit(TEX_FOREST_LIGHT, v.light.id());
     glBindTextureUnit(TEX_FOREST_SLOTS, v.slots.id());
+}
+
+// The shade below volumes, on the ground.
+void drawShade(DrawContext& ctx) {
+    TexcellsView& view = ctx.ofView<TexcellsView>();
+    if (ctx.settings.mode != ViewMode::Final || !ctx.use()) return;
+    if (!view.nodes.id()) view.nodes = makeBuffer(ctx.gpu, kOwner, NODES_PER_DRAW * sizeof(TerrainNode), nullptr);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    for (const auto& here : ctx.shared.forests->all) {
+        const auto v = ctx.own<TexcellsState>().volumes.find(here->entity);
+        if (v == ctx.own<TexcellsState>().volumes.end()) continue;
+        bindGlobals(ctx, view, globalsOf(ctx, v->second, *here));
+        glBindTextureUnit(TEX_FOREST_LIGHT, v->second.light.id());
+        glBindTextureUnit(TEX_FOREST_CANOPY, v->second.canopies.id());
+        ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, view.nodes);
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 void draw(DrawContext& ctx) {
@@ -423,7 +491,14 @@ void draw(DrawContext& ctx) {
 
 const System kSystems[] = {{"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}}, place}};
 const ProgramRow kPrograms[] = {{"forest/texcells", "forest/texcells.vert.glsl", "forest/texcells.frag.glsl", nullptr}};
-const Pass kPasses[] = {{"forest/texcells",
+const ProgramRow kShadePrograms[] = {{"forest/shade", "terrain/ground.vert.glsl", "forest/shade.frag.glsl", nullptr}};
+const Pass kPasses[] = {{"forest/shade",
+                         Stage::GroundShadow,
+                         kViewMain,
+                         {.reads = {Slot::GroundNodes, Slot::Shadows}, .appends = {Slot::SceneColor}},
+                         kShadePrograms,
+                         drawShade},
+                        {"forest/texcells",
                          Stage::Canopy,
                          kViewMain | kViewReflection,
                          {.reads = {Slot::SceneDepth, Slot::Shadows}, .appends = {Slot::SceneColor}},

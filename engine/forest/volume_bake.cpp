@@ -151,21 +151,28 @@ void fillLevels(ForestVolume& v, const std::vector<glm::vec4>& sums) {
     }
 }
 
+// What a coarse part takes of light from above is the mean over its columns, which leaves in clumps make less than
+// leaves that are spread.
 ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
     ForestAir a{std::max(v.side / kLightCoarser, 1), std::max(v.layers / kLightCoarser, 1), v.edge, v.height, {}};
-    a.extinction.resize(static_cast<size_t>(a.side) * static_cast<size_t>(a.side) * static_cast<size_t>(a.layers));
-    const double cell = 2 * v.edge / a.side, volume = cell * cell * 0.8660254037844386 * v.height / a.layers;
-    for (int layer = 0; layer < v.layers; ++layer)
-        for (int y = 0; y < v.side; ++y)
-            for (int x = 0; x < v.side; ++x) {
-                const size_t from =
-                    (static_cast<size_t>(layer) * static_cast<size_t>(v.side) + static_cast<size_t>(y)) *
-                        static_cast<size_t>(v.side) +
-                    static_cast<size_t>(x);
-                const int cx = x * a.side / v.side, cy = y * a.side / v.side, cl = layer * a.layers / v.layers;
-                a.extinction[(static_cast<size_t>(cl) * static_cast<size_t>(a.side) + static_cast<size_t>(cy)) *
-                                 static_cast<size_t>(a.side) +
-                             static_cast<size_t>(cx)] += sums[from].w / static_cast<float>(volume);
+    const int across = v.side / a.side, up = v.layers / a.layers;
+    const double cell = 2 * v.edge / v.side, area = cell * cell * 0.8660254037844386, part = v.height / a.layers;
+    const size_t side = static_cast<size_t>(v.side);
+    for (int layer = 0; layer < a.layers; ++layer)
+        for (int y = 0; y < a.side; ++y)
+            for (int x = 0; x < a.side; ++x) {
+                double through = 0;
+                for (int column = 0; column < across * across; ++column) {
+                    const size_t texel = static_cast<size_t>(y * across + column / across) * side +
+                                         static_cast<size_t>(x * across + column % across);
+                    double depth = 0;
+                    for (int k = 0; k < up; ++k)
+                        depth +=
+                            static_cast<double>(sums[static_cast<size_t>(layer * up + k) * side * side + texel].w) /
+                            area;
+                    through += std::exp(-depth) / (across * across);
+                }
+                a.extinction.push_back(static_cast<float>(-std::log(std::max(through, 1e-9)) / part));
             }
     return a;
 }

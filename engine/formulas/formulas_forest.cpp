@@ -217,8 +217,8 @@ void addTileRows(std::vector<FormulaRow>& rows) {
         .samples =
             [](const ExpectedValues&) {
                 FormulaSamples samples;
-                for (int i = -1000; i <= 1000; ++i) {
-                    const double c = i / 1000.0, a = std::acos(c), pi = std::acos(-1.0);
+                for (int i = -1024; i <= 1024; ++i) {
+                    const double c = i / 1024.0, a = std::acos(c), pi = std::acos(-1.0);
                     samples.add({c}, {2 / (3 * pi) * (std::sin(a) + (pi - a) * c)});
                 }
                 return samples;

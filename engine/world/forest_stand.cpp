@@ -101,7 +101,7 @@ StandingForest standingForest(const Forest& forest, const Ground& ground) {
     if (static_cast<double>(forest.perHectare) / 1e4 * t.size.x * t.size.y > kMostForestTrees) return out;
     out.tiles = forestTiles(forest);
     out.origin = ground.origin;
-    const uint32_t seed = f32::hash2(static_cast<uint32_t>(forest.seed), 0x7115u);
+    const uint32_t seed = out.seed = f32::hash2(static_cast<uint32_t>(forest.seed), 0x7115u);
     const Stander s{forest, t, out.tiles, tilingOf(t, forest.densityTiling), ground.origin, seed};
     // From one row and one cell beyond the terrain on each side, whose edges' trees may stand on it.
     const double rise = out.tiles.edge * 0.8660254037844386;

@@ -38,6 +38,7 @@ struct StandingForest {
     std::vector<StandingTree> trees;
     std::vector<ForestTriangle> triangles;
     glm::dvec3 origin{0};  // of the lattice, in the world
+    uint32_t seed = 0;     // of the lattice's colours
     uint64_t hash = 0;     // over all trees
 };
 // Nothing without a terrain, or where more than kMostForestTrees are asked for.

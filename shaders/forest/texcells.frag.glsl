@@ -46,7 +46,7 @@ void main() {
     vec3 way = position / distance;
     leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
-    vec3 shares = pow(lightShares(uv, at), canopy.xyy);
+    vec3 shares = pow(max(lightShares(uv, at), vec3(LEAST_LIGHT)), canopy.xyy);
     vec3 light = 0.5 * (frame.skyLight * shares.g + frame.groundLight * shares.b);
     if (SUN) {
         float visible = shares.r;

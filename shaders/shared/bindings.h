@@ -61,6 +61,7 @@
 #define TEX_FOREST_COARSE 47
 #define TEX_FOREST_LIGHT 48
 #define TEX_FOREST_SLOTS 49
+#define TEX_FOREST_CANOPY 50
 #define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw

@@ -2,6 +2,7 @@
 #pragma once
 #include "shared/types.h"
 #define FOREST_SLOTS 32
+#define LEAST_LIGHT 0.002  // what 8 bits store as 0
 #ifdef __cplusplus
 namespace sward {
 #endif
@@ -13,6 +14,11 @@ struct STD140 ForestGlobals {
     float coarseSlabs;
     float pixel;       // metres that a pixel covers at a distance of 1 m
     float lightSlabs;  // parts of the light's image upwards
+    ivec2 firstCell;   // of the lattice: the canopies' first column and row
+    float edge;        // metres of the lattice's edges
+    uint seed;         // of the lattice's colours
+    float shadeFrom;   // metres from the eye over which the shade on the ground sets in
+    float shadeTo;
 };
 
 // A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.

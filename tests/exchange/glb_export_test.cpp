@@ -248,10 +248,9 @@ TEST(GlbExport, ScatteredObjectsAreInstances) {
 TEST(GlbExport, TreesOfAForestAreInstances) {
     const TempDir dir;
     Project p = meadow(dir.path);
-    const Forest rule{.species = {{.leaves = 30}, {.name = "oak", .kind = TreeKind::Broadleaf, .leaves = 30}},
-                      .perHectare = 2000,
-                      .distance = 1.5f,
-                      .tileSize = 6};
+    const TreeSpecies spruce{.height = 1, .leaves = 30},
+        oak{.name = "oak", .kind = TreeKind::Broadleaf, .height = 1, .leaves = 30};
+    const Forest rule{.species = {spruce, oak}, .perHectare = 15000, .distance = 0.4f, .tileSize = 4};
     put(p, "trees", rule);
     const Glb glb = encoded(p);
     const auto there = standingForest(rule, findGround(p)).trees;

@@ -50,7 +50,8 @@ TEST(ForestVolume, HoldsHalfTheAreaOfAllLeavesAndTrunks) {
     double air = 0;
     for (const float e : v.air.extinction)
         air += double(e) * std::pow(2 * v.edge / v.air.side, 2) * 0.8660254037844386 * v.height / v.air.layers;
-    EXPECT_NEAR(air / want, 1, 1e-3);
+    EXPECT_LT(air, want) << "leaves in clumps take less than leaves that are spread";
+    EXPECT_GT(air, 0.4 * want);
 }
 
 TEST(ForestVolume, EachLevelIsWhatItsSlabsAddUpTo) {
