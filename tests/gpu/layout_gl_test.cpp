@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 // Which struct a block holds, alone or in an array; "": words that are no struct.
 const std::map<std::string, std::string> kBlocks = {{"BladeBlock", "Blade"},
+                                                    {"FeetBlock", ""},
+                                                    {"ForestBlock", "ForestGlobals"},
+                                                    {"TilesBlock", "TileInView"},
                                                     {"CellBlock", "CellInstance"},
                                                     {"ChosenBlock", "ChosenCell"},
                                                     {"CommandBlock", ""},
