@@ -170,9 +170,9 @@ TEST(Shadows, NeedASunAndACaster) {
     p.registry.remove<Light>(findEntity(p, "sun"));
     EXPECT_FALSE(shadows());
     Renderer renderer(gpu(), tables());
-    EXPECT_NE(
-        renderer.explain(p, false).find("object-shadows: no StaticMesh and no Scatter casts shadows, or no Light"),
-        std::string::npos);
+    EXPECT_NE(renderer.explain(p, false).find(
+                  "object-shadows: no StaticMesh, no Scatter and no Forest casts shadows, or no Light"),
+              std::string::npos);
 }
 
 }  // namespace
