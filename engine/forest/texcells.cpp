@@ -459,7 +459,7 @@ void drawShade(DrawContext& ctx) {
     glDepthMask(GL_FALSE);
     for (const auto& here : ctx.shared.forests->all) {
         const auto v = ctx.own<TexcellsState>().volumes.find(here->entity);
-        if (v == ctx.own<TexcellsState>().volumes.end()) continue;
+        if (v == ctx.own<TexcellsState>().volumes.end() || here->stand->trees.empty()) continue;
         bindGlobals(ctx, view, globalsOf(ctx, v->second, *here));
         glBindTextureUnit(TEX_FOREST_LIGHT, v->second.light.id());
         glBindTextureUnit(TEX_FOREST_CANOPY, v->second.canopies.id());
