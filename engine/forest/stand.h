@@ -23,7 +23,10 @@ struct ForestHere {
     glm::dvec3 origin{0};            // of the terrain
     std::vector<std::string> files;  // versions of species' files
     std::shared_ptr<const StandingForest> stand;
-    std::vector<Mesh> meshes;       // by species; empty: none stands, or its file cannot be read
+    std::vector<Mesh> meshes;  // by species; empty: none stands, or its file cannot be read
+    // Light in its air, by forest/texcells while there are volumes; 0: none. What they name is that effect's.
+    GLuint light = 0, lightGlobals = 0;
+    std::vector<float> around;      // by tree: share of the forest that stands around it
     uint64_t stood = 0, grown = 0;  // another number each time that the stand, or tiles and meshes, are made anew
 };
 struct ForestsState : EffectState {

@@ -34,6 +34,7 @@ struct Volume {
     float voxelOf = 0;              // Forest::voxel
     std::vector<Texture> levels;
     Texture slots, light, canopies;
+    Buffer globals;           // of its light, for meshes
     glm::ivec2 firstCell{0};  // of canopies
     ForestVolume baked;       // its levels are dropped once they are textures
     std::array<std::vector<float>, 2> sky;
@@ -220,6 +221,17 @@ void drawCanopies(DrawContext& ctx, Volume& v, const StandingForest& f) {
     v.firstCell = first;
 }
 
+// What trees' meshes need to be lit by the same air.
+void publish(DrawContext& ctx, Volume& v, ForestHere& here, const ForestGlobals& g) {
+    writeBuffer(ctx.gpu, v.globals, kOwner, sizeof(g), &g);
+    here.light = v.light.id();
+    here.lightGlobals = v.globals.id();
+    here.around.assign(here.stand->trees.size(), 0);
+    for (size_t i = 0; i < v.prisms.size(); ++i)
+        for (const int32_t n : here.stand->triangles[i].trees)
+            if (n >= 0) here.around[static_cast<size_t>(n)] = v.prisms[i].canopy.y;
+}
+
 // How full the forest stands along the way to the sun, and all around as far as it is high.
 void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
     const Stands stands(f);
@@ -388,34 +400,6 @@ void addTile(const DrawContext& ctx, TexcellsView& view, const ForestHere& here,
     add(tilted(p, reach, way, static_cast<double>(here.rule.slant), slab), share);
 }
 
-void place(DrawContext& ctx) {
-    TexcellsState& s = ctx.own<TexcellsState>();
-    TexcellsView& view = ctx.ofView<TexcellsView>();
-    view.inView.clear(), view.feet.clear(), view.runs.clear();
-    const auto drawn = [](const ForestHere& h) { return h.rule.meshesTo < std::numeric_limits<float>::infinity(); };
-    std::erase_if(s.volumes, [&](const auto& f) {
-        return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
-                            [&](const auto& h) { return h->entity == f.first && drawn(*h); });
-    });
-    for (const auto& here : ctx.shared.forests->all) {
-        if (!drawn(*here) || here->stand->trees.empty()) continue;
-        Volume& v = s.volumes[here->entity];
-        if (v.grown != here->grown || v.voxelOf != here->rule.voxel) bake(ctx, v, *here);
-        const bool stale = v.stood != here->stood || v.grown != here->grown;
-        if (stale) makePrisms(v, *here);
-        v.grown = here->grown, v.stood = here->stood, v.voxelOf = here->rule.voxel;
-        const glm::vec3 sun = ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0);
-        if (stale || v.sun != sun) {
-            fillCanopies(v, *here->stand, glm::dvec3(sun));
-            drawCanopies(ctx, v, *here->stand);
-        }
-        light(v, sun);
-        for (const Choice& c : inView(ctx, *here, v)) addTile(ctx, view, *here, v, c);
-    }
-    writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
-    writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(float), view.feet.data());
-}
-
 ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v, const ForestHere& here) {
     ForestGlobals g{};
     g.height = static_cast<float>(v.baked.height);
@@ -429,6 +413,36 @@ ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v, const ForestHer
     g.shadeFrom = meshesCast ? static_cast<float>(volumesBegin(here.rule)) : -2;
     g.shadeTo = meshesCast ? static_cast<float>(meshesEnd(here.rule)) : -1;
     return g;
+}
+
+void place(DrawContext& ctx) {
+    TexcellsState& s = ctx.own<TexcellsState>();
+    TexcellsView& view = ctx.ofView<TexcellsView>();
+    view.inView.clear(), view.feet.clear(), view.runs.clear();
+    const auto drawn = [](const ForestHere& h) { return h.rule.meshesTo < std::numeric_limits<float>::infinity(); };
+    std::erase_if(s.volumes, [&](const auto& f) {
+        return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
+                            [&](const auto& h) { return h->entity == f.first && drawn(*h); });
+    });
+    for (const auto& here : ctx.shared.forests->all) {
+        here->light = here->lightGlobals = 0;
+        if (!drawn(*here) || here->stand->trees.empty()) continue;
+        Volume& v = s.volumes[here->entity];
+        if (v.grown != here->grown || v.voxelOf != here->rule.voxel) bake(ctx, v, *here);
+        const bool stale = v.stood != here->stood || v.grown != here->grown;
+        if (stale) makePrisms(v, *here);
+        v.grown = here->grown, v.stood = here->stood, v.voxelOf = here->rule.voxel;
+        const glm::vec3 sun = ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0);
+        if (stale || v.sun != sun) {
+            fillCanopies(v, *here->stand, glm::dvec3(sun));
+            drawCanopies(ctx, v, *here->stand);
+        }
+        light(v, sun);
+        publish(ctx, v, *here, globalsOf(ctx, v, *here));
+        for (const Choice& c : inView(ctx, *here, v)) addTile(ctx, view, *here, v, c);
+    }
+    writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
+    writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(float), view.feet.data());
 }
 
 void bindGlobals(DrawContext& ctx, TexcellsView& view, const ForestGlobals& g) {
@@ -489,7 +503,8 @@ void draw(DrawContext& ctx) {
     glDisable(GL_BLEND);
 }
 
-const System kSystems[] = {{"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}}, place}};
+const System kSystems[] = {
+    {"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}, .writes = {Slot::Forests}}, place}};
 const ProgramRow kPrograms[] = {{"forest/texcells", "forest/texcells.vert.glsl", "forest/texcells.frag.glsl", nullptr}};
 const ProgramRow kShadePrograms[] = {{"forest/shade", "terrain/ground.vert.glsl", "forest/shade.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"forest/shade",

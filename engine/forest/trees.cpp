@@ -27,14 +27,28 @@ struct TreesState : EffectState {
 };
 // Instances of one mesh: first the seen.
 struct Group {
+    const ForestHere* here;
     const GpuMesh* mesh;
     size_t first, seen;
 };
 struct TreesView : EffectState {
-    Buffer instances;
+    Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
+    std::vector<glm::vec3> places;  // of each row: lattice coordinates as stored, and the share of trees around
     std::vector<Group> groups;
 };
+
+constexpr GLuint kPlace = 6, kPlaceBinding = 2;
+
+GpuMesh uploadTree(Gpu& gpu, const Mesh& mesh) {
+    GpuMesh out = uploadMesh(gpu, kOwner, mesh);
+    const GLuint id = out.mesh.id();
+    glEnableVertexArrayAttrib(id, kPlace);
+    glVertexArrayAttribBinding(id, kPlace, kPlaceBinding);
+    glVertexArrayAttribFormat(id, kPlace, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayBindingDivisor(id, kPlaceBinding, 1);
+    return out;
+}
 
 void upload(DrawContext& ctx, Uploaded& u, const ForestHere& here) {
     if (u.grown == here.grown) return;
@@ -43,7 +57,7 @@ void upload(DrawContext& ctx, Uploaded& u, const ForestHere& here) {
     u.species.resize(here.meshes.size());
     for (size_t i = 0; i < here.meshes.size(); ++i)
         for (size_t l = 0; l < kTreeLevels && !here.meshes[i].parts.empty(); ++l)
-            u.species[i][l] = uploadMesh(ctx.gpu, kOwner, thinned(here.meshes[i], kTreeKeep[l]));
+            u.species[i][l] = uploadTree(ctx.gpu, thinned(here.meshes[i], kTreeKeep[l]));
 }
 
 size_t levelAt(double distance, double height) {
@@ -57,15 +71,18 @@ struct Chosen {
     std::vector<const StandingTree*> seen, unseen;
 };
 
-void addGroup(DrawContext& ctx, TreesView& view, const GpuMesh& m, const Chosen& chosen, bool casts) {
+void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const GpuMesh& m, const Chosen& chosen) {
+    const bool casts = here.rule.castShadows;
     const auto add = [&](const StandingTree& t) {
         const glm::dvec3 at = t.at - ctx.camera.eye;
         if (casts)
             addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
                       (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
         view.rows.push_back(instanceAt(at, turnOf(t)));
+        const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
+        view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
     };
-    view.groups.push_back({&m, view.rows.size(), chosen.seen.size()});
+    view.groups.push_back({&here, &m, view.rows.size(), chosen.seen.size()});
     for (const StandingTree* t : chosen.seen) add(*t);
     for (const StandingTree* t : chosen.unseen) add(*t);
 }
@@ -89,7 +106,7 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
     for (size_t s = 0; s < chosen.size(); ++s)
         for (size_t l = 0; l < kTreeLevels; ++l)
             if (!chosen[s][l].seen.empty() || !chosen[s][l].unseen.empty())
-                addGroup(ctx, view, u.species[s][l], chosen[s][l], here.rule.castShadows);
+                addGroup(ctx, view, here, u.species[s][l], chosen[s][l]);
 }
 
 // Which trees cast, and at which level: what shadow maps are kept by.
@@ -111,6 +128,7 @@ void place(DrawContext& ctx) {
     TreesState& s = ctx.own<TreesState>();
     TreesView& view = ctx.ofView<TreesView>();
     view.rows.clear();
+    view.places.clear();
     view.groups.clear();
     std::erase_if(s.forests, [&](const auto& f) {
         return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
@@ -126,19 +144,26 @@ void place(DrawContext& ctx) {
     }
     if (casts) ctx.shared.castersHash += hashOf(view, ctx.camera.eye);
     writeBuffer(ctx.gpu, view.instances, kOwner, view.rows.size() * sizeof(ObjectInstance), view.rows.data());
-    for (const Group& g : view.groups)
+    writeBuffer(ctx.gpu, view.placesBuffer, kOwner, view.places.size() * sizeof(glm::vec3), view.places.data());
+    for (const Group& g : view.groups) {
         glVertexArrayVertexBuffer(g.mesh->mesh.id(), 1, view.instances.id(), 0, sizeof(ObjectInstance));
+        glVertexArrayVertexBuffer(g.mesh->mesh.id(), kPlaceBinding, view.placesBuffer.id(), 0, sizeof(glm::vec3));
+    }
 }
 
 void draw(DrawContext& ctx) {
     const TreesState& s = ctx.own<TreesState>();
     if (!ctx.use()) return;
-    for (const Group& g : ctx.ofView<TreesView>().groups)
-        if (g.seen > 0) drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
+    for (const Group& g : ctx.ofView<TreesView>().groups) {
+        if (g.seen == 0) continue;
+        glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, g.here->lightGlobals);
+        glBindTextureUnit(TEX_FOREST_LIGHT, g.here->light);
+        drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
+    }
 }
 
 const System kSystems[] = {{"forest/trees/place", {.reads = {Slot::Forests}, .appends = {Slot::Casters}}, place}};
-const ProgramRow kPrograms[] = {{"forest/trees", "objects/mesh.vert.glsl", "objects/mesh.frag.glsl", nullptr}};
+const ProgramRow kPrograms[] = {{"forest/trees", "forest/trees.vert.glsl", "forest/trees.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"forest/trees",
                          Stage::Opaque,
                          kViewMain | kViewReflection,

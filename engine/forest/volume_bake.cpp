@@ -67,7 +67,7 @@ glm::vec3 imageAt(const MeshImage& image, const glm::vec2& uv, float& alpha) {
 
 // foot: of the tree, x and z from the corner of the 2 x 2 cells.
 void splatTree(Splat& out, const Mesh& mesh, const TileTree& tree, const glm::dvec2& foot, double spacing) {
-    const glm::dmat3 turn = turnOf(StandingTree{{}, tree.species, tree.size, tree.headingDeg, 0});
+    const glm::dmat3 turn = turnOf(StandingTree{{}, tree.species, tree.size, tree.headingDeg, {}, 0});
     std::vector<glm::dvec3> at;
     for (const MeshVertex& v : mesh.vertices)
         at.push_back(turn * glm::dvec3(v.position) + glm::dvec3(foot.x, 0, foot.y));

@@ -33,8 +33,8 @@ struct Stander {
         return slope >= forest.slopeDeg.x && slope <= forest.slopeDeg.y;
     }
     // Adds those of a list that stand; `numbers` takes their place among the trees, -1 for the others.
-    void add(const glm::ivec2& cell, uint32_t key, const std::vector<TileTree>& list, std::vector<StandingTree>& out,
-             int32_t* numbers) const {
+    void add(const glm::ivec2& cell, const ForestTile& tile, uint32_t key, const std::vector<TileTree>& list,
+             std::vector<StandingTree>& out, int32_t* numbers) const {
         const f64::vec2 corner = f64::fromLattice({cell.x, cell.y}, tiles.edge);
         for (size_t k = 0; k < list.size(); ++k) {
             const glm::dvec2 at = glm::dvec2(corner.x, corner.y) + list[k].at;
@@ -42,8 +42,11 @@ struct Stander {
             numbers[k] = -1;
             if (!stands(at, h)) continue;
             numbers[k] = static_cast<int32_t>(out.size());
+            const f64::vec2 within = f64::toLattice({list[k].at.x, list[k].at.y}, tiles.edge);
+            const glm::vec2 stored(static_cast<float>((tile.cell & 1) + within.x),
+                                   static_cast<float>((tile.cell >> 1) + within.y));
             out.push_back({origin + glm::dvec3(at.x, terrainHeight(terrain, at.x, at.y), at.y), list[k].species,
-                           list[k].size, list[k].headingDeg, f32::hashUnit(f32::hash2(h, 2))});
+                           list[k].size, list[k].headingDeg, stored, f32::hashUnit(f32::hash2(h, 2))});
         }
     }
 };
@@ -69,9 +72,9 @@ Row standRow(const Stander& s, int j, int first, int count) {
         const glm::ivec2 at(first + c, j);
         const ForestTile up = tileAt(at.x, at.y, true, s.seed), down = tileAt(at.x, at.y, false, s.seed);
         for (uint32_t f = 0; f < 3; ++f)
-            s.add(at, f, s.tiles.onEdge[f][static_cast<size_t>(up.colors[f])], row.trees, cell.onEdge[f].data());
-        s.add(at, kInsideKey, s.tiles.within(down.cell, false), row.trees, cell.inside[0].data());
-        s.add(at, kInsideKey + 1, s.tiles.within(up.cell, true), row.trees, cell.inside[1].data());
+            s.add(at, up, f, s.tiles.onEdge[f][static_cast<size_t>(up.colors[f])], row.trees, cell.onEdge[f].data());
+        s.add(at, down, kInsideKey, s.tiles.within(down.cell, false), row.trees, cell.inside[0].data());
+        s.add(at, up, kInsideKey + 1, s.tiles.within(up.cell, true), row.trees, cell.inside[1].data());
     }
     return row;
 }

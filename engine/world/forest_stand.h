@@ -22,6 +22,7 @@ struct StandingTree {
     uint32_t species = 0;
     float size = 1;        // factor of its species' height
     float headingDeg = 0;  // turn about the upright
+    glm::vec2 stored{0};   // lattice coordinates of its foot in the 2 x 2 cells that repeat
     float chance = 0;      // in [0, 1[, its own: who draws it near the distance where meshes end
 };
 // Where a triangle's list has the trees within it and those across its edges, by family.

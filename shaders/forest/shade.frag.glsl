@@ -1,5 +1,6 @@
 // What a forest leaves of the light on the ground below it, multiplied onto the picture: the shares of sun and sky that
-// reach the lowest part of the air in its tiles. Near the eye trees are meshes, which cast shadows of their own.
+// reach the lowest part of the air in its tiles. Near the eye trees are meshes, whose shadow maps take the sun's.
+#include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
@@ -7,9 +8,7 @@
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
-layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
-layout(binding = TEX_FOREST_LIGHT) uniform sampler2DArray lightImage;  // shares of sun, sky and ground
-layout(binding = TEX_FOREST_CANOPY) uniform sampler2D canopies;        // as TileInView::canopy, by vertices
+layout(binding = TEX_FOREST_CANOPY) uniform sampler2D canopies;  // as TileInView::canopy, by vertices
 
 in vec3 position;
 in vec2 place;
@@ -28,13 +27,13 @@ void main() {
     vec2 aside = up ? within : 1.0 - within.yx;
     canopy += aside.x * canopyAt(at + ivec2(1, 0)) + aside.y * canopyAt(at + ivec2(0, 1));
     float distance = length(position);
-    float here = smoothstep(forest.shadeFrom, forest.shadeTo, distance) * (1.0 - hazeShare(distance));
-    if (!(max(canopy.x, canopy.y) * here > 0.0)) discard;
+    if (!(max(canopy.x, canopy.y) > 0.0)) discard;
+    float volumes = smoothstep(forest.shadeFrom, forest.shadeTo, distance);
     vec2 stored = tileCell(edgeColors(cell.x, cell.y, up, forest.seed)) + within;
     vec3 stands = textureLod(lightImage, vec3(0.5 * stored, 0.0), 0.0).rgb;
     vec3 shares = pow(max(stands, vec3(LEAST_LIGHT)), canopy.xyy);
     vec3 n = normalize(normal), sky = ambientLight(n), sun = vec3(0.0);
     if (SUN) sun = sunLight(n) * sunVisible(position, vec3(0.0));
-    vec3 left = (sky * shares.g + sun * shares.r) / max(sky + sun, vec3(1e-6));
-    color = vec4(mix(vec3(1.0), left, here), 1.0);
+    vec3 left = (sky * shares.g + sun * mix(1.0, shares.r, volumes)) / max(sky + sun, vec3(1e-6));
+    color = vec4(mix(left, vec3(1.0), hazeShare(distance)), 1.0);
 }

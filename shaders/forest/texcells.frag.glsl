@@ -1,5 +1,6 @@
 // What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, in the
 // haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+#include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
@@ -8,11 +9,9 @@
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
-layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
 layout(std430, binding = SSBO_FOREST_FEET) readonly buffer FeetBlock { float feet[]; };
 layout(binding = TEX_FOREST_FINE) uniform sampler2DArray finer;
 layout(binding = TEX_FOREST_COARSE) uniform sampler2DArray coarser;
-layout(binding = TEX_FOREST_LIGHT) uniform sampler2DArray lightImage;  // shares of sun, sky and ground
 layout(binding = TEX_FOREST_SLOTS) uniform usampler2D slots;
 
 in vec3 position;
@@ -23,13 +22,6 @@ flat in vec3 facing;
 flat in float path;
 flat in vec2 canopy;
 out vec4 color;
-
-vec3 lightShares(vec2 uv, float at) {
-    float part = clamp(at * forest.lightSlabs - 0.5, 0.0, forest.lightSlabs - 1.0);
-    float low = floor(part);
-    return mix(textureLod(lightImage, vec3(uv, low), 0.0).rgb,
-               textureLod(lightImage, vec3(uv, min(low + 1.0, forest.lightSlabs - 1.0)), 0.0).rgb, part - low);
-}
 
 void main() {
     vec2 uv = 0.5 * stored;

@@ -1,6 +1,7 @@
 // Trees as meshes: those nearer than meshesTo, each once, with fewer triangles farther away.
 #include "forest/trees.h"
 
+#include "reference/reference.h"
 #include "scenes.h"
 #include "world/forest_stand.h"
 
@@ -40,6 +41,38 @@ TEST(ForestTrees, AreDrawnWhereVolumesAreNot) {
         ASSERT_TRUE(pass);
         EXPECT_EQ(pass->instances, 4 * near) << "of bark and three tints, at " << to;
     }
+}
+
+double meanGreen(const std::vector<float>& pixels) {
+    double sum = 0;
+    for (size_t i = 1; i < pixels.size(); i += 3) sum += static_cast<double>(pixels[i]);
+    return 3 * sum / static_cast<double>(pixels.size());
+}
+
+TEST(ForestTrees, AreLitThroughTheAirOfTheVolumes) {
+    NoGlErrors errors;
+    const ViewCamera within{{60, 2, 96}, {62, 4, 60}, 60, 0};
+    const auto scene = [](float meshesTo) {
+        Project p = wood(meshesTo);
+        Forest& f = *p.registry.get<Forest>(findEntity(p, "trees"));
+        f.castShadows = true;
+        f.species[0].kind = TreeKind::Broadleaf;
+        return p;
+    };
+    const auto green = [&](float meshesTo) {
+        Renderer renderer(gpu(), tables());
+        EXPECT_TRUE(renderer.draw(scene(meshesTo), within, small()));
+        return meanGreen(renderer.readLinear());
+    };
+    JobControl control;
+    const auto rays = ReferenceScene::make(scene(60), tables(), 0, control);
+    ASSERT_TRUE(rays);
+    ReferenceSettings settings;
+    settings.width = 160, settings.height = 120, settings.samples = 16;
+    const double truth = meanGreen(rays->trace(within, settings, control)->color);
+    const double lit = green(60), open = green(std::numeric_limits<float>::infinity());
+    std::printf("green: truth %.4f, through the air %.4f, in the open %.4f\n", truth, lit, open);
+    EXPECT_LT(std::abs(lit - truth), 0.5 * std::abs(open - truth)) << "meshes without volumes know no canopy";
 }
 
 TEST(ForestTrees, TakeFewerTrianglesFarAway) {

@@ -1,0 +1,38 @@
+// A near tree's colour, diffuse, lit by sun and sky, in the haze. Light from the sky comes through the same air as the
+// volumes' does, where there are volumes; the sun's through the shadow maps.
+#include "lib/canopy.glsl"
+#include "lib/frame.glsl"
+#include "lib/light.glsl"
+#include "lib/shadow.glsl"
+#include "numerics/light.h"
+#include "shared/bindings.h"
+#include "shared/forest.h"
+
+layout(binding = TEX_OBJECT) uniform sampler2D image;
+layout(location = 0) uniform vec3 reflectance;  // factor of the image
+layout(location = 1) uniform float cutoff;      // of its alpha
+
+in vec3 position;
+in vec3 normal;
+in vec2 uv;
+in vec3 air;
+flat in float around;
+out vec4 color;
+
+vec3 skyAt(vec3 n) {
+    if (!FOREST_VOLUMES) return ambientLight(n);
+    vec3 shares = pow(max(lightShares(0.5 * air.xy, air.z), vec3(LEAST_LIGHT)), vec3(around));
+    return halvesLight(frame.groundLight * shares.b, frame.skyLight * shares.g, n.y);
+}
+
+void main() {
+    vec4 texel = texture(image, uv);
+    if (texel.a < cutoff) discard;
+    vec3 n = normalize(gl_FrontFacing ? normal : -normal);
+    float distance = length(position);
+    vec3 light = (sunLight(n) * sunVisible(position, n) + skyAt(n)) * texel.rgb * reflectance;
+    color = vec4(mix(light, horizonColor(position.xz), hazeShare(distance)), 1.0);
+    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_DENSITY) color.rgb = vec3(0.25);
+    if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
+    if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
+}

@@ -1,0 +1,37 @@
+// A vertex of a tree that stands near the eye, and where in the forest's air it lies.
+#include "lib/frame.glsl"
+#include "lib/mirror.glsl"
+#include "numerics/forest.h"
+#include "shared/bindings.h"
+#include "shared/forest.h"
+
+layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
+layout(location = 0) in vec3 meshPosition;
+layout(location = 1) in vec3 meshNormal;
+layout(location = 2) in vec2 meshUv;
+layout(location = 3) in vec4 row0;
+layout(location = 4) in vec4 row1;
+layout(location = 5) in vec4 row2;
+layout(location = 6) in vec3 footStored;  // lattice coordinates of its foot in the 2 x 2 cells; share of trees around
+
+out vec3 position;  // relative to the eye
+out vec3 normal;
+out vec2 uv;
+out vec3 air;  // lattice coordinates as stored, and share of the forest's height
+flat out float around;
+
+void main() {
+    vec4 p = vec4(meshPosition, 1.0);
+    position = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+    normal = vec3(dot(row0.xyz, meshNormal), dot(row1.xyz, meshNormal), dot(row2.xyz, meshNormal));
+    uv = meshUv;
+    air = vec3(0.0);
+    around = 0.0;
+    if (FOREST_VOLUMES) {
+        air.xy = footStored.xy + toLattice(vec2(position.x - row0.w, position.z - row2.w), forest.edge);
+        air.z = (position.y - row1.w) / forest.height;
+        around = footStored.z;
+    }
+    cutAtWater(position.y);
+    gl_Position = frame.viewProj * vec4(position, 1.0);
+}
