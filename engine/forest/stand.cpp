@@ -45,6 +45,7 @@ void update(ForestHere& h, const Project& p, const Ground& ground, const Forest&
     std::vector<std::string> files = versionsOf(p, f);
     const bool still = standsStill(h, f, ground), grown = h.stand && sameTiles(h.rule, f) && h.files == files;
     h.rule = f;
+    h.light = h.lightGlobals = 0;  // those of the last frame may be gone
     if (!still) stand(h, ground), h.stood = ++times;
     if (!grown) grow(h, p), h.grown = ++times;
     h.files = std::move(files);

@@ -425,7 +425,6 @@ void place(DrawContext& ctx) {
                             [&](const auto& h) { return h->entity == f.first && drawn(*h); });
     });
     for (const auto& here : ctx.shared.forests->all) {
-        here->light = here->lightGlobals = 0;
         if (!drawn(*here) || here->stand->trees.empty()) continue;
         Volume& v = s.volumes[here->entity];
         if (v.grown != here->grown || v.voxelOf != here->rule.voxel) bake(ctx, v, *here);
