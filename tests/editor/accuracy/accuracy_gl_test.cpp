@@ -16,8 +16,8 @@ class EditorAccuracy : public test::EditorFixture {
     void SetUp() override {
         ASSERT_NE(gpu, nullptr);
         ASSERT_TRUE(doc.create(dir / "meadow"));
-        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(760, 420), false);
-        app->layout.right = 330, app->layout.bottom = app->layout.accuracy = 190;
+        app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(760, 520), false);
+        app->layout.right = 330, app->layout.bottom = app->layout.accuracy = 290;  // tabs take three lines
         ui = makeUiDriver(*app);
         ok(ui->wait(3));
     }
