@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/log.h"
 #include "core/numerics.h"
 #include "forest/stand.h"
 #include "forest/volume_bake.h"

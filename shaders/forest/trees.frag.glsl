@@ -3,6 +3,7 @@
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/light.h"
 #include "shared/bindings.h"
@@ -29,10 +30,6 @@ void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-    float distance = length(position);
     vec3 light = (sunLight(n) * sunVisible(position, n) + skyAt(n)) * texel.rgb * reflectance;
-    color = vec4(mix(light, horizonColor(position.xz), hazeShare(distance)), 1.0);
-    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_DENSITY) color.rgb = vec3(0.25);
-    if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
-    if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
+    color = objectColor(light, n, position);
 }

@@ -1,6 +1,7 @@
 // An object's colour, diffuse, lit by sun and sky, in the haze. Faces are lit on the side that is seen.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
+#include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
 #include "shared/bindings.h"
 
@@ -17,10 +18,6 @@ void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-    float distance = length(position);
     vec3 light = (sunLight(n) * sunVisible(position, n) + ambientLight(n)) * texel.rgb * reflectance;
-    color = vec4(mix(light, horizonColor(position.xz), hazeShare(distance)), 1.0);
-    if (viewMode() == VIEW_TIERS || viewMode() == VIEW_DENSITY) color.rgb = vec3(0.25);
-    if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
-    if (viewMode() == VIEW_OVERDRAW) color.rgb = vec3(1.0 / 32.0, 0.0, 0.0);
+    color = objectColor(light, n, position);
 }
