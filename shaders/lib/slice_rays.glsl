@@ -140,10 +140,48 @@ float levelAt(float pixel, float facing) {
     return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
 }
 
+// A slice that a ray meets, with what it stores of light from above (front, back), and its share of the ray's light.
+struct Sent {
+    float share;
+    Met met;
+    vec2 above;
+    int axis;
+};
+
+// Its light times its share.
+vec3 sentLight(Sent s, Shell shell, vec2 levels, float pixel) {
+    if (!(s.share > 0.0)) return vec3(0.0);
+    float fine = max((s.axis == kRayU ? levels.x : levels.y) - 1.0, 0.0);
+    vec3 at = shell.start + shell.way * s.met.t;
+    return s.share * lightOf(s.met, shell, at, s.axis, fine, pixel, vec4(0.0, 0.0, s.above));
+}
+
+bool meetsSlice(SliceHit hit) { return hit.family == kRayU || hit.family == kRayV; }
+
+// Opacity that has come together along a ray, and the two slices that send the most of its light: the others are taken
+// to be as bright as these in the mean, which spares two look-ups and the light of each.
+struct Walk {
+    float through;
+    float depth;  // as Sum has it
+    Sent most, next;
+};
+
+void meet(inout Walk walk, Sent s, float alpha) {
+    float a = alpha > 0.004 ? min(alpha, 1.0) : 0.0, left = walk.through * (1.0 - a);
+    if (walk.through > 1.0 - depthAt && left <= 1.0 - depthAt) walk.depth = s.met.t;
+    s.share = walk.through - left;
+    walk.through = left;
+    if (s.share > walk.most.share) {
+        walk.next = walk.most;
+        walk.most = s;
+    } else if (s.share > walk.next.share)
+        walk.next = s;
+}
+
 // What slices from `hit` on would show up to the shell's end. Which of them is looked at, and where, is random: looked
 // at where the ray goes on, coarse texels would show as blocks.
 void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain) {
-    if (REST == REST_NOTHING || hit.family > kRayV) return;
+    if (REST == REST_NOTHING || !meetsSlice(hit)) return;
     int axis = hit.family;
     vec2 speed = abs(ray.direction.xy) * float(slices.slices);
     float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
@@ -168,31 +206,37 @@ int stepsAt(float pixel) {
 }
 
 Sum traced(Shell shell, SliceRay ray, uint grain) {
-    Sum sum = Sum(vec3(0.0), 1.0, -1.0);
     // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
     float pixel = pixelAt(max(length(shell.start), slices.cellSize)), last = 0.0;
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
     levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
     SliceHit hit = sliceHit(ray);
-    int most = stepsAt(pixel);
-    for (int i = 0; i < most && hit.family >= 0 && hit.family <= kRayV; ++i) {
-        float turned = shell.turned[hit.family];
-        if (turned > 0.004) {
-            float level = levels[hit.family];
-            Met m = metAt(hit, shell);
-            vec4 stored;
-            float alpha = opacityOf(m, shell, level, pixel, stored) * turned;
-            if (alpha > 0.004) {
-                float fine = max(level - 1.0, 0.0);
-                add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, hit.family, fine, pixel, stored), alpha,
-                    hit.t);
-                last = hit.t;
-            }
-        }
+    Walk walk;
+    walk.through = 1.0, walk.depth = -1.0;
+    walk.most.share = 0.0, walk.next.share = 0.0;
+    int left = stepsAt(pixel);
+    bool on = meetsSlice(hit);
+    // The test stands at the end: rasterisers in software run what stands behind a test once more for nothing.
+    do {
+        Sent s;
+        s.axis = max(hit.family, 0);
+        s.met = metAt(hit, shell);
+        vec4 stored;
+        bool isU = hit.family == kRayU;
+        float turned = on ? (isU ? shell.turned.x : shell.turned.y) : 0.0;
+        float alpha = opacityOf(s.met, shell, isU ? levels.x : levels.y, pixel, stored) * turned;
+        s.above = stored.zw;
+        meet(walk, s, alpha);
+        if (alpha > 0.004) last = hit.t;
         ray = sliceAfter(ray, hit);
-        if (sum.through <= 1.0 - cutOff) break;
         hit = sliceHit(ray);
-    }
+        --left;
+        on = on && left > 0 && meetsSlice(hit) && walk.through > 1.0 - cutOff;
+    } while (on);
+    Sum sum;
+    sum.through = walk.through, sum.depth = walk.depth;
+    vec3 light = sentLight(walk.most, shell, levels, pixel) + sentLight(walk.next, shell, levels, pixel);
+    sum.light = light * ((1.0 - walk.through) / max(walk.most.share + walk.next.share, 1e-6));
     if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit, grain);
     if (sum.depth < 0.0) sum.depth = last;
     return sum;
