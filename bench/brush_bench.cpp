@@ -165,7 +165,7 @@ double sculptMs(PixelType type, const char* mode) {
 
 SWARD_LIMITS("sculpt", [] {
     constexpr std::pair<const char*, double> kMost[] = {
-        {"raise", 12}, {"flatten", 12}, {"smooth", 16}, {"noise", 20}, {"erode", 30}};
+        {"raise", 12}, {"flatten", 12}, {"smooth", 12}, {"noise", 12}, {"erode", 12}};
     for (const PixelType type : {PixelType::U16, PixelType::F32})
         for (const auto& [mode, most] : kMost)
             reportLimit(fmt::format("{} 500 texels of 4096^2 {} heights, shadows and upload included", mode,

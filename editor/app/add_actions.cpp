@@ -78,9 +78,9 @@ void addForest(Document& doc, Selection& selection, BrushBook& brushes, Messages
 }
 
 void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
-    const auto at = pickGround(doc.project(), view, 2, 2, 1, 1);
+    const auto at = pickGround(doc.standing(), view, 2, 2, 1, 1);
     if (!at) return showError(messages, failed("there is no ground in the middle of the view", "look at the ground"));
-    const double base = findGround(doc.project()).origin.y, here = at->y - base;
+    const double base = doc.ground().origin.y, here = at->y - base;
     const auto [own, level] = waterOf(doc.project());
     const double surface = own.empty() ? here - kBelowRim : level;
     const std::string name = own.empty() ? freeName(doc.project(), "pond") : own;

@@ -212,7 +212,8 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     clock.fixed = surface->fixedStep() > 0;
     thumbnails.tables = &doc.tables();
     if (gpu.software)
-        picture.resolution.movingScale = picture.resolution.movingDetail = 0.25;  // a guess; drawings teach better
+        picture.resolution.movingScale = kMinScale,
+        picture.resolution.movingDetail = kMinDetail;  // it knows better soon
     if (keepLayout)
         if (const auto file = layoutFile()) layout = loadLayout(*file), bindings = loadBindings(*bindingsFile());
     start = loadStart(keepLayout ? recentFile() : std::filesystem::path(), resource("projects"));

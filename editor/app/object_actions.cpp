@@ -25,7 +25,7 @@ std::string told(const std::vector<std::string>& names) {
 
 // The ground itself, and water, which has a level alone, stay where they are.
 Status moveAside(Document& doc, const std::vector<std::string>& names, const glm::dvec3& aside) {
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     for (const std::string& name : names) {
         const Entity e = findEntity(doc.project(), name);
         const Handle handle = handleOf(doc.project(), ground, name, 0);

@@ -34,7 +34,7 @@ std::string pathMeant(const Document& doc, const Selection& selection) {
 void cameraFromPath(Document& doc, const Selection& selection, Messages& messages) {
     const std::string entity = pathMeant(doc, selection);
     if (entity.empty()) return say(messages, "there is no path: draw one with the path tool (P)");
-    const CameraPath way = cameraAlong(doc.project(), entity);
+    const CameraPath way = cameraAlong(doc.standing(), entity);
     if (way.keys.empty())
         return showError(messages, failed(entity + ".GroundPath leads nowhere", "give it two points that lie apart"));
     const auto& rows = doc.tables().components;
@@ -53,7 +53,7 @@ void walkPath(const PlayParts& parts, const Selection& selection, const FlyCamer
     const std::string entity = pathMeant(parts.doc, selection);
     if (entity.empty()) return say(parts.messages, "there is no path: draw one with the path tool (P)");
     if (!playing(parts.doc)) {
-        const CameraPath way = cameraAlong(parts.doc.project(), entity);
+        const CameraPath way = cameraAlong(parts.doc.standing(), entity);
         FlyCamera from = view;
         if (!way.keys.empty()) {
             ViewCamera first = viewOf(view);

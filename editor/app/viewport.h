@@ -9,6 +9,7 @@
 #include "app/resolution.h"
 #include "cost/frame_stats.h"
 #include "frame/renderer.h"
+#include "scene/components.h"
 #include "tools/camera_control.h"
 #include "world/view_camera.h"
 
@@ -31,9 +32,10 @@ struct ViewportHand {
     Gesture gesture = Gesture::None;
     // World points of the ground: where the present or last stroke began, and where the last one got to.
     std::optional<glm::dvec3> strokeBegin, strokeEnd;
-    bool flying = false;            // keys move the camera in this frame
-    double lastX = -1, lastY = -1;  // pointer at the last step of the gesture
-    double way = 0;                 // pixels that it has gone since the gesture began
+    std::optional<Terrain> groundBefore;  // the ground that a stroke under way began on
+    bool flying = false;                  // keys move the camera in this frame
+    double lastX = -1, lastY = -1;        // pointer at the last step of the gesture
+    double way = 0;                       // pixels that it has gone since the gesture began
 };
 
 inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "brushes/heights.h"
@@ -23,7 +25,9 @@ struct Land {
     TileRange tiles;
     int x0 = 0, y0 = 0, width = 0, height = 0;  // texels of the map; width and height whole tiles
     double texelX = 1, texelY = 1;              // metres
-    std::vector<float> before, now, weight;
+    std::unique_ptr<float[]> room;              // for the three below: one piece, which the next stamp finds again
+    std::span<float> before, now, weight;       // texels() each
+    size_t texels() const { return stride() * size_t(height + 2); }
     size_t stride() const { return size_t(width) + 2; }
     // x from -1 to width, y from -1 to height.
     size_t at(int x, int y) const { return size_t(y + 1) * stride() + size_t(x + 1); }
@@ -62,6 +66,18 @@ void eachTile(const TileRange& t, const Body& body) {
     });
 }
 
+// Room for all texels; those of the rim are 0.
+void takeRoom(Land& land) {
+    const size_t texels = land.texels(), stride = land.stride();
+    land.room = std::make_unique_for_overwrite<float[]>(3 * texels);
+    std::span<float>* parts[] = {&land.before, &land.now, &land.weight};
+    for (size_t i = 0; i < 3; ++i) {
+        const std::span<float> part = *parts[i] = {land.room.get() + i * texels, texels};
+        std::fill_n(part.begin(), stride, 0.0f), std::fill_n(part.end() - static_cast<ptrdiff_t>(stride), stride, 0.0f);
+        for (size_t at = 0; at < texels; at += stride) part[at] = part[at + stride - 1] = 0;
+    }
+}
+
 Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
     Land land;
     land.tiles = stampTiles(map.info(), stamp);
@@ -70,18 +86,19 @@ Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
     land.width = (t.x1 - t.x0) * kTileSize, land.height = (t.y1 - t.y0) * kTileSize;
     land.texelX = static_cast<double>(brush.radius) / stamp.radiusX;
     land.texelY = static_cast<double>(brush.radius) / stamp.radiusY;
-    const size_t texels = land.stride() * size_t(land.height + 2);
-    land.before.resize(texels), land.weight.resize(texels);
+    takeRoom(land);
     const int cx = static_cast<int>(std::clamp(stamp.x, 0.0, map.info().width - 1.0)),
               cy = static_cast<int>(std::clamp(stamp.y, 0.0, map.info().height - 1.0));
     const float base = static_cast<float>(static_cast<double>(map.at(cx, cy)) * brush.metres.y);
     eachTile(t, [&](int tx, int ty) {
         readTile(map, tx, ty, base, brush.metres.y, land);
         const StampWeights weights(map.info(), stamp, brush, tx, ty);
-        for (int y = 0; y < kTileSize; ++y)
-            weights.row(y, &land.weight[land.at(tx * kTileSize - land.x0, ty * kTileSize + y - land.y0)]);
+        for (int y = 0; y < kTileSize; ++y) {
+            const size_t at = land.at(tx * kTileSize - land.x0, ty * kTileSize + y - land.y0);
+            if (!weights.row(y, &land.weight[at])) std::fill_n(&land.weight[at], kTileSize, 0.0f);
+            std::copy_n(&land.before[at], kTileSize, &land.now[at]);
+        }
     });
-    land.now = land.before;
     return land;
 }
 
@@ -141,7 +158,7 @@ bool placeAt(const Land& land, float toTexels, float x, float y, Place& out) {
     const size_t c = land.at(ix, iy), d = c + land.stride();
     const float a = land.now[c], b = land.now[c + 1], e = land.now[d], f = land.now[d + 1];
     const float top = a + (b - a) * fx, low = e + (f - e) * fx;
-    const auto mix = [&](const std::vector<float>& v) {
+    const auto mix = [&](const std::span<float>& v) {
         const float up = v[c] + (v[c + 1] - v[c]) * fx, down = v[d] + (v[d + 1] - v[d]) * fx;
         return up + (down - up) * fy;
     };
@@ -173,6 +190,7 @@ float take(const Land& land, float x, float y, float amount, std::vector<Move>& 
     size_t i = 0;
     for (int dy = -kReach; dy <= kReach; ++dy)
         for (int dx = -kReach; dx <= kReach; ++dx, ++i) {
+            if (std::abs(dx) == kReach && std::abs(dy) == kReach) continue;  // a corner is always farther
             const float ox = static_cast<float>(cx + dx) - x, oy = static_cast<float>(cy + dy) - y;
             sum += share[i] = std::max(0.0f, static_cast<float>(kReach) - std::sqrt(ox * ox + oy * oy));
         }
@@ -237,32 +255,31 @@ void rain(Land& land, const Stamp& stamp, const BrushSettings& brush) {
 
 constexpr float kSlide = 0.12f;  // of what is too steep between two texels, that goes over; 8 of them: below 1
 
-// What the texels of a row of a tile get from their neighbours `to` texels on: what lies over the talus, less what they
-// lie over it themselves.
-void slideRow(const Land& land, size_t at, ptrdiff_t to, float steepest, float* __restrict gain) {
+// What a block of texels gets from its neighbours `to` texels on: what lies over the talus, less what they lie over it
+// themselves.
+void slideBlock(const Land& land, size_t at, ptrdiff_t to, float steepest, float* __restrict gain) {
     const float *h = &land.now[at], *w = &land.weight[at], *other = h + to, *otherWeight = w + to;
-    for (int x = 0; x < kTileSize; ++x) {
-        const float over = other[x] - h[x], less = w[x] - positivePart(w[x] - otherWeight[x]);  // the smaller weight
-        gain[x] += less * (positivePart(over - steepest) - positivePart(-over - steepest));
+    for (int x = 0; x < kPaintBlock; ++x) {
+        const float over = other[x] - h[x], less = w[x] < otherWeight[x] ? w[x] : otherWeight[x];
+        const float notBelow = over > -steepest ? over : -steepest, stays = notBelow < steepest ? notBelow : steepest;
+        gain[x] += less * (over - stays);
     }
 }
 
-void slide(Land& land, const BrushSettings& brush) {
+// A texel beside another, and how much higher it may be, in metres, before it slides.
+struct Neighbour {
+    ptrdiff_t to;
+    float steepest;
+};
+std::vector<Neighbour> neighboursIn(const Land& land, const BrushSettings& brush) {
     const double tangent = std::tan(std::clamp<double>(brush.talusDeg, 0, 89.9) * 3.14159265358979323846 / 180);
-    std::vector<float> after = land.now;
-    eachTile(land.tiles, [&](int tx, int ty) {
-        for (int y = 0; y < kTileSize; ++y) {
-            const size_t at = land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y);
-            alignas(64) float gain[kTileSize] = {};
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    if (dx != 0 || dy != 0)
-                        slideRow(land, at, dy * static_cast<ptrdiff_t>(land.stride()) + dx,
-                                 static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY)), gain);
-            for (size_t x = 0; x < kTileSize; ++x) after[at + x] = land.now[at + x] + kSlide * gain[x];
-        }
-    });
-    std::swap(land.now, after);
+    std::vector<Neighbour> around;
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            if (dx != 0 || dy != 0)
+                around.push_back({dy * static_cast<ptrdiff_t>(land.stride()) + dx,
+                                  static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY))});
+    return around;
 }
 
 }  // namespace
@@ -274,7 +291,7 @@ void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
     if (!sound) return;
     Land land = readLand(map, stamp, brush);
     rain(land, stamp, brush);
-    slide(land, brush);
+    const std::vector<Neighbour> around = neighboursIn(land, brush);
     const TileRange& t = land.tiles;
     std::vector<std::shared_ptr<const Tile>> painted(t.count());
     const auto slot = [&](int tx, int ty) { return size_t(ty - t.y0) * size_t(t.x1 - t.x0) + size_t(tx - t.x0); };
@@ -283,9 +300,15 @@ void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
             using Real = std::remove_cvref_t<decltype(row.scale)>;
             const Real steps = static_cast<Real>(stepsPerMetre(static_cast<double>(row.scale), brush));
             const size_t from = land.at(row.x0 - land.x0, row.y - land.y0);
-            const float *now = &land.now[from], *before = &land.before[from];
-            for (int x = 0; x < kTileSize; ++x)
-                row.change[x] = (static_cast<Real>(now[x]) - static_cast<Real>(before[x])) * steps;
+            eachBlock(row, [&](int x) {  // what has no weight neither gives nor takes
+                const size_t at = from + static_cast<size_t>(x);
+                alignas(64) float gain[kPaintBlock] = {};
+                for (const Neighbour& n : around) slideBlock(land, at, n.to, n.steepest, gain);
+                const float *now = &land.now[at], *before = &land.before[at];
+                for (int i = 0; i < kPaintBlock; ++i)
+                    row.change[x + i] =
+                        (static_cast<Real>(now[i] + kSlide * gain[i]) - static_cast<Real>(before[i])) * steps;
+            });
         });
     });
     for (int ty = t.y0; ty < t.y1; ++ty)

@@ -4,6 +4,8 @@
 // Perlin, An Image Synthesizer, 1985; interpolation of Improving Noise, 2002), the widest as wide as the brush's bumps,
 // fixed to the map and of mean 0, so that painting longer makes bumps higher and never drifts.
 #include <array>
+#include <limits>
+#include <vector>
 
 #include "brushes/colours.h"
 #include "brushes/heights.h"
@@ -23,81 +25,98 @@ constexpr double kLeastBump = 2;  // texels; finer octaves would be noise of sin
 
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 
-// One octave along a row: at each column of its lattice, height and slope of what the gradients beside the row add up
-// to there. Between two columns the noise is their mix.
-struct LatticeRow {
-    double cell;              // texels
-    int first;                // column of the lattice, left of the tile
-    std::vector<float> a, b;  // slope, height
+// A unit vector at a point of the lattice.
+glm::dvec2 gradient(int x, int y, uint32_t seed) {
+    static const std::array<glm::dvec2, 64> ways = [] {
+        std::array<glm::dvec2, 64> w;
+        for (size_t i = 0; i < w.size(); ++i) {
+            const double turn = 2 * 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(w.size());
+            w[i] = {std::cos(turn), std::sin(turn)};
+        }
+        return w;
+    }();
+    return ways[texelHash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), seed) >> 26];
+}
 
-    LatticeRow(double cellX, double cellY, int x0, int y, uint32_t seed) : cell(cellX) {
-        const double place = (y + 0.5) / cellY, down = std::floor(place), fy = place - down, mix = fade(fy);
-        first = static_cast<int>(std::floor((x0 + 0.5) / cell));
-        const int count = static_cast<int>(std::floor((x0 + kTileSize - 0.5) / cell)) - first + 2;
-        for (int i = 0; i < count; ++i) {
-            const glm::dvec2 up = gradient(first + i, static_cast<int>(down), seed),
-                             low = gradient(first + i, static_cast<int>(down) + 1, seed);
-            a.push_back(static_cast<float>(up.x + (low.x - up.x) * mix));
-            b.push_back(static_cast<float>(up.y * fy + (low.y * (fy - 1) - up.y * fy) * mix));
-        }
+// One octave over a tile. What the gradients of one line of the lattice say along a row of texels is the same for all
+// rows between two lines, but for how far a row lies from each; so it is laid out once for them all.
+class Octave {
+  public:
+    // A lattice of cellX by cellY texels; x0: of the tile's first texel.
+    Octave(double cellX, double cellY, int x0, uint32_t seed, float gain)
+        : cellX_(cellX), cellY_(cellY), x0_(x0), seed_(seed), gain_(gain) {}
+
+    // To the row y of the map, before add.
+    void take(int y) {
+        const double place = (y + 0.5) / cellY_, above = std::floor(place), fy = place - above, mix = fade(fy);
+        const double up = gain_ * (1 - mix), low = gain_ * mix;
+        part_ = {static_cast<float>(up), static_cast<float>(up * fy), static_cast<float>(low),
+                 static_cast<float>(low * (fy - 1))};
+        const int line = static_cast<int>(above);
+        if (line == line_) return;
+        layOut(line, across_[0], down_[0]);
+        layOut(line + 1, across_[1], down_[1]);
+        line_ = line;
     }
-    // A unit vector at a point of the lattice.
-    static glm::dvec2 gradient(int x, int y, uint32_t seed) {
-        static const std::array<glm::dvec2, 64> ways = [] {
-            std::array<glm::dvec2, 64> w;
-            for (size_t i = 0; i < w.size(); ++i) {
-                const double turn = 2 * 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(w.size());
-                w[i] = {std::cos(turn), std::sin(turn)};
-            }
-            return w;
-        }();
-        return ways[texelHash(static_cast<uint32_t>(x), static_cast<uint32_t>(y), seed) >> 26];
+    // Adds its bumps to kPaintBlock texels from `from` on.
+    void add(int from, float* __restrict sum) const {
+        const float *a = across_[0] + from, *b = down_[0] + from, *c = across_[1] + from, *d = down_[1] + from;
+        const auto [pa, pb, pc, pd] = part_;
+        for (int i = 0; i < kPaintBlock; ++i) sum[i] += pa * a[i] + pb * b[i] + pc * c[i] + pd * d[i];
     }
-    // Adds `gain` times the noise of the row's texels. What the two columns around each say is laid out first, so that
-    // the loop over the texels has no look-up.
-    void add(int x0, float gain, float* __restrict sum) const {
-        const double begin = (x0 + 0.5) / cell - first;
-        alignas(64) float place[kTileSize], a0[kTileSize], b0[kTileSize], a1[kTileSize], b1[kTileSize];
-        int from = 0;
-        for (size_t c = 0; c + 1 < a.size(); ++c) {
-            const int to = c + 2 < a.size() ? std::clamp(static_cast<int>(std::ceil((double(c + 1) - begin) * cell)),
-                                                         from, kTileSize)
-                                            : kTileSize;
-            std::fill(place + from, place + to, static_cast<float>(begin - static_cast<double>(c)));
-            std::fill(a0 + from, a0 + to, a[c]), std::fill(b0 + from, b0 + to, b[c]);
-            std::fill(a1 + from, a1 + to, a[c + 1]), std::fill(b1 + from, b1 + to, b[c + 1]);
-            from = to;
-        }
-        const float inv = static_cast<float>(1 / cell);
+
+  private:
+    // Height on the line itself, and what a row gains for each line that it lies below.
+    void layOut(int line, float* across, float* down) const {
+        int column = 0;
+        glm::dvec2 left{0}, right{0};
         for (int i = 0; i < kTileSize; ++i) {
-            const float f = place[i] + static_cast<float>(i) * inv, t = f * f * f * (f * (f * 6 - 15) + 10);
-            const float left = a0[i] * f + b0[i], right = a1[i] * (f - 1) + b1[i];
-            sum[i] += gain * (left + (right - left) * t);
+            const double place = (x0_ + i + 0.5) / cellX_, first = std::floor(place), f = place - first, t = fade(f);
+            if (const int at = static_cast<int>(first); i == 0 || at != column) {
+                column = at;
+                left = gradient(at, line, seed_), right = gradient(at + 1, line, seed_);
+            }
+            const double from = left.x * f, to = right.x * (f - 1);
+            across[i] = static_cast<float>(from + (to - from) * t);
+            down[i] = static_cast<float>(left.y + (right.y - left.y) * t);
         }
     }
+
+    double cellX_, cellY_;
+    int x0_, line_ = std::numeric_limits<int>::min();
+    uint32_t seed_;
+    float gain_;
+    std::array<float, 4> part_ = {};
+    alignas(64) float across_[2][kTileSize], down_[2][kTileSize];  // of the line above a row, and of that below
 };
 
-// The bumps of a row of texels, within [-1, 1].
-void bumps(const Stamp& stamp, const BrushSettings& brush, int x0, int y, float* sum) {
-    std::fill(sum, sum + kTileSize, 0.0f);
+// Whose sum lies within [-1, 1].
+std::vector<Octave> octavesOf(const Stamp& stamp, const BrushSettings& brush, int x0) {
+    std::vector<Octave> out;
     const double share = brush.bumpSize > 0 ? static_cast<double>(brush.bumpSize / brush.radius) : 1;
     double wide = std::max(share * stamp.radiusX, kLeastBump), deep = std::max(share * stamp.radiusY, kLeastBump);
     float gain = 0.7f;  // with a gain halved from octave to octave all gradients together reach 1 at most
-    for (int octave = 0; octave < kOctaves && std::min(wide, deep) >= kLeastBump; ++octave) {
-        LatticeRow(wide, deep, x0, y, static_cast<uint32_t>(brush.seed + 7919 * octave)).add(x0, gain, sum);
+    for (int i = 0; i < kOctaves && std::min(wide, deep) >= kLeastBump; ++i) {
+        out.emplace_back(wide, deep, x0, static_cast<uint32_t>(brush.seed + 7919 * i), gain);
         wide /= 2, deep /= 2, gain /= 2;
     }
+    return out;
 }
 
 std::shared_ptr<const Tile> roughen(const Map& map, int tx, int ty, const Stamp& stamp, const BrushSettings& brush) {
     if (!(brush.radius > 0) || !std::isfinite(brush.bumpSize)) return map.tile(tx, ty);
+    std::vector<Octave> octaves = octavesOf(stamp, brush, tx * kTileSize);
     return paintTile(map, tx, ty, stamp, brush, [&](const auto& row) {
         using Real = std::remove_cvref_t<decltype(row.scale)>;
         const Real steps =
             static_cast<Real>(static_cast<double>(brush.value) * stepsPerMetre(static_cast<double>(row.scale), brush));
-        float sum[kTileSize];
-        bumps(stamp, brush, row.x0, row.y, sum);
-        for (int i = 0; i < kTileSize; ++i) row.change[i] = steps * static_cast<Real>(row.weight[i] * sum[i]);
+        for (Octave& octave : octaves) octave.take(row.y);
+        eachBlock(row, [&](int from) {
+            float sum[kPaintBlock] = {};
+            for (const Octave& octave : octaves) octave.add(from, sum);
+            for (int i = 0; i < kPaintBlock; ++i)
+                row.change[from + i] = steps * static_cast<Real>(row.weight[from + i] * sum[i]);
+        });
     });
 }
 

@@ -45,10 +45,18 @@ bool StampWeights::row(int y, float* weight) const {
         return true;
     }
     const float dy2 = dy * dy;
-    for (int i = 0; i < kTileSize; ++i) {
-        const float dx = (static_cast<float>(i) - centreX_) * invX_;
-        const float t = unitPart((1.0f - (dx * dx + dy2)) * invRange_);
-        w[i] = strength_ * (t * t * (3.0f - 2.0f * t));
+    for (int from = 0; from < kTileSize; from += kPaintBlock) {
+        const float first = static_cast<float>(from), last = first + kPaintBlock - 1,
+                    nearest = (std::clamp(centreX_, first, last) - centreX_) * invX_;
+        if (nearest * nearest + dy2 >= 1) {  // a block beside the ring
+            std::fill_n(w + from, kPaintBlock, 0.0f);
+            continue;
+        }
+        for (int i = from; i < from + kPaintBlock; ++i) {
+            const float dx = (static_cast<float>(i) - centreX_) * invX_;
+            const float t = unitPart((1.0f - (dx * dx + dy2)) * invRange_);
+            w[i] = strength_ * (t * t * (3.0f - 2.0f * t));
+        }
     }
     std::fill(w + columns_, w + kTileSize, 0.0f);
     std::memcpy(weight, w, sizeof w);

@@ -4,6 +4,7 @@
 // that make a force; of colours: colours.h.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -133,6 +134,28 @@ std::shared_ptr<const Tile> paintTile(const Map& map, int tx, int ty, const Stam
             return paintTyped<Channels, float>(map, tx, ty, stamp, brush, changeOf);
     }
     return map.tile(tx, ty);
+}
+
+// Texels that eachBlock hands out at a time.
+inline constexpr int kPaintBlock = 32;
+static_assert(kTileSize % kPaintBlock == 0);
+
+// Whether a stamp reaches any of kPaintBlock texels.
+inline bool anyWeight(const float* weight) {
+    uint32_t bits = 0;  // of all: none is below 0
+    for (int i = 0; i < kPaintBlock; ++i) bits |= std::bit_cast<uint32_t>(weight[i]);
+    return bits != 0;
+}
+// Calls body(from) for each block of the row that the stamp reaches, to fill the changes from there on; those of the
+// others become 0. Half a tile's corner lies beyond a large ring.
+template <class Real, class Body>
+void eachBlock(const PaintRow<Real>& row, const Body& body) {
+    for (int from = 0; from < kTileSize; from += kPaintBlock) {
+        if (anyWeight(row.weight + from))
+            body(from);
+        else
+            std::fill(row.change + from, row.change + from + kPaintBlock, Real(0));
+    }
 }
 
 // change = (target - value) * weight, with target(i) in steps of the map.

@@ -177,6 +177,14 @@ const Project& Document::visibleProject() const {
     if (visible.revision != impl_->revision) visible = {impl_->revision, withoutHidden(project(), impl_->rows())};
     return visible.project ? *visible.project : project();
 }
+const Project& Document::standing() const {
+    auto& on = impl_->standing;
+    if (on.revision != impl_->revision || !on.known)
+        on.project = standingOnLayers(on.layers, project(), impl_->rows()), on.revision = impl_->revision,
+        on.known = true;
+    return on.project ? *on.project : project();
+}
+Ground Document::ground() const { return findGround(standing()); }
 const Tables& Document::tables() const { return impl_->tables; }
 uint64_t Document::revision() const { return impl_->revision; }
 
@@ -186,7 +194,7 @@ Status Document::startPlay(const PlayStart& start) {
     if (Status ready = impl_->ready(); !ready) return ready.error();
     if (impl_->groupDepth > 0) return failed("play cannot start while a value is being changed", "let go of it first");
     impl_->finishStroke();
-    Result<std::unique_ptr<Playtest>> play = Playtest::start(*impl_->project, impl_->rows(), start);
+    Result<std::unique_ptr<Playtest>> play = Playtest::start(standing(), impl_->rows(), start);
     if (!play) return play.error();
     impl_->play = std::move(*play);
     return {};

@@ -13,6 +13,7 @@
 #include "brushes/brush.h"
 #include "core/error.h"
 #include "scene/project.h"
+#include "world/ground.h"
 
 namespace sward {
 
@@ -59,6 +60,11 @@ class Document {
     const Project& project() const;  // changed by the calls below alone
     // The same without what is Hidden: as the viewport shows it. Made anew after a change, while anything is.
     const Project& visibleProject() const;
+    // The same as project(), on the ground as layers over its heights leave it (world/height_layers.h): where hands
+    // pick and place things, and feet walk. project() itself without such layers; made anew after a change.
+    const Project& standing() const;
+    // The ground of that.
+    Ground ground() const;
     // Those that it was made with.
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo

@@ -14,6 +14,7 @@
 #include "playtest/playtest.h"
 #include "project/project_files.h"
 #include "tools/stroke.h"
+#include "world/height_layers.h"
 
 namespace sward {
 
@@ -33,6 +34,12 @@ struct Document::Impl {
         uint64_t revision = 0;
         std::optional<Project> project;  // none: nothing is hidden
     } visible;
+    struct {
+        uint64_t revision = 0;
+        bool known = false;
+        HeightLayers layers;
+        std::optional<Project> project;  // none: as project
+    } standing;
 
     double saveWaitSeconds = kLockWaitSeconds;
     int groupDepth = 0;

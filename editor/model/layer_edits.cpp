@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "world/map_stacks.h"
+#include "core/json.h"
+#include "maps/map_io.h"
+#include "model/new_map.h"
+#include "scene/ground_path.h"
 
 namespace sward {
 namespace {
@@ -44,6 +47,63 @@ Status setAll(Document& doc, const std::string& path,
     return {};
 }
 
+// The first entity by name that has a path; empty if none does.
+std::string firstPath(const Project& p) {
+    for (const auto& [name, e] : p.entities)
+        if (p.registry.get<GroundPath>(e)) return name;
+    return {};
+}
+
+// What a new layer over heights begins with.
+Status beginOverHeights(Document& doc, const std::string& path, LayerKind kind) {
+    const bool levels = kind == LayerKind::Path;
+    if (Status done = doc.setField(path + ".operation", levels ? "replace" : "add"); !done) return done;
+    if (kind == LayerKind::Rule) {
+        if (Status done = doc.addListElement(path + ".masks"); !done) return done;
+        const std::vector<std::pair<const char*, std::string>> noise = {
+            {"by", "noise"}, {"to", "1"}, {"from", "1"}, {"falloff", "1"}, {"size", "12"}};
+        for (const auto& [field, text] : noise)
+            if (Status done = doc.setField(path + ".masks[mask]." + field, text); !done) return done;
+    }
+    if (kind != LayerKind::Painted) return {};
+    const Result<ConstFieldRef> amounts = findField(doc.project(), doc.tables().components, path + ".amounts");
+    if (!amounts) return amounts.error();
+    return doc.setMap(amounts->path, Map(newMapInfo(doc.project(), *amounts)), "new map " + amounts->path);
+}
+
+// Floats as shares from their least to their greatest, which it gives.
+std::pair<float, float> toShares(Map& map) {
+    const MapInfo& info = map.info();
+    float low = map.at(0, 0), high = low;
+    for (int y = 0; y < info.height; ++y)
+        for (int x = 0; x < info.width; ++x) low = std::min(low, map.at(x, y)), high = std::max(high, map.at(x, y));
+    for (int y = 0; y < info.height; ++y)
+        for (int x = 0; x < info.width; ++x) map.set(x, y, 0, high > low ? (map.at(x, y) - low) / (high - low) : 0);
+    return {low, high};
+}
+
+// A picture of heights: shares as texels, and in `low`, `high` what they stand for where the file says it.
+Status importHeights(Document& doc, const std::string& layerPath, const std::filesystem::path& file,
+                     const ImportOptions& options) {
+    MapWish wish;
+    wish.isHeight = true;
+    wish.flip = options.flip.value_or(false);
+    Result<Map> texels = readMap(file, wish);
+    if (!texels) return texels.error();
+    std::optional<std::pair<double, double>> range = options.range ? options.range : sidecarRange(file);
+    if (texels->info().type == PixelType::F32) range = toShares(*texels);
+    const std::string path = layerPath + ".amounts", label = "import " + path;
+    return inOneStep(doc, label, [&]() -> Status {
+        if (range)
+            if (Status done = setAll(doc, layerPath,
+                                     {{"low", shortestText(static_cast<float>(range->first))},
+                                      {"high", shortestText(static_cast<float>(range->second))}});
+                !done)
+                return done;
+        return doc.setMap(path, std::move(*texels), label);
+    });
+}
+
 }  // namespace
 
 std::string stackedMap(const Project& p, const std::string& mapPath) {
@@ -53,6 +113,12 @@ std::string stackedMap(const Project& p, const std::string& mapPath) {
     const MapLayers* of = layersOf(p, layer);
     const size_t place = placeOf(p, layer);
     return of && place < of->layers.size() ? layeredPath(entityOfPath(layer), of->layers[place]) : mapPath;
+}
+
+bool liesOverHeights(const Document& doc, const std::string& mapPath) {
+    const Result<ConstFieldRef> under =
+        findField(doc.project(), doc.tables().components, stackedMap(doc.project(), mapPath));
+    return under && under->row->type == FieldType::Map && under->row->map->kind == MapKind::Heights;
 }
 
 std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath) {
@@ -80,6 +146,9 @@ Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
         const std::string made = layerPaths(entity, *layersOf(doc.project(), list)).back();
         const std::string path = fmt::format("{}[{}]", list, called), within = map->path.substr(entity.size() + 1);
         if (Status done = setAll(doc, made, {{"map", within}, {"kind", name}, {"name", called}}); !done) return done;
+        if (kind == LayerKind::Path)
+            if (Status done = doc.setField(path + ".path", firstPath(doc.project())); !done) return done;
+        if (map->row->map->kind == MapKind::Heights) return beginOverHeights(doc, path, kind);
         if (kind == LayerKind::Rule) return doc.addListElement(path + ".masks");
         return kind == LayerKind::Painted ? doc.createMap(path + ".amounts") : Status();
     });
@@ -108,6 +177,7 @@ Status importLayer(Document& doc, const std::string& layerPath, const std::files
                    const ImportOptions& options) {
     const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, layerPath + ".amounts");
     if (!map) return map.error();
+    if (liesOverHeights(doc, map->path)) return importHeights(doc, layerPath, file, options);
     MapImport used;
     Result<Map> texels = readImport(doc.project(), *map, file, options, &used);
     if (!texels) return texels.error();

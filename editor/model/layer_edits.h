@@ -13,6 +13,9 @@ namespace sward {
 // The map that a stack is of: `mapPath` itself, or, where that is a layer's own amounts, the one that it lies over.
 std::string stackedMap(const Project& p, const std::string& mapPath);
 
+// Whether that map is heights.
+bool liesOverHeights(const Document& document, const std::string& mapPath);
+
 struct LayerOf {
     std::string path;  // "lawn.MapLayers.layers[not steep]"
     const MapLayer* layer = nullptr;
@@ -21,12 +24,15 @@ struct LayerOf {
 std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath);
 
 // On top of the others. A rule begins with a mask of slopes, a painted layer with amounts of 1: it changes nothing.
+// Over heights a rule begins with a noise of a metre, a painted layer with amounts of 0; a path's takes the scene's
+// first.
 Status addLayer(Document& document, const std::string& mapPath, LayerKind kind);
 // With the last one goes the entity's MapLayers, so that nothing is left in the file.
 Status removeLayer(Document& document, const std::string& layerPath);
 // One place up (or down) among the layers of its map; nothing at the end of them.
 Status moveLayer(Document& document, const std::string& layerPath, bool up);
-// Reads an image file into an image layer; remembered as imports are (project/import.h).
+// Reads an image file into an image layer; remembered as imports are (project/import.h). Over heights a picture of
+// floats is metres: its least and greatest become the layer's `low` and `high`, in the same step.
 Status importLayer(Document& document, const std::string& layerPath, const std::filesystem::path& file,
                    const ImportOptions& options);
 

@@ -162,6 +162,25 @@ void image(const FieldParts& parts, const LayerOf& of, LayerView& view) {
         });
 }
 
+// Metres of a layer over heights: what it lifts or levels to, or what its picture's ends stand for.
+void metres(const FieldParts& parts, const LayerOf& of) {
+    const LayerKind kind = of.layer->kind;
+    if (kind != LayerKind::Rule)
+        captioned(parts, kind == LayerKind::Path ? "over the ground" : "black is", of.path + ".low", em(6));
+    if (kind != LayerKind::Path)
+        captioned(parts, kind == LayerKind::Rule ? "metres" : "white is", of.path + ".high", em(6));
+}
+
+// The path that a layer goes along.
+void alongPath(const FieldParts& parts, const LayerOf& of) {
+    ImGui::Indent(em(1.5f));
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "along");
+    ImGui::SameLine(0, 4);
+    objectOf(parts, of.path + ".path", MaskBy::Path, of.layer->path);
+    ImGui::Unindent(em(1.5f));
+}
+
 void ownMap(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, LayerView& view) {
     const std::string amounts = of.path + ".amounts";
     ImGui::Indent(em(1.5f));
@@ -200,7 +219,7 @@ void order(const FieldParts& parts, const std::string& path) {
 }
 
 // One line where there is room; else it breaks between its widgets.
-void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of) {
+void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, bool overHeights) {
     const std::string& path = of.path;
     bool on = !of.layer->muted;
     if (ui::checkbox(path + "/On", on, false))
@@ -214,8 +233,11 @@ void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of) {
     beside(em(6));
     choice(parts, path + ".operation", em(6));
     captioned(parts, "opacity", path + ".opacity", em(5));
-    beside(boxWide("invert"));
-    flag(parts, path + ".invert", "invert");
+    if (overHeights) metres(parts, of);
+    if (!overHeights || of.layer->kind != LayerKind::Path) {
+        beside(boxWide("invert"));
+        flag(parts, path + ".invert", "invert");
+    }
     beside(buttonWide("Preview"));
     if (ui::button(path + "/Preview", 0, brushes.preview == path))
         brushes.preview = brushes.preview == path ? "" : path;
@@ -240,16 +262,19 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
     const std::optional<ConstFieldRef> chosen = chosenMap(doc, brushes);
     if (!chosen) return ImGui::TextDisabled("The brush is on no map.");
     const std::string map = stackedMap(doc.project(), chosen->path);
-    if (chosen->row->map->kind != MapKind::Amounts)
-        return ImGui::TextDisabled("%s holds no amounts: layers lie over densities and the like.", map.c_str());
+    const bool heights = liesOverHeights(doc, map);
+    if (chosen->row->map->kind != MapKind::Amounts && !heights)
+        return ImGui::TextDisabled("%s holds directions or colours: layers lie over amounts and heights.", map.c_str());
     addButtons(parts, map);
     ImGui::BeginChild("layers");
     const std::vector<LayerOf> layers = layersOver(doc.project(), map);
     for (auto of = layers.rbegin(); of != layers.rend(); ++of) {
-        layer(parts, brushes, *of);
+        layer(parts, brushes, *of, heights);
         note(notes, of->path);
         if (of->layer->kind == LayerKind::Rule)
             masks(parts, *of);
+        else if (of->layer->kind == LayerKind::Path)
+            alongPath(parts, *of);
         else
             ownMap(parts, brushes, *of, view);
     }

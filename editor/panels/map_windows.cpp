@@ -21,7 +21,7 @@ constexpr double kLookFrom = 12;  // metres from which the view looks at a fault
 constexpr int kWindow = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
 
 void flyTo(FlyCamera& camera, const Document& doc, const glm::dvec2& place) {
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     if (!ground.terrain) return;
     focus(camera, ground.origin + glm::dvec3(place.x, terrainHeight(*ground.terrain, place.x, place.y), place.y),
           kLookFrom);
@@ -106,7 +106,7 @@ void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, 
 }
 
 Status beginPlacing(HeightPlacing& h, const Document& doc, const std::string& file, bool flipX, bool flipZ) {
-    const Ground ground = doc.isOpen() ? findGround(doc.project()) : Ground{};
+    const Ground ground = doc.isOpen() ? doc.ground() : Ground{};
     if (!ground.terrain) return usage("there is no terrain to place heights on", "add an entity with a Terrain");
     Result<Map> source = readHeights(file);
     if (!source) return source.error();
@@ -120,7 +120,7 @@ Status beginPlacing(HeightPlacing& h, const Document& doc, const std::string& fi
 
 void drawHeightPlacing(HeightPlacing& h, Document& doc, Edits& edits, Messages& messages) {
     if (h.file.empty()) return;
-    const Ground ground = doc.isOpen() ? findGround(doc.project()) : Ground{};
+    const Ground ground = doc.isOpen() ? doc.ground() : Ground{};
     if (!ground.terrain) {
         h = {};
         return;

@@ -112,7 +112,7 @@ Rect layImage(const Rect& area) {
 void drawBrushRing(const Document& document, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes) {
     if (!hand.ground || brushes.tool == kViewTool || (hand.gesture != Gesture::None && hand.gesture != Gesture::Paint))
         return;
-    const Ground ground = findGround(document.project());
+    const Ground ground = document.ground();
     if (!ground.terrain) return;
     const BrushSettings& b = currentBrush(brushes);
     const double radius = static_cast<double>(b.radius), inner = radius * (1 - static_cast<double>(b.falloff));

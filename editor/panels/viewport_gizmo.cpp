@@ -19,7 +19,7 @@ ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<f
 
 std::vector<Handle> handlesOf(const ObjectParts& parts) {
     const Project& p = parts.doc.project();
-    return movable(p, findGround(p), parts.selection.entities, parts.seconds);
+    return movable(p, parts.doc.ground(), parts.selection.entities, parts.seconds);
 }
 
 GizmoView viewOfGizmo(const ObjectParts& parts, const glm::dvec3& pivot) {
@@ -111,7 +111,7 @@ void takeGround(const ObjectParts& parts, GizmoDrag& drag, const glm::dvec2& poi
     const EntityStart& last = drag.starts.back();
     const bool stands =
         last.handle.kind == HandleKind::Force || (last.handle.kind == HandleKind::Object && last.mesh.onGround);
-    const Ground ground = findGround(parts.doc.project());
+    const Ground ground = parts.doc.ground();
     if (drag.grab.part->shape != GizmoShape::Free || !ground.terrain || (!stands && !parts.tool.alongGround)) return;
     const glm::dvec3 at = last.handle.at;
     const auto foot = projectPoint(parts.camera, parts.view, {at.x, groundHeight(ground, at.x, at.z), at.z});
@@ -135,7 +135,7 @@ std::optional<Motion> motionOverGround(const ObjectParts& parts, const GizmoDrag
 }
 
 void apply(const ObjectParts& parts, const GizmoDrag& drag, const Motion& motion) {
-    const Ground ground = findGround(parts.doc.project());
+    const Ground ground = parts.doc.ground();
     for (const EntityStart& start : drag.starts)
         for (const auto& [path, text] : movedFields(start, motion, ground))
             if (!accept(parts.messages, parts.doc.setField(path, text))) return;

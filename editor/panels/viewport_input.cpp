@@ -26,21 +26,16 @@ void takePivot(FlyCamera& camera, std::optional<glm::dvec3> point) {
     if (point) camera.distance = std::max(0.05, glm::dot(*point - camera.eye, forwardOf(camera)));
 }
 
-// The ground under the pointer, as a stroke that is under way sees it: where it paints on heights, as they were when it
-// began. Ground that rises towards the eye would draw the stroke after it, the farther the slower the machine. The
-// height is that of now.
-std::optional<glm::dvec3> paintedAt(const Document& doc, const FlyCamera& camera, const Rect& view, double x,
+// The ground under the pointer, as a stroke that is under way sees it: as it was when the stroke began. Ground that
+// rises towards the eye would draw the stroke after it, the farther the slower the machine. The height is that of now.
+std::optional<glm::dvec3> paintedAt(const Document& doc, const FlyCamera& camera, const ViewportHand& hand, double x,
                                     double y) {
-    const std::map<std::string, Map>* before = doc.stroking() ? doc.strokeBefore() : nullptr;
-    const Ground ground = findGround(doc.project());
-    if (!before || !ground.terrain) return groundAt(doc, camera, view, x, y);
-    const auto heights = before->find(entityOf(doc.project(), *ground.terrain) + ".Terrain.height");
-    if (heights == before->end()) return groundAt(doc, camera, view, x, y);
-    Terrain then = *ground.terrain;
-    then.height.map = heights->second;
+    const Rect& view = hand.rect;
+    const Ground ground = doc.ground();
+    if (!doc.stroking() || !hand.groundBefore || !ground.terrain) return groundAt(doc, camera, view, x, y);
     std::optional<glm::dvec3> at =
-        pickGround(Ground{&then, ground.origin}, viewOf(camera), static_cast<int>(view.w), static_cast<int>(view.h),
-                   x - static_cast<double>(view.x), y - static_cast<double>(view.y));
+        pickGround(Ground{&*hand.groundBefore, ground.origin}, viewOf(camera), static_cast<int>(view.w),
+                   static_cast<int>(view.h), x - static_cast<double>(view.x), y - static_cast<double>(view.y));
     if (at) at->y = ground.origin.y + terrainHeight(*ground.terrain, at->x - ground.origin.x, at->z - ground.origin.z);
     return at;
 }
@@ -50,12 +45,14 @@ void beginPaint(const PaintParts& p, const FlyCamera& camera, ViewportHand& hand
     if (!at) return;
     const std::optional<ConstFieldRef> map = chosenMap(p.doc, p.brushes);
     if (!map) return showError(p.messages, failed("there is no map to paint on", "add a GrassField to an entity"));
-    const glm::dvec3 origin = findGround(p.doc.project()).origin;
+    const Ground ground = p.doc.ground();
+    const glm::dvec3 origin = ground.origin;
     const bool line = in.alt() && in.shift();  // straight on from where the last stroke ended
     if (line && !hand.strokeEnd) return say(p.messages, "a straight line goes on from a stroke: paint one first");
     const glm::dvec3 from = line ? *hand.strokeEnd : *at;
     const std::vector<BrushSettings> brushes = strokeBrushes(p.doc, p.brushes, in.ctrl(), in.shift() && !line);
     if (brushes.empty()) return say(p.messages, "there is no grass to erase");
+    hand.groundBefore = *ground.terrain;
     if (!accept(p.messages, p.doc.beginStrokes(brushes, from.x - origin.x, from.z - origin.z, true))) return;
     if (line) p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
     hand.gesture = Gesture::Paint;
@@ -102,7 +99,7 @@ void beginGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand,
 
 void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, const FrameInput& in) {
     const PaintParts& p = parts.paint;
-    const glm::dvec3 origin = hand.gesture == Gesture::Paint ? findGround(p.doc.project()).origin : glm::dvec3(0);
+    const glm::dvec3 origin = hand.gesture == Gesture::Paint ? p.doc.ground().origin : glm::dvec3(0);
     for (const auto& [x, y] : in.path) {
         const double dx = x - hand.lastX, dy = y - hand.lastY;
         hand.lastX = x, hand.lastY = y;
@@ -116,7 +113,7 @@ void stepGesture(const HandParts& parts, FlyCamera& camera, ViewportHand& hand, 
         if (hand.gesture == Gesture::Gizmo) dragGizmo(parts.objects, x, y, in.ctrl());
         if (hand.gesture == Gesture::Path) dragPath(parts.objects, x, y);
         if (hand.gesture != Gesture::Paint) continue;
-        if (const auto at = paintedAt(p.doc, camera, hand.rect, x, y)) {
+        if (const auto at = paintedAt(p.doc, camera, hand, x, y)) {
             p.doc.strokeTo(at->x - origin.x, at->z - origin.z);
             hand.strokeEnd = *at;
         }
@@ -162,7 +159,7 @@ void flyByKeys(FlyCamera& camera, ViewportHand& hand, const FrameInput& in, doub
 void stayAbove(const Document& doc, glm::dvec3& eye) {
     constexpr double kLeast = 0.1;
     if (!doc.isOpen()) return;
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     if (!ground.terrain) return;
     const double x = eye.x - ground.origin.x, z = eye.z - ground.origin.z;
     if (x < 0 || z < 0 || x > ground.terrain->size.x || z > ground.terrain->size.y) return;
@@ -204,7 +201,7 @@ double focalPixels(const FlyCamera& camera, const Rect& view) {
 std::optional<glm::dvec3> groundAt(const Document& document, const FlyCamera& camera, const Rect& view, double x,
                                    double y) {
     if (!document.isOpen() || view.w < 1 || view.h < 1) return std::nullopt;
-    return pickGround(document.project(), viewOf(camera), static_cast<int>(view.w), static_cast<int>(view.h),
+    return pickGround(document.standing(), viewOf(camera), static_cast<int>(view.w), static_cast<int>(view.h),
                       x - static_cast<double>(view.x), y - static_cast<double>(view.y));
 }
 
@@ -253,8 +250,8 @@ void viewportInput(const HandInput& input, FlyCamera& camera, ViewportHand& hand
     if (camera.eye != before || hand.gesture == Gesture::Orbit || hand.gesture == Gesture::Pan)
         stayAbove(paint.doc, camera.eye);
     if (hand.gesture != Gesture::None && !buttonHeld(hand.gesture, in)) endGesture(hand, parts, in);
-    hand.ground = input.over || hand.gesture == Gesture::Paint ? paintedAt(paint.doc, camera, hand.rect, in.x, in.y)
-                                                               : std::nullopt;
+    hand.ground =
+        input.over || hand.gesture == Gesture::Paint ? paintedAt(paint.doc, camera, hand, in.x, in.y) : std::nullopt;
 }
 
 }  // namespace sward

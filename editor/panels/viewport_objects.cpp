@@ -34,7 +34,7 @@ std::optional<Handle> iconAt(const ObjectParts& parts, const glm::dvec2& pointer
     const Project& p = parts.doc.project();
     std::optional<Handle> best;
     double least = kIcon + 2;
-    for (const Handle& h : icons(p, findGround(p), parts.seconds)) {
+    for (const Handle& h : icons(p, parts.doc.ground(), parts.seconds)) {
         const auto at = projectPoint(parts.camera, parts.view, h.at);
         const double pixels = at ? glm::length(*at - pointer) : least;
         if (pixels < least) least = pixels, best = h;
@@ -46,7 +46,7 @@ std::optional<Handle> iconAt(const ObjectParts& parts, const glm::dvec2& pointer
 std::optional<ObjectHit> objectAt(const ObjectParts& parts, double x, double y) {
     constexpr double kSlack = 0.05;  // metres: what stands on the ground touches it
     const glm::dvec3 eye = parts.camera.eye;
-    const auto hit = parts.tool.objects.closest(parts.doc.project(), parts.doc.revision(), eye,
+    const auto hit = parts.tool.objects.closest(parts.doc.standing(), parts.doc.revision(), eye,
                                                 rayThrough(parts.camera, parts.view, x, y));
     const auto ground = hit ? groundAt(parts.doc, parts.camera, parts.view, x, y) : std::nullopt;
     const bool behind = ground && hit->distance > glm::length(*ground - eye) + kSlack;
@@ -109,7 +109,7 @@ void drawIcon(const ObjectParts& parts, const Handle& handle, const glm::dvec2& 
 
 void drawIcons(const ObjectParts& parts) {
     const Project& p = parts.doc.project();
-    for (const Handle& handle : icons(p, findGround(p), parts.seconds)) {
+    for (const Handle& handle : icons(p, parts.doc.ground(), parts.seconds)) {
         const auto at = projectPoint(parts.camera, parts.view, handle.at);
         if (at && within(parts.view, *at) && glm::length(handle.at - parts.camera.eye) > 0.3)
             drawIcon(parts, handle, *at);
@@ -179,7 +179,7 @@ std::string entityAt(const ObjectParts& parts, double x, double y) {
 
 std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox& box) {
     const Project& p = parts.doc.project();
-    const Ground ground = findGround(p);
+    const Ground ground = parts.doc.ground();
     const glm::dvec2 low = glm::min(box.from, box.to), high = glm::max(box.from, box.to);
     const auto inside = [&](const glm::dvec3& place) {
         const auto at = projectPoint(parts.camera, parts.view, place);
@@ -224,7 +224,7 @@ void chooseForMenu(const ObjectParts& parts, double x, double y) {
 
 std::optional<Extent> extentOf(const ObjectParts& parts) {
     const Project& p = parts.doc.project();
-    const Ground ground = findGround(p);
+    const Ground ground = parts.doc.ground();
     Box all;
     for (const std::string& name : parts.selection.entities) {
         if (const auto corners = parts.tool.objects.cornersOf(p, ground, name))
@@ -243,7 +243,7 @@ std::optional<Extent> extentOf(const ObjectParts& parts) {
 
 void drawObjects(const ObjectParts& parts) {
     if (!parts.active) return;
-    const Ground ground = findGround(parts.doc.project());
+    const Ground ground = parts.doc.ground();
     for (const std::string& name : parts.selection.entities)
         if (const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), ground, name))
             drawBox(parts, *corners, name == shownEntity(parts.selection) ? kChosen : kOthers);

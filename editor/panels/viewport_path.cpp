@@ -164,7 +164,7 @@ std::optional<PathHover> curveAt(const PathView& v, const std::string& entity, c
 
 // Points of the path in the hand come first, then curves: its own, then others'.
 std::optional<PathHover> pathAt(const ObjectParts& parts, const glm::dvec2& pointer) {
-    const PathView v{parts, findGround(parts.doc.project())};
+    const PathView v{parts, parts.doc.ground()};
     if (!v.ground.terrain) return std::nullopt;
     const std::string inHand = pathInHand(parts);
     if (const GroundPath* own = pathNamed(parts, inHand)) {
@@ -199,7 +199,7 @@ void takePoint(const ObjectParts& parts, size_t point, const FrameInput& in, con
 std::optional<glm::dvec2> placeUnder(const ObjectParts& parts, double x, double y) {
     const auto at = groundAt(parts.doc, parts.camera, parts.view, x, y);
     if (!at) return std::nullopt;
-    const glm::dvec3 origin = findGround(parts.doc.project()).origin;
+    const glm::dvec3 origin = parts.doc.ground().origin;
     return glm::dvec2(at->x - origin.x, at->z - origin.z);
 }
 
@@ -269,7 +269,7 @@ void hoverPath(const ObjectParts& parts, const FrameInput& in, bool free) {
 
 void drawPaths(const ObjectParts& parts) {
     if (!parts.active || !parts.doc.isOpen()) return;
-    const PathView v{parts, findGround(parts.doc.project())};
+    const PathView v{parts, parts.doc.ground()};
     if (!v.ground.terrain) return;
     const std::string inHand = pathInHand(parts);
     const Project& p = parts.doc.visibleProject();
@@ -286,7 +286,7 @@ bool grabPath(const ObjectParts& parts, const FrameInput& in) {
     const std::optional<PathHover> hit = pathAt(parts, {in.x, in.y});
     if (!hit) return addOnGround(parts, in);
     if (hit->entity != pathInHand(parts)) return choose(parts.selection, hit->entity), false;
-    const PathView v{parts, findGround(parts.doc.project())};
+    const PathView v{parts, parts.doc.ground()};
     const glm::dvec2 offset = v.screen(hit->at).value_or(glm::dvec2(in.x, in.y)) - glm::dvec2(in.x, in.y);
     if (hit->onPoint) {
         hold(parts, hit->entity, fmt::format("move point {} of {}", hit->point, hit->entity));

@@ -176,7 +176,7 @@ void hoverRing(const RingParts& p, const FrameInput& in, bool free) {
 void drawRings(const RingParts& p) {
     TierView& t = p.tiers;
     for (ScreenRing& ring : t.screen) ring.clear();
-    const Ground ground = p.doc.isOpen() ? findGround(p.doc.project()) : Ground{};
+    const Ground ground = p.doc.isOpen() ? p.doc.ground() : Ground{};
     if (!ground.terrain || !p.shown) return;
     const TierDistances distances = tiersOf(*tierField(p.doc, p.entity));
     for (size_t i = 0; i < kTierCount; ++i) layRing(p, ground, i, distances[i]);

@@ -158,7 +158,7 @@ void countSpecies(const SceneParts& p, const ViewCamera& camera) {
 BrushDecal decalOf(const Document& document, const ViewportHand& hand, BrushBook& brushes) {
     const bool painting = hand.gesture == Gesture::Paint || hand.gesture == Gesture::None;
     if (!hand.ground || brushes.tool == kViewTool || !painting) return {};
-    const glm::dvec3 origin = findGround(document.project()).origin;
+    const glm::dvec3 origin = document.ground().origin;
     const BrushSettings& b = currentBrush(brushes);
     return {hand.ground->x - origin.x, hand.ground->z - origin.z, b.radius, b.falloff};
 }
@@ -194,8 +194,9 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
     for (double spent = 0; plan.draw;) {
         const double before = last;
         drawPiece(parts, camera, wanted, plan);
-        spent += plan.piece.first() ? last : last - before;
-        if (plan.piece.whole() || spent > kPiecesMs) break;
+        const double ms = plan.piece.first() ? last : last - before;
+        spent += ms;
+        if (plan.piece.whole() || spent + ms > kPiecesMs) break;  // another one would cost about the same
         plan = nextPlan(v.resolution, clock, wanted.measure, false);
     }
     countAtRest(parts, camera);

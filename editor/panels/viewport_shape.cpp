@@ -63,7 +63,7 @@ double angleShown(const BrushSettings& b, const ViewportHand& hand) {
 void drawBrushShape(const Document& doc, const FlyCamera& camera, const ViewportHand& hand, BrushBook& brushes) {
     if (!hand.ground || !brushInHand(hand, brushes)) return;
     const BrushSettings& b = currentBrush(brushes);
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     if (!b.shape || b.mode == "ramp" || !ground.terrain) return;
     const Drape drape{camera, hand.rect, ground};
     const glm::dvec3 middle = *hand.ground - ground.origin;
@@ -91,7 +91,7 @@ void drawBrushShape(const Document& doc, const FlyCamera& camera, const Viewport
 
 void drawMirror(const Document& doc, const FlyCamera& camera, const ViewportHand& hand, const BrushBook& brushes) {
     if (!brushInHand(hand, brushes) || !(brushes.mirrorX || brushes.mirrorZ)) return;
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     if (!ground.terrain) return;
     const Drape drape{camera, hand.rect, ground};
     const glm::dvec2 size = ground.terrain->size, middle = size / 2.0;
@@ -113,7 +113,7 @@ void drawMirror(const Document& doc, const FlyCamera& camera, const ViewportHand
 
 void drawPlacedHeights(const Document& doc, const FlyCamera& camera, const Rect& view, const Map& source,
                        const HeightPlace& place) {
-    const Ground ground = findGround(doc.project());
+    const Ground ground = doc.ground();
     if (!ground.terrain || source.empty() || !(place.size.x > 0 && place.size.y > 0)) return;
     const Drape drape{camera, view, ground};
     const glm::dvec2 a = place.at, b = place.at + place.size;

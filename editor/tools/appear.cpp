@@ -40,7 +40,7 @@ Status fitLight(Document& doc, const std::string& entity, Entity e) {
     const Transform* transform = p.registry.get<Transform>(e);
     if (!transform || p.registry.get<StaticMesh>(e)) return {};
     const glm::dvec3 at = transform->position;
-    const double above = at.y - groundHeight(findGround(p), at.x, at.z);
+    const double above = at.y - groundHeight(doc.ground(), at.x, at.z);
     return above < kLampHeight / 2 ? setPlace(doc, entity, {at.x, at.y - above + kLampHeight, at.z}) : Status();
 }
 
@@ -54,7 +54,7 @@ Status fitCamera(Document& doc, const ViewCamera& view, const std::string& entit
 // What the new component's defaults become.
 Status fit(Document& doc, const ViewCamera& view, const std::string& entity, const ComponentRow& row) {
     const Project& p = doc.project();
-    const Ground ground = findGround(p);
+    const Ground ground = doc.ground();
     const Entity e = findEntity(p, entity);
     const Transform* transform = p.registry.get<Transform>(e);
     if (isRowOf<StaticMesh>(row) && transform) {
@@ -63,7 +63,7 @@ Status fit(Document& doc, const ViewCamera& view, const std::string& entity, con
     }
     if (isRowOf<Light>(row)) return fitLight(doc, entity, e);
     if (isRowOf<Camera>(row)) return fitCamera(doc, view, entity);
-    const auto middle = pickGround(p, view, 2, 2, 1, 1);
+    const auto middle = pickGround(doc.standing(), view, 2, 2, 1, 1);
     if (!middle || p.registry.get<Terrain>(e)) return {};  // the ground itself stays where it is
     if (isRowOf<Transform>(row)) {
         const StaticMesh* mesh = p.registry.get<StaticMesh>(e);

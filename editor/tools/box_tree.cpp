@@ -1,6 +1,7 @@
 #include "tools/box_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace sward {
@@ -8,7 +9,46 @@ namespace {
 
 constexpr size_t kLeaf = 4;  // boxes
 
-double middle(const Box& box, int axis) { return box.low[axis] + box.high[axis]; }
+// --- the order of boxes ------------------------------------------------------------------------------------------
+
+constexpr uint32_t kSteps = 1024;  // along the longest side of where they are: 10 bits an axis
+
+// The ten bits of a number, each followed by two zeros.
+uint32_t spread(uint32_t v) {
+    v = (v | v << 16) & 0x030000FFu;
+    v = (v | v << 8) & 0x0300F00Fu;
+    v = (v | v << 4) & 0x030C30C3u;
+    return (v | v << 2) & 0x09249249u;
+}
+
+// Along the curve through all places, so that what lies near in it lies near in space.
+std::vector<uint32_t> codesOf(const std::vector<Box>& boxes) {
+    Box centres;
+    for (const Box& box : boxes) centres.add(box.low + box.high);
+    const glm::dvec3 size = centres.high - centres.low;
+    const double longest = std::max({size.x, size.y, size.z}), by = longest > 0 ? (kSteps - 1) / longest : 0;
+    std::vector<uint32_t> codes(boxes.size());
+    for (size_t i = 0; i < boxes.size(); ++i) {
+        const glm::dvec3 at = (boxes[i].low + boxes[i].high - centres.low) * by;
+        codes[i] = spread(static_cast<uint32_t>(at.x)) | spread(static_cast<uint32_t>(at.y)) << 1 |
+                   spread(static_cast<uint32_t>(at.z)) << 2;
+    }
+    return codes;
+}
+
+// Boxes by their codes; equal ones stay in their order. Three rounds over ten bits.
+std::vector<uint32_t> inOrder(const std::vector<uint32_t>& codes) {
+    std::vector<uint32_t> order(codes.size()), next(codes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    for (const uint32_t shift : {0u, 10u, 20u}) {
+        std::array<uint32_t, kSteps + 1> begin{};
+        for (const uint32_t code : codes) ++begin[(code >> shift) % kSteps + 1];
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        for (const uint32_t i : order) next[begin[(codes[i] >> shift) % kSteps]++] = i;
+        std::swap(order, next);
+    }
+    return order;
+}
 
 }  // namespace
 
@@ -26,31 +66,28 @@ std::optional<double> entry(const Box& box, const glm::dvec3& origin, const glm:
     return from <= to ? std::optional(from) : std::nullopt;
 }
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    std::iota(order_.begin(), order_.end(), 0u);
-    if (!boxes_.empty()) build(0, boxes_.size());
+BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+    if (boxes_.empty()) return;
+    order_ = inOrder(codesOf(boxes_));
+    nodes_.reserve(boxes_.size());
+    build(0, boxes_.size());
 }
 
 uint32_t BoxTree::build(size_t from, size_t to) {
     const uint32_t node = static_cast<uint32_t>(nodes_.size());
     nodes_.emplace_back();
-    Box all, centres;
-    for (size_t i = from; i < to; ++i) {
-        const Box& box = boxes_[order_[i]];
-        all.add(box.low), all.add(box.high);
-        centres.add(box.low + box.high);
+    if (to - from <= kLeaf) {
+        Box all;
+        for (size_t i = from; i < to; ++i) all.add(boxes_[order_[i]]);
+        nodes_[node] = {all, static_cast<uint32_t>(from), static_cast<uint32_t>(to - from)};
+        return node;
     }
-    nodes_[node] = {all, static_cast<uint32_t>(from), static_cast<uint32_t>(to - from)};
-    if (to - from <= kLeaf) return node;
-    const glm::dvec3 size = centres.high - centres.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto at = [&](size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
     const size_t half = (from + to) / 2;
-    std::nth_element(at(from), at(half), at(to),
-                     [&](uint32_t a, uint32_t b) { return middle(boxes_[a], axis) < middle(boxes_[b], axis); });
     build(from, half);
     const uint32_t second = build(half, to);
-    nodes_[node].first = second, nodes_[node].count = 0;
+    Box all = nodes_[node + 1].box;
+    all.add(nodes_[second].box);
+    nodes_[node] = {all, second, 0};
     return node;
 }
 

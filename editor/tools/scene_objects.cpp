@@ -29,12 +29,19 @@ Corners cornersOfBox(const Box& bounds, const glm::dvec3& at, const glm::dmat3& 
     return out;
 }
 
+// The box along the world's axes around a turned one.
+Box boxAround(const Box& bounds, const glm::dvec3& at, const glm::dmat3& turn) {
+    const glm::dvec3 middle = at + turn * ((bounds.low + bounds.high) / 2.0), half = (bounds.high - bounds.low) / 2.0;
+    const glm::dvec3 reach = glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
+    return {middle - reach, middle + reach};
+}
+
 glm::dmat3 scaledTurn(const PlacedMesh& placed) { return placed.turn * static_cast<double>(placed.mesh->scale); }
 
 }  // namespace
 
 const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& file) {
-    if (dir_ != p.dir) shapes_.clear(), placed_.clear(), revision_ = 0, dir_ = p.dir;
+    if (dir_ != p.dir) shapes_.clear(), own_ = {}, rules_.clear(), revision_ = 0, dir_ = p.dir;
     const auto known = shapes_.find(file);
     if (known != shapes_.end()) return known->second;
     ObjectShape& shape = shapes_[file] = readShape(p, file);
@@ -42,29 +49,13 @@ const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& fi
     return shape;
 }
 
-void SceneObjects::add(std::vector<Box>& boxes, Placed placed) {
-    Box& box = boxes.emplace_back();
-    for (const glm::dvec3& corner : cornersOfBox(placed.shape->bounds, placed.at, placed.turn)) box.add(corner);
-    placed_.push_back(std::move(placed));
+void SceneObjects::forgetChangedFiles(const Project& p) {
+    const auto changed = [&](const auto& s) { return s.second.version != fileVersion(p.dir, s.first); };
+    if (std::erase_if(shapes_, changed) > 0) rules_.clear();  // their objects point at shapes
 }
 
-void SceneObjects::addScattered(std::vector<Box>& boxes, const Project& p, const Ground& ground) {
-    const auto all = scattersOf(p);
-    scattered_.keepOnly(all);
-    for (const auto& [name, scatter] : all) {
-        if (p.registry.get<Hidden>(findEntity(p, name)) || isLocked(p, name)) continue;
-        std::vector<const ObjectShape*> shapes;
-        for (const ScatterMesh& m : scatter->meshes) shapes.push_back(isScattered(m) ? &shapeOf(p, m.file) : nullptr);
-        for (const ScatteredObject& o : scattered_.of(p, ground, name, *scatter)->objects)
-            if (shapes[o.mesh]->triangles) add(boxes, {name, o.at, glm::dmat3(o.turn * o.scale), shapes[o.mesh]});
-    }
-}
-
-void SceneObjects::follow(const Project& p, uint64_t revision) {
-    if (revision_ == revision && dir_ == p.dir) return;
-    placed_.clear();
-    std::erase_if(shapes_, [&](const auto& s) { return s.second.version != fileVersion(p.dir, s.first); });
-    const Ground ground = findGround(p);
+void SceneObjects::followOwn(const Project& p, const Ground& ground) {
+    own_ = {};
     std::vector<Box> boxes;
     for (const auto& [name, e] : p.entities) {
         const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
@@ -72,10 +63,43 @@ void SceneObjects::follow(const Project& p, uint64_t revision) {
         const ObjectShape& shape = shapeOf(p, mesh->file);
         if (!shape.triangles) continue;
         const PlacedMesh placed = placeMesh(p, ground, e);
-        add(boxes, {name, placed.at, scaledTurn(placed), &shape});
+        own_.entities.push_back(name);
+        own_.placed.push_back({placed.at, scaledTurn(placed), &shape});
+        boxes.push_back(boxAround(shape.bounds, placed.at, own_.placed.back().turn));
     }
-    addScattered(boxes, p, ground);
-    tree_ = BoxTree(std::move(boxes));
+    own_.tree = BoxTree(std::move(boxes));
+}
+
+void SceneObjects::followScattered(const Project& p, const Ground& ground) {
+    auto all = scattersOf(p);
+    scattered_.keepOnly(all);
+    std::erase_if(
+        all, [&](const auto& s) { return p.registry.get<Hidden>(findEntity(p, s.first)) || isLocked(p, s.first); });
+    std::map<std::string, Group> kept;
+    for (const auto& [name, scatter] : all) {
+        Group& group = kept[name] = std::move(rules_[name]);
+        const std::shared_ptr<const Scattering> made = scattered_.of(p, ground, name, *scatter);
+        if (group.of == made) continue;
+        group = {{name}, {}, {}, made};
+        std::vector<const ObjectShape*> shapes;
+        for (const ScatterMesh& m : scatter->meshes) shapes.push_back(isScattered(m) ? &shapeOf(p, m.file) : nullptr);
+        std::vector<Box> boxes;
+        for (const ScatteredObject& o : made->objects) {
+            if (!shapes[o.mesh]->triangles) continue;
+            group.placed.push_back({o.at, glm::dmat3(o.turn * o.scale), shapes[o.mesh]});
+            boxes.push_back(boxAround(shapes[o.mesh]->bounds, o.at, group.placed.back().turn));
+        }
+        group.tree = BoxTree(std::move(boxes));
+    }
+    rules_ = std::move(kept);
+}
+
+void SceneObjects::follow(const Project& p, uint64_t revision) {
+    if (revision_ == revision && dir_ == p.dir) return;
+    forgetChangedFiles(p);
+    const Ground ground = findGround(p);
+    followOwn(p, ground);
+    followScattered(p, ground);
     revision_ = revision;
     dir_ = p.dir;
 }
@@ -84,15 +108,20 @@ std::optional<ObjectHit> SceneObjects::closest(const Project& p, uint64_t revisi
                                                const glm::dvec3& way) {
     follow(p, revision);
     std::optional<ObjectHit> hit;
-    looked_ = tree_.cast(origin, way, 1e9, [&](size_t i, double far) {
-        const Placed& o = placed_[i];
-        const glm::dmat3 back = glm::inverse(o.turn);  // into the object's own lengths: t stays as it is
-        const auto met = o.shape->triangles->closest(glm::vec3(back * (origin - o.at)), glm::vec3(back * way), 0,
-                                                     static_cast<float>(far));
-        if (!met) return far;
-        hit = {o.entity, static_cast<double>(met->t)};
-        return hit->distance;
-    });
+    looked_ = 0;
+    const auto castInto = [&](const Group& group) {
+        looked_ += group.tree.cast(origin, way, hit ? hit->distance : 1e9, [&](size_t i, double far) {
+            const Placed& o = group.placed[i];
+            const glm::dmat3 back = glm::inverse(o.turn);  // into the object's own lengths: t stays as it is
+            const auto met = o.shape->triangles->closest(glm::vec3(back * (origin - o.at)), glm::vec3(back * way), 0,
+                                                         static_cast<float>(far));
+            if (!met) return far;
+            hit = {group.entities[group.of ? 0 : i], static_cast<double>(met->t)};
+            return hit->distance;
+        });
+    };
+    castInto(own_);
+    for (const auto& [name, group] : rules_) castInto(group);
     return hit;
 }
 

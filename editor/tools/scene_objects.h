@@ -1,8 +1,9 @@
 // The project's objects as a ray from the eye meets them, and their boxes.
 // Triangles are those of the reference tracer's Embree scenes (reference/ray_scene.h), one a file however many entities
-// show it; above them a hierarchy of the objects' boxes (tools/box_tree.h), made anew after a change when it is next
-// asked. Cost: a file is read once for each time it was written; 50,000 objects: 40 ms after a change, 5 us a ray. Does
-// not: know the ground, or what is selected.
+// show it; above them hierarchies of the objects' boxes (tools/box_tree.h), one for the entities' own, made anew after
+// a change when it is next asked, and one for each Scatter, made anew when its objects are others. Cost: a file is read
+// once for each time it was written; for times see bench --limits --filter=pick. Does not: know the ground, or what is
+// selected.
 #pragma once
 #include <array>
 #include <map>
@@ -46,19 +47,26 @@ class SceneObjects {
 
   private:
     struct Placed {
-        std::string entity;
         glm::dvec3 at;
         glm::dmat3 turn;  // with the scale
         const ObjectShape* shape;
     };
+    // Objects under one hierarchy.
+    struct Group {
+        std::vector<std::string> entities;  // of each, or one for all
+        std::vector<Placed> placed;         // as the tree's boxes
+        BoxTree tree;
+        std::shared_ptr<const Scattering> of;  // of a Scatter: what it was made of
+    };
     const ObjectShape& shapeOf(const Project& p, const std::string& file);
-    void add(std::vector<Box>& boxes, Placed placed);
-    void addScattered(std::vector<Box>& boxes, const Project& p, const Ground& ground);
+    void forgetChangedFiles(const Project& p);
+    void followOwn(const Project& p, const Ground& ground);
+    void followScattered(const Project& p, const Ground& ground);
     void follow(const Project& p, uint64_t revision);
 
     std::map<std::string, ObjectShape> shapes_;  // by file
-    std::vector<Placed> placed_;                 // as the tree's boxes
-    BoxTree tree_;
+    Group own_;                                  // of StaticMesh
+    std::map<std::string, Group> rules_;         // of Scatter, by entity
     std::filesystem::path dir_;
     uint64_t revision_ = 0;
     ScatterMemory scattered_;

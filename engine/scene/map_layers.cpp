@@ -30,18 +30,25 @@ constexpr FieldRow kMaskFields[] = {
 };
 constexpr ListRow kMaskList = listRow<MapMask>(kMaskFields);
 
+constexpr Range kMetres{-1e5, 1e5, -20, 50};
 constexpr MapRow kAmounts{.texelsPerMetre = 4, .least = "0", .most = "1"};
 constexpr FieldRow kLayerFields[] = {
     text("name", offsetof(MapLayer, name), "what this layer is called"),
     text("map", offsetof(MapLayer, map), "the map of this entity that it lies over: GrassField.species[lawn].density"),
-    choice("kind", &MapLayer::kind, offsetof(MapLayer, kind), kLayerKinds,
-           "where its amounts come from: rule: its masks, image: an imported map, painted: a map of its own"),
+    choice(
+        "kind", &MapLayer::kind, offsetof(MapLayer, kind), kLayerKinds,
+        "where its amounts come from: rule: its masks, image: an imported map, painted: a map of its own, path: along "
+        "one"),
     flag("muted", offsetof(MapLayer, muted), "it is kept and does nothing"),
     real("opacity", offsetof(MapLayer, opacity), "", kShare, "share of its effect"),
     choice("operation", &MapLayer::operation, offsetof(MapLayer, operation), kLayerOperations,
            "how its amounts change what lies below"),
     flag("invert", offsetof(MapLayer, invert), "its amounts are taken from 1"),
     listOf("masks", offsetof(MapLayer, masks), &kMaskList, "where a rule counts: they are multiplied"),
+    real("low", offsetof(MapLayer, low), "m", kMetres,
+         "over heights: what an amount of 0 stands for; of a path: how far it lies over the ground along its middle"),
+    real("high", offsetof(MapLayer, high), "m", kMetres, "over heights: what an amount of 1 stands for"),
+    entityName("path", offsetof(MapLayer, path), "the entity whose path it goes along"),
     map("amounts", offsetof(MapLayer, amounts), &kAmounts, "amounts of an image or painted layer, over the terrain"),
 };
 constexpr ListRow kLayerList = listRow<MapLayer>(kLayerFields);

@@ -1,6 +1,6 @@
 // Layers over the maps of an entity: a painted map stays as it was painted, and what is drawn is it and the layers over
-// it. Beside any component with maps of amounts (density, blade height, ambient occlusion).
-// Does not: evaluate anything (world/map_stacks.h, world/layer_masks.h), nor touch maps that repeat.
+// it. Beside any component with maps of amounts (density, blade height, ambient occlusion), and over the heights.
+// Does not: evaluate anything (world/map_stacks.h, world/height_layers.h), nor touch maps that repeat.
 #pragma once
 #include <string>
 #include <string_view>
@@ -30,10 +30,12 @@ struct MapMask {
 };
 
 // Where a layer's amounts come from; layerKindRows() (world/map_stacks.h), in this order.
-enum class LayerKind { Rule, Image, Painted };
-inline constexpr auto kLayerKinds = enumNames<LayerKind>("rule", "image", "painted");
+enum class LayerKind { Rule, Image, Painted, Path };
+inline constexpr auto kLayerKinds = enumNames<LayerKind>("rule", "image", "painted", "path");
 
-// How a layer's amount b changes what lies below, a; the result is kept in [0, 1].
+// How a layer's amount b changes what lies below, a; the result is kept in [0, 1]. Over heights both are metres, and
+// nothing is kept: a rule's b is `high`, and its masks say where; an image's goes from `low` to `high`; a path's is the
+// ground below at its middle and `low` more.
 enum class LayerOperation { Multiply, Add, Subtract, Replace, Minimum, Maximum };
 inline constexpr auto kLayerOperations =
     enumNames<LayerOperation>("multiply", "add", "subtract", "replace", "minimum", "maximum");
@@ -47,6 +49,8 @@ struct MapLayer {
     LayerOperation operation = LayerOperation::Multiply;
     bool invert = false;         // its amounts are taken from 1
     std::vector<MapMask> masks;  // of a rule: they are multiplied; none: 1 everywhere
+    float low = 0, high = 1;     // metres, over heights alone
+    std::string path;            // of a path: the entity that has it
     MapField amounts;            // of an image or painted layer: one channel, over the whole terrain
 };
 

@@ -27,10 +27,59 @@ struct ShadeState : EffectState {
 }  // namespace
 
 namespace {
-float cellHeight(const HeightGrid& g, const Terrain& t, int x, size_t y) {
-    return static_cast<float>(
-        terrainHeight(t, (x + 0.5) / g.width * t.size.x, (static_cast<double>(y) + 0.5) / g.height * t.size.y));
+
+// The two texels that a cell of the grid lies between along one side of the map, and how far from the first.
+struct Tap {
+    int low, high;
+    float share;
+};
+// Of each cell along a side of `size` metres, on a map that covers `metres` of it with so many texels.
+std::vector<Tap> tapsOf(int cells, double size, double metres, bool repeats, int texels) {
+    std::vector<Tap> taps;
+    for (int i = 0; i < cells; ++i) {
+        const double u = (i + 0.5) / cells * size / metres;
+        const f64::BilinearTap tap =
+            f64::bilinearTap(repeats ? f64::mirrorUnit(u) : std::clamp(u, 0.0, 1.0), 0, texels, 1);
+        taps.push_back({tap.x0, tap.x1, static_cast<float>(tap.fx)});
+    }
+    return taps;
 }
+
+// Heights of the grid's cells as terrainHeight has them, without finding their texels anew for each.
+class CellHeights {
+  public:
+    CellHeights(const HeightGrid& g, const Terrain& t) : map_(t.height.map), scale_(heightScale(t)) {
+        const Tiling tiling = tilingOf(t, t.heightTiling);
+        columns = tapsOf(g.width, t.size.x, tiling.metres.x, tiling.repeats, map_.info().width);
+        rows = tapsOf(g.height, t.size.y, tiling.metres.y, tiling.repeats, map_.info().height);
+    }
+    float at(int x, int y) const {
+        const Tap &c = columns[size_t(x)], &r = rows[size_t(y)];
+        return static_cast<float>(scale_.first +
+                                  scale_.second * f32::bilinearMix(texel(c.low, r.low), texel(c.high, r.low),
+                                                                   texel(c.low, r.high), texel(c.high, r.high), c.share,
+                                                                   r.share));
+    }
+    std::vector<Tap> columns, rows;
+
+  private:
+    float texel(int x, int y) const {
+        const std::byte* tile = map_.tile(x / kTileSize, y / kTileSize)->bytes.data();
+        const size_t i = size_t(y % kTileSize) * kTileSize + size_t(x % kTileSize);
+        switch (map_.info().type) {
+            case PixelType::U8:
+                return static_cast<float>(reinterpret_cast<const uint8_t*>(tile)[i]) / 255.0f;
+            case PixelType::U16:
+                return static_cast<float>(reinterpret_cast<const uint16_t*>(tile)[i]) / 65535.0f;
+            case PixelType::F32:
+                break;
+        }
+        return reinterpret_cast<const float*>(tile)[i];
+    }
+    const Map& map_;
+    std::pair<double, double> scale_;
+};
+
 }  // namespace
 
 HeightGrid shadeHeights(const Terrain& t) {
@@ -42,35 +91,18 @@ HeightGrid shadeHeights(const Terrain& t) {
     };
     HeightGrid g{side(info.width * repeats.x), side(info.height * repeats.y), {}};
     g.metres.resize(static_cast<size_t>(g.width) * static_cast<size_t>(g.height));
+    const CellHeights cells(g, t);
     parallelFor(static_cast<size_t>(g.height), [&](size_t y) {
         for (int x = 0; x < g.width; ++x)
-            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
+            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cells.at(x, static_cast<int>(y));
     });
     return g;
 }
 
-namespace {
-
-// Of each cell of a grid's side, the tiles that it is interpolated from.
-std::vector<std::pair<int, int>> tilesOf(int cells, double size, double repeat, bool repeats, int texels) {
-    std::vector<std::pair<int, int>> tiles;
-    for (int i = 0; i < cells; ++i) {
-        const double u = (i + 0.5) / cells * size / repeat;
-        const f64::BilinearTap tap =
-            f64::bilinearTap(repeats ? f64::mirrorUnit(u) : std::clamp(u, 0.0, 1.0), 0, texels, 1);
-        tiles.emplace_back(tap.x0 / kTileSize, tap.x1 / kTileSize);
-    }
-    return tiles;
-}
-
-}  // namespace
-
 GridPart updateShadeHeights(HeightGrid& g, const Map& before, const Terrain& t) {
     const Map& now = t.height.map;
     CHECK(before.info() == now.info());
-    const Tiling tiling = tilingOf(t, t.heightTiling);
-    const auto columns = tilesOf(g.width, t.size.x, tiling.metres.x, tiling.repeats, now.info().width),
-               rows = tilesOf(g.height, t.size.y, tiling.metres.y, tiling.repeats, now.info().height);
+    const CellHeights cells(g, t);
     // Of two rows of tiles, which columns have a tile that is another one.
     const auto changedOf = [&](int top, int low, std::vector<char>& changed) {
         bool any = false;
@@ -84,11 +116,11 @@ GridPart updateShadeHeights(HeightGrid& g, const Map& before, const Terrain& t) 
     std::vector<std::pair<int, int>> part(size_t(g.height), {g.width, 0});  // of each row
     parallelFor(part.size(), [&](size_t y) {
         std::vector<char> changed(size_t(now.tilesX()));
-        if (!changedOf(rows[y].first, rows[y].second, changed)) return;
+        if (!changedOf(cells.rows[y].low / kTileSize, cells.rows[y].high / kTileSize, changed)) return;
         for (int x = 0; x < g.width; ++x) {
-            const auto [left, right] = columns[size_t(x)];
-            if (!changed[size_t(left)] && !changed[size_t(right)]) continue;
-            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cellHeight(g, t, x, y);
+            const Tap& tap = cells.columns[size_t(x)];
+            if (!changed[size_t(tap.low / kTileSize)] && !changed[size_t(tap.high / kTileSize)]) continue;
+            g.metres[y * static_cast<size_t>(g.width) + size_t(x)] = cells.at(x, static_cast<int>(y));
             part[y] = {std::min(part[y].first, x), x + 1};
         }
     });
@@ -110,11 +142,12 @@ struct Lines {
     float fall;          // metres that the ray comes down on the way
     bool rows, flipped;  // lines are rows of the grid, else columns; the last one comes first
     int width;           // of the grid
-    size_t at(int line, int i) const {
-        const size_t l = static_cast<size_t>(flipped ? count - 1 - line : line), k = static_cast<size_t>(i),
-                     w = static_cast<size_t>(width);
-        return rows ? l * w + k : k * w + l;
+    // Of a line's first texel in the grid, and from one to the next.
+    size_t begin(int line) const {
+        const size_t l = static_cast<size_t>(flipped ? count - 1 - line : line);
+        return rows ? l * static_cast<size_t>(width) : l;
     }
+    size_t step() const { return rows ? 1 : static_cast<size_t>(width); }
 };
 std::optional<Lines> linesOf(const HeightGrid& g, const glm::dvec2& size, const glm::vec3& sun) {
     const glm::dvec2 way(sun.x * g.width / size.x, sun.z * g.height / size.y);  // towards the sun, in texels
@@ -131,11 +164,16 @@ std::optional<Lines> linesOf(const HeightGrid& g, const glm::dvec2& size, const 
                  g.width};
 }
 
-float along(const std::vector<float>& values, const Lines& l, int line, double x) {
-    x = std::clamp(x, 0.0, l.length - 1.0);
-    const int a = static_cast<int>(x), b = std::min(a + 1, l.length - 1);
-    const float low = values[l.at(line, a)];
-    return low + (values[l.at(line, b)] - low) * static_cast<float>(x - a);
+// Lifts rays by the heights of a line where they cross it: the ray j at j - whole - share, each of its two texels by
+// its share. Beyond the line's ends its last texel counts.
+void liftRays(const float* heights, size_t step, int length, int begin, int end, int whole, float share, float* top) {
+    const auto height = [&](int i) { return heights[static_cast<size_t>(std::clamp(i, 0, length - 1)) * step]; };
+    float before = height(begin - whole - 1);
+    for (int j = begin; j <= end; ++j) {
+        const float here = height(j - whole), crossed = here + (before - here) * share;
+        top[j - begin] = std::max(top[j - begin], crossed);
+        before = here;
+    }
 }
 
 }  // namespace
@@ -147,20 +185,21 @@ namespace {
 // distance. Fills in what lies between two of these rays.
 void sweepBand(const HeightGrid& heights, const Lines& l, int from, int to, HeightGrid& out) {
     std::vector<float> top(static_cast<size_t>(to - from + 1), kNothing);
+    const size_t step = l.step();
     for (int line = 0; line < l.count; ++line) {
         const double offset = -l.shift * line;  // ray j crosses this line at j + offset
         const int whole = static_cast<int>(std::floor(-offset)), begin = std::max(whole, from),
                   end = std::min(whole + l.length, to);
         const float share = static_cast<float>(-offset - whole);
-        for (int j = begin; j <= end; ++j) top[static_cast<size_t>(j - from)] -= l.fall;
-        for (int j = begin; j < end; ++j) {
-            const float* two = &top[static_cast<size_t>(j - from)];
-            out.metres[l.at(line, j - whole)] = two[0] + (two[1] - two[0]) * share;
+        if (begin > end) continue;
+        float* first = &top[static_cast<size_t>(begin - from)];
+        float* filled = &out.metres[l.begin(line) + static_cast<size_t>(begin - whole) * step];
+        for (int j = begin; j <= end; ++j) first[j - begin] -= l.fall;
+        for (int j = begin; j < end; ++j, filled += step) {
+            const float* two = first + (j - begin);
+            *filled = two[0] + (two[1] - two[0]) * share;
         }
-        for (int j = begin; j <= end; ++j) {
-            float& t = top[static_cast<size_t>(j - from)];
-            t = std::max(t, along(heights.metres, l, line, j + offset));
-        }
+        liftRays(&heights.metres[l.begin(line)], step, l.length, begin, end, whole, share, first);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "world/ground.h"
 
+#include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "core/jobs.h"
@@ -91,19 +93,41 @@ std::pair<int, int> reach(int i, int side) {
             std::min(static_cast<int>(std::ceil((i + 1) * scale + 0.5)), side - 1)};
 }
 
-// Lowest and highest texel, in steps of its type.
+// Lowest and highest texel, in steps of its type; sixteen bytes of texels side by side.
+template <class T>
+struct Bounds {
+    static constexpr int kLanes = 16 / sizeof(T);
+    typedef T Lanes __attribute__((vector_size(16)));
+    T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+    Lanes lows = Lanes{} + low, highs = Lanes{} + high;
+
+    void add(const T* in, int count) {
+        int i = 0;
+        for (; i + kLanes <= count; i += kLanes) {
+            Lanes v;
+            std::memcpy(&v, in + i, sizeof v);
+            lows = v < lows ? v : lows;
+            highs = v > highs ? v : highs;
+        }
+        for (; i < count; ++i) low = std::min(low, in[i]), high = std::max(high, in[i]);
+    }
+    std::pair<T, T> all() {
+        for (int i = 0; i < kLanes; ++i) low = std::min<T>(low, lows[i]), high = std::max<T>(high, highs[i]);
+        return {low, high};
+    }
+};
 template <class T>
 std::pair<T, T> boundsOf(const Map& m, std::pair<int, int> xs, std::pair<int, int> ys) {
-    T lo = std::numeric_limits<T>::max(), hi = std::numeric_limits<T>::lowest();
+    Bounds<T> bounds;
     for (int y = ys.first; y <= ys.second; ++y)
         for (int x = xs.first; x <= xs.second;) {
             const T* in = reinterpret_cast<const T*>(m.tile(x / kTileSize, y / kTileSize)->bytes.data()) +
                           y % kTileSize * kTileSize + x % kTileSize;
             const int run = std::min(kTileSize - x % kTileSize, xs.second + 1 - x);
-            for (int i = 0; i < run; ++i) lo = std::min(lo, in[i]), hi = std::max(hi, in[i]);
+            bounds.add(in, run);
             x += run;
         }
-    return {lo, hi};
+    return bounds.all();
 }
 
 // The same as Map::at gives it.

@@ -195,19 +195,12 @@ std::string objectInputs(MaskScene& scene, const MapMask& mask) {
 }
 
 // --- path ----------------------------------------------------------------------------------------------------------
-const GroundPath* pathOf(const MaskScene& scene, const MapMask& mask) {
-    return scene.project->registry.get<GroundPath>(findEntity(*scene.project, mask.object));
-}
-
 // Metres beside the path's width; infinite beyond where the mask can tell a difference.
 Result<Measure> measurePath(MaskScene& scene, const MapMask& mask) {
-    const GroundPath* path = pathOf(scene, mask);
-    if (!path)
-        return unsound(mask.object.empty() ? "it names no path" : fmt::format("there is no path \"{}\"", mask.object),
-                       "name an entity with a GroundPath");
-    GroundCurve curve = groundCurve(*path);
-    if (curve.pieces.empty()) return unsound(fmt::format("the path \"{}\" has no points", mask.object), "give it some");
-    const double half = static_cast<double>(path->width) / 2,
+    const Result<const GroundPath*> path = pathNamed(scene, mask.object);
+    if (!path) return path.error();
+    GroundCurve curve = groundCurve(**path);
+    const double half = static_cast<double>((*path)->width) / 2,
                  last = static_cast<double>(std::isfinite(mask.to) ? mask.to : mask.from),
                  reach = half + std::max(last, 0.0) + static_cast<double>(mask.falloff);
     return Measure([curve = std::move(curve), half, reach](double x, double z) {
@@ -215,13 +208,7 @@ Result<Measure> measurePath(MaskScene& scene, const MapMask& mask) {
     });
 }
 
-std::string pathInputs(MaskScene& scene, const MapMask& mask) {
-    const GroundPath* path = pathOf(scene, mask);
-    if (!path) return "none";
-    std::string text = fmt::format("{} {}", path->width, path->closed);
-    for (const PathPoint& point : path->points) text += fmt::format(" {} {}", point.at.x, point.at.y);
-    return text;
-}
+std::string pathInputs(MaskScene& scene, const MapMask& mask) { return pathText(scene, mask.object); }
 
 // --- rows ----------------------------------------------------------------------------------------------------------
 constexpr MaskRow kRows[] = {
@@ -232,6 +219,24 @@ constexpr MaskRow kRows[] = {
 static_assert(std::size(kRows) == kMaskBys.size());
 
 }  // namespace
+
+Result<const GroundPath*> pathNamed(const MaskScene& scene, const std::string& entity) {
+    const GroundPath* path = scene.project->registry.get<GroundPath>(findEntity(*scene.project, entity));
+    if (!path)
+        return unsound(entity.empty() ? "it names no path" : fmt::format("there is no path \"{}\"", entity),
+                       "name an entity with a GroundPath");
+    if (groundCurve(*path).pieces.empty())
+        return unsound(fmt::format("the path \"{}\" has no points", entity), "give it some");
+    return path;
+}
+
+std::string pathText(const MaskScene& scene, const std::string& entity) {
+    const GroundPath* path = scene.project->registry.get<GroundPath>(findEntity(*scene.project, entity));
+    if (!path) return "none";
+    std::string text = fmt::format("{} {} {}", path->width, path->falloff, path->closed);
+    for (const PathPoint& point : path->points) text += fmt::format(" {} {}", point.at.x, point.at.y);
+    return text;
+}
 
 std::span<const MaskRow> maskRows() { return kRows; }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/footprint.h"
+#include "scene/ground_path.h"
 #include "scene/map_layers.h"
 #include "world/ground.h"
 
@@ -53,6 +54,11 @@ struct MaskRow {
 };
 // By MaskBy.
 std::span<const MaskRow> maskRows();
+
+// The path of an entity, with points. Fails, with what a person must know, where there is none.
+Result<const GroundPath*> pathNamed(const MaskScene& scene, const std::string& entity);
+// All that its place goes by: another text, another path.
+std::string pathText(const MaskScene& scene, const std::string& entity);
 
 // 1 from mask.from to mask.to, falling straight to 0 over its falloff beyond; inverted if it says so.
 float maskShare(const MapMask& mask, float measured);

@@ -1,9 +1,10 @@
 // What maps with layers come to: a painted map at the bottom, the layers of MapLayers over it, one by one. Whoever
 // reads the project as it is drawn (world/drawn_project.h) reads maps there as if there were no layers. Evaluated tile
 // by tile, and again only where something changed: below a stroke, where heights changed under masks that follow them,
-// all of it where a setting did or water moved. Does not: change the project. A project without layers is handed
-// through: nothing is made, nothing is held. Cost: about 0.3 us a texel and mask of slope on one core, 10 ns a texel
-// and layer to combine; 2 bytes a texel and layer.
+// all of it where a setting did or water moved. Heights come first (world/height_layers.h): what goes by slopes sees
+// the ground as it stands. Does not: change the project. A project without layers is handed through: nothing is made,
+// nothing is held. Cost: about 0.3 us a texel and mask of slope on one core, 10 ns a texel and layer to combine; 2
+// bytes a texel and layer.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,22 +13,9 @@
 #include <vector>
 
 #include "scene/map_layers.h"
+#include "world/layer_coverage.h"
 
 namespace sward {
-
-// What a person must know of a layer.
-struct LayerNote {
-    std::string layer;     // its PATH: "lawn.MapLayers.layers[no grass on slopes]"
-    std::string message;   // what is the matter, and what to do
-    bool skipped = false;  // it does nothing until then; else it does what it says, which is surely not meant
-};
-
-struct LayerKindRow {
-    const char* help;  // what a new one is for
-    bool ownMap;       // it has amounts of its own, which can be painted or imported
-};
-// By LayerKind.
-std::span<const LayerKindRow> layerKindRows();
 
 class MapStacks {
   public:

@@ -81,7 +81,7 @@ TEST(MapLayers, OfBadFilesAreRefusedNamingFilePlaceAndRemedy) {
     for (const Refused& row :
          {Refused{"{\"name\": \"a\", \"kind\": \"fill\"}",
                   "grass.MapLayers.layers[a].kind: \"fill\" is none of its values (it takes \"rule\", \"image\", "
-                  "\"painted\")"},
+                  "\"painted\", \"path\")"},
           Refused{"{\"name\": \"a\", \"opacity\": 1.5}",
                   "grass.MapLayers.layers[a].opacity: 1.5 is out of range (it takes 0 to 1)"},
           Refused{"{\"name\": \"a\", \"operation\": \"xor\"}",

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "maps/map_io.h"
 #include "support.h"
 #include "techniques.h"
@@ -149,6 +151,71 @@ TEST(LayerEdits, WhatALayerLiesOverMayGoAndComeBack) {
     EXPECT_NE(stacks.notes()[0].message.find("there is no map " + map), std::string::npos);
     EXPECT_TRUE(f.doc.undo());
     EXPECT_EQ(layersOver(f.doc.project(), map).size(), 1u);
+}
+
+// --- over heights
+
+constexpr const char* kHeights = "ground.Terrain.height";
+
+TEST(LayerEdits, OverHeightsBeginGently) {
+    Fixture f;
+    for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
+    EXPECT_TRUE(liesOverHeights(f.doc, kHeights));
+    EXPECT_TRUE(liesOverHeights(f.doc, "ground.MapLayers.layers[painted].amounts"));
+    EXPECT_FALSE(liesOverHeights(f.doc, kDensity));
+    const MapLayer& bumps = *layersOver(f.doc.project(), kHeights)[0].layer;
+    EXPECT_EQ(bumps.operation, LayerOperation::Add);
+    EXPECT_EQ(bumps.masks.at(0).by, MaskBy::Noise);
+    float lowest = 9, highest = -9;
+    for (int i = 0; i < 400; ++i) {
+        const float height = static_cast<float>(terrainHeight(*f.doc.ground().terrain, i % 20 * 2 + 1, i / 20 * 2 + 1));
+        lowest = std::min(lowest, height), highest = std::max(highest, height);
+    }
+    EXPECT_GE(lowest, 0);
+    EXPECT_LE(highest, 1);
+    EXPECT_GT(highest - lowest, 0.3f) << "the ground that hands find is that of the layers";
+    const Terrain& painted = *findGround(f.doc.project()).terrain;
+    EXPECT_FALSE(painted.height.present()) << "nothing was sculpted";
+    EXPECT_TRUE(f.doc.undo() && f.doc.undo());
+    EXPECT_EQ(&f.doc.standing(), &f.doc.project());
+}
+
+TEST(LayerEdits, APathsLayerTakesTheFirstPath) {
+    Fixture f;
+    ASSERT_TRUE(f.doc.addEntity("way"));
+    ASSERT_TRUE(f.doc.addComponent("way", "GroundPath"));
+    ASSERT_TRUE(addLayer(f.doc, kHeights, LayerKind::Path));
+    const MapLayer& level = *layersOver(f.doc.project(), kHeights)[0].layer;
+    EXPECT_EQ(level.path, "way");
+    EXPECT_EQ(level.operation, LayerOperation::Replace);
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Path));
+    EXPECT_EQ(f.layer(0).operation, LayerOperation::Multiply);
+}
+
+TEST(LayerEdits, APictureOfMetresKeepsThem) {
+    Fixture f;
+    Map metres({64, 64, 1, PixelType::F32});
+    for (int x = 0; x < 64; ++x)
+        for (int y = 0; y < 64; ++y) metres.set(x, y, 0, 3 + static_cast<float>(x) / 63 * 5);
+    ASSERT_TRUE(writeMap(f.dir / "metres.exr", metres));
+    ASSERT_TRUE(addLayer(f.doc, kHeights, LayerKind::Image));
+    const std::string layer = "ground.MapLayers.layers[image]";
+    ASSERT_TRUE(importLayer(f.doc, layer, f.dir / "metres.exr", {}));
+    EXPECT_EQ(layersOver(f.doc.project(), kHeights)[0].layer->low, 3);
+    EXPECT_EQ(layersOver(f.doc.project(), kHeights)[0].layer->high, 8);
+    const glm::dvec2 size = f.doc.ground().terrain->size;
+    EXPECT_NEAR(terrainHeight(*f.doc.ground().terrain, 0.5 * size.x / 64, 5), 3, 0.01);  // between the terrain's texels
+    EXPECT_NEAR(terrainHeight(*f.doc.ground().terrain, 63.5 * size.x / 64, 5), 8, 0.01);  // between the terrain's texels
+    ASSERT_TRUE(f.doc.save());
+    const double height = terrainHeight(*f.doc.ground().terrain, 11.3, 7.7);
+    Document again(tables());
+    ASSERT_TRUE(again.open(f.dir / "p"));
+    EXPECT_EQ(terrainHeight(*again.ground().terrain, 11.3, 7.7), height);
+    ASSERT_TRUE(f.doc.undo());
+    EXPECT_EQ(layersOver(f.doc.project(), kHeights)[0].layer->high, 1) << "one step";
+    ASSERT_TRUE(writeImagePng(f.dir / "eight.png", 1, 1, 1, {7}));
+    const Status refused = importLayer(f.doc, layer, f.dir / "eight.png", {});
+    EXPECT_FALSE(refused) << "8 bits are no heights";
 }
 
 }  // namespace
