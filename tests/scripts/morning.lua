@@ -39,8 +39,10 @@ local function blades()  -- millions that are drawn, as the status bar has them
     return tonumber(ui.get("Status/Blades"):match("^([%d.]+) M$"))
 end
 
--- A new project, seen from above its southern edge.
+-- A new project from a template, level and 40 m wide, seen from above its southern edge.
 ui.click("Menu/File/New...")
+ui.click("Files/Template/field")
+expect.equal({ ui.get("Files/Size"), ui.get("Files/Relief") }, { "40", "0" })
 ui.set("Files/Path", dir)
 expect.equal(project.dir(), dir)
 ui.set("Inspector/camera.Camera.eye", "[20, 24, 46]")
@@ -62,6 +64,21 @@ expect.less(1.5, map.at("height", 10.5, 11))
 expect.less(1.5, map.at("height", 31, 13))
 expect.less(map.at("height", 28.5, 28.5), -0.5)
 expect.equal(map.at("height", 4, 36), 0)
+
+-- A picture of heights into the far corner: looked at, placed, seen as it would become, taken.
+ui.click("Menu/Maps/Place Heights...")
+ui.set("Image/Path", park .. "/maps/ground.height.exr")
+expect.truthy(ui.get("Image/Told"):find("float", 1, true), ui.get("Image/Told"))
+expect.equal(ui.get("Image/Preview"), park .. "/maps/ground.height.exr")
+ui.click("Image/Place")
+for label, metres in pairs { X = 32, Z = 0, Width = 8, Depth = 7, Falloff = 0.5 } do ui.set("Place heights/" .. label, metres) end
+local level = map.hash("height")
+ui.screenshot("morning_heights.png")
+expect.equal(map.hash("height"), level, "nothing is taken yet")
+ui.click("Place heights/Accept")
+expect.truthy(map.hash("height") ~= level)
+expect.equal(map.at("height", 4, 36), 0, "in its corner alone")
+expect.truthy(map.at("height", 36, 3) ~= 0)
 
 -- No grass above 35 degrees is what a rule begins with.
 local density = "lawn.GrassField.species[lawn].density"
@@ -135,6 +152,16 @@ ui.click("Inspector/overlook.Camera/Take the view")
 expect.equal(ui.get("Viewport/Camera"), "overlook")
 expect.truthy(math.abs(entity.get("overlook.Camera.eye")[1] - 20) > 5)
 ui.screenshot("morning.png")
+
+-- A fit to a budget begins beside the window and is stopped: it measures for minutes (what one finds is previewed and
+-- adopted in tests/editor/accuracy), and changes nothing until it is adopted.
+local measured = project.hash()
+ui.set("Accuracy/Budget", 40)
+ui.click("Accuracy/Fit to budget")
+ui.wait(20)
+ui.click("Accuracy/Stop fit")
+expect.truthy(ui.exists("Accuracy/Fit to budget"))
+expect.equal(project.hash(), measured)
 
 -- A walk along the path leaves all as it is.
 local before = map.hash("height")

@@ -205,7 +205,8 @@ TEST(LayerEdits, APictureOfMetresKeepsThem) {
     EXPECT_EQ(layersOver(f.doc.project(), kHeights)[0].layer->high, 8);
     const glm::dvec2 size = f.doc.ground().terrain->size;
     EXPECT_NEAR(terrainHeight(*f.doc.ground().terrain, 0.5 * size.x / 64, 5), 3, 0.01);  // between the terrain's texels
-    EXPECT_NEAR(terrainHeight(*f.doc.ground().terrain, 63.5 * size.x / 64, 5), 8, 0.01);  // between the terrain's texels
+    EXPECT_NEAR(terrainHeight(*f.doc.ground().terrain, 63.5 * size.x / 64, 5), 8,
+                0.01);  // between the terrain's texels
     ASSERT_TRUE(f.doc.save());
     const double height = terrainHeight(*f.doc.ground().terrain, 11.3, 7.7);
     Document again(tables());
