@@ -128,7 +128,7 @@ Result<ComparedPass> tracePass(const PassWork& work, JobControl& control) {
     addPass(out.sum, *pass);
     Truth mean = meanOf(out.sum);
     out.truthError = meanError(mean);
-    out.picture = pictureOfLinear(mean.width, mean.height, mean.color);
+    out.picture = tracedPicture(mean.width, mean.height, mean.color, mean.error);
     out.metrics = scoresOf(work.own, out.picture, mean.grass);
     out.grass = std::move(mean.grass);
     return out;

@@ -137,13 +137,15 @@ std::string techniqueShown(const Document& document);
 // --- the project's own plot, measured by `sward cost` beside the editor
 struct Sweep : SideRun {
     std::optional<CostRun> run;  // while it runs: the rows that are drawn, by their first frames
+    uint64_t revision = 0;       // of the document that was measured, as it was then
 };
 // --- settings for a budget, by `sward fit`
 struct FitShown {
     bool fits = false;
     double budget = 0, ms = 0, appearance = 0, shippedMs = 0, shippedAppearance = 0;
     std::string technique, settings,
-        better;  // better: the next better one that does not fit, described; "": none was seen
+        better,   // the next better one that does not fit, described; "": none was seen
+        outcome;  // of the search against the shipped settings and the grid, from cameras that it did not see; in words
     std::string error;
 };
 struct Fit : SideRun {

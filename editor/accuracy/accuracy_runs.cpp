@@ -76,6 +76,19 @@ std::string textAt(const Json& j, const char* key) {
     return v && v->type == Json::Type::String ? v->text : "";
 }
 
+// "search loses to shipped from other cameras"; "" where the fit says nothing of it.
+std::string outcomeOf(const Json& fit) {
+    const Json* outcome = fit.find("outcome");
+    const Json* held = outcome ? outcome->find("held_out") : nullptr;
+    if (!held) return "";
+    const std::string search = textAt(*held, "search"), against = textAt(*held, "against");
+    if (against.empty()) return "";
+    const std::string rival = against == "grid" ? "the grid" : "the settings as they are";
+    return "from other cameras " + (search == "loses"  ? rival + " come nearer: better not adopted"
+                                    : search == "even" ? "as good as " + rival
+                                                       : "better than " + rival);
+}
+
 bool isViewSetting(const std::string& value) { return value.starts_with("msaa=") || value.starts_with("detail="); }
 
 std::vector<std::string> grassEntities(const Document& document) {
@@ -100,6 +113,7 @@ Status adoptIn(Document& document, const std::string& entity, const CostSetting&
 
 void startSweep(Sweep& s, const MeasureParts& parts) {
     s.run.reset();
+    s.revision = parts.doc.revision();
     const std::string out = parts.doc.isOpen() ? sideFolder(parts.doc).string() : "";
     accept(parts.messages, launch(s, parts, "cost", {"--rounds", "3", "--out", out}));
 }
@@ -224,6 +238,7 @@ Result<FitShown> fitFrom(const std::string& text) {
     if (better && better->type == Json::Type::Object)
         f.better = fmt::format("{:.3g} ms for {:.4f}: {}", numberAt(*better, "ms"), numberAt(*better, "appearance"),
                                textAt(*better, "settings"));
+    f.outcome = outcomeOf(*j);
     return f;
 }
 

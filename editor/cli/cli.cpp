@@ -126,12 +126,15 @@ struct Verbs {
                            [this] { return costVerb(cost); });
         addTruth(c, cost);
         c->get_option("project")->required(false);
+        c->get_option("--size")->description(
+            "WxH in pixels, or several: WxH,WxH, each into its own folder (default: 1024x768)");
         CLI::Option* numerics = c->add_flag(
             "--numerics", cost.numerics,
             "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
         c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
-        c->add_option("--technique", cost.technique,
-                      "sweep one alone: " + techniqueNames(tables().techniques) + " (default: all)");
+        c->add_option(
+            "--technique", cost.technique,
+            "sweep one alone beside the project as it is: " + techniqueNames(tables().techniques) + " (default: all)");
         c->add_option("--out", cost.out,
                       "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for "
                       "numerics.csv and numerics.json");

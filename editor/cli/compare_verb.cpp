@@ -46,6 +46,21 @@ Result<std::vector<float>> readMask(const std::string& file, const Image& like) 
     return mask;
 }
 
+// A picture of a file, with the scatter of its rays where `reference` has written that beside it.
+Result<Picture> pictureBeside(const std::string& file, const Image& image, bool linear) {
+    const fs::path beside = fs::path(file).replace_extension(".error.exr");
+    std::error_code fault;
+    if (!image.linear || !fs::exists(beside, fault)) return pictureOf(image, linear);
+    const auto error = readImage(beside, true);
+    if (!error) return error.error();
+    if (error->width != image.width || error->height != image.height)
+        return unsound(fmt::format("has {}x{} standard errors of {}x{} pixels", error->width, error->height,
+                                   image.width, image.height),
+                       "trace the picture again, or remove it")
+            .at(beside);
+    return tracedPicture(image, *error, linear);
+}
+
 Result<PicturePair> readPair(const CompareOptions& o) {
     if (Status s = checkThere(o); !s) return s.error();
     auto a = readImage(o.a, true), b = readImage(o.b, true);
@@ -57,7 +72,10 @@ Result<PicturePair> readPair(const CompareOptions& o) {
             .at(o.a + ", " + o.b);
     auto mask = readMask(o.mask, *b);
     if (!mask) return mask.error();
-    auto pair = pairPictures(pictureOf(*a, o.linear), pictureOf(*b, o.linear), *mask);
+    auto image = pictureBeside(o.a, *a, o.linear), truth = pictureBeside(o.b, *b, o.linear);
+    if (!image) return image.error();
+    if (!truth) return truth.error();
+    auto pair = pairPictures(std::move(*image), std::move(*truth), *mask);
     if (!pair) return pair.error().at(o.a + ", " + o.b);
     return pair;
 }
@@ -114,6 +132,7 @@ Json filmJson(const Film& f) {
     Json j;
     j["pictures"] = static_cast<int>(f.names.size()), j["appearance"] = f.appearance, j["popping"] = f.popping.mean,
     j["popping_worst"] = f.popping.worst;
+    j["change"] = std::isfinite(f.popping.change) ? Json(f.popping.change) : Json();
     j["worst_step"].push(f.names[worst]), j["worst_step"].push(f.names[worst + 1]);
     j["steps"] = Json::makeArray();
     for (const double step : f.popping.steps) j["steps"].push(step);
@@ -124,10 +143,11 @@ Json filmJson(const Film& f) {
 std::string filmText(const Film& f) {
     const auto worst = static_cast<size_t>(f.popping.worstStep);
     return fmt::format(
-        "popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nappearance   {:.5f}  mean of {} "
-        "pictures\n",
-        f.popping.mean, f.popping.steps.size(), f.popping.worst, f.names[worst], f.names[worst + 1], f.appearance,
-        f.names.size());
+        "popping      {:.5f}  mean of {} steps; at worst {:.5f}, from {} to {}\nchange       {:.2f}     times as much "
+        "as "
+        "in the truth\nappearance   {:.5f}  mean of {} pictures\n",
+        f.popping.mean, f.popping.steps.size(), f.popping.worst, f.names[worst], f.names[worst + 1], f.popping.change,
+        f.appearance, f.names.size());
 }
 
 int compareFilmsVerb(const CompareOptions& o) {

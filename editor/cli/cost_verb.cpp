@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 
 #include "cli/cli.h"
 #include "cli/cost_request.h"
@@ -80,25 +81,63 @@ CostProgress costProgress() {
 
 namespace {
 
+void printRow(const CostRow& r) {
+    std::printf("  %8.1f ms  %.5f +- %.5f  %s %s\n", r.msMedian, r.metrics.appearance.distance,
+                r.metrics.appearance.sigma, r.technique.c_str(), r.settings.c_str());
+}
+
+// Where the settings that the project ships with stand among the others of their camera.
+void printShipped(const CostRun& run, const std::string& camera) {
+    const auto shipped = std::find_if(run.rows.begin(), run.rows.end(), [&](const CostRow& r) {
+        return r.camera == camera && r.settings == kAsItIs && r.skipped.empty();
+    });
+    if (shipped == run.rows.end()) return;
+    const auto better = std::count_if(run.rows.begin(), run.rows.end(), [&](const CostRow& r) {
+        return r.camera == camera && r.machine == shipped->machine && r.skipped.empty() && beats(r, *shipped);
+    });
+    if (shipped->onFrontier) return void(std::printf("  as it is: on the frontier\n"));
+    std::printf("  as it is: beaten by %ld others\n", static_cast<long>(better));
+    printRow(*shipped);
+}
+
 void printRun(const CostRun& run, const fs::path& folder) {
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\r\033[K");
     for (const CostFloors& f : run.floors) {
-        std::printf("%s: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), f.seed.distance,
-                    f.sampling.distance, f.flat.distance);
+        std::printf("%s, %dx%d: other blades %.5f, few samples %.5f, flat rows %.5f\n", f.camera.c_str(), run.width,
+                    run.height, f.seed.distance, f.sampling.distance, f.flat.distance);
         std::vector<const CostRow*> frontier;
         for (const CostRow& r : run.rows)
             if (r.camera == f.camera && r.onFrontier) frontier.push_back(&r);
         std::sort(frontier.begin(), frontier.end(),
                   [](const CostRow* a, const CostRow* b) { return a->msMedian < b->msMedian; });
-        for (const CostRow* r : frontier)
-            std::printf("  %8.1f ms  %.5f +- %.5f  %s %s\n", r->msMedian, r->metrics.appearance.distance,
-                        r->metrics.appearance.sigma, r->technique.c_str(), r->settings.c_str());
+        for (const CostRow* r : frontier) printRow(*r);
+        printShipped(run, f.camera);
     }
     for (const CostRow& r : run.rows)
         if (!r.skipped.empty())
             std::printf("left out: %s %s %s: %s\n", r.camera.c_str(), r.technique.c_str(), r.settings.c_str(),
                         r.skipped.c_str());
     std::printf("%s\n", (folder / "report.html").string().c_str());
+}
+
+// One sweep a size of "WxH,WxH", and the folder of its files: --out, or of several sizes a folder in it each.
+Result<std::vector<std::pair<CostRequest, fs::path>>> sweepsOf(const CostOptions& o, const Project& project,
+                                                               const std::vector<CostSetting>& settings) {
+    std::vector<std::pair<CostRequest, fs::path>> sweeps;
+    const bool several = o.size.find(',') != std::string::npos;
+    std::istringstream sizes(o.size);
+    for (std::string size; std::getline(sizes, size, ',');) {
+        CostOptions one = o;
+        one.size = size;
+        auto request = costRequest(one, project);
+        if (!request) return request.error();
+        request->settings = settings;
+        request->folder = fs::path(o.out) / "work";
+        const std::string name = fmt::format("{}x{}", request->width, request->height);
+        sweeps.push_back({std::move(*request), several ? fs::path(o.out) / name : fs::path(o.out)});
+    }
+    if (sweeps.empty()) return usage("--size names no size", "write WxH, or WxH,WxH");
+    return sweeps;
 }
 
 Status writeKernelFiles(const KernelRun& run, const fs::path& folder) {
@@ -131,19 +170,19 @@ int costVerb(const CostOptions& o) {
     asItIs.technique.clear();
     auto project = openForRendering(asItIs);
     if (!project) return report(project.error());
-    auto request = costRequest(o, *project);
-    if (!request) return report(request.error());
-    auto settings = costSettings(*project, tables(), o.technique);
+    const auto settings = costSettings(*project, tables(), o.technique);
     if (!settings) return report(settings.error());
-    request->settings = std::move(*settings);
-    request->folder = fs::path(o.out) / "work";
+    const auto sweeps = sweepsOf(o, *project, *settings);
+    if (!sweeps) return report(sweeps.error());
     auto gpu = makeHeadlessGpu();
     if (!gpu) return report(gpu.error());
     const Interruptible here;
-    const auto run = runCost(*request, *project, tables(), **gpu, costProgress());
-    if (!run) return report(run.error());
-    if (Status s = writeCostFiles(*run, o.out, request->folder, tables().techniques); !s) return report(s.error());
-    printRun(*run, o.out);
+    for (const auto& [request, folder] : *sweeps) {
+        const auto run = runCost(request, *project, tables(), **gpu, costProgress());
+        if (!run) return report(run.error());
+        if (Status s = writeCostFiles(*run, folder, request.folder, tables().techniques); !s) return report(s.error());
+        printRun(*run, folder);
+    }
     return 0;
 }
 

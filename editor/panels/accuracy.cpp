@@ -111,7 +111,8 @@ void plotColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, dou
     std::optional<ViewportPoint> viewport;
     if (c.against == Against::Reference && c.metrics && lastMs > 0)
         viewport = ViewportPoint{lastMs, c.metrics->appearance.distance};
-    if (const auto chosen = drawCostPlot(accuracy.sweep.run, parts.doc, viewport))
+    if (const auto chosen =
+            drawCostPlot(accuracy.sweep.run, parts.doc, parts.doc.revision() == accuracy.sweep.revision, viewport))
         adopt(parts.doc, edits, parts.messages, *chosen);
 }
 
@@ -137,6 +138,7 @@ void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     if (r.fits)
         ui::coloredText(ui::kDimText,
                         ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    if (!r.outcome.empty()) ui::coloredText(ui::kDimText, r.outcome.c_str());
     ImGui::PopTextWrapPos();
 }
 

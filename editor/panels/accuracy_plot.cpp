@@ -185,20 +185,35 @@ void recordPoint(const ImVec2& at, const CostRow& r) {
     ui::recordAt(name, w);
 }
 
-void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Document& doc,
+// One standard error each way, of the appearance and of the median time.
+void bars(const Plot& p, const CostRow& r, ImU32 color) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = pointAt(p, r);
+    const double error = r.metrics.appearance.distance, sigma = r.metrics.appearance.sigma;
+    const auto y = [&](double v) { return std::clamp(p.y.at(v), p.low.y, p.high.y); };
+    const auto x = [&](double v) { return std::clamp(p.x.at(v), p.low.x, p.high.x); };
+    if (sigma > 0) list.AddLine({at.x, y(error + sigma)}, {at.x, y(std::max(error - sigma, error / 100))}, color);
+    if (r.msSigma > 0)
+        list.AddLine({x(r.msMedian - std::min(r.msSigma, 0.99 * r.msMedian)), at.y}, {x(r.msMedian + r.msSigma), at.y},
+                     color);
+}
+
+void points(const Plot& p, const CostRun& run, const CostRow* hovered, const Document& doc, bool isMeasured,
             const std::optional<ViewportPoint>& viewport) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     bool marked = false;
     for (const CostRow& r : run.rows) {
         if (!isDrawn(r)) continue;
         const ImVec2 at = pointAt(p, r);
+        bars(p, r, colorOf(doc.tables().techniques, r.technique));
         list.AddCircleFilled(at,
                              &r == hovered  ? 5.5f
                              : r.onFrontier ? 4.0f
                                             : 3.0f,
                              colorOf(doc.tables().techniques, r.technique));
         recordPoint(at, r);
-        if (marked || !isPresent(doc, settingOf(r.technique, r.settings))) continue;
+        const bool present = r.settings == kAsItIs ? isMeasured : isPresent(doc, settingOf(r.technique, r.settings));
+        if (marked || !present) continue;
         marked = true;
         mark(p, at, "now");
     }
@@ -219,7 +234,7 @@ void emptyPlot(const ImVec2& at, const ImVec2& size) {
 }  // namespace
 
 std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, const Document& document,
-                                        const std::optional<ViewportPoint>& viewport) {
+                                        bool isMeasured, const std::optional<ViewportPoint>& viewport) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float left =
         ImGui::GetWindowHeight() - ImGui::GetCursorPosY() - 4;  // whatever part of the panel is scrolled to
@@ -239,23 +254,25 @@ std::optional<CostSetting> drawCostPlot(const std::optional<CostRun>& measured, 
     frontier(p, run);
     legend(p, document.tables().techniques);
     const CostRow* hovered = over ? rowUnder(p, run) : nullptr;
-    points(p, run, hovered, document, viewport);
+    points(p, run, hovered, document, isMeasured, viewport);
     if (!hovered) {
         if (over)
-            ui::tooltip(
-                fmt::format("Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The "
-                            "line: nothing is both quicker and truer.\n"
-                            "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other "
-                            "blades: as good as true.",
-                            floors.camera, run.width, run.height));
+            ui::tooltip(fmt::format(
+                "Seen from {} at {}x{}: time across, appearance error upwards; low and left is good. The "
+                "line: nothing is surely quicker or truer without being worse in the other; bars are standard errors.\n"
+                "flat colour: worse is worthless.  sampling noise: what few samples alone make.  other "
+                "blades: as good as true.",
+                floors.camera, run.width, run.height));
         return {};
     }
-    ImGui::SetTooltip("%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}\nClick to adopt.",
-                                        hovered->technique, hovered->settings, hovered->msMedian,
-                                        hovered->metrics.appearance.distance, hovered->metrics.appearance.sigma,
-                                        hovered->onFrontier ? "\nNothing is both quicker and truer." : "")
-                                .c_str());
-    return pressed ? std::optional(settingOf(hovered->technique, hovered->settings)) : std::nullopt;
+    ImGui::SetTooltip(
+        "%s", fmt::format("{}\n{}\n{:.3g} ms, appearance error {:.4f} \xC2\xB1 {:.4f}{}{}", hovered->technique,
+                          hovered->settings, hovered->msMedian, hovered->metrics.appearance.distance,
+                          hovered->metrics.appearance.sigma, hovered->onFrontier ? "\nNothing surely beats it." : "",
+                          hovered->settings == kAsItIs ? "" : "\nClick to adopt.")
+                  .c_str());
+    return pressed && hovered->settings != kAsItIs ? std::optional(settingOf(hovered->technique, hovered->settings))
+                                                   : std::nullopt;
 }
 
 }  // namespace sward

@@ -3,6 +3,8 @@
 
 #include <sys/stat.h>
 
+#include <set>
+
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/jobs.h"
@@ -111,12 +113,13 @@ Result<Picture> convergedPicture(Sweep& s, Prepared& p, std::vector<double>& ms)
 // Of the frame that was drawn last.
 Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
     row.gpuBytes = s.renderer.stats().gpuBytes;
+    const std::vector<float> linear = s.renderer.readLinear();
+    row.pixels = hashHex(hashText({reinterpret_cast<const char*>(linear.data()), linear.size() * sizeof(float)}));
     row.image = "row-" + s.keyOf(row) + ".png";
     if (Status st = writeImagePng(s.request.folder / row.image, p.view.width, p.view.height, 3, s.renderer.readImage());
         !st)
         return st;
-    auto drawn =
-        pairPictures(pictureOfLinear(p.view.width, p.view.height, s.renderer.readLinear()), truth.picture, truth.grass);
+    auto drawn = pairPictures(pictureOfLinear(p.view.width, p.view.height, linear), truth.picture, truth.grass);
     if (!drawn) return drawn.error();
     row.metrics = metricsOf(*drawn);
     auto frames = convergedPicture(s, p, row.ms);
@@ -285,12 +288,20 @@ void listRows(Sweep& s) {
         for (size_t i = 0; i < s.request.settings.size(); ++i, ++index) {
             if (index % s.request.shards != s.request.shard) continue;
             CostRow row;
-            row.camera = view.name, row.technique = s.request.settings[i].technique,
+            const std::string& technique = s.request.settings[i].technique;
+            row.camera = view.name, row.technique = technique.empty() ? ownTechniques(s.project) : technique,
             row.settings = s.request.settings[i].text(), row.index = index;
             s.run.rows.push_back(std::move(row));
             s.settings.push_back(i);
         }
     s.run.total = index;
+}
+// Of a sweep that is no shard: rows of equal pictures are one, and need no times of their own.
+void keepDistinct(Sweep& s) {
+    const std::vector<size_t> kept = distinctRows(s.run.rows);
+    for (size_t i = 0; i < kept.size(); ++i) s.settings[i] = s.settings[kept[i]];
+    s.settings.resize(kept.size());
+    keepDistinct(s.run);
 }
 Status traceTruths(Sweep& s) {
     for (const CostView& view : s.request.views) {
@@ -318,22 +329,49 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
     listRows(s);
     if (Status st = traceTruths(s); !st) return st.error();
     if (Status st = drawAll(s); !st) return st.error();
+    if (request.shards == 1) keepDistinct(s);
     if (Status st = timeAll(s); !st) return st.error();
     markFrontier(s.run.rows);
     return std::move(s.run);
 }
 
 // --- the frontier ------------------------------------------------------------------------------------------------
-void markFrontier(std::vector<CostRow>& rows) {
-    const auto beats = [](const CostRow& a, const CostRow& b) {
-        const double ea = a.metrics.appearance.distance, eb = b.metrics.appearance.distance;
-        return a.camera == b.camera && a.machine == b.machine && a.skipped.empty() && a.msMedian <= b.msMedian &&
-               ea <= eb && (a.msMedian < b.msMedian || ea < eb);
+bool beats(const CostRow& a, const CostRow& b) {
+    const Appearance &ea = a.metrics.appearance, &eb = b.metrics.appearance;
+    const auto doubt = [](double sa, double sb) {
+        return std::hypot(std::isfinite(sa) ? sa : 0, std::isfinite(sb) ? sb : 0);
     };
+    const double time = b.msMedian - a.msMedian, error = eb.distance - ea.distance;
+    const double timeDoubt = doubt(a.msSigma, b.msSigma), errorDoubt = doubt(ea.sigma, eb.sigma);
+    return time >= -timeDoubt && error >= -errorDoubt && (time > timeDoubt || error > errorDoubt);
+}
+
+void markFrontier(std::vector<CostRow>& rows) {
+    const auto isDrawn = [](const CostRow& r) { return r.skipped.empty() && std::isfinite(r.msMedian); };
     for (CostRow& row : rows)
-        row.onFrontier =
-            row.skipped.empty() && std::isfinite(row.msMedian) &&
-            std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) { return beats(other, row); });
+        row.onFrontier = isDrawn(row) && std::none_of(rows.begin(), rows.end(), [&](const CostRow& other) {
+                             return isDrawn(other) && other.camera == row.camera && other.machine == row.machine &&
+                                    beats(other, row);
+                         });
+}
+
+std::vector<size_t> distinctRows(const std::vector<CostRow>& rows) {
+    std::set<std::tuple<std::string, std::string, std::string>> seen;
+    std::vector<size_t> kept;
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].pixels.empty() || seen.insert({rows[i].camera, rows[i].technique, rows[i].pixels}).second)
+            kept.push_back(i);
+    return kept;
+}
+
+void keepDistinct(CostRun& run) {
+    std::vector<CostRow> kept;
+    for (const size_t i : distinctRows(run.rows)) {
+        kept.push_back(std::move(run.rows[i]));
+        kept.back().index = static_cast<int>(kept.size()) - 1;
+    }
+    run.rows = std::move(kept);
+    run.total = static_cast<int>(run.rows.size());
 }
 
 }  // namespace sward

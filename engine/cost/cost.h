@@ -1,13 +1,14 @@
 // What accuracy costs in time: a project's cameras, or moments of a path, drawn by every technique at many settings;
 // for each picture how long it takes and how far it is from the ray-traced truth; and which of them nothing beats in
-// both (the frontier). Times: wall clock with one finish a frame, taken in rounds over all rows, so that a change of
-// the machine's load meets all alike; each after one frame of the same setting that is not counted (cost_times.h).
-// Errors: metrics.h over the truth's grass, of the picture as it is drawn, and of the mean of kConvergedFrames frames,
-// the drawn one and others moved by fractions of a pixel, which has less noise of sampling. What takes longer than a
-// limit is left out and named: after a frame, or unseen, where a setting that takes no more did already. Rows, truths
-// and times are kept in a folder as they are finished, under a hash of all that they follow from; a sweep that was
-// stopped goes on from there, and one that is run again only reads.
-// Does not: write tables, plots or reports (cost_files.h, cost_report.h).
+// both beyond doubt (the frontier). One row a view is the project as it ships; rows of a technique that draw the very
+// same picture are one, the first of them. Times: wall clock with one finish a frame, taken in rounds over all rows, so
+// that a change of the machine's load meets all alike; each after one frame of the same setting that is not counted
+// (cost_times.h). Errors: metrics.h over the truth's grass, of the picture as it is drawn, and of the mean of
+// kConvergedFrames frames, the drawn one and others moved by fractions of a pixel, which has less noise of sampling.
+// What takes longer than a limit is left out and named: after a frame, or unseen, where a setting that takes no more
+// did already. Rows, truths and times are kept in a folder as they are finished, under a hash of all that they follow
+// from; a sweep that was stopped goes on from there, and one that is run again only reads. Does not: write tables,
+// plots or reports (cost_files.h, cost_report.h).
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -37,6 +38,7 @@ struct CostRow {
     bool onFrontier = false;  // of its camera, on its machine
     std::string skipped;      // why it was not drawn; empty: it was
     std::string image;        // the picture's file, relative to the sweep's folder
+    std::string pixels;       // hash of the picture as it is drawn, before tone mapping; empty of what was not drawn
     int index = 0;            // in the whole sweep
     int machine = 0;          // index into CostRun::machines
 };
@@ -89,7 +91,15 @@ using CostProgress = std::function<bool(const std::string& what, double share)>;
 Result<CostRun> runCost(const CostRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                         const CostProgress& progress);
 
-// Sets onFrontier: no other drawn row of the same camera and machine is as quick and as near and better in one of both.
+// Whether `a` is better than `b` beyond doubt: in one of time and appearance by more than their joint standard error,
+// and in the other not worse by more. Rows of which neither beats the other in anything are one point.
+bool beats(const CostRow& a, const CostRow& b);
+// Sets onFrontier: no other drawn row of the same camera and machine beats it.
 void markFrontier(std::vector<CostRow>& rows);
+// Indices of the rows that stay when those go that draw the same picture as an earlier row of their camera and
+// technique.
+std::vector<size_t> distinctRows(const std::vector<CostRow>& rows);
+// Leaves the others out of a whole sweep and numbers the rest anew.
+void keepDistinct(CostRun& run);
 
 }  // namespace sward

@@ -89,7 +89,7 @@ Json costRowJson(const CostRow& r) {
     Json j;
     j["index"] = r.index, j["camera"] = r.camera, j["technique"] = r.technique, j["settings"] = r.settings,
     j["machine"] = r.machine;
-    j["skipped"] = r.skipped, j["on_frontier"] = r.onFrontier, j["image"] = r.image;
+    j["skipped"] = r.skipped, j["on_frontier"] = r.onFrontier, j["image"] = r.image, j["pixels"] = r.pixels;
     j["ms_median"] = number(r.msMedian), j["ms_p95"] = number(r.msP95), j["ms_sigma"] = number(r.msSigma),
     j["gpu_bytes"] = r.gpuBytes;
     j["drawn"] = appearanceJson(r.metrics.appearance), j["converged"] = appearanceJson(r.converged);
@@ -106,6 +106,7 @@ Result<CostRow> costRowFrom(const Json& json) {
     row.index = r.integer("index"), row.camera = r.text("camera"), row.technique = r.text("technique"),
     row.settings = r.text("settings"), row.machine = r.integer("machine");
     row.skipped = r.text("skipped"), row.image = r.text("image");
+    if (const Json* pixels = json.find("pixels"); pixels && pixels->isString()) row.pixels = pixels->text;
     const Json* frontier = r.member("on_frontier");
     row.onFrontier = frontier && frontier->boolean;
     row.msMedian = r.number("ms_median"), row.msP95 = r.number("ms_p95"), row.msSigma = r.number("ms_sigma");
@@ -202,6 +203,7 @@ Result<CostRun> mergeCosts(const std::vector<CostRun>& parts) {
         if (whole.rows[i].index > static_cast<int>(i))
             return failed(fmt::format("row {} is in none of the parts", i), "name every part of 0/N to N-1/N");
     }
+    keepDistinct(whole);
     return whole;
 }
 

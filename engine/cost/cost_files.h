@@ -22,7 +22,8 @@ Result<CostRun> costFrom(const Json& json, const std::string& file);
 Result<CostRun> readCost(const std::filesystem::path& file);  // a cost.json, or the folder that holds one
 
 // The whole of a sharded sweep: rows in the order of the sweep, each with the machine that took its time; frontiers
-// stay those of each machine. Failed: parts of different sweeps, or a row that is there twice or nowhere, named.
+// stay those of each machine; of rows that draw the same picture the first is left. Failed: parts of different sweeps,
+// or a row that is there twice or nowhere, named.
 Result<CostRun> mergeCosts(const std::vector<CostRun>& parts);
 
 }  // namespace sward

@@ -65,6 +65,21 @@ void drawFloors(Plot& p, const CostFloors& f, const Axis& x, const Axis& y) {
     }
 }
 
+// One standard error each way, of the appearance and of the median time, with a short stroke at each end.
+void drawBars(Plot& p, const CostRow& r, const Axis& x, const Axis& y, const std::string& color) {
+    constexpr double kStroke = 3;
+    const double error = r.metrics.appearance.distance, sigma = r.metrics.appearance.sigma;
+    const glm::dvec2 at(x.at(r.msMedian), y.at(error));
+    const auto bar = [&](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& across) {
+        for (const auto& [from, to] :
+             {std::pair(a, b), std::pair(a - across, a + across), std::pair(b - across, b + across)})
+            p.lines.push_back({{from, to}, color, 0.8});
+    };
+    if (sigma > 0) bar({at.x, y.at(error + sigma)}, {at.x, y.at(std::max(error - sigma, y.low))}, {kStroke, 0});
+    if (r.msSigma > 0)
+        bar({x.at(r.msMedian + r.msSigma), at.y}, {x.at(std::max(r.msMedian - r.msSigma, x.low)), at.y}, {0, kStroke});
+}
+
 void drawRows(Plot& p, const std::vector<const CostRow*>& rows, const Axis& x, const Axis& y,
               std::span<const TechniqueRow> techniques) {
     std::vector<glm::dvec2> frontier;
@@ -72,15 +87,16 @@ void drawRows(Plot& p, const std::vector<const CostRow*>& rows, const Axis& x, c
         const Appearance& a = r->metrics.appearance;
         const glm::dvec2 at(x.at(r->msMedian), y.at(a.distance));
         const std::string color = techniqueColor(techniques, r->technique);
-        if (a.sigma > 0)
-            p.lines.push_back(
-                {{{at.x, y.at(a.distance + a.sigma)}, {at.x, y.at(std::max(a.distance - a.sigma, y.low))}},
-                 color,
-                 0.8});
+        drawBars(p, *r, x, y, color);
         p.dots.push_back({at, r->onFrontier ? 5.0 : 3.5, color, r->onFrontier,
                           fmt::format("{} {}: {:.1f} ms, {:.5f} +- {:.5f}", r->technique, r->settings, r->msMedian,
                                       a.distance, a.sigma)});
         if (r->onFrontier) frontier.push_back(at);
+        if (r->settings != kAsItIs) continue;
+        p.dots.push_back({at, 9, kInk, false, "as the project ships"});
+        const bool left = at.x > (x.from + x.to) / 2;
+        p.texts.push_back(
+            {at + glm::dvec2(left ? -13 : 13, 4), kAsItIs, kInk, 12, left ? PlotAnchor::End : PlotAnchor::Start});
     }
     std::sort(frontier.begin(), frontier.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
     p.lines.push_back({frontier, kInk, 1.6});
@@ -96,7 +112,11 @@ void drawLegend(Plot& p, const std::vector<const CostRow*>& rows, std::span<cons
         p.texts.push_back({{x + 10, kTop - 8}, n, kInk, 12});
         x += 36 + 8 * static_cast<double>(n.size());
     }
-    p.texts.push_back({{p.width - kRight, kTop - 8}, "filled, joined: the frontier", kInk, 12, PlotAnchor::End});
+    p.texts.push_back({{p.width - kRight, kTop - 8},
+                       "bars: standard errors; filled, joined: the frontier",
+                       kInk,
+                       12,
+                       PlotAnchor::End});
 }
 
 }  // namespace

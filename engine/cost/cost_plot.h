@@ -1,5 +1,6 @@
-// Time against appearance for one camera of a sweep: a colour a technique, the frontier, and the floors that scores are
-// held against. Both axes are logarithmic. Does not: write files.
+// Time against appearance for one camera of a sweep: a colour a technique, bars of a standard error each way, the
+// frontier, a ring around the project as it ships, and the floors that scores are held against. Both axes are
+// logarithmic. Does not: write files.
 #pragma once
 #include "cost/cost.h"
 #include "cost/plot.h"

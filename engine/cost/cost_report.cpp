@@ -132,8 +132,10 @@ std::string page(const CostRun& run, const fs::path& work, std::span<const Techn
     out += fmt::format(
         "<p>{}x{} pixels against a ray-traced truth of {} samples a pixel, {} lighting. Appearance is the distance of "
         "blocks' means and contrasts from the truth's: 0 is equal, whichever "
-        "blade stands where. Times are wall clock with one finish a frame; a row of the frontier is beaten by no other "
-        "in both.</p>\n<ul>\n",
+        "blade stands where. Times are wall clock with one finish a frame; a row is off the "
+        "frontier if another is better in one of both by more than their standard errors and in the other not worse. "
+        "The row <em>as it is</em> has the settings that the project ships with; rows that would draw the same picture "
+        "are one.</p>\n<ul>\n",
         run.width, run.height, run.samples, run.lighting);
     for (const CostMachine& m : run.machines)
         out += fmt::format("<li>{}, {} cores ({})\n", escaped(m.renderer), m.cores, m.timing);
@@ -159,6 +161,7 @@ std::string base64(std::string_view bytes) {
 // --- files -------------------------------------------------------------------------------------------------------
 Status writeCostFiles(const CostRun& run, const fs::path& folder, const fs::path& work,
                       std::span<const TechniqueRow> techniques) {
+    if (Status s = makeFolderOf(folder / "cost.csv"); !s) return s;
     if (Status s = writeFileAtomic(folder / "cost.csv", costCsv(run)); !s) return s;
     if (Status s = writeFileAtomic(folder / "cost.json", writeJson(costJson(run))); !s) return s;
     for (const CostFloors& f : run.floors) {

@@ -36,7 +36,7 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
 // What a technique's row tries, around each field's own values.
 std::vector<SettingValues> sweptBy(const TechniqueRow& row,
                                    const std::vector<std::pair<std::string, FieldEntity>>& fields) {
-    if (!row.sweep) return {{}};
+    if (!row.sweep) return {{"msaa=4"}};
     const size_t settings = row.sweep(fields.front().second).size();
     std::vector<SettingValues> out;
     for (size_t i = 0; i < settings; ++i) {
@@ -90,7 +90,17 @@ std::string settingPath(const Tables& tables, const std::string& entity, const s
 std::string CostSetting::text() const {
     std::string all;
     for (const std::string& v : values) all += (all.empty() ? "" : " ") + v;
-    return all.empty() ? "as it is" : all;
+    return all.empty() ? kAsItIs : all;
+}
+
+std::string ownTechniques(const Project& project) {
+    std::vector<std::string> names;
+    for (const auto& [name, field] : fieldsOf(project))
+        if (std::find(names.begin(), names.end(), field.grows.technique) == names.end())
+            names.push_back(field.grows.technique);
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : "+") + name;
+    return all;
 }
 
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
@@ -99,7 +109,8 @@ Result<std::vector<CostSetting>> costSettings(const Project& project, const Tabl
     if (fields.empty()) return unsound("the project has no grass", "add a GrassField").at(project.dir);
     if (!technique.empty() && !findTechnique(tables.techniques, technique))
         return usage("there is no technique \"" + technique + "\"", techniqueNames(tables.techniques));
-    std::vector<CostSetting> out;
+    const std::string own = ownTechniques(project);
+    std::vector<CostSetting> out{{findTechnique(tables.techniques, own) ? own : "", {}}};
     for (const TechniqueRow& row : tables.techniques) {
         if (!technique.empty() && technique != row.name) continue;
         for (const SettingValues& v : sweptBy(row, fields)) out.push_back({row.name, v});

@@ -23,14 +23,20 @@ Result<SettingValue> settingValue(const std::string& text);
 // for each by its name. Equally many values for each.
 SettingValues mergedValues(const std::vector<std::pair<std::string, SettingValues>>& byEntity);
 
+// What the settings that a project ships with are called.
+inline constexpr const char* kAsItIs = "as it is";
+
 struct CostSetting {
     std::string technique;  // a row of the table; empty: the fields' own
     std::vector<std::string> values;
-    std::string text() const;  // "maxGeom=6 msaa=4"; "as it is" without values
+    std::string text() const;  // "maxGeom=6 msaa=4"; kAsItIs without values
 };
 
-// All settings for a project's grass, around those of each of its fields, in the order of the techniques' table
-// (TechniqueRow::sweep); of one technique if it is named. Usage error: no such technique. Unsound: the project has no
+// The techniques of the project's fields, each once: "hybrid", or "hybrid+raytraced".
+std::string ownTechniques(const Project& project);
+// All settings for a project's grass: first the project's own, without values (and, where its fields differ in it,
+// without a technique); then those around each field's own in the order of the techniques' table (TechniqueRow::sweep),
+// of one technique if it is named. Usage error: no such technique. Unsound: the project has no
 // grass.
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
                                               const std::string& technique = {});

@@ -88,7 +88,9 @@ Result<Traced> kept(const fs::path& file) {
     if (!image) return image.error();
     if (!error) return error.error();
     if (image->channels != 4) return unsound("is no truth of a sweep", "remove it").at(file);
-    Traced t{pictureOf(*image, false),
+    if (error->width != image->width || error->height != image->height)
+        return unsound("has another size than its standard errors", "remove it").at(file);
+    Traced t{tracedPicture(*image, *error, false),
              {},
              meanFinite(error->pixels),
              fs::path(file).replace_extension(".png").filename().string()};
@@ -158,6 +160,8 @@ Picture flatRows(const Picture& picture, const std::vector<float>& grass) {
             if (grass[i] > 0) sum += grass[i] * picture.pixels[i], weight += grass[i];
         for (size_t i = first; weight > 0 && i < end; ++i)
             out.pixels[i] = glm::mix(picture.pixels[i], sum / weight, grass[i]);
+        for (size_t i = first; weight > 0 && i < end && !out.noise.empty(); ++i)
+            out.noise[i] *= (1 - grass[i]) * (1 - grass[i]);
     }
     return out;
 }
@@ -180,6 +184,7 @@ Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const 
     few.samples = std::min(kFewSamples, few.samples), few.seed += 1;
     auto sparse = traced(r, project, tables, view, few, progress, view.name + ": truth at few samples");
     if (!sparse) return sparse.error();
+    sparse->picture.noise.clear();  // it is what this floor shows
     Project other = snapshot(project, tables.components);
     for (const auto& [name, e] : other.entities)
         if (GrassField* f = other.registry.get<GrassField>(e)) f->seed += f->seed < 1000000 ? 1 : -1;

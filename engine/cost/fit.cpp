@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "cost/cost_truth.h"
+#include "cost/frame_stats.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -15,7 +16,9 @@ namespace {
 constexpr int kFrames = 5, kLeastFrames = 3;  // of a timing's median, after one that is not counted
 constexpr double kTimedMs = 1500;             // more than the least number only within this time
 constexpr double kHopeless =
-    1.5;  // times the budget: a candidate slower than that from one camera is not drawn from others
+    1.5;                     // times the budget: a candidate slower than that from one camera is not drawn from others
+constexpr double kSure = 4;  // times the most that a candidate must be expected to take to be left out unseen
+constexpr double kMsPerBlade = 1e-5;              // where the shipped settings draw few blades
 constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
@@ -33,10 +36,11 @@ struct Search {
     Gpu& gpu;
     const CostProgress& progress;
     Renderer renderer{gpu, tables};
-    const TechniqueRow* technique = nullptr;
     std::vector<Seen> views = {};
-    std::map<std::vector<std::string>, FitCandidate> seen = {};
-    int limit = 0;
+    std::map<std::pair<std::string, std::vector<std::string>>, FitCandidate> seen = {};
+    std::vector<FitCandidate> found = {};  // of those, the search's own
+    double msPerBlade = kMsPerBlade;
+    bool mayGoOn() const { return static_cast<int>(found.size()) < request.candidates; }
 };
 Error stopped() { return interruption("interrupted; nothing was changed"); }
 
@@ -46,14 +50,15 @@ struct Drawing {
     ViewCamera camera;
     ViewSettings view;
 };
-Result<Drawing> drawingOf(Search& s, const std::vector<std::string>& values, const CostView& from) {
-    if (!s.progress(fmt::format("{} of about {} candidates", s.seen.size(), s.limit),
-                    static_cast<double>(s.seen.size()) / std::max(1, s.limit)))
+Result<Drawing> drawingOf(Search& s, const CostSetting& setting, const CostView& from) {
+    if (!s.progress(fmt::format("{} of at most {} candidates, {} settings in all", s.found.size(), s.request.candidates,
+                                s.seen.size()),
+                    static_cast<double>(s.found.size()) / std::max(1, s.request.candidates)))
         return stopped();
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
     d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
     d.view.time = s.request.cost.time + from.since;
-    if (Status st = applySetting(d.project, s.tables, {s.technique->name, values}, d.view); !st) return st.error();
+    if (Status st = applySetting(d.project, s.tables, setting, d.view); !st) return st.error();
     return d;
 }
 Result<double> frameMs(Search& s, Drawing& d) {
@@ -75,43 +80,62 @@ Result<double> medianMs(Search& s, Drawing& d, double most) {
     }
     return quantileOf(ms, 0.5);
 }
-Result<Picture> pictureOf(Search& s, const std::vector<std::string>& values, const CostView& view) {
-    auto d = drawingOf(s, values, view);
+Result<Picture> pictureOf(Search& s, const CostSetting& setting, const CostView& view) {
+    auto d = drawingOf(s, setting, view);
     if (!d) return d.error();
     if (auto ms = frameMs(s, *d); !ms) return ms.error();
     return pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear());
 }
-Result<double> errorOf(const Picture& picture, const CostTruth& truth) {
+Result<Appearance> errorOf(const Picture& picture, const CostTruth& truth) {
     auto pair = pairPictures(picture, truth.picture, truth.grass);
     if (!pair) return pair.error();
-    return appearance(*pair).distance;
+    return appearance(*pair);
+}
+// Sums over cameras that become a mean and its standard error.
+struct Scores {
+    double sum = 0, variance = 0;
+    int taken = 0;
+    void add(const Appearance& a) {
+        sum += a.distance, variance += std::isfinite(a.sigma) ? a.sigma * a.sigma : 0;
+        ++taken;
+    }
+    FitScore mean() const { return taken > 0 ? FitScore{sum / taken, std::sqrt(variance) / taken} : FitScore{}; }
+};
+// Milliseconds that its blades alone would take.
+double expectedMs(const Search& s, const Drawing& d) {
+    return s.msPerBlade * static_cast<double>(d.view.detail) *
+           static_cast<double>(submittedBlades(d.project, s.tables, d.camera, d.view.width, d.view.height));
 }
 // Time and error from one camera, added to the candidate's; the error unless it is far too slow.
-Status measureFrom(Search& s, const Seen& v, FitCandidate& c, double most) {
-    auto d = drawingOf(s, c.values, v.view);
+Status measureFrom(Search& s, const Seen& v, FitCandidate& c, Scores& scores, double most) {
+    auto d = drawingOf(s, c.setting, v.view);
     if (!d) return d.error();
+    if (const double expected = expectedMs(s, *d); expected > kSure * most) {
+        c.ms = std::max(c.ms, expected);
+        return {};
+    }
     auto ms = medianMs(s, *d, most);
     if (!ms) return ms.error();
     c.ms = std::max(c.ms, *ms);
     if (*ms > most) return {};
     auto error = errorOf(pictureOfLinear(d->view.width, d->view.height, s.renderer.readLinear()), v.truth);
     if (!error) return error.error();
-    c.appearance += *error / static_cast<double>(s.views.size());
+    scores.add(*error);
     return {};
 }
-// Each candidate once; asked again it is remembered. One that takes far more than the budget from a camera has no
-// error.
-Result<FitCandidate> measured(Search& s, const std::vector<std::string>& values, bool whole = false) {
-    if (const auto it = s.seen.find(values); it != s.seen.end()) return it->second;
+// Each setting once; asked again it is remembered. One that takes far more than the budget from a camera has no error.
+Result<FitCandidate> measured(Search& s, const CostSetting& setting, bool whole = false) {
+    const auto key = std::pair(setting.technique, setting.values);
+    if (const auto it = s.seen.find(key); it != s.seen.end()) return it->second;
     const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
-    FitCandidate c{values, 0, 0};
+    FitCandidate c{setting, 0};
+    Scores scores;
     for (const Seen& v : s.views) {
-        if (Status st = measureFrom(s, v, c, most); !st) return st.error();
-        if (c.ms <= most) continue;
-        c.appearance = std::numeric_limits<double>::infinity();
-        break;
+        if (Status st = measureFrom(s, v, c, scores, most); !st) return st.error();
+        if (c.ms > most) break;
     }
-    return s.seen[values] = c;
+    if (c.ms <= most) c.appearance = scores.mean().appearance, c.sigma = scores.mean().sigma;
+    return s.seen[key] = c;
 }
 
 // --- the search --------------------------------------------------------------------------------------------------
@@ -120,22 +144,34 @@ bool better(const FitCandidate& a, const FitCandidate& b, double budget) {
     if (fitsA != fitsB) return fitsA;
     return fitsA ? a.appearance < b.appearance : a.ms < b.ms;
 }
-Knobs asItIs(const TechniqueRow& t) {
+// As the field has it; or with the factors that may be halved.
+Knobs knobsOf(const TechniqueRow& t, bool halved) {
     Knobs k;
-    for (const KnobRow& row : t.knobs) k.push_back(row.start);
+    for (const KnobRow& row : t.knobs)
+        k.push_back(halved && row.factor ? std::max(row.start / kStep, row.least) : row.start);
     return k;
 }
-std::vector<std::string> valuesOf(const Search& s, const Knobs& k) {
+CostSetting settingOf(const Search& s, const TechniqueRow& t, const Knobs& k) {
     std::vector<std::pair<std::string, SettingValues>> each;
-    for (const auto& [name, field] : fieldsOf(s.project)) each.push_back({name, s.technique->turned(field, k)});
-    return mergedValues(each);
+    for (const auto& [name, field] : fieldsOf(s.project)) each.push_back({name, t.turned(field, k)});
+    return {t.name, mergedValues(each)};
+}
+// Measured as one of the search's own.
+Result<FitCandidate> searched(Search& s, const TechniqueRow& t, const Knobs& k) {
+    const CostSetting setting = settingOf(s, t, k);
+    const bool isNew = std::none_of(s.found.begin(), s.found.end(), [&](const FitCandidate& c) {
+        return c.setting.technique == setting.technique && c.setting.values == setting.values;
+    });
+    auto c = measured(s, setting);
+    if (c && isNew) s.found.push_back(*c);
+    return c;
 }
 // The neighbours: each knob the step's factor up and down, then those that are added to.
-std::vector<Knobs> around(const Search& s, const Knobs& k, double step) {
+std::vector<Knobs> around(const TechniqueRow& t, const Knobs& k, double step) {
     std::vector<Knobs> out;
     for (const bool factors : {true, false})
         for (size_t i = 0; i < k.size(); ++i) {
-            const KnobRow& row = s.technique->knobs[i];
+            const KnobRow& row = t.knobs[i];
             if (row.factor != factors) continue;
             const double turned[] = {row.factor ? k[i] * step : k[i] - std::log2(step),
                                      row.factor ? k[i] / step : k[i] + std::log2(step)};
@@ -148,16 +184,14 @@ std::vector<Knobs> around(const Search& s, const Knobs& k, double step) {
     return out;
 }
 // From a start: to the best neighbour as long as one is better, then with smaller steps.
-Status search(Search& s, Knobs at) {
-    auto here = measured(s, valuesOf(s, at));
-    if (!here) return here.error();
-    for (double step = kStep; step >= kLeastStep && static_cast<int>(s.seen.size()) < s.limit;) {
+Status searchFrom(Search& s, const TechniqueRow& t, Knobs at, FitCandidate here) {
+    for (double step = kStep; step >= kLeastStep && s.mayGoOn();) {
         std::optional<Knobs> next;
-        for (const Knobs& k : around(s, at, step)) {
-            if (static_cast<int>(s.seen.size()) >= s.limit) break;
-            auto there = measured(s, valuesOf(s, k));
+        for (const Knobs& k : around(t, at, step)) {
+            if (!s.mayGoOn()) break;
+            auto there = searched(s, t, k);
             if (!there) return there.error();
-            if (better(*there, *here, s.request.budgetMs)) here = there, next = k;
+            if (better(*there, here, s.request.budgetMs)) here = *there, next = k;
         }
         if (next)
             at = *next;
@@ -166,11 +200,36 @@ Status search(Search& s, Knobs at) {
     }
     return {};
 }
+// Every technique once, the field's own first; then from the best of them, from the next best and so on.
+Status search(Search& s, const TechniqueRow& own) {
+    struct Start {
+        const TechniqueRow* technique;
+        FitCandidate candidate;
+    };
+    std::vector<const TechniqueRow*> order{&own};
+    for (const TechniqueRow& t : s.tables.techniques)
+        if (!t.knobs.empty() && &t != &own) order.push_back(&t);
+    std::vector<Start> starts;
+    for (const TechniqueRow* t : order) {
+        if (!s.mayGoOn()) break;
+        auto c = searched(s, *t, knobsOf(*t, true));
+        if (!c) return c.error();
+        starts.push_back({t, *c});
+    }
+    std::stable_sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
+        return better(a.candidate, b.candidate, s.request.budgetMs);
+    });
+    for (const Start& start : starts)
+        if (s.mayGoOn())
+            if (Status st = searchFrom(s, *start.technique, knobsOf(*start.technique, true), start.candidate); !st)
+                return st;
+    return {};
+}
 
 // --- the grid ----------------------------------------------------------------------------------------------------
 // All points with each of the knobs that stand in it at three values, the first knob's changing last.
 std::vector<Knobs> gridPoints(const TechniqueRow& t) {
-    std::vector<Knobs> points{asItIs(t)};
+    std::vector<Knobs> points{knobsOf(t, false)};
     for (size_t i = 0; i < t.knobs.size(); ++i) {
         if (!t.knobs[i].inGrid) continue;
         std::vector<Knobs> more;
@@ -183,10 +242,10 @@ std::vector<Knobs> gridPoints(const TechniqueRow& t) {
     }
     return points;
 }
-Result<FitCandidate> gridBest(Search& s) {
+Result<FitCandidate> gridBest(Search& s, const TechniqueRow& own) {
     FitCandidate best;
-    for (const Knobs& k : gridPoints(*s.technique)) {
-        auto c = measured(s, valuesOf(s, k));
+    for (const Knobs& k : gridPoints(own)) {
+        auto c = measured(s, settingOf(s, own, k));
         if (!c) return c;
         if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
     }
@@ -195,10 +254,10 @@ Result<FitCandidate> gridBest(Search& s) {
 
 // --- cameras that were not seen ----------------------------------------------------------------------------------
 Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    FitHeldOut out{0, 0, std::isfinite(found.gridBest.appearance) ? 0 : none,
-                   std::isfinite(found.gridBest.appearance) ? "" : "no point of the grid fits the budget"};
-    int taken = 0;
+    FitHeldOut out;
+    if (!found.gridBest.known()) out.note = "no point of the grid fits the budget";
+    Scores scores[3];
+    const FitCandidate* candidates[] = {&found.shipped, &found.fitted, &found.gridBest};
     for (const CostView& seen : s.request.cost.views) {
         const CostView view{seen.name + ", moved", heldOutCamera(seen.camera), seen.since};
         auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
@@ -207,19 +266,16 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
             out.note += (out.note.empty() ? "" : "; ") + view.name + " was left out: " + truth.error().message;
             continue;
         }
-        ++taken;
-        const std::pair<double*, const FitCandidate*> all[] = {
-            {&out.shipped, &found.shipped}, {&out.fitted, &found.best}, {&out.grid, &found.gridBest}};
-        for (const auto& [sum, candidate] : all) {
-            if (candidate->values.empty()) continue;
-            auto picture = pictureOf(s, candidate->values, view);
+        for (size_t i = 0; i < 3; ++i) {
+            if (!candidates[i]->known()) continue;
+            auto picture = pictureOf(s, candidates[i]->setting, view);
             if (!picture) return picture.error();
             auto error = errorOf(*picture, *truth);
             if (!error) return error.error();
-            *sum += *error;
+            scores[i].add(*error);
         }
     }
-    for (double* sum : {&out.shipped, &out.fitted, &out.grid}) *sum = taken > 0 ? *sum / taken : none;
+    out.shipped = scores[0].mean(), out.fitted = scores[1].mean(), out.grid = scores[2].mean();
     return out;
 }
 
@@ -232,19 +288,45 @@ Status traceTruths(Search& s) {
     }
     return {};
 }
-// The best of all that were measured, and the cheapest of those that are better still.
+// The best that the search found, and the cheapest of all measured that are better still.
 void choose(const Search& s, FitResult& r) {
-    for (const auto& [values, c] : s.seen)
-        if (r.best.values.empty() || better(c, r.best, s.request.budgetMs)) r.best = c;
-    r.fits = r.best.ms <= s.request.budgetMs;
-    for (const auto& [values, c] : s.seen)
-        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.best.appearance &&
-            (r.given.values.empty() || c.ms < r.given.ms))
+    for (const FitCandidate& c : s.found)
+        if (!r.fitted.known() || better(c, r.fitted, s.request.budgetMs)) r.fitted = c;
+    r.fits = r.fitted.ms <= s.request.budgetMs;
+    for (const auto& [key, c] : s.seen)
+        if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.fitted.appearance &&
+            (!r.given.known() || c.ms < r.given.ms))
             r.given = c;
     r.tried = static_cast<int>(s.seen.size());
 }
+// By what the cameras of the search say, and by the others.
+void judge(const Search& s, FitResult& r) {
+    const auto scoreOf = [](const FitCandidate& c, bool takesPart) {
+        return takesPart && std::isfinite(c.appearance) ? FitScore{c.appearance, c.sigma} : FitScore{};
+    };
+    const bool shippedFits = r.shipped.ms <= s.request.budgetMs;
+    r.seen = verdictOf(scoreOf(r.fitted, true), scoreOf(r.shipped, shippedFits), scoreOf(r.gridBest, true));
+    r.unseen = verdictOf(r.heldOut.fitted, shippedFits ? r.heldOut.shipped : FitScore{}, r.heldOut.grid);
+}
 
 }  // namespace
+
+FitVerdict verdictOf(const FitScore& fitted, const FitScore& shipped, const FitScore& grid) {
+    FitVerdict v;
+    FitScore rival;
+    for (const auto& [name, score] : {std::pair{"shipped", &shipped}, std::pair{"grid", &grid}})
+        if (std::isfinite(score->appearance) && !(rival.appearance <= score->appearance))
+            rival = *score, v.rival = name;
+    if (v.rival.empty() || !std::isfinite(fitted.appearance)) return v;
+    const double behind = fitted.appearance - rival.appearance, doubt = std::hypot(fitted.sigma, rival.sigma);
+    v.outcome = std::abs(behind) <= doubt ? FitOutcome::Even : behind < 0 ? FitOutcome::Wins : FitOutcome::Loses;
+    return v;
+}
+
+const FitCandidate& chosen(const FitResult& r) {
+    if (r.unseen.outcome != FitOutcome::Loses) return r.fitted;
+    return r.unseen.rival == "grid" ? r.gridBest : r.shipped;
+}
 
 ViewCamera heldOutCamera(ViewCamera c) {
     const glm::dvec3 ahead = c.target - c.eye;
@@ -272,24 +354,24 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     std::filesystem::create_directories(request.cost.folder, ec);
     if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
     Search s{request, project, tables, gpu, progress};
-    s.limit = request.candidates;
-    auto technique = techniqueToFit(project, tables);
-    if (!technique) return technique.error();
-    s.technique = *technique;
+    const auto own = techniqueToFit(project, tables);
+    if (!own) return own.error();
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
-    auto shipped = measured(s, valuesOf(s, asItIs(*s.technique)), true);
+    auto shipped = measured(s, {}, true);
     if (!shipped) return shipped.error();
-    if (Status st = search(s, asItIs(*s.technique)); !st) return st.error();
-    auto grid = gridBest(s);
+    if (const uint64_t blades = s.renderer.stats().bladesGeometry; blades > 1000)
+        s.msPerBlade = shipped->ms / static_cast<double>(blades);
+    if (Status st = search(s, **own); !st) return st.error();
+    auto grid = gridBest(s, **own);
     if (!grid) return grid.error();
     choose(s, r);
-    r.technique = s.technique->name, r.shipped = *shipped, r.gridBest = *grid;
-    if (r.fits) {
-        auto held = heldOut(s, r);
-        if (!held) return held.error();
-        r.heldOut = *held;
-    }
+    r.shipped = *shipped, r.gridBest = *grid;
+    if (!r.fits) return r;
+    auto held = heldOut(s, r);
+    if (!held) return held.error();
+    r.heldOut = *held;
+    judge(s, r);
     return r;
 }
 

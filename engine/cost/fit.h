@@ -1,11 +1,16 @@
 // The settings with the least appearance error within a budget of time, over a project's cameras, or moments of a path.
-// Search: a pattern search (Hooke and Jeeves 1961) over the knobs of the field's technique, such as where blades end,
-// where slices end, how wide the fade between them is, and how sharp slices are. Each step is the double or the half,
-// then less; no model of cost is assumed, times are measured. A candidate fits if its slowest camera's median is within
-// the budget; of those that fit, the least mean appearance wins. One that takes half as much again from a camera is not
-// drawn from the others. Beside it a grid (each of three knobs at three values on a log scale) and the shipped settings
-// are measured by the same rule, and all three are drawn from cameras that the search did not see. Does not: save the
-// project (the caller does). The order of candidates is the same each time but for what times decide.
+// Search: every technique that has knobs (TechniqueRow::knobs) is drawn once with each factor at half of the field's
+// own, so that the settings that ship are no head start; then a pattern search (Hooke and Jeeves 1961) over the knobs
+// of the best of them, such as where blades and slices end, how sharp slices are, how they are filtered, and samples a
+// pixel; where it finds nothing better and may go on, from the next best. Each step is the double or the half, then
+// less; no model of cost is assumed, times are measured. A candidate fits if its slowest camera's median is within the
+// budget; of those that fit, the least mean appearance wins. One that takes half as much again from a camera, or surely
+// would by the number of its blades, is not drawn from the others.
+// Beside it stand the settings that ship and a grid (each of three knobs of the field's technique at three values on a
+// log scale), measured by the same rule; they are none of the search's, which may lose against either. All three are
+// drawn from cameras that none of them was chosen by, and what differs there by less than its standard error is even.
+// Does not: save the project (the caller does). The order of candidates is the same each time but for what times
+// decide.
 #pragma once
 #include "cost/cost.h"
 #include "world/view_camera.h"
@@ -13,34 +18,52 @@
 namespace sward {
 
 struct FitCandidate {
-    std::vector<std::string> values;                      // as "maxGeom=6": what the technique's knobs stand for
+    CostSetting setting;                                  // without values: as the project ships
     double ms = std::numeric_limits<double>::infinity();  // of the slowest camera, median
     double appearance =
         std::numeric_limits<double>::infinity();  // mean over cameras; infinite: far too slow, not taken
+    double sigma = 0;                             // standard error of the appearance
+    bool known() const { return std::isfinite(ms); }
+};
+// A mean appearance over cameras; not-a-number: not taken.
+struct FitScore {
+    double appearance = std::numeric_limits<double>::quiet_NaN(), sigma = 0;
+};
+// What became of the search against the better of its rivals: the grid, and the shipped settings if they fit.
+enum class FitOutcome { Wins, Even, Loses };
+inline constexpr auto kFitOutcomes = enumNames<FitOutcome>("wins", "even", "loses");
+struct FitVerdict {
+    FitOutcome outcome = FitOutcome::Wins;
+    std::string rival;  // "shipped" or "grid"; empty: nothing else fits
 };
 struct FitHeldOut {
-    double shipped = 0, fitted = 0, grid = 0;  // mean appearance over the held-out cameras; not-a-number: not taken
-    std::string note;                          // why a number is missing
+    FitScore shipped, fitted, grid;
+    std::string note;  // why a number is missing
 };
 struct FitResult {
-    std::string technique;  // whose knobs were turned
     bool fits = false;
-    FitCandidate best;  // that fits; else the quickest that was seen
+    FitCandidate fitted;  // the best of the search that fits; else the quickest that it saw
     FitCandidate shipped;
-    FitCandidate gridBest;  // of the grid's that fit; appearance infinite: none does
-    FitCandidate given;     // the next better that does not fit, if one fits; appearance infinite: none was seen
+    FitCandidate gridBest;  // of the grid's that fit; ms infinite: none does
+    FitCandidate given;     // the next better than `fitted` that does not fit, if that does; ms infinite: none was seen
     FitHeldOut heldOut;
-    int tried = 0;
+    FitVerdict seen, unseen;  // on the cameras of the search, and on the held-out ones (of those if any was taken)
+    int tried = 0;            // settings measured in all
 };
+// The settings to be had from it: the search's, unless it loses on cameras that were not seen.
+const FitCandidate& chosen(const FitResult& result);
+// The score of the search against what else fits; rivals that are not-a-number do not take part.
+FitVerdict verdictOf(const FitScore& fitted, const FitScore& shipped, const FitScore& grid);
+
 struct FitRequest {
     double budgetMs = 0;  // above 0
-    int candidates = 40;  // that the search may measure
+    int candidates = 40;  // that the search may measure, at least one
     CostRequest cost;     // views, size, truth, folder for truths; settings and shards are not read
 };
-// The technique whose knobs a fit turns (TechniqueRow::knobs): that of the project's first field, or, where it has
+// The technique whose knobs the grid turns (TechniqueRow::knobs): that of the project's first field, or, where it has
 // none, the first of the table that has some. Unsound: the project has no grass.
 Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables);
-// Measures at most `request.candidates` settings of the project's fields and returns the best. Truths are traced first
+// Searches among at most `request.candidates` settings of the project's fields. Truths are traced first
 // and kept in cost.folder. Failed: the folder cannot be made. Unsound: the project has no grass. Interrupted:
 // `progress` said so.
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,

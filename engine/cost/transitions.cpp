@@ -71,6 +71,16 @@ Result<PicturePair> pairBy(const Picture& image, const Picture& truth, const std
     return pair;
 }
 
+// Each view's rays are its own, since metrics take the scatter of one picture for independent of the next one's; a view
+// like the one before sees the same again.
+uint32_t seedOf(const std::vector<ViewCamera>& views, size_t view) {
+    uint32_t seed = 1;
+    for (size_t i = 1; i <= view; ++i)
+        seed += views[i].eye != views[i - 1].eye || views[i].target != views[i - 1].target ||
+                views[i].fovDeg != views[i - 1].fovDeg;
+    return seed;
+}
+
 // The next view of one of both scenes, which is made first.
 Status traceInto(std::vector<Picture>& pictures, TransitionWalk& w, const Tables& tables, JobControl& control) {
     WalkTruth& t = *w.truth;
@@ -85,10 +95,10 @@ Status traceInto(std::vector<Picture>& pictures, TransitionWalk& w, const Tables
     }
     ReferenceSettings s;
     s.width = w.plan.width, s.height = w.plan.height, s.samples = w.plan.samples;
-    s.lighting = ReferenceLighting::Direct;
+    s.lighting = ReferenceLighting::Direct, s.seed = seedOf(w.views, pictures.size());
     auto truth = t.scene->trace(w.views[pictures.size()], s, control);
     if (!truth) return truth.error();
-    pictures.push_back(pictureOfLinear(truth->width, truth->height, truth->color));
+    pictures.push_back(tracedPicture(truth->width, truth->height, truth->color, truth->error));
     if (!others) t.grass.push_back(std::move(truth->grass));
     if (pictures.size() == w.views.size()) t.scene.reset();
     return {};
@@ -175,9 +185,10 @@ std::string transitionsText(const Transitions& t) {
     std::string out = fmt::format(
         "popping  {:.5f}  mean of {} steps along {}; at worst {:.5f}, from second {:.3g} to {:.3g}\nfloor    {:.5f}  "
         "of "
-        "other blades; at worst {:.5f}\n{} of {} steps pop more than other blades do\n",
+        "other blades; at worst {:.5f}\n{} of {} steps pop more than other blades do; in all, pictures change {:.2f} "
+        "times as much as the truth\n",
         t.drawn.mean, t.drawn.steps.size(), t.plan.path, t.drawn.worst, t.seconds[worst], t.seconds[worst + 1],
-        t.floor.mean, t.floor.worst, stepsAboveFloor(t), t.drawn.steps.size());
+        t.floor.mean, t.floor.worst, stepsAboveFloor(t), t.drawn.steps.size(), t.drawn.change);
     if (t.blind > 0) out += fmt::format("{} pictures see no grass; steps to and from them count 0\n", t.blind);
     return out;
 }
@@ -189,6 +200,7 @@ std::string transitionsJson(const Transitions& t) {
     j["size"].push(t.plan.width), j["size"].push(t.plan.height);
     j["popping"] = t.drawn.mean, j["popping_worst"] = t.drawn.worst;
     j["popping_floor"] = t.floor.mean, j["popping_floor_worst"] = t.floor.worst;
+    j["change"] = std::isfinite(t.drawn.change) ? Json(t.drawn.change) : Json();
     j["above_floor"] = static_cast<int>(stepsAboveFloor(t));
     j["worst_step"].push(t.seconds[worst]), j["worst_step"].push(t.seconds[worst + 1]);
     j["steps"] = stepsJson(t);

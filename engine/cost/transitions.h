@@ -67,7 +67,9 @@ size_t stepsAboveFloor(const Transitions& t);
 
 // "popping 0.0123, mean of 24 steps; at worst ...", and the steps above the floor; for people.
 std::string transitionsText(const Transitions& t);
-// {"path", "pictures", "popping", "popping_floor", "worst_step", "steps": [{"from", "to", "popping", "floor"}, ...]}.
+// {"path", "pictures", "popping", "popping_floor", "change", "worst_step", "steps": [{"from", "to", "popping",
+// "floor"},
+// ...]}. change: how much pictures change as a share of what the truth does, null where that does not.
 std::string transitionsJson(const Transitions& t);
 
 }  // namespace sward

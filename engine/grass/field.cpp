@@ -194,7 +194,7 @@ std::string fieldConstants(const GrassDrawing& drawing, const GrassSlices& slice
         "const int TRANSPARENCY = {};\nconst int STORAGE = {};\nconst bool LIGHT_COSINE = {};\nconst bool "
         "WEIGHTS_PER_PIXEL = {};\nconst bool CONSERVING = {};\n",
         static_cast<int>(drawing.transparency), static_cast<int>(slices.storage),
-        slices.lightWeights == LightWeighting::Cosine, slices.weightsAt == WeightsAt::Pixel,
+        weightingOf(slices) == LightWeighting::Cosine, slices.weightsAt == WeightsAt::Pixel,
         slices.sliceCover == SliceCover::Conserving);
 }
 std::string fieldConstants(const FieldEntity& f) {

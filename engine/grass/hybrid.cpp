@@ -135,13 +135,28 @@ std::vector<SettingValues> slicesSweep(const FieldEntity& field) {
 std::vector<SettingValues> flatSweep(const FieldEntity&) { return {{"msaa=1"}, {"msaa=4"}}; }
 
 // --- what a fit turns ------------------------------------------------------------------------------------------------
-enum Knob { kNear, kFar, kFade, kSharpness };
+constexpr KnobRow kFarKnob{"far", true, 1, 0, 1e30, true}, kSharpnessKnob{"sharpness", false, 0, -8, 8, true},
+    kFilteringKnob{"filtering", false, 0, 0, 1, false};  // 1: the other way than the field's own
+enum Knob { kNear, kFar, kFade, kSharpness, kSamples };
 constexpr KnobRow kHybridKnobs[] = {{"near", true, 1, 0, 1e30, true},
-                                    {"far", true, 1, 0, 1e30, true},
+                                    kFarKnob,
                                     {"fade", true, 1, 1, 4, false},
-                                    {"sharpness", false, 0, -8, 8, true}};
+                                    kSharpnessKnob,
+                                    kSamplesKnob,
+                                    kFilteringKnob};
+enum ImagesKnob { kImagesFar, kImagesSharpness, kImagesSamples };
+constexpr KnobRow kSlicesKnobs[] = {kFarKnob, kSharpnessKnob, kSamplesKnob, kFilteringKnob},
+                  kFlatKnobs[] = {kSamplesKnob, kFilteringKnob};
 std::string rounded(const char* name, double v) {
     return std::string(name) + "=" + shortestText(static_cast<float>(std::round(v * 1000) / 1000));
+}
+std::string sharpnessTurned(const FieldEntity& field, double k) {
+    return rounded("sharpness", std::clamp(static_cast<double>(field.settings<GrassSlices>().sharpness) + k, 0.0, 8.0));
+}
+std::string filteringTurned(const FieldEntity& field, double k) {
+    const Filtering own = field.settings<GrassSlices>().filtering,
+                    other = own == Filtering::Trilinear ? Filtering::Anisotropic : Filtering::Trilinear;
+    return std::string("filtering=") + kFilterings[k < 0.5 ? own : other];
 }
 // Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
 SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) {
@@ -150,10 +165,18 @@ SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) 
     const double minGeom = std::clamp(own.minGeom * k[kNear] / k[kFade], 0.0, maxGeom);
     const double maxBTF = std::max(own.maxBTF * k[kFar], maxGeom);
     const double minBTF = std::clamp(own.minBTF * k[kFar] / k[kFade], std::min(maxGeom, maxBTF), maxBTF);
-    const double sharpness =
-        std::clamp(static_cast<double>(field.settings<GrassSlices>().sharpness) + k[kSharpness], 0.0, 8.0);
-    return {rounded("minGeom", minGeom), rounded("maxGeom", maxGeom), rounded("minBTF", minBTF),
-            rounded("maxBTF", maxBTF), rounded("sharpness", sharpness)};
+    return {rounded("minGeom", minGeom),     rounded("maxGeom", maxGeom),           rounded("minBTF", minBTF),
+            rounded("maxBTF", maxBTF),       sharpnessTurned(field, k[kSharpness]), samplesTurned(k[kSamples]),
+            filteringTurned(field, k.back())};
+}
+SettingValues slicesTurned(const FieldEntity& field, std::span<const double> k) {
+    const auto& own = field.settings<HybridTiers>();
+    return {rounded("minBTF", own.minBTF * k[kImagesFar]), rounded("maxBTF", own.maxBTF * k[kImagesFar]),
+            sharpnessTurned(field, k[kImagesSharpness]), samplesTurned(k[kImagesSamples]),
+            filteringTurned(field, k.back())};
+}
+SettingValues flatTurned(const FieldEntity& field, std::span<const double> k) {
+    return {samplesTurned(k.front()), filteringTurned(field, k.back())};
 }
 
 constexpr const char* kFewBlades[] = {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"};
@@ -215,7 +238,9 @@ std::span<const TechniqueRow> hybridTechniques() {
          .settings = kAllSettings,
          .features = slicesFeatures,
          .tiers = slicesTiers,
-         .sweep = slicesSweep},
+         .sweep = slicesSweep,
+         .knobs = kSlicesKnobs,
+         .turned = slicesTurned},
         {.name = "flat",
          .label = "Flat",
          .help = "one slice over the ground everywhere",
@@ -223,7 +248,9 @@ std::span<const TechniqueRow> hybridTechniques() {
          .settings = kAllSettings,
          .features = flatFeatures,
          .tiers = flatTiers,
-         .sweep = flatSweep},
+         .sweep = flatSweep,
+         .knobs = kFlatKnobs,
+         .turned = flatTurned},
     };
     return kRows;
 }

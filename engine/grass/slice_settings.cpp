@@ -16,6 +16,11 @@ std::vector<std::string> repairSlices(void* component) {
 
 }  // namespace
 
+LightWeighting weightingOf(const GrassSlices& s) {
+    const bool none = s.storage == Storage::Full && s.lightWeights == LightWeighting::Cosine;
+    return none ? LightWeighting::Atan : s.lightWeights;
+}
+
 ComponentRow grassSlicesRow() {
     static constexpr Range kTexels{8, 2048, 32, 512};
     static constexpr FieldRow kFields[] = {

@@ -16,7 +16,7 @@ enum class SliceCover { Conserving, Published };
 inline constexpr auto kSliceCovers = enumNames<SliceCover>("conserving", "published");
 // How a slice's images are weighted by a directional light: by the cosine that their differences give (exact where a
 // texel shows one blade), or interpolated as published, by a form of equations 8-13 (docs/numerics.md has what each
-// costs).
+// costs). What is stored in full has no cosine (weightingOf).
 enum class LightWeighting { Cosine, Atan, Poly9, Poly7, Poly5, Poly3, Linear, Squares, Published };
 inline constexpr auto kLightWeights =
     enumNames<LightWeighting>("cosine", "atan", "poly9", "poly7", "poly5", "poly3", "linear", "squares", "published");
@@ -46,6 +46,9 @@ struct GrassSlices {
     float sharpness = 2;  // levels of detail by which slices are sampled finer than a pixel
 };
 
+// How the slices are weighted: as they say, but for images stored in full, which hold colours and no normals to take
+// a cosine of: these are interpolated, by the exact form of equations 8-13.
+LightWeighting weightingOf(const GrassSlices& slices);
 // The field table of GrassSlices.
 ComponentRow grassSlicesRow();
 

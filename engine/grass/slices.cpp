@@ -102,7 +102,7 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     FieldLight l;
     l.sky = g.skyLight, l.ground = g.groundLight;
     if (has(features, Feature::Sun) && g.sunIsUp > 0) l.suns.push_back({g.sunDirection, g.sunLight});
-    l.weighting = f.of->settings<GrassSlices>().lightWeights;
+    l.weighting = weightingOf(f.of->settings<GrassSlices>());
     l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
     if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
     l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
@@ -495,7 +495,7 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
     g.seed = static_cast<uint32_t>(f.seed);
     g.species = static_cast<int>(index);
     g.farTexels = static_cast<float>(s.slices.farReflectance.width);
-    g.sunWeights = imageWeights(ctx.globals.sunDirection, images.lightWeights);
+    g.sunWeights = imageWeights(ctx.globals.sunDirection, weightingOf(images));
     g.ambient = s.gains.sliceAmbient, g.farAmbient = s.gains.farAmbient;
     g.steepest = 0.6f * s.look.height * static_cast<float>(s.slices.slices) / f.cellSize;
     const glm::vec3 clumps = clumpStrengths(sp);

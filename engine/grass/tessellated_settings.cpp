@@ -40,13 +40,13 @@ std::vector<SettingValues> sweep(const FieldEntity& field) {
     return out;
 }
 
-constexpr KnobRow kKnobs[] = {{"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}};
+constexpr KnobRow kKnobs[] = {{"far", true, 1, 0, 1e30, true}, {"kept", true, 1, 0, 1e30, true}, kSamplesKnob};
 // far: how far blades are drawn; kept: share of the blades that is left there.
 SettingValues turned(const FieldEntity& field, std::span<const double> k) {
     const auto& own = field.settings<TessellatedBlades>();
     const double kept = (1 - static_cast<double>(own.thinning)) * k[1];
     return {rounded("maxDistance", std::clamp(static_cast<double>(own.maxDistance) * k[0], 0.1, 1e6)),
-            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0))};
+            rounded("thinning", std::clamp(1 - kept, 0.0, 1.0)), samplesTurned(k[2])};
 }
 
 constexpr const char* kSettings[] = {"TessellatedBlades", "GrassSlices", "GrassDrawing", "FarLook"};

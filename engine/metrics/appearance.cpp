@@ -15,7 +15,11 @@ struct BlockError {
 BlockError blockError(const PicturePair& p, int x0, int y0, int side) {
     const BlockMoments a = blockMoments(p.image, p.weight, x0, y0, side),
                        b = blockMoments(p.truth, p.weight, x0, y0, side);
-    const glm::dvec3 mean = glm::abs(a.mean - b.mean), deviation = glm::abs(a.deviation - b.deviation);
+    const auto apart = [](const glm::dvec3& difference, const glm::dvec3& noise) {
+        return glm::sqrt(glm::max(difference * difference - noise, 0.0));
+    };
+    const glm::dvec3 mean = apart(a.mean - b.mean, a.meanNoise + b.meanNoise),
+                     deviation = apart(a.deviation - b.deviation, a.deviationNoise + b.deviationNoise);
     return {b.weight, mean3(glm::sqrt(mean * mean + deviation * deviation)), mean3(mean), mean3(deviation)};
 }
 
@@ -63,15 +67,23 @@ BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weig
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
                 const size_t i = static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x);
-                if (weight[i] > 0) body(static_cast<double>(weight[i]), glm::dvec3(picture.pixels[i]));
+                if (weight[i] > 0) body(static_cast<double>(weight[i]), glm::dvec3(picture.pixels[i]), i);
             }
     };
-    each([&](double w, const glm::dvec3& v) { b.weight += w, b.mean += w * v; });
+    each([&](double w, const glm::dvec3& v, size_t) { b.weight += w, b.mean += w * v; });
     if (b.weight <= 0) return b;
     b.mean /= b.weight;
-    glm::dvec3 squares(0);
-    each([&](double w, const glm::dvec3& v) { squares += w * (v - b.mean) * (v - b.mean); });
-    b.deviation = glm::sqrt(squares / b.weight);
+    glm::dvec3 squares(0), scatter(0);
+    each([&](double w, const glm::dvec3& v, size_t i) {
+        squares += w * (v - b.mean) * (v - b.mean);
+        if (picture.noise.empty()) return;
+        const glm::dvec3 noise(picture.noise[i]);
+        scatter += w * noise, b.meanNoise += w * w / (b.weight * b.weight) * noise;
+    });
+    const glm::dvec3 added = scatter / b.weight - b.meanNoise, variance = glm::max(squares / b.weight - added, 0.0);
+    // Of normal scatter, by the derivative of the root; where scatter is most, the variance is not let below it.
+    b.deviationNoise = b.meanNoise * (variance + added / 2.0) / glm::max(variance + added, 1e-30);
+    b.deviation = glm::sqrt(variance + b.deviationNoise);
     return b;
 }
 

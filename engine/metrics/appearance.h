@@ -6,6 +6,10 @@
 //   In a block, per sRGB channel, over pixels by their weight w (share of grass):
 //     mean m = sum w v / sum w, deviation s = sqrt(sum w (v - m)^2 / sum w), in image and in truth;
 //     distance d = sqrt((m_image - m_truth)^2 + (s_image - s_truth)^2).
+//   The scatter of a traced picture's rays is no contrast of its scene: where it is known (Picture::noise, variance n a
+//   pixel), s^2 is less by what it adds in the mean, sum w n / sum w - sum w^2 n / (sum w)^2, but not below 0, and more
+//   by the variance that s itself has by it, so that the mean of s is right; and squared differences are less by the
+//   variances that scatter gives them, but not below 0, since it would set equal pictures apart.
 //   Appearance is the mean of d over channels, over blocks by their weight, and over the three sizes: 0 to about 1.
 //   bias is the same mean of |m_image - m_truth|, contrast that of |s_image - s_truth|. Neither exceeds the appearance,
 //   which does not exceed their sum.
@@ -29,10 +33,12 @@ Appearance appearance(const PicturePair& pair);
 // The distance at each pixel: of the blocks of the three sizes that it lies in.
 ErrorMap appearanceMap(const PicturePair& pair);
 
-// Mean and deviation by channel of the pixels of one block, by their weight. Channels in [0,1].
+// Mean and deviation by channel of the pixels of one block, by their weight, the deviation without the scatter of rays.
+// Channels in [0,1].
 struct BlockMoments {
     double weight = 0;
     glm::dvec3 mean{0}, deviation{0};
+    glm::dvec3 meanNoise{0}, deviationNoise{0};  // their variances by the scatter of rays
 };
 // Of the square with its first pixel at (x0, y0), cut at the picture's edges. Weight 0: no pixel of it counts.
 BlockMoments blockMoments(const Picture& picture, const std::vector<float>& weight, int x0, int y0, int side);

@@ -17,6 +17,15 @@ double rmseOf(const PicturePair& p) {
         if (p.weight[i] > 0) sum += static_cast<double>(p.weight[i]) * squaredError(p, i);
     return std::sqrt(sum / p.weightSum);
 }
+// Root of the mean variance of a picture's values by its rays; not-a-number where none is known.
+double noiseOf(const Picture& p, const std::vector<float>& weight) {
+    double sum = 0, weights = 0;
+    for (size_t i = 0; i < p.noise.size(); ++i)
+        if (weight[i] > 0)
+            sum += static_cast<double>(weight[i] * (p.noise[i].x + p.noise[i].y + p.noise[i].z) / 3),
+                weights += static_cast<double>(weight[i]);
+    return weights > 0 ? std::sqrt(sum / weights) : std::numeric_limits<double>::quiet_NaN();
+}
 Json number(double v) { return std::isnan(v) ? Json() : Json(v); }
 std::string text(double v, const char* format) {
     return std::isnan(v) ? "none" : std::isinf(v) ? "inf" : fmt::format(fmt::runtime(format), v);
@@ -58,6 +67,8 @@ Json metricsJson(const Metrics& m, const PicturePair& pair, double pixelsPerDegr
     j["ssim"] = number(m.ssim);
     j["rmse"] = number(m.rmse);
     j["psnr"] = number(m.psnr);
+    j["image_noise"] = number(noiseOf(pair.image, pair.weight)),
+    j["truth_noise"] = number(noiseOf(pair.truth, pair.weight));
     j["pixels"] =
         static_cast<uint64_t>(std::count_if(pair.weight.begin(), pair.weight.end(), [](float w) { return w > 0; }));
     j["non_finite"] = pair.nonFinite;
@@ -73,6 +84,10 @@ std::string metricsText(const Metrics& m, const PicturePair& pair, double pixels
                        shortestText(pixelsPerDegree));
     out += fmt::format("ssim        {}\nrmse        {}\npsnr        {}\n", text(m.ssim, "{:.6f}"),
                        text(m.rmse, "{:.6f}"), text(m.psnr, "{:.2f} dB"));
+    for (const auto& [name, picture] : {std::pair{"image", &pair.image}, std::pair{"truth", &pair.truth}})
+        if (const double noise = noiseOf(*picture, pair.weight); std::isfinite(noise))
+            out +=
+                fmt::format("noise       {:.5f}   of the {}'s rays, no part of appearance's contrast\n", noise, name);
     if (pair.nonFinite > 0)
         out += fmt::format("not finite  {} pixels, left out; the first at {},{}\n", pair.nonFinite, pair.nonFiniteX,
                            pair.nonFiniteY);

@@ -30,8 +30,9 @@ ErrorMap errorMap(const PicturePair& pair, ErrorMetric metric, double pixelsPerD
 // The error that a heat map shows in its brightest colour: 0.2 of appearance, 1 of FLIP and SSIM, 0.5 of RMSE.
 double heatScale(ErrorMetric metric);
 
-// {"appearance", "appearance_sigma", "bias", "contrast", "flip", "ppd", "ssim", "rmse", "psnr", "pixels", "non_finite",
-// "first_non_finite": [x, y]}. Infinite psnr is "inf", what has no value null.
+// {"appearance", "appearance_sigma", "bias", "contrast", "flip", "ppd", "ssim", "rmse", "psnr", "image_noise",
+// "truth_noise", "pixels", "non_finite", "first_non_finite": [x, y]}. Infinite psnr is "inf", what has no value null:
+// so the noise of a picture of which none is known (Picture::noise; root of the mean variance).
 Json metricsJson(const Metrics& metrics, const PicturePair& pair, double pixelsPerDegree);
 // The same as lines for people.
 std::string metricsText(const Metrics& metrics, const PicturePair& pair, double pixelsPerDegree);

@@ -13,6 +13,26 @@ glm::vec3 shown(const glm::vec3& c) {
 }
 bool finite(const glm::vec3& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
+// The error at which the slope and the bend of encoding are taken: all of it, or half of the darkest channel's value.
+float shareOfError(const glm::vec3& c, const glm::vec3& error) {
+    float share = 1;
+    for (int k = 0; k < 3; ++k)
+        if (error[k] > 0) share = std::min(share, std::max(c[k], 0.0f) / (2 * error[k]));
+    return share;
+}
+// Sets the pixel's noise, and gives its value back what the bend takes from it.
+void takeError(Picture& p, size_t i, const glm::vec3& c, const glm::vec3& error) {
+    if (!finite(c) || !finite(error)) return;
+    if (p.linear) return void(p.noise[i] = error * error);
+    const float share = std::max(shareOfError(c, error), 1e-3f);
+    const glm::vec3 above = shown(c + share * error), below = shown(c - share * error), here = shown(c);
+    p.pixels[i] -= (above + below) / 2.0f - here;
+    // By the slope of the value as it now is, whose bend is that of three values, too.
+    const glm::vec3 wide = shown(c + 2 * share * error) - shown(c - 2 * share * error);
+    const glm::vec3 slope = (2.0f * (above - below) - wide / 2.0f) / (2 * share);
+    p.noise[i] = slope * slope;
+}
+
 std::string sizeText(const Picture& p) { return fmt::format("{}x{}", p.width, p.height); }
 
 }  // namespace
@@ -32,6 +52,26 @@ Picture pictureOf(const Image& image, bool linear) {
 
 Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb) {
     return pictureOf({width, height, 3, true, rgb}, false);
+}
+
+Picture tracedPicture(const Image& image, const Image& error, bool linear) {
+    CHECK_EQ(image.width, error.width);
+    CHECK_EQ(image.height, error.height);
+    Picture p = pictureOf(image, linear);
+    p.noise.assign(p.pixels.size(), glm::vec3(0));
+    const auto colorAt = [](const Image& from, size_t i) {
+        const float* v = &from.pixels[i * static_cast<size_t>(from.channels)];
+        return from.channels >= 3 ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(v[0]);
+    };
+    parallelFor(static_cast<size_t>(p.height), [&](size_t y) {
+        for (size_t i = y * static_cast<size_t>(p.width); i < (y + 1) * static_cast<size_t>(p.width); ++i)
+            takeError(p, i, colorAt(image, i), colorAt(error, i));
+    });
+    return p;
+}
+
+Picture tracedPicture(int width, int height, const std::vector<float>& rgb, const std::vector<float>& error) {
+    return tracedPicture({width, height, 3, true, rgb}, {width, height, 3, true, error}, false);
 }
 
 Result<PicturePair> pairPictures(Picture image, Picture truth, const std::vector<float>& mask) {

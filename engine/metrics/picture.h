@@ -2,6 +2,7 @@
 // Values are sRGB-encoded in [0,1]; linear images are tone-mapped first (Khronos PBR Neutral, as the renderer does)
 // unless they are wanted as they are. RGB only: alpha is ignored, gray stands for three equal channels. Pixels that are
 // not finite are counted and located, weigh nothing, and stay not-a-number in every map of errors.
+// A traced picture brings the scatter of its rays along, so that metrics can tell it from what the scene has.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -16,12 +17,22 @@ struct Picture {
     int width = 0, height = 0;
     bool linear = false;            // values are as they are in a linear file, neither tone-mapped nor encoded
     std::vector<glm::vec3> pixels;  // first row on top
+    // By how much rays scatter each pixel's channels: the variance of the value, known of traced pictures alone. Empty:
+    // none, or none is known; 0: of a pixel of one ray, or without.
+    std::vector<glm::vec3> noise = {};
 };
 // Picture of an image file: one to four channels become three. `linear`: values are taken as they are; else those of a
 // linear file (EXR) are tone-mapped and encoded.
 Picture pictureOf(const Image& image, bool linear);
 // RGB floats before tone mapping, as Renderer::readLinear and the reference give them.
 Picture pictureOfLinear(int width, int height, const std::vector<float>& rgb);
+// The same of a traced one, whose standard errors are known: `error` is the standard error of each linear value, as
+// many as `rgb` has. Encoding bends what it scatters: the noise is what the value moves by where all channels move by
+// their error at once (the rays of a pixel mostly miss in all three), and half of what the bend takes from the mean of
+// scattered values is given back, to the second order.
+Picture tracedPicture(int width, int height, const std::vector<float>& rgb, const std::vector<float>& error);
+// Of files: the image and the standard errors beside it, equally large; `linear` as for pictureOf.
+Picture tracedPicture(const Image& image, const Image& error, bool linear);
 
 struct PicturePair {
     Picture image, truth;       // not-a-number in both where either is not finite

@@ -6,40 +6,88 @@
 namespace sward {
 namespace {
 
-struct Sum {
-    double weight = 0, error = 0;
+using Channels = std::array<glm::dvec3, 2>;  // of a block's mean, and of its deviation
+
+// What changes in the blocks of one cell of one picture.
+struct CellChange {
+    double weight = 0;
+    Channels mean{}, deviation{};
+    double squares = 0;  // mean square over both changes and channels
 };
 
-// The distance of one block's changes times its weight.
-Sum blockChange(const PicturePair& before, const PicturePair& after, const std::vector<float>& weight, int x, int y,
-                int side) {
-    const BlockMoments truth = blockMoments(after.truth, weight, x, y, side);
-    if (truth.weight <= 0) return {};
-    const BlockMoments image = blockMoments(after.image, weight, x, y, side);
-    const BlockMoments imageBefore = blockMoments(before.image, weight, x, y, side),
-                       truthBefore = blockMoments(before.truth, weight, x, y, side);
-    const glm::dvec3 mean = (image.mean - imageBefore.mean) - (truth.mean - truthBefore.mean);
-    const glm::dvec3 deviation = (image.deviation - imageBefore.deviation) - (truth.deviation - truthBefore.deviation);
-    const glm::dvec3 distance = glm::sqrt(mean * mean + deviation * deviation);
-    return {truth.weight, truth.weight * (distance.x + distance.y + distance.z) / 3};
+// One block's changes, and their variances by the scatter of rays.
+struct BlockChange {
+    double weight = 0;
+    Channels by{}, noise{};
+};
+BlockChange changeOf(const Picture& before, const Picture& after, const std::vector<float>& weight, int x, int y) {
+    const BlockMoments a = blockMoments(before, weight, x, y, kPoppingBlock);
+    if (a.weight <= 0) return {};
+    const BlockMoments b = blockMoments(after, weight, x, y, kPoppingBlock);
+    return {a.weight,
+            {b.mean - a.mean, b.deviation - a.deviation},
+            {a.meanNoise + b.meanNoise, a.deviationNoise + b.deviationNoise}};
 }
 
-double stepPopping(const PicturePair& before, const PicturePair& after) {
+CellChange cellChange(const Picture& before, const Picture& after, const std::vector<float>& weight, int x0, int y0) {
+    std::array<BlockChange, (kPoppingCell / kPoppingBlock) * (kPoppingCell / kPoppingBlock)> blocks;
+    size_t n = 0;
+    CellChange cell;
+    for (int y = y0; y < std::min(y0 + kPoppingCell, after.height); y += kPoppingBlock)
+        for (int x = x0; x < std::min(x0 + kPoppingCell, after.width); x += kPoppingBlock) {
+            const BlockChange& b = blocks[n++] = changeOf(before, after, weight, x, y);
+            cell.weight += b.weight;
+            for (size_t k = 0; k < 2; ++k) cell.mean[k] += b.weight * b.by[k];
+        }
+    if (cell.weight <= 0) return cell;
+    for (size_t k = 0; k < 2; ++k) {
+        cell.mean[k] /= cell.weight;
+        glm::dvec3 variance(0);
+        for (size_t i = 0; i < n; ++i) {
+            const glm::dvec3 off = blocks[i].by[k] - cell.mean[k];
+            variance += blocks[i].weight / cell.weight * (off * off - blocks[i].noise[k]);
+        }
+        variance = glm::max(variance, 0.0);
+        cell.deviation[k] = glm::sqrt(variance);
+        cell.squares += glm::dot(cell.mean[k] * cell.mean[k] + variance, glm::dvec3(1)) / 3;
+    }
+    return cell;
+}
+
+double distanceOf(const CellChange& image, const CellChange& truth) {
+    glm::dvec3 squares(0);
+    for (size_t k = 0; k < 2; ++k) {
+        const glm::dvec3 mean = image.mean[k] - truth.mean[k], deviation = image.deviation[k] - truth.deviation[k];
+        squares += mean * mean + deviation * deviation;
+    }
+    return glm::dot(glm::sqrt(squares), glm::dvec3(1)) / 3;
+}
+
+struct StepChange {
+    double weight = 0, distance = 0, image = 0, truth = 0;  // all but the weight times it; the last two are squares
+};
+StepChange stepChange(const PicturePair& before, const PicturePair& after) {
     std::vector<float> weight(after.weight.size());
     for (size_t i = 0; i < weight.size(); ++i) weight[i] = std::min(before.weight[i], after.weight[i]);
-    double sum = 0;
-    for (const int side : kAppearanceBlocks) {
-        const int across = (after.truth.width + side - 1) / side, down = (after.truth.height + side - 1) / side;
-        std::vector<Sum> blocks(static_cast<size_t>(across) * static_cast<size_t>(down));
-        parallelFor(blocks.size(), [&](size_t i) {
-            blocks[i] = blockChange(before, after, weight, static_cast<int>(i) % across * side,
-                                    static_cast<int>(i) / across * side, side);
-        });
-        Sum all;
-        for (const Sum& b : blocks) all.weight += b.weight, all.error += b.error;
-        if (all.weight > 0) sum += all.error / all.weight;
-    }
-    return sum / static_cast<double>(std::size(kAppearanceBlocks));
+    const int across = (after.truth.width + kPoppingCell - 1) / kPoppingCell,
+              down = (after.truth.height + kPoppingCell - 1) / kPoppingCell;
+    std::vector<StepChange> cells(static_cast<size_t>(across) * static_cast<size_t>(down));
+    parallelFor(cells.size(), [&](size_t i) {
+        const int x = static_cast<int>(i) % across * kPoppingCell, y = static_cast<int>(i) / across * kPoppingCell;
+        const CellChange image = cellChange(before.image, after.image, weight, x, y),
+                         truth = cellChange(before.truth, after.truth, weight, x, y);
+        const double w = truth.weight;
+        cells[i] = {w, w * distanceOf(image, truth), w * image.squares, w * truth.squares};
+    });
+    StepChange all;
+    for (const StepChange& c : cells)
+        all.weight += c.weight, all.distance += c.distance, all.image += c.image, all.truth += c.truth;
+    return all;
+}
+
+double poppingOf(const StepChange& c) {
+    if (c.weight <= 0) return 0;
+    return std::max(c.distance / c.weight, std::abs(std::sqrt(c.image / c.weight) - std::sqrt(c.truth / c.weight)));
 }
 
 }  // namespace
@@ -47,6 +95,7 @@ double stepPopping(const PicturePair& before, const PicturePair& after) {
 Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>(size_t)>& picture) {
     if (pictures < 2) return failed("popping takes at least two pictures of a path", "take more");
     Popping out;
+    double image = 0, truth = 0;
     auto before = picture(0);
     if (!before) return before.error();
     for (size_t i = 1; i < pictures; ++i) {
@@ -55,11 +104,14 @@ Result<Popping> popping(size_t pictures, const std::function<Result<PicturePair>
         if (after->truth.width != before->truth.width || after->truth.height != before->truth.height)
             return failed(fmt::format("picture {} of the path differs in size from the first", i),
                           "render all at one --size");
-        const double step = out.steps.emplace_back(stepPopping(*before, *after));
+        const StepChange change = stepChange(*before, *after);
+        const double step = out.steps.emplace_back(poppingOf(change));
+        image += change.image, truth += change.truth;
         out.mean += step / static_cast<double>(pictures - 1);
         if (out.worstStep < 0 || step > out.worst) out.worst = step, out.worstStep = static_cast<int>(i) - 1;
         before = std::move(after);
     }
+    out.change = truth > 0 ? std::sqrt(image / truth) : std::numeric_limits<double>::quiet_NaN();
     return out;
 }
 

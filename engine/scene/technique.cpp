@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/numerics.h"
 #include "scene/project.h"
 
@@ -13,6 +16,10 @@ const TechniqueRow* findTechnique(std::span<const TechniqueRow> rows, std::strin
     for (const TechniqueRow& row : rows)
         if (name == row.name) return &row;
     return nullptr;
+}
+
+std::string samplesTurned(double knob) {
+    return fmt::format("msaa={}", 1 << std::clamp(static_cast<int>(std::lround(std::log2(4 * knob))), 0, 2));
 }
 
 std::string techniqueNames(std::span<const TechniqueRow> rows) {

@@ -32,6 +32,31 @@ vec3 farLampsSend(Repeated r, vec3 reflectance, vec4 lit, vec2 above, FarLit her
     return sum;
 }
 
+// Of images of colours, one a light: x+, x-, z+, z-, and above; `upper`: the sun's weight of the last. Light through
+// leaves is what the opposite light does, but from above, of which the other view has it.
+vec3 farFullSends(sampler2DArray lightImages, Repeated r, vec4 images, float upper, vec3 sun, FarLit here) {
+    vec3 image[5];
+    for (int i = 0; i < 5; ++i) image[i] = textureGrad(lightImages, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
+    vec3 send = upper * image[4];
+    for (int i = 0; i < 4; ++i) send += images[i] * image[i];
+    if (TRANSLUCENCY) {
+        vec3 through = upper * textureGrad(lightImages, vec3(r.texel.xy, 9.0), r.dx, r.dy).rgb;
+        for (int i = 0; i < 4; ++i) through += images[i] * image[i ^ 1];
+        send += slices.translucency * leafThrough(through);
+    }
+    send *= sun;
+    if (!LAMPS) return send;
+    for (int i = 0; i < lampCount(); ++i) {
+        LampHere l = lampAt(i, here.at);
+        vec3 direction = here.toField * l.direction;
+        vec4 w = lampWeights(direction) * lampFade(direction), by = farImages(r, w);
+        vec3 lit = w.y * image[4];
+        for (int k = 0; k < 4; ++k) lit += by[k] * image[k];
+        send += l.light * lit;
+    }
+    return send;
+}
+
 // What it sends to the eye, before gains. lightImages: the slice's; leaf: reflectance, and share of ambient light that
 // reaches it; above: what it stores of light from above.
 vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, FarLit here) {
@@ -39,12 +64,7 @@ vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, 
     if (!SUN && !LAMPS) return light;
     vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * here.visible : vec3(0.0);
     vec4 w = here.sun.weights, images = farImages(r, w);
-    if (STORAGE == FULL_STORAGE) {
-        vec3 sum = vec3(0.0);
-        for (int i = 0; i < 5; ++i)
-            sum += (i < 4 ? images[i] : w.y) * textureGrad(lightImages, vec3(r.texel.xy, float(i)), r.dx, r.dy).rgb;
-        return light + sun * sum;
-    }
+    if (STORAGE == FULL_STORAGE) return light + farFullSends(lightImages, r, images, w.y, sun, here);
     vec4 lit = textureGrad(lightImages, r.texel, r.dx, r.dy);
     vec3 towards = here.sun.towards * vec3(r.mirror.x, 1.0, r.mirror.y);
     vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)

@@ -24,7 +24,7 @@ CostRequest request(const Project& p, const TempDir& dir, const std::string& fol
     CostRequest r;
     r.views = {{"eye", viewOf(*findCamera(p, "eye"))}};
     r.width = 48, r.height = 36, r.rounds = 1, r.maxMs = 1e6;
-    r.truth.samples = 8, r.truth.lighting = ReferenceLighting::Direct;
+    r.truth.samples = 64, r.truth.lighting = ReferenceLighting::Direct;
     r.settings = {{"hybrid", {"msaa=4"}},
                   {"hybrid", {"maxGeom=3", "msaa=1"}},
                   {"flat", {"msaa=4"}},
@@ -143,6 +143,31 @@ TEST(CostSweep, MomentsHaveTheirOwnSecond) {
         EXPECT_LT(run->rows[i].metrics.appearance.distance, 2 * run->floors[i].flat.distance);
 }
 
+TEST(CostSweep, HasTheProjectAsItShipsAndEachPictureOnce) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    CostRequest r = request(p, dir, "whole");
+    r.settings = {
+        {"hybrid", {}}, {"hybrid", {"maxGeom=2", "msaa=4"}}, {"hybrid", {"sharpness=0"}}, {"flat", {"msaa=4"}}};
+    const auto whole = runCost(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(whole) << whole.error().text();
+    ASSERT_EQ(whole->rows.size(), 3u) << "maxGeom is 2 as it is";
+    EXPECT_EQ(whole->rows[0].settings, kAsItIs);
+    EXPECT_EQ(whole->rows[1].settings, "sharpness=0");
+    EXPECT_EQ(whole->total, 3);
+    std::vector<CostRun> parts;
+    for (int i = 0; i < 2; ++i) {
+        r.shard = i, r.shards = 2;
+        auto part = runCost(r, p, tables(), gpu(), go);
+        ASSERT_TRUE(part) << part.error().text();
+        parts.push_back(std::move(*part));
+    }
+    const auto merged = mergeCosts(parts);
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_EQ(withoutTimes(*merged), withoutTimes(*whole));
+}
+
 TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
     NoGlErrors errors;
     const TempDir dir;
@@ -154,18 +179,42 @@ TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
     auto wide = runFit(r, p, tables(), gpu(), go);
     ASSERT_TRUE(wide) << wide.error().text();
     EXPECT_TRUE(wide->fits);
-    EXPECT_LE(wide->best.appearance, wide->shipped.appearance);
-    EXPECT_LE(wide->best.appearance, wide->gridBest.appearance);
-    EXPECT_TRUE(wide->given.values.empty()) << "all fit, so nothing was given up";
+    EXPECT_LT(wide->fitted.appearance, std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(wide->given.known()) << "all fit, so nothing was given up";
     EXPECT_GE(wide->tried, 20);  // of the search and of the grid, each once
-    EXPECT_GT(wide->heldOut.fitted, 0);
-    EXPECT_GT(wide->heldOut.shipped, 0);
+    EXPECT_GT(wide->heldOut.fitted.appearance, 0);
+    EXPECT_GT(wide->heldOut.shipped.appearance, 0);
+    EXPECT_FALSE(wide->unseen.rival.empty());
     r.budgetMs = 1e-6;
     auto none = runFit(r, p, tables(), gpu(), go);
     ASSERT_TRUE(none) << none.error().text();
     EXPECT_FALSE(none->fits);
-    EXPECT_FALSE(none->best.values.empty());
-    EXPECT_GT(none->best.ms, 0);
+    EXPECT_FALSE(none->fitted.setting.values.empty());
+    EXPECT_GT(none->fitted.ms, 0);
+}
+
+// Every blade drawn by itself is the truth but for its light. A search of three candidates gets nowhere near what
+// ships, nor near the grid around it.
+TEST(Fit, LosesWhereItSeesTooLittle) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = small_();
+    flatField(p, "grass").technique = "geometry";
+    FitRequest r;
+    r.cost = request(p, dir, "fit");
+    r.cost.width = 96, r.cost.height = 72, r.cost.truth.samples = 32;
+    r.candidates = 3;
+    r.budgetMs = 1e6;
+    const auto fit = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(fit) << fit.error().text();
+    std::printf("  fitted %.4f, shipped %.4f, grid %.4f; held out %.4f, %.4f, %.4f\n", fit->fitted.appearance,
+                fit->shipped.appearance, fit->gridBest.appearance, fit->heldOut.fitted.appearance,
+                fit->heldOut.shipped.appearance, fit->heldOut.grid.appearance);
+    EXPECT_EQ(fit->seen.outcome, FitOutcome::Loses);
+    EXPECT_EQ(fit->unseen.outcome, FitOutcome::Loses);
+    EXPECT_GT(fit->fitted.appearance, fit->shipped.appearance);
+    EXPECT_GT(fit->heldOut.fitted.appearance, fit->heldOut.shipped.appearance);
+    EXPECT_NE(chosen(*fit).setting.text(), fit->fitted.setting.text()) << "what loses is not saved";
 }
 
 }  // namespace

@@ -34,5 +34,24 @@ TEST(CostPlot, ShowsEachRowTheFrontierAndTheFloors) {
     EXPECT_EQ(pixels[0], 255);
 }
 
+TEST(CostPlot, HasABarForEachErrorAndARingForWhatShips) {
+    CostRun r = run({row(0, 10, 0.1), row(1, 20, 0.05)}, 2);
+    markFrontier(r.rows);
+    const auto linesOf = [](const CostRun& of) { return costPlot(of, "eye", tables().techniques).lines.size(); };
+    const size_t withoutTimes = linesOf(r);
+    r.rows[0].msSigma = 1;
+    EXPECT_EQ(linesOf(r), withoutTimes + 3) << "a bar and its two ends";
+    r.rows[0].metrics.appearance.sigma = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(linesOf(r), withoutTimes);
+    const auto rings = [](const CostRun& of) {
+        const Plot plot = costPlot(of, "eye", tables().techniques);
+        return std::count_if(plot.dots.begin(), plot.dots.end(),
+                             [](const PlotDot& d) { return d.title == "as the project ships" && !d.filled; });
+    };
+    EXPECT_EQ(rings(r), 0);
+    r.rows[1].settings = kAsItIs;
+    EXPECT_EQ(rings(r), 1);
+}
+
 }  // namespace
 }  // namespace sward::test

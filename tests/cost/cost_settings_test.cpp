@@ -46,7 +46,7 @@ TEST(CostSettings, EachAppliesToAProjectAndNoneIsThereTwice) {
 TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
     auto flat = costSettings(grassy(), tables(), "flat");
     ASSERT_TRUE(flat);
-    EXPECT_EQ(flat->size(), 2u);
+    EXPECT_EQ(flat->size(), 3u) << "and the project as it is";
     EXPECT_EQ(costSettings(grassy(), tables(), "felt").error().code, ExitCode::Usage);
     EXPECT_EQ(costSettings(Project{}, tables()).error().code, ExitCode::Unsound);
     Project p = grassy();
@@ -54,6 +54,23 @@ TEST(CostSettings, AskedForOneTechniqueGiveThatAlone) {
     EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"msaa=0"}}, view).error().code, ExitCode::Usage);
     EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"maxGeom=far"}}, view).error().code, ExitCode::Usage);
     EXPECT_EQ(applySetting(p, tables(), {"hybrid", {"felt=1"}}, view).error().code, ExitCode::Usage);
+}
+
+TEST(CostSettings, BeginWithTheProjectAsItShips) {
+    Project p = grassy();
+    flatField(p, "meadow").technique = "slices";
+    const auto one = costSettings(p, tables());
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->front().technique, "slices");
+    EXPECT_EQ(one->front().text(), kAsItIs);
+    EXPECT_EQ(std::count_if(one->begin(), one->end(), [](const CostSetting& s) { return s.text() == kAsItIs; }), 1);
+    p.registry.add<GrassField>(*addEntity(p, "verge"), {});
+    EXPECT_EQ(ownTechniques(p), "slices+hybrid");
+    const auto two = costSettings(p, tables());
+    ASSERT_TRUE(two);
+    ViewSettings view;
+    ASSERT_TRUE(applySetting(p, tables(), two->front(), view));
+    EXPECT_EQ(ownTechniques(p), "slices+hybrid") << "each keeps its own";
 }
 
 TEST(CostSettings, WhatDrawsNoLessThanASlowOneIsTakenForSlow) {
@@ -85,7 +102,7 @@ TEST(CostSettings, EachFieldIsSweptAroundItsOwnValues) {
         EXPECT_NEAR(verge.maxGeom / meadow.maxGeom, 2, 1e-3f) << s.text();
         EXPECT_EQ(verge.sharpness, meadow.sharpness) << s.text();
     }
-    EXPECT_EQ(costSettings(p, tables(), "flat")->front().text(), "msaa=1") << "what is common is said once";
+    EXPECT_EQ(costSettings(p, tables(), "flat")->at(1).text(), "msaa=1") << "what is common is said once";
 }
 
 TEST(CostSettings, AValueIsForEveryFieldOrForOne) {

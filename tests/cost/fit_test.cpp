@@ -19,5 +19,28 @@ TEST(FitCameras, HeldOutOnesStandAsideAndLookElsewhere) {
     EXPECT_EQ(m.eye.y, c.eye.y);
 }
 
+TEST(FitVerdicts, AreAgainstTheBetterRivalAndWithinTheErrorEven) {
+    const FitScore none;
+    EXPECT_EQ(verdictOf({0.02, 0.001}, none, none).rival, "");
+    const FitVerdict wins = verdictOf({0.02, 0.001}, {0.03, 0.001}, {0.025, 0.001});
+    EXPECT_EQ(wins.outcome, FitOutcome::Wins);
+    EXPECT_EQ(wins.rival, "grid");
+    EXPECT_EQ(verdictOf({0.02, 0.001}, {0.0195, 0.001}, none).outcome, FitOutcome::Even);
+    const FitVerdict loses = verdictOf({0.02, 0.001}, {0.015, 0.001}, {0.025, 0.001});
+    EXPECT_EQ(loses.outcome, FitOutcome::Loses);
+    EXPECT_EQ(loses.rival, "shipped");
+}
+TEST(FitVerdicts, WhatIsHadFromASearchThatLosesIsItsRival) {
+    FitResult r;
+    r.fitted.setting = {"flat", {"msaa=1"}}, r.gridBest.setting = {"hybrid", {"maxGeom=2"}};
+    EXPECT_EQ(chosen(r).setting.technique, "flat");
+    r.unseen = {FitOutcome::Even, "grid"};
+    EXPECT_EQ(chosen(r).setting.technique, "flat");
+    r.unseen = {FitOutcome::Loses, "grid"};
+    EXPECT_EQ(chosen(r).setting.technique, "hybrid");
+    r.unseen = {FitOutcome::Loses, "shipped"};
+    EXPECT_TRUE(chosen(r).setting.values.empty()) << "the project as it is";
+}
+
 }  // namespace
 }  // namespace sward::test

@@ -37,9 +37,11 @@ std::shared_ptr<TransitionWalk> trueWalk(const Project& p) {
     ReferenceSettings s;
     s.width = plan().width, s.height = plan().height, s.samples = plan().samples;
     s.lighting = ReferenceLighting::Direct;
-    for (const ViewCamera& view : (*walk)->views) {
-        const auto truth = scene->trace(view, s, control);
-        (*walk)->drawn.push_back(pictureOfLinear(truth->width, truth->height, truth->color));
+    const std::vector<ViewCamera>& views = (*walk)->views;
+    for (size_t i = 0; i < views.size(); ++i) {
+        s.seed += i > 0 && views[i].eye != views[i - 1].eye;
+        const auto truth = scene->trace(views[i], s, control);
+        (*walk)->drawn.push_back(tracedPicture(truth->width, truth->height, truth->color, truth->error));
     }
     return *walk;
 }
@@ -130,6 +132,15 @@ TEST(Transitions, APictureThatJumpsIsTheWorstStepAndAboveTheFloor) {
     ASSERT_EQ(json.at("steps").size(), 4u);
     EXPECT_EQ(json["steps"][2]["popping"].get<double>(), t.drawn.worst);
     EXPECT_EQ(json["steps"][2]["floor"].get<double>(), t.floor.steps[2]);
+}
+
+TEST(Transitions, APictureThatStandsStillWhileTheTruthMovesIsAboveTheFloor) {
+    const auto walk = trueWalk(walked(kForward));
+    std::fill(walk->drawn.begin(), walk->drawn.end(), Picture(walk->drawn[0]));
+    const Transitions t = judged(*walk);
+    EXPECT_GE(stepsAboveFloor(t), 3u) << transitionsText(t);
+    EXPECT_GT(t.drawn.mean, t.floor.mean);
+    EXPECT_EQ(t.drawn.change, 0);
 }
 
 TEST(Transitions, PicturesWithoutGrassCountNothingAndAreTold) {

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "fields.h"
 #include "frame/draw_context.h"
+#include "missed.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -65,18 +66,48 @@ double rmse(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
     NoGlErrors errors;
+    for (const LightWeighting weights : {GrassSlices{}.lightWeights, LightWeighting::Atan})
+        for (const Technique technique : {Technique::Slices, Technique::Flat}) {
+            Project p = meadow(technique);
+            grassOf(p).lightWeights = weights;
+            const auto factored = picture(p);
+            grassOf(p).lightWeights = LightWeighting::Atan;
+            const auto interpolated = picture(p);  // what stands for the cosine in full storage
+            grassOf(p).lightWeights = weights;
+            for (const Storage storage : {Storage::Full, Storage::Compressed}) {
+                grassOf(p).storage = storage;
+                const auto other = picture(p);
+                const auto& like = storage == Storage::Full ? interpolated : factored;
+                const std::string which =
+                    fmt::format("{}, {}, {}: {:.4f} apart, {:.3f} of its brightness",
+                                kStorages[static_cast<int>(storage)], nameOf(technique), kLightWeights[weights],
+                                rmse(other, like), brightness(other) / brightness(factored));
+                std::printf("  %s\n", which.c_str());
+                EXPECT_LT(rmse(other, like), 0.015) << which;
+                EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored)) << which;
+            }
+        }
+}
+
+// At night by one lamp: what is stored in full is lit by it as what is factored.
+TEST(Slices, AreLitByALampHoweverTheyAreStored) {
+    NoGlErrors errors;
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         Project p = meadow(technique);
-        grassOf(p).lightWeights = LightWeighting::Atan;
+        p.registry.get<Light>(findEntity(p, "sun"))->elevationDeg = -20;
+        Light lamp;
+        lamp.type = LightType::Point, lamp.intensity = 30;
+        put(p, "lamp", lamp);
+        put<Transform>(p, "lamp", {{10, 2, 5}});
         const auto factored = picture(p);
-        for (const Storage storage : {Storage::Full, Storage::Compressed}) {
-            grassOf(p).storage = storage;
-            const auto other = picture(p);
-            EXPECT_LT(rmse(other, factored), 0.015)
-                << kStorages[static_cast<int>(storage)] << ", technique " << nameOf(technique);
-            EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored))
-                << kStorages[static_cast<int>(storage)];
-        }
+        p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 0;
+        const double dark = brightness(picture(p));
+        EXPECT_GT(brightness(factored), 2 * dark) << nameOf(technique);
+        p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 30;
+        grassOf(p).storage = Storage::Full;
+        const double share = (brightness(picture(p)) - dark) / (brightness(factored) - dark);
+        std::printf("  %s: full storage has %.3f of the lamp's light\n", nameOf(technique), share);
+        EXPECT_NEAR(share, 1, 0.1) << nameOf(technique);
     }
 }
 
@@ -86,8 +117,13 @@ TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const auto slices = picture(meadow(technique));
         EXPECT_NEAR(covered(slices), covered(blades), 0.12) << nameOf(technique);
-        // From steeply above wide blades, vertical slices are a third too bright: they hold no view from above.
-        EXPECT_NEAR(brightness(slices), brightness(blades), 0.45 * brightness(blades)) << nameOf(technique);
+        const double off = std::abs(brightness(slices) / brightness(blades) - 1);
+        std::printf("  %s: %.3f of the blades' cover, brightness off by %.3f\n", nameOf(technique),
+                    covered(slices) / covered(blades), off);
+        if (technique == Technique::Slices)  // from steeply above wide blades: they hold no view from above
+            expectMissed("slices' brightness against blades', seen from steeply above", off, 0.12, 0.194);
+        else
+            EXPECT_LE(off, 0.12) << nameOf(technique);
     }
 }
 
@@ -190,8 +226,12 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
                     fmt::format("{}, {} m, sun at {} degrees: {:.2f} of the blades' red, {:.2f} of their green",
                                 nameOf(technique), distance, sun.elevationDeg, share.x, share.y);
                 std::printf("  %s\n", which.c_str());
-                EXPECT_NEAR(share.y, 1, 0.5) << which;
-                EXPECT_GT(share.y / share.x, 0.8) << which << "; soil is red";
+                EXPECT_NEAR(share.y, 1, 0.45) << which;
+                if (technique == Technique::Slices && distance < 5 && sun.elevationDeg > 30)
+                    expectMissed("pressed slices' green by their red against blades', near by", share.y / share.x - 1,
+                                 0.35, 0.401);
+                else
+                    EXPECT_NEAR(share.y / share.x, 1, 0.35) << which << "; soil is red";
             }
         }
 }

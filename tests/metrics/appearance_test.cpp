@@ -92,6 +92,33 @@ TEST(Appearance, MapHasTheMetricForItsMean) {
     const PicturePair p = pairOf(noise(50, 37, 1), noise(50, 37, 2, 0.3f));
     EXPECT_NEAR(weightedMean(appearanceMap(p), p.weight), appearance(p).distance, 1e-6);
 }
+// A truth of few rays has the contrast of their scatter, which none of its blades has: who draws grain gains by it.
+// Truths of 16, 64 and 256 rays, each the mean of rays that scatter by 0.15 of full light.
+TEST(Appearance, IsTheSameHoweverManyRaysTheTruthHas) {
+    const Picture image = noise(128, 128, 1, 0.15f), blades = noise(128, 128, 2, 0.1f);
+    std::vector<Appearance> known, unknown;
+    for (const int rays : {16, 64, 256}) {
+        std::mt19937 random(static_cast<unsigned>(rays));
+        std::normal_distribution<float> scatter(0, 0.15f / std::sqrt(static_cast<float>(rays)));
+        Picture truth = blades;
+        for (glm::vec3& c : truth.pixels)
+            for (int k = 0; k < 3; ++k) c[k] += scatter(random);
+        unknown.push_back(appearance(pairOf(image, truth)));
+        truth.noise.assign(truth.pixels.size(), glm::vec3(scatter.stddev() * scatter.stddev()));
+        known.push_back(appearance(pairOf(image, truth)));
+    }
+    EXPECT_NEAR(known[0].distance, known[2].distance, 0.02 * known[2].distance);
+    EXPECT_NEAR(known[1].distance, known[2].distance, 0.02 * known[2].distance);
+    EXPECT_GT(std::abs(unknown[0].distance - unknown[2].distance), 0.1 * unknown[2].distance);
+}
+TEST(Appearance, BlocksWithoutContrastButThatOfRaysHaveNone) {
+    Picture scattered = noise(64, 64, 1, 0.1f);
+    scattered.noise.assign(scattered.pixels.size(), glm::vec3(2 * 0.01f / 3));
+    const BlockMoments b = blockMoments(scattered, std::vector<float>(64 * 64, 1), 0, 0, 16);
+    EXPECT_GE(b.deviation.x, 0) << "not the root of less than nothing";
+    EXPECT_LE(b.deviation.x, std::sqrt(b.meanNoise.x)) << "no more than what cannot be told from scatter";
+    EXPECT_NEAR(b.meanNoise.x, 2 * 0.01 / 3 / 256, 1e-9);
+}
 TEST(Appearance, RanksOtherNoiseAheadOfFlatGrayWhereRmseDoesNot) {
     const Picture truth = noise(64, 64, 1), other = noise(64, 64, 2), flat = plain(64, 64, glm::vec3(0.5f));
     EXPECT_LT(3 * appearance(pairOf(other, truth)).distance, appearance(pairOf(flat, truth)).distance);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 #include <set>
 
@@ -30,6 +31,24 @@ TEST(TechniqueTable, NamesLabelsAndColoursAreEachRowsOwn) {
     }
     EXPECT_EQ(findTechnique(tables().techniques, "felt"), nullptr);
     EXPECT_EQ(techniqueColor(tables().techniques, "felt"), "#808080");
+}
+
+TEST(TechniqueTable, EveryTurnOfItsKnobsIsASettingThatCanBeSet) {
+    EXPECT_EQ(samplesTurned(1), "msaa=4");
+    EXPECT_EQ(samplesTurned(0.7), "msaa=2");
+    EXPECT_EQ(samplesTurned(0.25), "msaa=1");
+    for (const TechniqueRow& row : tables().techniques) {
+        if (!row.turned) continue;
+        FlatField f;
+        f.technique = row.name;
+        for (const double turn : {-1.0, 0.0, 1.0}) {
+            std::vector<double> knobs;
+            for (const KnobRow& k : row.knobs)
+                knobs.push_back(std::clamp(k.factor ? k.start * std::exp2(turn) : k.start + turn, k.least, k.most));
+            for (const std::string& value : row.turned(f.asField(), knobs))
+                EXPECT_LT(value.find('='), value.size() - 1) << row.name << ": " << value;
+        }
+    }
 }
 
 TEST(TechniqueTable, ItsRowsAskForWhatEffectsDraw) {

@@ -57,6 +57,12 @@ TEST(AccuracyRuns, AFitIsReadWithWhatItGivesUp) {
     EXPECT_EQ(fit->settings, "maxGeom=6");
     EXPECT_EQ(fit->shippedMs, 12);
     EXPECT_EQ(fit->better, "9 ms for 0.0180: maxGeom=8");
+    EXPECT_EQ(fit->outcome, "");
+    const auto lost = fitFrom(
+        R"({"budget_ms": 8, "fits": true, "best": {"ms": 7.5, "appearance": 0.02, "settings": "maxGeom=6"}, "shipped": null,
+        "outcome": {"seen": {"search": "wins", "against": "grid"}, "held_out": {"search": "loses", "against": "shipped"}}})");
+    ASSERT_TRUE(lost) << lost.error().text();
+    EXPECT_EQ(lost->outcome, "from other cameras the settings as they are come nearer: better not adopted");
     EXPECT_FALSE(fitFrom("{\"fits\": true}"));
     EXPECT_FALSE(fitFrom(""));
 }

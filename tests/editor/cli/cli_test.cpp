@@ -1,6 +1,8 @@
 // Options of the command line that are refused before anything is opened: exit code 2.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "cli/cli.h"
 #include "support.h"
 
@@ -36,6 +38,14 @@ TEST(Options, SceneTimeIsFinite) {
     }
     EXPECT_EQ(run({"cost", "/no/project", "--out", "/no", "--time", "nan"}).code, 2);
     EXPECT_EQ(run({"fit", "/no/project", "--budget-ms", "10", "--time", "nan"}).code, 2);
+}
+
+TEST(Options, EachSizeOfASweepIsASize) {
+    const std::string lawn = (std::filesystem::path(SWARD_SOURCE_DIR) / "tests/scenes/field40").string();
+    for (const char* sizes : {"64x48,0x0", "64x48,wide", ",", "64"}) {
+        const Refused r = run({"cost", lawn, "--out", "/no", "--size", sizes});
+        EXPECT_EQ(r.code, 2) << sizes << ": " << r.said;
+    }
 }
 
 TEST(Options, SamplesAPixelAreThoseOfTheHelp) {

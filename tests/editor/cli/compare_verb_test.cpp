@@ -1,6 +1,8 @@
 // `sward compare`: exit codes, messages, files.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "cli/cli.h"
 #include "core/json.h"
 #include "core/log.h"
@@ -54,6 +56,32 @@ TEST_F(CompareVerb, NamesBothSizesThatDiffer) {
     const Said said = run({"compare", png("a.png", 20, 20, 1), png("b.png", 30, 10, 1)});
     EXPECT_EQ(said.code, 1);
     EXPECT_NE(said.log.find("20x20 and 30x10"), std::string::npos) << said.log;
+}
+// A truth that scatters by a twentieth of full light, against the even picture that it is of.
+TEST_F(CompareVerb, TakesTheScatterOfRaysOffWhereItIsBesideThePicture) {
+    std::vector<float> rgb, error(20 * 20 * 3, 0.05f);
+    std::mt19937 random(1);
+    std::normal_distribution<float> scatter(0.3f, 0.05f);
+    for (int i = 0; i < 20 * 20; ++i) {
+        const float v = scatter(random);
+        for (int k = 0; k < 3; ++k) rgb.push_back(v);
+    }
+    const std::string even = exr("even.exr", std::vector<float>(20 * 20 * 3, 0.3f)), truth = exr("truth.exr", rgb);
+    const auto appearanceNow = [&] {
+        const auto j = parseJson(run({"compare", even, truth, "--json"}).out, "compare");
+        return std::pair(j->find("appearance")->number, j->find("truth_noise")->isNumber());
+    };
+    const auto [unknown, toldThen] = appearanceNow();
+    exr("truth.error.exr", error);
+    const auto [known, told] = appearanceNow();
+    EXPECT_FALSE(toldThen);
+    EXPECT_TRUE(told);
+    EXPECT_LT(known, 0.5 * unknown);
+    EXPECT_NE(run({"compare", even, truth}).out.find("of the truth's rays"), std::string::npos);
+    EXPECT_TRUE(writeImageExr(dir / "truth.error.exr", 10, 40, 3, error));
+    const Said said = run({"compare", even, truth});
+    EXPECT_EQ(said.code, 3);
+    EXPECT_NE(said.log.find("10x40 standard errors of 20x20 pixels"), std::string::npos) << said.log;
 }
 TEST_F(CompareVerb, RefusesOtherKindsAndWhatItCannotRead) {
     EXPECT_EQ(run({"compare", png("a.png", 20, 20, 1, 1), png("b.png", 20, 20, 1, 3)}).code, 3);
