@@ -176,7 +176,7 @@ void publish(DrawContext& ctx, Volume& v, ForestHere& here) {
 // --- shade on the ground -------------------------------------------------------------------------------------------
 
 bool isDrawn(const ForestHere& h) {
-    return h.rule.perHectare > 0 && meshesTo(h.rule) < std::numeric_limits<float>::infinity();
+    return !h.stand->triangles.empty() && meshesTo(h.rule) < std::numeric_limits<float>::infinity();
 }
 
 void drawShadeMap(DrawContext& ctx, TexcellsState& s, const glm::vec3& sun) {
@@ -224,7 +224,7 @@ void place(DrawContext& ctx) {
     });
     const glm::vec3 sun = ctx.globals.sunIsUp > 0 ? ctx.globals.sunDirection : glm::vec3(0, 1, 0);
     for (const auto& here : ctx.shared.forests->all) {
-        if (!isDrawn(*here) || here->stand->triangles.empty()) continue;
+        if (!isDrawn(*here)) continue;
         Volume& v = s.volumes[here->entity];
         ensureVolume(ctx, kOwner, v, *here);
         const bool stale = v.stood != here->stood;
@@ -236,7 +236,7 @@ void place(DrawContext& ctx) {
         view.batch = std::max<size_t>(choices.size() / kBatches, 32);
         for (const Choice& c : choices) addTile(ctx, view, *here, v, c);
     }
-    if (!s.volumes.empty()) drawShadeMap(ctx, s, sun);
+    drawShadeMap(ctx, s, sun);
     publishShade(ctx);
     writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
     writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(float), view.feet.data());

@@ -52,6 +52,7 @@ struct Placer {
     ForestTiles tiles{};
     Dice dice;
     double apart;
+    int missing = 0;  // trees of all tiles together
 
     bool free(const std::vector<TileTree>& among, const glm::dvec2& at, const glm::dvec2& shift) const {
         return std::all_of(among.begin(), among.end(),
@@ -107,17 +108,18 @@ struct Placer {
         return count;
     }
     // One more tree across an edge, or within a tile; none where it finds no room.
-    void addAcross(EdgeFamily f, int color) {
+    bool addAcross(EdgeFamily f, int color) {
         std::vector<TileTree>& out = tiles.onEdge[static_cast<size_t>(f)][static_cast<size_t>(color)];
-        if (out.size() == kMostOnEdge) return;
+        if (out.size() == kMostOnEdge) return false;
         for (int k = 0; k < kDarts; ++k) {
             const Beside b = besideOf(f)[dice.unit() < 0.5 ? 0 : 1];
             const glm::dvec2 uv = inTriangle(b.up);
             EdgeFamily met{};
             if (crossed(uv, b.up, met) != 1 || met != f) continue;
             const glm::dvec2 at = metres(uv + glm::dvec2(b.cell), tiles.edge);
-            if (freeOnEdge(f, color, at)) return out.push_back(tree(at));
+            if (freeOnEdge(f, color, at)) return out.push_back(tree(at)), true;
         }
+        return false;
     }
     void addWithin(int cell, bool up) {
         std::vector<TileTree>& out = tiles.inside[static_cast<size_t>(cell)][up ? 1 : 0];
@@ -131,10 +133,13 @@ struct Placer {
     int edges() const { return 3 * tiles.colors; }
     // The edges, then the tiles.
     void add(int place) {
-        if (place < edges())
-            addAcross(kFamilies[place % 3], place / 3);
-        else
-            addWithin((place - edges()) / 2, (place - edges()) % 2 != 0);
+        if (place >= edges()) return addWithin((place - edges()) / 2, (place - edges()) % 2 != 0);
+        // What finds no room across an edge, since trees of all colours of the two others may stand there, stands
+        // within tiles instead.
+        if (!addAcross(kFamilies[place % 3], place / 3)) missing += tiles.colors;
+    }
+    void addMissing() {
+        for (; missing > 0; --missing) addWithin(static_cast<int>(dice.unit() * tiles.cells()), dice.unit() < 0.5);
     }
     glm::dvec2 inTriangle(bool up) {
         glm::dvec2 uv(dice.unit(), dice.unit());
@@ -191,6 +196,7 @@ ForestTiles forestTiles(const Forest& forest) {
     for (size_t i = order.size(); i > 1; --i)
         std::swap(order[i - 1], order[std::min(static_cast<size_t>(p.dice.unit() * static_cast<double>(i)), i - 1)]);
     for (const int place : order) p.add(place);
+    p.addMissing();
     p.tiles.asked = 2 * p.tiles.cells() * trees;
     for (const auto& family : p.tiles.onEdge)
         for (const auto& color : family) p.tiles.placed += p.tiles.colors * static_cast<double>(color.size());
