@@ -7,6 +7,7 @@
 #include "forest/stand.h"
 #include "frame/color_image.h"
 #include "frame/gpu_mesh.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {
@@ -31,11 +32,23 @@ struct Group {
     const GpuMesh* mesh;
     size_t first, seen;
 };
+// What wind does to trees.
+struct Sway {
+    const Wind* wind = nullptr;
+    const Map* gusts = nullptr;
+    Map made;
+    WindGlobals globals{};
+    glm::dmat3 lean(const Forest& f, const glm::dvec3& at) const {
+        if (!wind) return glm::dmat3(1);
+        return leaning(glm::dvec2(windLeanAt(globals, *gusts, {at.x, at.z}, -1)) / static_cast<double>(f.stiffness));
+    }
+};
 struct TreesView : EffectState {
     Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
     std::vector<glm::vec3> places;  // of each row: lattice coordinates as stored, and the share of trees around
     std::vector<Group> groups;
+    Sway sway;
 };
 
 constexpr GLuint kPlace = 6, kPlaceBinding = 2;
@@ -78,7 +91,7 @@ void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const G
         if (casts)
             addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
                       (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
-        view.rows.push_back(instanceAt(at, turnOf(t)));
+        view.rows.push_back(instanceAt(at, view.sway.lean(here.rule, at) * turnOf(t)));
         const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
         view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
     };
@@ -86,6 +99,8 @@ void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const G
     for (const StandingTree* t : chosen.seen) add(*t);
     for (const StandingTree* t : chosen.unseen) add(*t);
 }
+
+bool drawsMeshes(const ForestHere& h) { return meshesTo(h.rule) > 0 || !h.rule.placed.empty(); }
 
 void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Uploaded& u) {
     std::vector<std::array<Chosen, kTreeLevels>> chosen(u.species.size());
@@ -132,11 +147,16 @@ void place(DrawContext& ctx) {
     view.groups.clear();
     std::erase_if(s.forests, [&](const auto& f) {
         return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
-                            [&](const auto& h) { return h->entity == f.first && h->rule.meshesTo > 0; });
+                            [&](const auto& h) { return h->entity == f.first && drawsMeshes(*h); });
     });
+    view.sway.wind = has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr;
+    if (view.sway.wind) {
+        view.sway.gusts = &gustsOf(*view.sway.wind, view.sway.made);
+        view.sway.globals = windGlobals(*view.sway.wind, {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
+    }
     bool casts = false;
     for (const auto& here : ctx.shared.forests->all) {
-        if (!(here->rule.meshesTo > 0)) continue;
+        if (!drawsMeshes(*here)) continue;
         Uploaded& u = s.forests[here->entity];
         upload(ctx, u, *here);
         choose(ctx, view, *here, u);

@@ -9,10 +9,8 @@
 namespace sward {
 namespace {
 
+constexpr double kSplatShare = 0.5;  // of a bake's time
 constexpr EdgeFamily kFamilies[] = {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across};
-
-// The tile that lies in one of the 2 x 2 cells that repeat.
-ForestTile storedTile(int x, int y, bool up) { return {x + 2 * y, up, {up ? x ^ y : x ^ y ^ 1, y, x}}; }
 
 glm::dvec2 metres(double u, double v, double edge) {
     const f64::vec2 at = f64::fromLattice({u, v}, edge);
@@ -31,28 +29,28 @@ struct Splat {
     void point(const glm::dvec3& p, const glm::vec3& color, double area) {
         const f64::vec2 uv = f64::toLattice({p.x, p.z}, volume.edge);
         const auto wrap = [&](double x) {
-            const int texel = static_cast<int>(std::floor(x * 0.5 * volume.side));
+            const int texel = static_cast<int>(std::floor(x / volume.cells * volume.side));
             return ((texel % volume.side) + volume.side) % volume.side;
         };
         const int layer = std::clamp(static_cast<int>(p.y / volume.height * volume.layers), 0, volume.layers - 1);
         const float seen = static_cast<float>(0.5 * area);
         sums[at(wrap(uv.x), wrap(uv.y), layer)] += glm::vec4(color * seen, seen);
     }
-    // Points spread over a triangle, each for its share of the area.
-    void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::vec3& color,
-                  double spacing) {
-        const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
-        const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-        const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 256);
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < 2 * i + 1; ++k) {
-                // Middles of the n * n equal triangles.
-                const double third = k % 2 ? 2.0 / 3 : 1.0 / 3;
-                const double s = (n - i - 1 + third) / n, t = (k / 2 + third) / n;
-                point(a * s + b * t + c * (1 - s - t), color, area / (n * n));
-            }
-    }
 };
+// Calls point(place, area) for points spread over a triangle, each for its share of the area.
+template <class F>
+void spread(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double spacing, F point) {
+    const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
+    const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 256);
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 2 * i + 1; ++k) {
+            // Middles of the n * n equal triangles.
+            const double third = k % 2 ? 2.0 / 3 : 1.0 / 3;
+            const double s = (n - i - 1 + third) / n, t = (k / 2 + third) / n;
+            point(a * s + b * t + c * (1 - s - t), area / (n * n));
+        }
+}
 
 glm::vec3 imageAt(const MeshImage& image, const glm::vec2& uv, float& alpha) {
     const auto texel = [](float x, int n) {
@@ -65,33 +63,13 @@ glm::vec3 imageAt(const MeshImage& image, const glm::vec2& uv, float& alpha) {
         {static_cast<float>(p[0]) / 255, static_cast<float>(p[1]) / 255, static_cast<float>(p[2]) / 255});
 }
 
-// foot: of the tree, x and z from the corner of the 2 x 2 cells.
-void splatTree(Splat& out, const Mesh& mesh, const TileTree& tree, const glm::dvec2& foot, double spacing) {
-    const glm::dmat3 turn = turnOf(StandingTree{{}, tree.species, tree.size, tree.headingDeg, {}, 0});
-    std::vector<glm::dvec3> at;
-    for (const MeshVertex& v : mesh.vertices)
-        at.push_back(turn * glm::dvec3(v.position) + glm::dvec3(foot.x, 0, foot.y));
-    for (const MeshPart& part : mesh.parts)
-        for (uint32_t i = part.first; i + 2 < part.first + part.count; i += 3) {
-            const uint32_t* t = &mesh.indices[i];
-            glm::vec3 color = part.color;
-            if (part.image >= 0) {
-                float alpha = 1;
-                const glm::vec2 uv = (mesh.vertices[t[0]].uv + mesh.vertices[t[1]].uv + mesh.vertices[t[2]].uv) / 3.0f;
-                color *= imageAt(mesh.images[static_cast<size_t>(part.image)], uv, alpha);
-                if (alpha < part.cutoff) continue;
-            }
-            out.triangle(at[t[0]], at[t[1]], at[t[2]], color, spacing);
-        }
-}
-
-// Calls body(tree, foot) for each tree of the 2 x 2 cells: those within tiles once, those across edges at each of them.
+// Calls body(tree, foot) for each tree of the cells that repeat: those within tiles once, those across edges at each of
+// them.
 template <class F>
 void eachStored(const ForestTiles& tiles, F body) {
-    for (int cell = 0; cell < 4; ++cell) {
-        const int x = cell & 1, y = cell >> 1;
-        const glm::dvec2 corner = metres(x, y, tiles.edge);
-        const ForestTile up = storedTile(x, y, true);
+    for (int cell = 0; cell < tiles.cells(); ++cell) {
+        const glm::dvec2 corner = metres(cell % tiles.colors, cell / tiles.colors, tiles.edge);
+        const ForestTile up = storedTile(cell, true, tiles.colors);
         for (const bool side : {false, true})
             for (const TileTree& t : tiles.within(cell, side)) body(t, corner + t.at);
         for (const EdgeFamily f : kFamilies)
@@ -102,7 +80,7 @@ void eachStored(const ForestTiles& tiles, F body) {
 // The number in its tile's list of the tree that stands nearest to a place.
 uint8_t nearestSlot(const ForestTiles& tiles, double u, double v) {
     const int x = static_cast<int>(u), y = static_cast<int>(v);
-    const ForestTile tile = storedTile(x, y, u - x + v - y <= 1);
+    const ForestTile tile = storedTile(x + tiles.colors * y, u - x + v - y <= 1, tiles.colors);
     const glm::dvec2 at = metres(u - x, v - y, tiles.edge);
     double least = 1e30;
     uint8_t best = 255;
@@ -125,12 +103,12 @@ void fillSlots(ForestVolume& v, const ForestTiles& tiles) {
     parallelFor(static_cast<size_t>(v.side), [&](size_t y) {
         for (int x = 0; x < v.side; ++x)
             v.slots[y * static_cast<size_t>(v.side) + static_cast<size_t>(x)] =
-                nearestSlot(tiles, 2 * (x + 0.5) / v.side, 2 * (static_cast<double>(y) + 0.5) / v.side);
+                nearestSlot(tiles, v.cells * (x + 0.5) / v.side, v.cells * (static_cast<double>(y) + 0.5) / v.side);
     });
 }
 
 void fillLevels(ForestVolume& v, const std::vector<glm::vec4>& sums) {
-    const double cell = 2 * v.edge / v.side, area = cell * cell * 0.8660254037844386;
+    const double area = v.texel() * v.texel() * 0.8660254037844386;
     std::vector<glm::vec4>& finest = v.levels.emplace_back(sums.size());
     for (size_t i = 0; i < sums.size(); ++i) {
         if (!(sums[i].w > 0)) continue;
@@ -154,9 +132,10 @@ void fillLevels(ForestVolume& v, const std::vector<glm::vec4>& sums) {
 // What a coarse part takes of light from above is the mean over its columns, which leaves in clumps make less than
 // leaves that are spread.
 ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
-    ForestAir a{std::max(v.side / kLightCoarser, 1), std::max(v.layers / kLightCoarser, 1), v.edge, v.height, {}};
+    ForestAir a{
+        std::max(v.side / kLightCoarser, 1), std::max(v.layers / kLightCoarser, 1), v.edge, v.height, {}, v.cells};
     const int across = v.side / a.side, up = v.layers / a.layers;
-    const double cell = 2 * v.edge / v.side, area = cell * cell * 0.8660254037844386, part = v.height / a.layers;
+    const double area = v.texel() * v.texel() * 0.8660254037844386, part = v.height / a.layers;
     const size_t side = static_cast<size_t>(v.side);
     for (int layer = 0; layer < a.layers; ++layer)
         for (int y = 0; y < a.side; ++y)
@@ -179,19 +158,45 @@ ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
 
 }  // namespace
 
-ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel) {
+void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
+                  const std::function<void(const glm::dvec3&, const glm::vec3&, double)>& point) {
+    std::vector<glm::dvec3> at;
+    for (const MeshVertex& v : mesh.vertices) at.push_back(turn * glm::dvec3(v.position));
+    for (const MeshPart& part : mesh.parts)
+        for (uint32_t i = part.first; i + 2 < part.first + part.count; i += 3) {
+            const uint32_t* t = &mesh.indices[i];
+            glm::vec3 color = part.color;
+            if (part.image >= 0) {
+                float alpha = 1;
+                const glm::vec2 uv = (mesh.vertices[t[0]].uv + mesh.vertices[t[1]].uv + mesh.vertices[t[2]].uv) / 3.0f;
+                color *= imageAt(mesh.images[static_cast<size_t>(part.image)], uv, alpha);
+                if (alpha < part.cutoff) continue;
+            }
+            spread(at[t[0]], at[t[1]], at[t[2]], spacing,
+                   [&](const glm::dvec3& p, double area) { point(p, color, area); });
+        }
+}
+
+ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel, JobControl* control) {
     ForestVolume v;
     v.edge = tiles.edge;
+    v.cells = tiles.colors;
     v.height = std::max(static_cast<double>(tiles.highest), 0.1);
-    const int wanted = static_cast<int>(std::ceil(2 * tiles.edge / voxel / kLightCoarser)) * kLightCoarser;
+    const int wanted = static_cast<int>(std::ceil(v.cells * tiles.edge / voxel / kLightCoarser)) * kLightCoarser;
     v.side = std::clamp(wanted, kLightCoarser, kMostVolumeSide);
     v.layers = static_cast<int>(std::bit_ceil(static_cast<unsigned>(
         std::clamp(std::ceil(v.height / voxel), double(kLightCoarser), double(kMostVolumeLayers)))));
     Splat splat{v, {}};
     splat.sums.resize(static_cast<size_t>(v.side) * static_cast<size_t>(v.side) * static_cast<size_t>(v.layers));
-    const double spacing = 0.5 * std::min(2 * v.edge / v.side, v.height / v.layers);
+    const double spacing = 0.5 * std::min(v.texel(), v.height / v.layers);
+    double done = 0;
     eachStored(tiles, [&](const TileTree& t, const glm::dvec2& foot) {
-        if (!meshes[t.species].parts.empty()) splatTree(splat, meshes[t.species], t, foot, spacing);
+        if (meshes[t.species].parts.empty() || (control && control->cancelled())) return;
+        spreadPoints(meshes[t.species], turnOf(StandingTree{{}, t.species, t.size, t.headingDeg, {}, 0}), spacing,
+                     [&](const glm::dvec3& p, const glm::vec3& color, double area) {
+                         splat.point(p + glm::dvec3(foot.x, 0, foot.y), color, area);
+                     });
+        if (control) control->setProgress(kSplatShare * ++done / std::max(tiles.placed, 1.0));
     });
     fillLevels(v, splat.sums);
     fillSlots(v, tiles);
@@ -203,13 +208,13 @@ std::vector<float> lightThrough(const ForestAir& air, const glm::dvec3& towards)
     glm::dvec3 way = towards;
     if (std::abs(way.y) < 0.01) way.y = way.y < 0 ? -0.01 : 0.01;
     way = glm::normalize(way);
-    const double part = air.height / air.layers, across = 2 * air.edge / air.side;
+    const double part = air.height / air.layers, across = air.cells * air.edge / air.side;
     const double step = 0.5 * std::min(part, across);
     const f64::vec2 perMetre = f64::toLattice({way.x, way.z}, air.edge);
     std::vector<float> out(air.extinction.size());
     const auto at = [&](double u, double v, int layer) {
         const auto wrap = [&](double x) {
-            const int i = static_cast<int>(std::floor(x * 0.5 * air.side));
+            const int i = static_cast<int>(std::floor(x / air.cells * air.side));
             return static_cast<size_t>(((i % air.side) + air.side) % air.side);
         };
         return air.extinction[(static_cast<size_t>(layer) * static_cast<size_t>(air.side) + wrap(v)) *
@@ -220,7 +225,7 @@ std::vector<float> lightThrough(const ForestAir& air, const glm::dvec3& towards)
         size_t i = layer * static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
         for (int y = 0; y < air.side; ++y)
             for (int x = 0; x < air.side; ++x, ++i) {
-                const double u = 2 * (x + 0.5) / air.side, v = 2 * (y + 0.5) / air.side;
+                const double u = air.cells * (x + 0.5) / air.side, v = air.cells * (y + 0.5) / air.side;
                 const double h = (static_cast<double>(layer) + 0.5) * part;
                 double depth = 0;
                 for (double t = 0.5 * step; depth < 7; t += step) {

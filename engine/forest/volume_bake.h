@@ -1,10 +1,11 @@
-// A forest's eight tiles as a volume: what fills each part of the air over the 2 x 2 cells that repeat (Decaudin and
+// A forest's tiles as a volume: what fills each part of the air over the cells that repeat (Decaudin and
 // Neyret 2004, sections 4 and 5), from the very meshes that are drawn near the eye. Stored is what leaves are, not how
 // they are lit: premultiplied reflectance and opacity. Opacity follows from the leaves' area in a part by Beer's law,
 // as of leaves in all directions. A pyramid joins slabs by pairs, in float, each level from the one below (D-7). Does
-// not: touch GL. Cost: 1 us a leaf, 0.1 s for a million parts.
+// not: touch GL or files. Cost: 1 us a leaf, 0.1 s for a million parts.
 #pragma once
 #include <array>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -17,23 +18,33 @@ namespace sward {
 inline constexpr int kMostVolumeSide = 512, kMostVolumeLayers = 128;
 inline constexpr int kLightCoarser = 4;  // parts of light are so many times larger along each axis
 
-// Opacity (1/m) over the 2 x 2 cells that repeat, on a grid coarser than the volume's: what light goes through.
+// Opacity (1/m) over the cells that repeat, on a grid coarser than the volume's: what light goes through.
 struct ForestAir {
     int side = 1, layers = 1;       // parts along u and v, and upwards
-    double edge = 1, height = 1;    // metres
+    double edge = 1, height = 1;    // metres, of a cell and of all parts
     std::vector<float> extinction;  // u fastest, then v, then upwards
+    int cells = 2;                  // along each side
 };
 struct ForestVolume {
-    int side = 0, layers = 0;  // texels along u and v of the 2 x 2 cells; slabs, a power of two
-    double edge = 0;           // metres of a cell's edge
-    double height = 0;         // metres that all slabs reach
+    int side = 0, layers = 0;                             // texels along u and v of all cells; slabs, a power of two
+    int cells = 2;                                        // along each side
+    double edge = 0;                                      // metres of a cell's edge
+    double height = 0;                                    // metres that all slabs reach
+    double texel() const { return cells * edge / side; }  // metres
     // By level; level l has layers >> l slabs of side x side texels, the lowest first; premultiplied.
     std::vector<std::vector<glm::vec4>> levels;
     std::vector<uint8_t> slots;  // side x side: where its tile's list has the tree that a texel belongs to; 255: none
     ForestAir air;
 };
 // meshes: by species; empty ones are left out. voxel: metres, taken larger where the volume would exceed its limits.
-ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel);
+// control, if given, is told how far it is and may end it early; the volume is then not whole.
+ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel,
+                        JobControl* control = nullptr);
+
+// Calls point(place, reflectance, area) for points spread over a mesh's triangles, at most `spacing` metres apart, each
+// for its share of their area (m2); what an image's alpha cuts out is left out.
+void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
+                  const std::function<void(const glm::dvec3&, const glm::vec3&, double)>& point);
 
 // Share of light from a direction (unit, y up, above the horizon or below) that reaches each part of the air; where the
 // direction is level it is taken to rise by a hundredth.

@@ -41,7 +41,7 @@ size_t formatBytes(GLenum format) {
 }
 
 size_t imageBytes(GLenum format, int width, int height) {
-    if (format != GL_COMPRESSED_RGBA_BPTC_UNORM)
+    if (format != GL_COMPRESSED_RGBA_BPTC_UNORM && format != GL_COMPRESSED_SRGB_ALPHA_BPTC_UNORM)
         return formatBytes(format) * static_cast<size_t>(width) * static_cast<size_t>(height);
     return 16 * static_cast<size_t>((width + 3) / 4) * static_cast<size_t>((height + 3) / 4);
 }

@@ -35,8 +35,17 @@ constexpr ListRow kSpeciesList = listRow<TreeSpecies>(kSpeciesFields);
 constexpr FieldRow kTiling1 =
     tiling("densityTiling", offsetof(Forest, densityTiling), "repeats of the density map over the terrain's mapSize");
 constexpr MapRow kDensity{.role = MapRole::Density, .texelsPerMetre = 1, .tiling = &kTiling1};
+constexpr FieldRow kPlacedFields[] = {
+    text("name", offsetof(PlacedTree, name), "what this tree is called"),
+    whole("species", offsetof(PlacedTree, species), "", {0, 63, 0, 8}, "number of the kind of tree, from 0"),
+    range("at", offsetof(PlacedTree, at), "m", {-1e6, 1e6, 0, 1000}, "x and z from the terrain's corner"),
+    real("size", offsetof(PlacedTree, size), "", {0.05, 10, 0.3, 2}, "factor of the height"),
+    real("headingDeg", offsetof(PlacedTree, headingDeg), "deg", {-360, 360, -180, 180}, "turn about the upright"),
+};
+constexpr ListRow kPlacedList = listRow<PlacedTree>(kPlacedFields);
 constexpr FieldRow kFields[] = {
     under("Where it grows", listOf("species", offsetof(Forest, species), &kSpeciesList, "the kinds of trees")),
+    listOf("placed", offsetof(Forest, placed), &kPlacedList, "single trees, placed by hand"),
     real("perHectare", offsetof(Forest, perHectare), "1/ha", {0, 1e5, 0, 1500},
          "trees on 10,000 square metres at density 1; 0: none"),
     real("distance", offsetof(Forest, distance), "m", {0.1, 100, 1, 10}, "between two trunks at least"),
@@ -45,14 +54,24 @@ constexpr FieldRow kFields[] = {
     range("slopeDeg", offsetof(Forest, slopeDeg), "deg", {0, 90, 0, 90}, "slopes of the ground on which they stand"),
     real("tileSize", offsetof(Forest, tileSize), "m", {2, 500, 8, 40},
          "edge of the triangles that hold the trees; a larger one holds more different places"),
+    choice(
+        "variety", &Forest::variety, offsetof(Forest, variety), kTileVarieties,
+        "how many different tiles there are: eight as published, or 32, which repeat less and take 4 times the memory"),
     whole("seed", offsetof(Forest, seed), "", {0, 2147483647, 0, 1000}, "another number: other places"),
+    under("Distances",
+          choice("technique", &Forest::technique, offsetof(Forest, technique), kForestTechniques,
+                 "near trees as meshes and volumes beyond, all as meshes, or a flat picture to compare with")),
     under("Distances", distance("meshesTo", offsetof(Forest, meshesTo), {0, 1e6, 0, 300},
                                 "how far trees are drawn as meshes; as volumes beyond; inf: all as meshes")),
     real("voxel", offsetof(Forest, voxel), "m", {0.02, 5, 0.1, 1}, "size of a volume's smallest part"),
+    under(kAdvanced, choice("storage", &Forest::storage, offsetof(Forest, storage), kVolumeStorages,
+                            "how volumes are stored: plain, or compressed to a quarter (BC7)")),
     under(kAdvanced, real("silhouetteDeg", offsetof(Forest, silhouetteDeg), "deg", {0, 90, 0, 90},
                           "where the ground is seen at a smaller angle, a volume's slices face the eye")),
     real("slant", offsetof(Forest, slant), "", {0.05, 20, 0.5, 4},
          "how far such a slice may rise across a tile, in heights of the forest"),
+    real("stiffness", offsetof(Forest, stiffness), "", {0.1, 1000, 1, 50},
+         "against the wind: the greater, the less trees sway"),
     under("Light", flag("castShadows", offsetof(Forest, castShadows), "near trees shade the ground and the grass")),
 };
 
@@ -60,9 +79,11 @@ FeatureSet featuresOf(const void* component) {
     const auto& f = *static_cast<const Forest*>(component);
     if (!grows(f)) return {};
     FeatureSet s = featureSet(Feature::Forest);
-    if (f.meshesTo > 0) s |= featureSet(Feature::ForestMeshes);
-    if (f.meshesTo > 0 && f.castShadows) s |= featureSet(Feature::ObjectShadows);
-    if (f.meshesTo < std::numeric_limits<float>::infinity()) s |= featureSet(Feature::ForestVolumes);
+    const bool meshes = meshesTo(f) > 0 || !f.placed.empty();
+    if (meshes) s |= featureSet(Feature::ForestMeshes);
+    if (meshes && f.castShadows) s |= featureSet(Feature::ObjectShadows);
+    if (f.perHectare > 0 && meshesTo(f) < std::numeric_limits<float>::infinity())
+        s |= featureSet(Feature::ForestVolumes);
     return s;
 }
 
@@ -101,7 +122,14 @@ void check(const Registry& registry, Entity e, const std::string& path, std::vec
 
 bool stands(const TreeSpecies& s) { return s.share > 0 && s.height > 0; }
 
-bool grows(const Forest& f) { return f.perHectare > 0 && std::any_of(f.species.begin(), f.species.end(), stands); }
+float meshesTo(const Forest& f) {
+    if (f.technique == ForestTechnique::Trees) return std::numeric_limits<float>::infinity();
+    return f.technique == ForestTechnique::Flat ? 0 : f.meshesTo;
+}
+
+bool grows(const Forest& f) {
+    return (f.perHectare > 0 || !f.placed.empty()) && std::any_of(f.species.begin(), f.species.end(), stands);
+}
 
 const ComponentRow& forestRow() {
     static const ComponentRow row = [] {

@@ -6,11 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.h"
 #include "maps/map.h"
 #include "mesh/tree_shapes.h"
 #include "scene/rows.h"
 
 namespace sward {
+
+// How many tiles there are: the paper's eight, of edges of two colours; or 32, of four colours.
+enum class TileVariety { Eight, ThirtyTwo };
+inline constexpr auto kTileVarieties = enumNames<TileVariety>("eight", "thirty-two");
+// How a forest is drawn: near trees as meshes and volumes beyond; all as meshes; or, to compare with, the eight tiles
+// as pictures that lie on the ground.
+enum class ForestTechnique { Texcells, Trees, Flat };
+inline constexpr auto kForestTechniques = enumNames<ForestTechnique>("texcells", "trees", "flat");
+// How volumes lie in the GPU's memory: 4 bytes a texel, or blocks of 4 x 4 texels in 16 bytes (BC7).
+enum class VolumeStorage { Plain, Compressed };
+inline constexpr auto kVolumeStorages = enumNames<VolumeStorage>("plain", "compressed");
 
 struct TreeSpecies {
     std::string name = "spruce";
@@ -25,6 +37,14 @@ struct TreeSpecies {
     glm::dvec2 size{0.75, 1.15};                 // factor of its height, from and to
     int seed = 1;                                // another number: another tree
 };
+// A tree placed by hand, always drawn as a mesh.
+struct PlacedTree {
+    std::string name = "tree";
+    int species = 0;       // of Forest::species, counted from 0
+    glm::dvec2 at{0};      // x, z from the terrain's corner (m)
+    float size = 1;        // factor of its species' height
+    float headingDeg = 0;  // turn about the upright
+};
 struct Forest {
     std::vector<TreeSpecies> species{1};
     float perHectare = 400;      // trees on 10,000 m2, at density 1
@@ -33,11 +53,16 @@ struct Forest {
     float densityTiling = 1;     // repeats over Terrain.mapSize
     glm::dvec2 slopeDeg{0, 40};  // of the ground at the trunk
     float tileSize = 16;         // metres: edge of a tile
-    float meshesTo = 60;         // metres: trees are drawn as meshes up to here, as volumes beyond; inf: as meshes
-    float voxel = 0.25f;         // metres: of the volumes, along all three axes
-    float silhouetteDeg = 24;    // seen at a smaller angle to their ground, slices face the eye
-    float slant = 2;             // how far a slice may then rise across a tile, in heights of the forest
-    bool castShadows = true;     // they shade the ground, the grass and objects
+    TileVariety variety = TileVariety::ThirtyTwo;
+    std::vector<PlacedTree> placed;  // beside those that grow
+    ForestTechnique technique = ForestTechnique::Texcells;
+    float meshesTo = 60;  // metres: trees are drawn as meshes up to here, as volumes beyond; inf: as meshes
+    float voxel = 0.25f;  // metres: of the volumes, along all three axes
+    VolumeStorage storage = VolumeStorage::Plain;
+    float silhouetteDeg = 24;  // seen at a smaller angle to their ground, slices face the eye
+    float slant = 2;           // how far a slice may then rise across a tile, in heights of the forest
+    float stiffness = 15;      // against wind: it leans by Wind.strength over this (m per m)
+    bool castShadows = true;   // they shade the ground, the grass and objects
     int seed = 1;
 };
 
@@ -47,6 +72,8 @@ inline constexpr double kMostForestTrees = 200'000;  // of one Forest that the w
 
 // A species that stands: it has a share and a height.
 bool stands(const TreeSpecies& species);
+// How far its trees are drawn as meshes by its technique (m); inf: everywhere.
+float meshesTo(const Forest& forest);
 // Whether it asks for any tree.
 bool grows(const Forest& forest);
 

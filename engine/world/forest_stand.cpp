@@ -43,8 +43,8 @@ struct Stander {
             if (!stands(at, h)) continue;
             numbers[k] = static_cast<int32_t>(out.size());
             const f64::vec2 within = f64::toLattice({list[k].at.x, list[k].at.y}, tiles.edge);
-            const glm::vec2 stored(static_cast<float>((tile.cell & 1) + within.x),
-                                   static_cast<float>((tile.cell >> 1) + within.y));
+            const glm::vec2 stored(static_cast<float>(tile.cell % tiles.colors + within.x),
+                                   static_cast<float>(tile.cell / tiles.colors + within.y));
             out.push_back({origin + glm::dvec3(at.x, terrainHeight(terrain, at.x, at.y), at.y), list[k].species,
                            list[k].size, list[k].headingDeg, stored, f32::hashUnit(f32::hash2(h, 2))});
         }
@@ -70,7 +70,8 @@ Row standRow(const Stander& s, int j, int first, int count) {
         for (auto& e : cell.onEdge) e.fill(-1);
         for (auto& e : cell.inside) e.fill(-1);
         const glm::ivec2 at(first + c, j);
-        const ForestTile up = tileAt(at.x, at.y, true, s.seed), down = tileAt(at.x, at.y, false, s.seed);
+        const ForestTile up = tileAt(at.x, at.y, true, s.seed, s.tiles.colors),
+                         down = tileAt(at.x, at.y, false, s.seed, s.tiles.colors);
         for (uint32_t f = 0; f < 3; ++f)
             s.add(at, up, f, s.tiles.onEdge[f][static_cast<size_t>(up.colors[f])], row.trees, cell.onEdge[f].data());
         s.add(at, down, kInsideKey, s.tiles.within(down.cell, false), row.trees, cell.inside[0].data());
@@ -95,7 +96,32 @@ uint64_t hashOf(const std::vector<StandingTree>& trees) {
     return h.value();
 }
 
+// Trees placed by hand: behind all others, in no triangle, so that no volume has them.
+void placeByHand(StandingForest& out, const Forest& forest, const Terrain& t) {
+    for (const PlacedTree& p : forest.placed) {
+        const size_t species = static_cast<size_t>(std::max(p.species, 0));
+        if (species >= forest.species.size() || !stands(forest.species[species])) continue;
+        out.trees.push_back({out.origin + glm::dvec3(p.at.x, terrainHeight(t, p.at.x, p.at.y), p.at.y),
+                             static_cast<uint32_t>(species),
+                             p.size,
+                             p.headingDeg,
+                             {},
+                             0,
+                             true});
+    }
+}
+
 }  // namespace
+
+glm::dmat3 leaning(const glm::dvec2& lean) {
+    glm::dmat3 m(1);
+    m[1] = {lean.x, 1, lean.y};
+    return m;
+}
+double trunkRadius(const TreeSpecies& s) {
+    constexpr double kOf[] = {0.014, 0.026, 0.012};  // of the height, as trees are grown (mesh/tree_shapes.cpp)
+    return static_cast<double>(s.height) * (s.file.empty() ? kOf[static_cast<size_t>(s.kind)] : 0.02);
+}
 
 StandingForest standingForest(const Forest& forest, const Ground& ground) {
     StandingForest out;
@@ -130,7 +156,7 @@ StandingForest standingForest(const Forest& forest, const Ground& ground) {
     for (int j = -1; j < rows - 1; ++j)
         for (int c = 0; c <= cells; ++c)
             for (const bool up : {false, true}) {
-                ForestTriangle tri{{firstOf(j) + c, j}, tileAt(firstOf(j) + c, j, up, seed), {}};
+                ForestTriangle tri{{firstOf(j) + c, j}, tileAt(firstOf(j) + c, j, up, seed, out.tiles.colors), {}};
                 tri.trees.fill(-1);
                 if (const CellTrees* own = cellAt(tri.cell))
                     std::copy(own->inside[up].begin(), own->inside[up].end(), tri.trees.begin());
@@ -142,16 +168,18 @@ StandingForest standingForest(const Forest& forest, const Ground& ground) {
                 if (std::any_of(tri.trees.begin(), tri.trees.end(), [](int32_t n) { return n >= 0; }))
                     out.triangles.push_back(tri);
             }
+    placeByHand(out, forest, t);
     out.hash = hashOf(out.trees);
     return out;
 }
 
 bool isMesh(const Forest& forest, const StandingTree& tree, double distance) {
+    if (tree.byHand) return true;
     return distance <
-           static_cast<double>(forest.meshesTo) * (1 + kStagger * (2 * static_cast<double>(tree.chance) - 1));
+           static_cast<double>(meshesTo(forest)) * (1 + kStagger * (2 * static_cast<double>(tree.chance) - 1));
 }
-double meshesEnd(const Forest& forest) { return static_cast<double>(forest.meshesTo) * (1 + kStagger); }
-double volumesBegin(const Forest& forest) { return static_cast<double>(forest.meshesTo) * (1 - kStagger); }
+double meshesEnd(const Forest& forest) { return static_cast<double>(meshesTo(forest)) * (1 + kStagger); }
+double volumesBegin(const Forest& forest) { return static_cast<double>(meshesTo(forest)) * (1 - kStagger); }
 
 Result<Mesh> treeMesh(const std::filesystem::path& dir, const TreeSpecies& s) {
     if (s.file.empty())
@@ -182,12 +210,17 @@ bool sameTiles(const Forest& a, const Forest& b) {
                x.size == y.size && x.seed == y.seed;
     };
     return std::equal(a.species.begin(), a.species.end(), b.species.begin(), b.species.end(), sameSpecies) &&
-           a.perHectare == b.perHectare && a.distance == b.distance && a.tileSize == b.tileSize && a.seed == b.seed;
+           a.perHectare == b.perHectare && a.distance == b.distance && a.tileSize == b.tileSize &&
+           a.variety == b.variety && a.seed == b.seed;
 }
 
 bool sameForest(const Forest& a, const Forest& b) {
+    const auto samePlace = [](const PlacedTree& x, const PlacedTree& y) {
+        return x.species == y.species && x.at == y.at && x.size == y.size && x.headingDeg == y.headingDeg;
+    };
     return sameTiles(a, b) && a.density.map.sameTiles(b.density.map) && a.densityTiling == b.densityTiling &&
-           a.slopeDeg == b.slopeDeg;
+           a.slopeDeg == b.slopeDeg &&
+           std::equal(a.placed.begin(), a.placed.end(), b.placed.begin(), b.placed.end(), samePlace);
 }
 
 }  // namespace sward

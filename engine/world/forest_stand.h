@@ -22,8 +22,9 @@ struct StandingTree {
     uint32_t species = 0;
     float size = 1;        // factor of its species' height
     float headingDeg = 0;  // turn about the upright
-    glm::vec2 stored{0};   // lattice coordinates of its foot in the 2 x 2 cells that repeat
+    glm::vec2 stored{0};   // lattice coordinates of its foot in the cells that repeat
     float chance = 0;      // in [0, 1[, its own: who draws it near the distance where meshes end
+    bool byHand = false;   // it is in no triangle, and a mesh at any distance
 };
 // Where a triangle's list has the trees within it and those across its edges, by family.
 inline constexpr int kTreeSlots = kMostInside + 3 * kMostOnEdge;
@@ -57,6 +58,10 @@ double volumesBegin(const Forest& forest);
 Result<Mesh> treeMesh(const std::filesystem::path& dir, const TreeSpecies& species);
 // A tree's rotation and size, of its species' mesh.
 glm::dmat3 turnOf(const StandingTree& tree);
+// What wind does to that: what stands leans by so much (m per m along x and z), and its foot stays.
+glm::dmat3 leaning(const glm::dvec2& lean);
+// Metres, of a tree at its full height, at its foot; of one from a file it is taken to be a fiftieth of the height.
+double trunkRadius(const TreeSpecies& species);
 
 // Every entity's Forest that has trees, in the order of names.
 std::vector<std::pair<std::string, const Forest*>> forestsOf(const Project& p);

@@ -43,11 +43,8 @@ glm::ivec2 ownerOf(bool up, EdgeFamily f) {
 }
 constexpr EdgeFamily kFamilies[] = {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across};
 
-int colorOf(int cell, bool up, EdgeFamily f) {
-    const int x = cell & 1, y = cell >> 1;
-    if (f == EdgeFamily::Slant) return y;
-    if (f == EdgeFamily::Across) return x;
-    return up ? x ^ y : x ^ y ^ 1;
+int colorOf(int cell, bool up, EdgeFamily f, int colors) {
+    return storedTile(cell, up, colors).colors[static_cast<size_t>(f)];
 }
 
 struct Placer {
@@ -55,6 +52,7 @@ struct Placer {
     ForestTiles tiles{};
     Dice dice;
     double apart;
+    int missing = 0;  // trees of all tiles together
 
     bool free(const std::vector<TileTree>& among, const glm::dvec2& at, const glm::dvec2& shift) const {
         return std::all_of(among.begin(), among.end(),
@@ -69,10 +67,12 @@ struct Placer {
             for (const EdgeFamily other : kFamilies) {
                 if (other == f) continue;
                 const glm::dvec2 shift = offset(b.cell + ownerOf(b.up, other));
-                if (!free(tiles.across(other, 0), at, shift) || !free(tiles.across(other, 1), at, shift)) return false;
+                for (int c = 0; c < tiles.colors; ++c)
+                    if (!free(tiles.across(other, c), at, shift)) return false;
             }
-            for (int cell = 0; cell < 4; ++cell)
-                if (colorOf(cell, b.up, f) == color && !free(tiles.within(cell, b.up), at, offset(b.cell)))
+            for (int cell = 0; cell < tiles.cells(); ++cell)
+                if (colorOf(cell, b.up, f, tiles.colors) == color &&
+                    !free(tiles.within(cell, b.up), at, offset(b.cell)))
                     return false;
         }
         return true;
@@ -80,7 +80,7 @@ struct Placer {
     bool freeInside(int cell, bool up, const glm::dvec2& at) const {
         if (!free(tiles.within(cell, up), at, {})) return false;
         return std::all_of(std::begin(kFamilies), std::end(kFamilies), [&](EdgeFamily f) {
-            return free(tiles.across(f, colorOf(cell, up, f)), at, offset(ownerOf(up, f)));
+            return free(tiles.across(f, colorOf(cell, up, f, tiles.colors)), at, offset(ownerOf(up, f)));
         });
     }
     TileTree tree(const glm::dvec2& at) {
@@ -108,17 +108,18 @@ struct Placer {
         return count;
     }
     // One more tree across an edge, or within a tile; none where it finds no room.
-    void addAcross(EdgeFamily f, int color) {
+    bool addAcross(EdgeFamily f, int color) {
         std::vector<TileTree>& out = tiles.onEdge[static_cast<size_t>(f)][static_cast<size_t>(color)];
-        if (out.size() == kMostOnEdge) return;
+        if (out.size() == kMostOnEdge) return false;
         for (int k = 0; k < kDarts; ++k) {
             const Beside b = besideOf(f)[dice.unit() < 0.5 ? 0 : 1];
             const glm::dvec2 uv = inTriangle(b.up);
             EdgeFamily met{};
             if (crossed(uv, b.up, met) != 1 || met != f) continue;
             const glm::dvec2 at = metres(uv + glm::dvec2(b.cell), tiles.edge);
-            if (freeOnEdge(f, color, at)) return out.push_back(tree(at));
+            if (freeOnEdge(f, color, at)) return out.push_back(tree(at)), true;
         }
+        return false;
     }
     void addWithin(int cell, bool up) {
         std::vector<TileTree>& out = tiles.inside[static_cast<size_t>(cell)][up ? 1 : 0];
@@ -129,12 +130,16 @@ struct Placer {
             if (crossed(uv, up, met) == 0 && freeInside(cell, up, at)) return out.push_back(tree(at));
         }
     }
-    // The 6 edges, then the 8 tiles.
+    int edges() const { return 3 * tiles.colors; }
+    // The edges, then the tiles.
     void add(int place) {
-        if (place < 6)
-            addAcross(kFamilies[place % 3], place / 3);
-        else
-            addWithin((place - 6) / 2, place % 2 != 0);
+        if (place >= edges()) return addWithin((place - edges()) / 2, (place - edges()) % 2 != 0);
+        // What finds no room across an edge, since trees of all colours of the two others may stand there, stands
+        // within tiles instead.
+        if (!addAcross(kFamilies[place % 3], place / 3)) missing += tiles.colors;
+    }
+    void addMissing() {
+        for (; missing > 0; --missing) addWithin(static_cast<int>(dice.unit() * tiles.cells()), dice.unit() < 0.5);
     }
     glm::dvec2 inTriangle(bool up) {
         glm::dvec2 uv(dice.unit(), dice.unit());
@@ -170,6 +175,9 @@ ForestTiles forestTiles(const Forest& forest) {
         forest, {}, {f32::hash2(static_cast<uint32_t>(forest.seed), 0xF0E57u)}, static_cast<double>(forest.distance)};
     p.tiles.edge = static_cast<double>(forest.tileSize);
     p.tiles.circle = circleOf(forest);
+    p.tiles.colors = forest.variety == TileVariety::Eight ? 2 : 4;
+    for (auto& family : p.tiles.onEdge) family.resize(static_cast<size_t>(p.tiles.colors));
+    p.tiles.inside.resize(static_cast<size_t>(p.tiles.cells()));
     if (!grows(forest)) return p.tiles;
     const double tile = p.tiles.edge * p.tiles.edge * kSlope / 2;
     const double trees = static_cast<double>(forest.perHectare) / 1e4 * tile;  // in a tile; half of each edge's counts
@@ -179,26 +187,33 @@ ForestTiles forestTiles(const Forest& forest) {
     // goes on to the next.
     std::vector<int> order;
     double owedEdge = p.dice.unit(), owedInside = p.dice.unit();
-    for (int place = 0; place < 14; ++place) {
-        double& owed = place < 6 ? owedEdge : owedInside;
-        owed += place < 6 ? onEdge : inside;
+    for (int place = 0; place < p.edges() + 2 * p.tiles.cells(); ++place) {
+        double& owed = place < p.edges() ? owedEdge : owedInside;
+        owed += place < p.edges() ? onEdge : inside;
         order.insert(order.end(), static_cast<size_t>(owed), place);
         owed -= std::floor(owed);
     }
     for (size_t i = order.size(); i > 1; --i)
         std::swap(order[i - 1], order[std::min(static_cast<size_t>(p.dice.unit() * static_cast<double>(i)), i - 1)]);
     for (const int place : order) p.add(place);
-    p.tiles.asked = 8 * trees;
+    p.addMissing();
+    p.tiles.asked = 2 * p.tiles.cells() * trees;
     for (const auto& family : p.tiles.onEdge)
-        for (const auto& color : family) p.tiles.placed += 2 * static_cast<double>(color.size());
+        for (const auto& color : family) p.tiles.placed += p.tiles.colors * static_cast<double>(color.size());
     for (const auto& cell : p.tiles.inside)
-        for (const auto& tile8 : cell) p.tiles.placed += static_cast<double>(tile8.size());
+        for (const auto& tile : cell) p.tiles.placed += static_cast<double>(tile.size());
     return p.tiles;
 }
 
-ForestTile tileAt(int i, int j, bool up, uint32_t seed) {
-    const f32::EdgeColors c = f32::edgeColors(i, j, up, seed);
-    return {c.across + 2 * c.slant, up, {c.row, c.slant, c.across}};
+ForestTile tileAt(int i, int j, bool up, uint32_t seed, int colors) {
+    const f32::EdgeColors c = f32::edgeColors(i, j, up, seed, colors);
+    const f32::vec2 cell = f32::tileCell(c);
+    return {static_cast<int>(cell.x) + colors * static_cast<int>(cell.y), up, {c.row, c.slant, c.across}};
+}
+
+ForestTile storedTile(int cell, bool up, int colors) {
+    const int x = cell % colors, y = cell / colors;
+    return {cell, up, {x ^ (y & 1) ^ (up ? 0 : 1), y, x ^ (y & ~1)}};
 }
 
 glm::ivec2 edgeOwner(int i, int j, bool up, EdgeFamily family) { return glm::ivec2(i, j) + ownerOf(up, family); }

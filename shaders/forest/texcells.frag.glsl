@@ -10,9 +10,10 @@
 #include "shared/forest.h"
 
 layout(std430, binding = SSBO_FOREST_FEET) readonly buffer FeetBlock { float feet[]; };
-layout(binding = TEX_FOREST_FINE) uniform sampler2DArray finer;
-layout(binding = TEX_FOREST_COARSE) uniform sampler2DArray coarser;
+layout(binding = TEX_FOREST_SLABS) uniform sampler2DArray slabs;  // of all levels, one after the other
 layout(binding = TEX_FOREST_SLOTS) uniform usampler2D slots;
+
+const float kSharper = 0.75;  // of a pixel: half a step between what is blurred and what flickers
 
 in vec3 position;
 in vec2 stored;
@@ -21,19 +22,21 @@ flat in vec2 blend;
 flat in vec3 facing;
 flat in float path;
 flat in vec2 canopy;
+flat in int level;
 out vec4 color;
 
 void main() {
-    vec2 uv = 0.5 * stored;
+    vec2 uv = stored / forest.cells;
     ivec2 side = textureSize(slots, 0);
     uint slot = texelFetch(slots, ivec2(fract(uv) * vec2(side)), 0).r;
     if (slot >= uint(FOREST_SLOTS)) discard;
     float at = (position.y - feet[number * FOREST_SLOTS + int(slot)]) / forest.height;
     if (!(at > 0.0 && at < 1.0)) discard;  // no tree stands there, or the slice passes over or under it
     float distance = length(position);
-    float level = log2(max(distance * forest.pixel / forest.voxel, 1.0));
-    vec4 leaves = blend.x * textureLod(finer, vec3(uv, floor(at * forest.fineSlabs)), level);
-    if (blend.y > 0.0) leaves += blend.y * textureLod(coarser, vec3(uv, floor(at * forest.coarseSlabs)), level);
+    float mip = log2(max(kSharper * distance * forest.pixel / forest.voxel, 1.0));
+    float fine = forest.slabs * exp2(-float(level)), first = 2.0 * (forest.slabs - fine);
+    vec4 leaves = blend.x * textureLod(slabs, vec3(uv, first + floor(at * fine)), mip);
+    if (blend.y > 0.0) leaves += blend.y * textureLod(slabs, vec3(uv, first + fine + floor(0.5 * at * fine)), mip);
     if (leaves.a < 1.0 / 512.0) discard;
     vec3 way = position / distance;
     leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));

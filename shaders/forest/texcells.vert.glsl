@@ -1,20 +1,24 @@
 // A corner of one slice of one tile. Slices lie parallel to the tile's ground, or are tilted towards the eye by moving
-// their corners up and down. The farther one always comes first.
+// their corners up and down. The nearer one always comes first.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
+#include "lib/wind.glsl"
+#include "numerics/forest.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
 layout(std430, binding = SSBO_FOREST_TILES) readonly buffer TilesBlock { TileInView tiles[]; };
+layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
 layout(location = 0) uniform int firstTile;
 
 out vec3 position;     // relative to the eye
-out vec2 stored;       // lattice coordinates in the 2 x 2 cells that repeat
+out vec2 stored;       // lattice coordinates in the cells that repeat
 flat out int number;   // of the tile
 flat out vec2 blend;   // shares of the finer and of the coarser level
 flat out vec3 facing;  // unit normal of the slice
 flat out float path;   // TileInView::path
 flat out vec2 canopy;  // TileInView::canopy
+flat out int level;    // TileInView::level
 
 // Corners in the cell, as edges' families are named by (numerics/forest.h).
 vec2 cornerOf(int corner, bool up) {
@@ -26,7 +30,7 @@ void main() {
     number = firstTile + gl_InstanceID;
     TileInView t = tiles[number];
     int k = gl_VertexID / 3, corner = gl_VertexID % 3;
-    int slice = k < t.under ? k : t.slices - 1 - (k - t.under);
+    int slice = k < t.slices - t.below ? t.below + k : t.slices - 1 - k;
     float share = t.coarser;
     // Slices by pairs: the lower one becomes the pair's, between the two, while the upper one fades.
     bool lower = (slice & 1) == 0;
@@ -34,11 +38,15 @@ void main() {
     float rise = (float(slice) + 0.5 + (lower ? 0.5 * share : 0.0)) * t.spacing;
     position = t.corner[corner].xyz + vec3(0.0, t.corner[corner].w + rise, 0.0);
     stored = t.stored + cornerOf(corner, t.up == 1);
+    // Crowns sway: what stands there leans, so that the look-up is sheared the other way.
+    if (WIND)
+        stored -= toLattice(windLeanAt(position.xz, -1.0, forest.sway) * (t.corner[corner].w + rise), forest.edge);
     vec3 low[3];
     for (int i = 0; i < 3; ++i) low[i] = t.corner[i].xyz + vec3(0.0, t.corner[i].w, 0.0);
     facing = normalize(cross(low[2] - low[0], low[1] - low[0]));
     path = t.path;
     canopy = t.canopy;
+    level = t.level;
     cutAtWater(position.y);
     gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

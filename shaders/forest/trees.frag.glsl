@@ -22,7 +22,7 @@ out vec4 color;
 
 vec3 skyAt(vec3 n) {
     if (!FOREST_VOLUMES) return ambientLight(n);
-    vec3 shares = pow(max(lightShares(0.5 * air.xy, air.z), vec3(LEAST_LIGHT)), vec3(around));
+    vec3 shares = pow(max(lightShares(air.xy / forest.cells, air.z), vec3(LEAST_LIGHT)), vec3(around));
     return halvesLight(frame.groundLight * shares.b, frame.skyLight * shares.g, n.y);
 }
 
@@ -30,6 +30,6 @@ void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-    vec3 light = (sunLight(n) * sunVisible(position, n) + skyAt(n)) * texel.rgb * reflectance;
+    vec3 light = (sunLight(n) * sunPastMeshes(position, n) + skyAt(n)) * texel.rgb * reflectance;
     color = objectColor(light, n, position);
 }

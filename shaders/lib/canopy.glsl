@@ -6,7 +6,7 @@
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
 layout(binding = TEX_FOREST_LIGHT) uniform sampler2DArray lightImage;
 
-// uv: half the lattice coordinates as stored; at: share of the forest's height.
+// uv: lattice coordinates as stored, a share of the cells that repeat; at: share of the forest's height.
 vec3 lightShares(vec2 uv, float at) {
     float part = clamp(at * forest.lightSlabs - 0.5, 0.0, forest.lightSlabs - 1.0);
     float low = floor(part);

@@ -1,6 +1,8 @@
-// How much of the sun reaches a point past objects and hills. Needs: const bool OBJECT_SHADOWS, TERRAIN_SHADOWS.
+// How much of the sun reaches a point past objects, hills and far trees. Needs: const bool OBJECT_SHADOWS,
+// TERRAIN_SHADOWS, FOREST_VOLUMES.
 // Objects: shadow maps around the eye (objects/shadow.h). Hills: below which height the sun is hidden
-// (terrain/shade.h).
+// (terrain/shade.h). Trees that are drawn as volumes: what they leave of the light on the ground
+// (forest/shade_map.h).
 #include "lib/frame.glsl"
 #include "shared/bindings.h"
 #include "shared/objects.h"
@@ -8,6 +10,7 @@
 layout(std140, binding = UBO_SHADOW) uniform ShadowBlock { ShadowGlobals shadow; };
 layout(binding = TEX_SHADOW) uniform sampler2DArrayShadow shadowMap;
 layout(binding = TEX_SHADE) uniform sampler2D shadeMap;
+layout(binding = TEX_FOREST_SHADE) uniform sampler2D forestShade;
 
 // Share of light past objects by one map: four taps of two by two texels.
 float sunInMap(int map, vec3 position, vec3 normal) {
@@ -46,10 +49,23 @@ float sunPastHills(vec3 position) {
 
 // 1: in the sun; 0: in shadow. position: relative to the eye; normal: unit, of the surface there, or 0 on what is in no
 // shadow map itself (ground, grass) and so needs no distance from its own shadow.
-float sunVisible(vec3 position, vec3 normal) {
+float sunPastMeshes(vec3 position, vec3 normal) {
     if (frame.sunIsUp <= 0.0) return 1.0;
     float share = 1.0;
     if (OBJECT_SHADOWS) share = sunPastObjects(position, normal);
     if (TERRAIN_SHADOWS) share *= sunPastHills(position);
+    return share;
+}
+
+// What trees leave where they are not meshes, which are in shadow maps.
+float sunPastTrees(vec3 position) {
+    vec2 at = (position.xz + frame.eye.xz) * frame.terrainShare;
+    float left = textureLod(forestShade, at, 0.0).r;
+    return mix(1.0, left, smoothstep(frame.treesShadeFrom, frame.treesShadeTo, length(position)));
+}
+float sunVisible(vec3 position, vec3 normal) {
+    if (frame.sunIsUp <= 0.0) return 1.0;
+    float share = sunPastMeshes(position, normal);
+    if (FOREST_VOLUMES) share *= sunPastTrees(position);
     return share;
 }

@@ -16,33 +16,34 @@ struct EdgeColors {
     int across;  // D
 };
 
-// A vertex's bit. Colours of edges are differences of these; the paper draws each edge's, for which half of all
-// triangles have none of its eight tiles (measured: 0.499).
-FN int latticeBit(int i, int j, uint seed) { return int(cellHash(i, j, seed) & 1u); }
+// A vertex's bits, as many as colours (a power of two) have. Colours of edges are differences of these; the paper draws
+// each edge's, for which half of all triangles have none of its eight tiles (measured: 0.499).
+FN int latticeBits(int i, int j, uint seed, int colors) { return int(cellHash(i, j, seed)) & (colors - 1); }
 
-// Colours around a triangle of cell (i, j). With the column's parity on the two slanted families the three add up to an
-// even number in triangles that point up and to an odd one in the others: the eight tiles fit everywhere.
-FN EdgeColors edgeColors(int i, int j, bool up, uint seed) {
-    int right = latticeBit(i + 1, j, seed);
-    int above = latticeBit(i, j + 1, seed);
+// Colours around a triangle of cell (i, j). With the column's parity on the two slanted families the differences of all
+// three are 0 in triangles that point up and 1 in the others: two colours make the paper's eight tiles fit everywhere,
+// four make 32 tiles do.
+FN EdgeColors edgeColors(int i, int j, bool up, uint seed, int colors) {
+    int right = latticeBits(i + 1, j, seed, colors);
+    int above = latticeBits(i, j + 1, seed, colors);
     EdgeColors c;
     c.across = right ^ above ^ (i & 1);
     if (up) {
-        int corner = latticeBit(i, j, seed);
+        int corner = latticeBits(i, j, seed, colors);
         c.row = corner ^ right;
         c.slant = corner ^ above ^ (i & 1);
     } else {
-        int corner = latticeBit(i + 1, j + 1, seed);
+        int corner = latticeBits(i + 1, j + 1, seed, colors);
         c.row = above ^ corner;
         c.slant = right ^ corner ^ ((i + 1) & 1);
     }
     return c;
 }
 
-// The eight tiles lie in 2 x 2 cells that repeat, so that hardware wraps them. In cell (x, y) of these the edges have
-// the colours D = x, S = y, and H = x ^ y below and x ^ y ^ 1 above: each of the eight triplets once. The cell that
-// holds the tile of these colours, be it up or down:
-FN vec2 tileCell(EdgeColors c) { return vec2(real(c.across), real(c.slant)); }
+// The tiles lie in 2 x 2 cells that repeat, or in 4 x 4, so that hardware wraps them. In cell (x, y) of these the edges
+// have the colours S = y, D = x ^ (y without its last bit), and H = x ^ (y & 1) below and the other one above: each of
+// the eight triplets once, or of the 32. The cell that holds the tile of these colours, be it up or down:
+FN vec2 tileCell(EdgeColors c) { return vec2(real(c.across ^ (c.slant & ~1)), real(c.slant)); }
 
 // Lattice coordinates of a place (x, z; metres) and back.
 FN vec2 toLattice(vec2 place, real edge) {

@@ -57,11 +57,12 @@
 #define TEX_SOIL 24        // and the MAX_SOIL_MAPS - 1 that follow: what the ground reads of fields
 #define TEX_SHELL_ENDS 44  // where rays leave the shells over meshes
 #define TEX_SHELL_LEAVING 45
-#define TEX_FOREST_FINE 46
-#define TEX_FOREST_COARSE 47
+#define TEX_FOREST_SLABS 46
 #define TEX_FOREST_LIGHT 48
 #define TEX_FOREST_SLOTS 49
-#define TEX_FOREST_CANOPY 50
+#define TEX_FOREST_SHADE 50  // as TEX_SHADOW
+#define TEX_FOREST_VEIL 51
+#define TEX_FOREST_VEIL_SAMPLES 52
 #define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw

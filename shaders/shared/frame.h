@@ -41,14 +41,16 @@ struct STD140 FrameGlobals {
     float horizonScale;
     vec4 horizon[5];  // rgb: the sky at the horizon; with middle and scale as horizonLight has it (numerics/light.h)
     // The view.
-    int mode;            // ViewMode
-    int samples;         // a pixel
-    float widening;      // factor of blades' widths where fewer of them are drawn
-    float mirrored;      // 1 in a view that water mirrors, else 0
-    float mirrorHeight;  // relative to the eye: below it such a view is cut
-    float decalRadius;   // of the brush (m); 0: none is shown
-    vec2 decalAt;        // its centre: x, z relative to the eye
-    float decalFalloff;  // share of the radius over which it fades
+    int mode;              // ViewMode
+    int samples;           // a pixel
+    float widening;        // factor of blades' widths where fewer of them are drawn
+    float mirrored;        // 1 in a view that water mirrors, else 0
+    float mirrorHeight;    // relative to the eye: below it such a view is cut
+    float decalRadius;     // of the brush (m); 0: none is shown
+    vec2 decalAt;          // its centre: x, z relative to the eye
+    float decalFalloff;    // share of the radius over which it fades
+    float treesShadeFrom;  // metres from the eye over which far trees' shade on the ground sets in (forest/texcells.h)
+    float treesShadeTo;
 };
 
 #ifdef __cplusplus

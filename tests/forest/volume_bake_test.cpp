@@ -39,17 +39,17 @@ TEST(ForestVolume, HoldsHalfTheAreaOfAllLeavesAndTrunks) {
             want += times * 0.5 * areaOf(meshes[t.species]) * double(t.size) * double(t.size);
     };
     for (const auto& family : tiles.onEdge)
-        for (const auto& color : family) add(color, 2);
+        for (const auto& color : family) add(color, tiles.colors);
     for (const auto& cell : tiles.inside)
         for (const auto& tile : cell) add(tile, 1);
-    const double part = std::pow(2 * v.edge / v.side, 2) * 0.8660254037844386;
+    const double part = std::pow(v.texel(), 2) * 0.8660254037844386;
     double sum = 0;
     for (const glm::vec4& t : v.levels[0]) sum -= std::log1p(-std::min(double(t.w), 1 - 1e-7)) * part;
     EXPECT_GT(want, 100);
     EXPECT_NEAR(sum / want, 1, 1e-3);
     double air = 0;
     for (const float e : v.air.extinction)
-        air += double(e) * std::pow(2 * v.edge / v.air.side, 2) * 0.8660254037844386 * v.height / v.air.layers;
+        air += double(e) * std::pow(v.cells * v.edge / v.air.side, 2) * 0.8660254037844386 * v.height / v.air.layers;
     EXPECT_LT(air, want) << "leaves in clumps take less than leaves that are spread";
     EXPECT_GT(air, 0.4 * want);
 }
@@ -87,17 +87,17 @@ TEST(ForestVolume, EachTexelBelongsToTheTreeThatFillsIt) {
             if (all[i].w < 0.02f) continue;
             ++filled;
             EXPECT_LT(v.slots[i], kTreeSlots);
-            const double u = 2 * (x + 0.5) / v.side, w = 2 * (y + 0.5) / v.side;
+            const double u = v.cells * (x + 0.5) / v.side, w = v.cells * (y + 0.5) / v.side;
             const int cx = static_cast<int>(u), cy = static_cast<int>(w);
             const bool up = u - cx + w - cy <= 1;
             const int slot = v.slots[i];
             const f64::vec2 at = f64::fromLattice({u - cx, w - cy}, v.edge);
             glm::dvec2 root;
             if (slot < kMostInside) {
-                root = tiles.within(cx + 2 * cy, up)[static_cast<size_t>(slot)].at;
+                root = tiles.within(cx + v.cells * cy, up)[static_cast<size_t>(slot)].at;
             } else {
                 const int family = (slot - kMostInside) / kMostOnEdge;
-                const std::array<int, 3> colors{up ? cx ^ cy : cx ^ cy ^ 1, cy, cx};
+                const std::array<int, 3> colors = storedTile(cx + v.cells * cy, up, v.cells).colors;
                 const glm::ivec2 owner = edgeOwner(0, 0, up, static_cast<EdgeFamily>(family));
                 const f64::vec2 shift = f64::fromLattice({owner.x, owner.y}, v.edge);
                 root = tiles

@@ -122,6 +122,23 @@ TEST(ForestStand, EachTreeIsAMeshOrAVolume) {
     EXPECT_TRUE(isMesh(f, t, 1e8));
 }
 
+TEST(ForestStand, TreesPlacedByHandStandBesideTheOthersAndAreNoVolumes) {
+    Wood w;
+    w.plane(60);
+    const size_t grown = w.all().trees.size();
+    w.rule.placed = {{.at = {50, 60}, .size = 1.5f}, {.species = 7, .at = {10, 10}}};
+    const StandingForest f = w.all();
+    ASSERT_EQ(f.trees.size(), grown + 1) << "there is no eighth species";
+    const StandingTree& t = f.trees.back();
+    EXPECT_NEAR(t.at.y, terrainHeight(w.terrain, 50, 60), 1e-9);
+    EXPECT_TRUE(isMesh(w.rule, t, 1e8));
+    for (const ForestTriangle& tri : f.triangles)
+        for (const int32_t n : tri.trees) EXPECT_LT(n, static_cast<int32_t>(grown));
+    w.rule.perHectare = 0;
+    EXPECT_EQ(w.all().trees.size(), 1u);
+    EXPECT_TRUE(grows(w.rule));
+}
+
 TEST(ForestStand, TooManyAreRefusedAndNoTerrainHasNone) {
     Wood w;
     w.terrain.size = {1e5, 1e5};

@@ -1,5 +1,5 @@
-// The eight tiles of a forest: they fit everywhere, trees keep their distance however tiles are laid, and no place near
-// an edge is favoured.
+// The tiles of a forest, eight or 32: they fit everywhere, trees keep their distance however tiles are laid, and no
+// place near an edge is favoured.
 #include "world/forest_tiles.h"
 
 #include <gtest/gtest.h>
@@ -17,25 +17,43 @@ glm::dvec2 metres(const glm::dvec2& uv, double edge) {
     return {at.x, at.y};
 }
 
-TEST(ForestTiles, OneOfTheEightFitsEveryTriangleAndAllAreUsedAlike) {
-    std::map<std::pair<int, bool>, int> used;
-    for (int j = -32; j < 32; ++j)
-        for (int i = -32; i < 32; ++i)
-            for (const bool up : {false, true}) {
-                const ForestTile t = tileAt(i, j, up, 5);
-                EXPECT_EQ((t.colors[0] + t.colors[1] + t.colors[2]) % 2, up ? 0 : 1) << i << " " << j;
-                ++used[{t.cell, up}];
+TEST(ForestTiles, OneOfTheStoredFitsEveryTriangleAndAllAreUsedAlike) {
+    for (const int colors : {2, 4}) {
+        std::map<std::pair<int, bool>, int> used;
+        for (int j = -32; j < 32; ++j)
+            for (int i = -32; i < 32; ++i)
+                for (const bool up : {false, true}) {
+                    const ForestTile t = tileAt(i, j, up, 5, colors);
+                    EXPECT_EQ(t.colors, storedTile(t.cell, up, colors).colors) << i << " " << j;
+                    ++used[{t.cell, up}];
+                }
+        const double each = 8192.0 / (2 * colors * colors);
+        ASSERT_EQ(used.size(), static_cast<size_t>(2 * colors * colors));
+        for (const auto& [tile, count] : used) EXPECT_NEAR(count, each, 5 * std::sqrt(each));
+    }
+}
+
+// So hardware wraps them: what lies beside a stored tile is of the colour of the edge between.
+TEST(ForestTiles, TheStoredFitEachOtherRoundTheirEdges) {
+    for (const int n : {2, 4})
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x) {
+                const ForestTile up = storedTile(x + n * y, true, n);
+                EXPECT_EQ(up.colors[0], storedTile(x + n * ((y + n - 1) % n), false, n).colors[0]);
+                EXPECT_EQ(up.colors[1], storedTile((x + n - 1) % n + n * y, false, n).colors[1]);
+                EXPECT_EQ(up.colors[2], storedTile(x + n * y, false, n).colors[2]);
             }
-    ASSERT_EQ(used.size(), 8u);
-    for (const auto& [tile, count] : used) EXPECT_NEAR(count, 1024, 5 * std::sqrt(1024.0));
 }
 
 TEST(ForestTiles, TrianglesBesideAnEdgeAgreeOnItsColour) {
     for (int j = -20; j < 20; ++j)
         for (int i = -20; i < 20; ++i) {
-            EXPECT_EQ(tileAt(i, j, true, 3).colors[0], tileAt(i, j - 1, false, 3).colors[0]);
-            EXPECT_EQ(tileAt(i, j, true, 3).colors[1], tileAt(i - 1, j, false, 3).colors[1]);
-            EXPECT_EQ(tileAt(i, j, true, 3).colors[2], tileAt(i, j, false, 3).colors[2]);
+            for (const int n : {2, 4}) {
+                const ForestTile up = tileAt(i, j, true, 3, n);
+                EXPECT_EQ(up.colors[0], tileAt(i, j - 1, false, 3, n).colors[0]);
+                EXPECT_EQ(up.colors[1], tileAt(i - 1, j, false, 3, n).colors[1]);
+                EXPECT_EQ(up.colors[2], tileAt(i, j, false, 3, n).colors[2]);
+            }
         }
 }
 
@@ -59,7 +77,7 @@ std::vector<glm::dvec2> laid(const ForestTiles& tiles, int side) {
     };
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
-            const ForestTile up = tileAt(i, j, true, 9), down = tileAt(i, j, false, 9);
+            const ForestTile up = tileAt(i, j, true, 9, tiles.colors), down = tileAt(i, j, false, 9, tiles.colors);
             add(tiles.within(up.cell, true), i, j);
             add(tiles.within(down.cell, false), i, j);
             for (const EdgeFamily f : {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across})

@@ -1,0 +1,32 @@
+// A forest's volume on the GPU: made beside the pictures where one may wait for it, with a draft shown meanwhile, and
+// lit anew where the sun has moved. Does not: say how it is drawn (forest/texcells.h).
+#pragma once
+#include "forest/slicing.h"
+#include "forest/stand.h"
+#include "forest/volume_images.h"
+
+namespace sward {
+
+struct Volume {
+    VolumeSpec spec;                // what is asked for
+    uint64_t key = 0, shown = 0;    // its hash; that of what the textures hold, ~key: a draft of it
+    uint64_t grown = 0, stood = 0;  // as ForestHere
+    float voxelOf = 0;              // Forest::voxel
+    VolumeStorage storageOf{};      // Forest::storage
+    Job<VolumeImages> bake;
+    VolumeImages images;  // its levels are dropped once they are a texture
+    int levels = 0;       // of the pyramid
+    Texture slabs, slots, light;
+    glm::vec3 sun{0};           // that the light is of
+    std::vector<Prism> prisms;  // of StandingForest::triangles
+    Buffer globals;             // of its light, for meshes
+};
+
+// Has the textures show what the forest is, or a draft of it. owner: charged for their bytes.
+void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const ForestHere& here);
+// Has the light be that of a sun in this direction (unit). True where it was another.
+bool lightVolume(Volume& v, const glm::vec3& sun);
+// How full the forest stands along the way to the sun, and all around as far as it is high: Prism::canopy.
+void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun);
+
+}  // namespace sward
