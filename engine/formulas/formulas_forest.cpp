@@ -191,9 +191,9 @@ void addPyramidCases(std::vector<FormulaRow>& rows) {
 void addTileRows(std::vector<FormulaRow>& rows) {
     rows.push_back({
         .name = "colours around a tile of forest, and where it is stored", .inputs = 4, .outputs = 5,
-        .ours =
-            BODY(EdgeColors c = edgeColors(int(x[0]), int(x[1]), x[2] > 0.5f, uint(int(x[3])), 2); vec2 cell = tileCell(c);
-                 y[0] = real(c.row); y[1] = real(c.slant); y[2] = real(c.across); y[3] = cell.x; y[4] = cell.y;),
+        .ours = BODY(EdgeColors c = edgeColors(int(x[0]), int(x[1]), x[2] > 0.5f, uint(int(x[3])), 2);
+                     vec2 cell = tileCell(c); y[0] = real(c.row); y[1] = real(c.slant); y[2] = real(c.across);
+                     y[3] = cell.x; y[4] = cell.y;),
         .samples = sweep(1000,
                          [](Sweep& s, int i) {
                              return std::vector<double>{double(s.whole(-9000, 9000)), double(s.whole(-9000, 9000)),
