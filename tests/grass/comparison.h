@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "frame/renderer.h"
 #include "scene/project.h"
@@ -160,15 +161,26 @@ inline TileChanges walk(Renderer& r, Project& p, ViewCamera c, int steps, const 
     }
     return out;
 }
-// How much more (or less) the tiers change than blades do, as a share of how much blades do; 99.9th percentiles over
-// tiles and steps.
+// How differently tiers change from blades; of a walk that stands still the shares are 1 and the times infinite.
 struct Restless {
-    double pixels, means;
+    double pixels, means;            // 99.9th percentiles of the difference, as shares of those of blades' changes
+    double pixelsTimes, meansTimes;  // how many times as much, or as little, tiles change in all
+    // Neither pops nor stands still.
+    bool isLikeBlades() const { return std::max({pixels, means, pixelsTimes, meansTimes}) <= 1.25; }
 };
 inline double restlessness(const std::vector<double>& hybrid, const std::vector<double>& blades) {
     std::vector<double> difference(std::min(hybrid.size(), blades.size()));
     for (size_t i = 0; i < difference.size(); ++i) difference[i] = std::abs(hybrid[i] - blades[i]);
     return quantile(difference, 0.999) / quantile(blades, 0.999);
+}
+inline double timesAsMuch(const std::vector<double>& hybrid, const std::vector<double>& blades) {
+    const double h = std::accumulate(hybrid.begin(), hybrid.end(), 0.0),
+                 b = std::accumulate(blades.begin(), blades.end(), 0.0);
+    return std::max(h / b, b / h);
+}
+inline Restless restless(const TileChanges& hybrid, const TileChanges& blades) {
+    return {restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means),
+            timesAsMuch(hybrid.pixels, blades.pixels), timesAsMuch(hybrid.means, blades.means)};
 }
 inline TileChanges bladesWalk(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
     const std::string own = std::exchange(grassIn(p).technique, nameOf(Technique::Geometry));
@@ -177,8 +189,7 @@ inline TileChanges bladesWalk(Renderer& r, Project& p, const ViewCamera& c, int 
     return blades;
 }
 inline Restless restless(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
-    const TileChanges hybrid = walk(r, p, c, steps, s), blades = bladesWalk(r, p, c, steps, s);
-    return {restlessness(hybrid.pixels, blades.pixels), restlessness(hybrid.means, blades.means)};
+    return restless(walk(r, p, c, steps, s), bladesWalk(r, p, c, steps, s));
 }
 // From the eyes of a person who looks at the ground at a distance, the whole picture of which is about there.
 inline ViewCamera lookingAt(double distance, double from = 4) {
