@@ -33,7 +33,7 @@ map.curve(trees, { { 0, 0 }, { 0.3, 0 }, { 0.36, 0.95 }, { 1, 1 } })
 
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
 entity.add("valley", { Camera = { eye = above(120, 900, 95), target = above(520, 420, 0), fovDeg = 50 } })
-entity.add("human", { Camera = { eye = above(372, 668, 2.2), target = above(430, 600, 6), fovDeg = 60, exposure = 1.5 } })
+entity.add("human", { Camera = { eye = above(420, 700, 1.8), target = above(500, 640, 6), fovDeg = 60, exposure = 0.5 } })
 entity.add("ridge", { Camera = { eye = above(500, 505, 26), target = above(860, 160, 0), fovDeg = 55 } })
 entity.add("whole", { Camera = { eye = { 505, 560, 1480 }, target = { 505, 60, 480 }, fovDeg = 45 } })
 

@@ -61,7 +61,7 @@ end
 
 local function above(x, z, metres) return { x, map.at(height, x, z) + metres, z } end
 entity.add("meadow", { Camera = { eye = above(70, 78, 1.7), target = above(122, 150, 3), fovDeg = 60 } })
-entity.add("human", { Camera = { eye = above(150, 176, 2.2), target = above(90, 120, 3), fovDeg = 60 } })
+entity.add("human", { Camera = { eye = above(160, 176, 1.8), target = above(90, 120, 3), fovDeg = 60 } })
 entity.add("air", { Camera = { eye = { 126, 75, 340 }, target = { 126, 0, 120 }, fovDeg = 48 } })
 
 project.saveAs(".")
