@@ -34,7 +34,9 @@ struct Hook<pointer> {
         if constexpr (static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glNamedBufferSubData))
             addBytes(a...);
         if constexpr (static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glTextureSubImage2D) ||
-                      static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glTextureSubImage3D))
+                      static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glTextureSubImage3D) ||
+                      static_cast<const void*>(&pointer) ==
+                          static_cast<const void*>(&epoxy_glCompressedTextureSubImage3D))
             ++glCalls.textureUploads;
         if constexpr (static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glGetNamedBufferSubData) ||
                       static_cast<const void*>(&pointer) == static_cast<const void*>(&epoxy_glGetTextureImage))
@@ -62,7 +64,7 @@ struct Hook<pointer> {
     X(glBlendFunc) X(glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) \
     X(glClearColor) X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) \
     X(glClearNamedFramebufferfv) X(glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) \
-    X(glCompileShader) X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) \
+    X(glCompileShader) X(glCompressedTextureSubImage3D) X(glCreateBuffers) X(glCreateFramebuffers) X(glCreateProgram) X(glCreateShader) \
     X(glCreateTextures) X(glCreateVertexArrays) X(glDebugMessageCallback) X(glDebugMessageControl) \
     X(glDeleteBuffers) X(glDeleteFramebuffers) X(glDeleteProgram) X(glDeleteQueries) X(glDeleteShader) \
     X(glDeleteSync) X(glDeleteTextures) X(glDeleteVertexArrays) X(glCopyImageSubData) X(glCullFace) X(glDepthFunc) X(glDepthMask) X(glDisable) \

@@ -271,7 +271,8 @@ void drawShade(DrawContext& ctx) {
 
 void draw(DrawContext& ctx) {
     TexcellsView& view = ctx.ofView<TexcellsView>();
-    if (view.runs.empty() || !ctx.use()) return;
+    // What closes pixels is made before a second run asks for it, so that programs follow from the scene alone.
+    if (view.runs.empty() || !ctx.use(1, depthConstants(ctx.targets)) || !ctx.use()) return;
     beginVeil(ctx, kOwner, view.veil);
     for (const Run& run : view.runs) {
         if (&run != view.runs.data()) closeFull(ctx, view.veil, 1);

@@ -124,18 +124,20 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
                 addGroup(ctx, view, here, u.species[s][l], chosen[s][l]);
 }
 
-// Which trees cast, and at which level: what shadow maps are kept by.
+// Which trees cast, at which level and how they lean: what shadow maps are kept by.
 uint64_t hashOf(const TreesView& view, const glm::dvec3& eye) {
     Hasher h;
+    const auto add = [&](double value, double steps) {
+        const int64_t whole = std::llround(value * steps);
+        h.add(&whole, sizeof whole);
+    };
     for (const Group& g : view.groups) h.add(&g.mesh->parts[0].count, sizeof(uint32_t));
-    for (const ObjectInstance& r : view.rows) {
-        // Where it stands, to a millimetre, whatever the eye.
-        const glm::dvec3 at = glm::dvec3(double(r.row[0].w), double(r.row[1].w), double(r.row[2].w)) + eye;
+    for (const ObjectInstance& r : view.rows)
         for (int i = 0; i < 3; ++i) {
-            const int64_t millimetres = std::llround(at[i] * 1000);
-            h.add(&millimetres, sizeof millimetres);
+            // Where it stands, to a millimetre, whatever the eye.
+            add(static_cast<double>(r.row[i].w) + eye[i], 1000);
+            for (int k = 0; k < 3; ++k) add(static_cast<double>(r.row[i][k]), 10000);
         }
-    }
     return h.value();
 }
 

@@ -14,8 +14,9 @@ constexpr double kHalf = 1.02 + kSlack;  // half a map's side, as a share of the
 
 struct ShadowMap {
     Framebuffer target;
-    glm::dvec3 centre{0};  // in the world
-    uint64_t drawn = 0;    // hash of what it shows; 0: nothing yet
+    glm::dvec3 centre{0};   // in the world
+    uint64_t drawn = 0;     // hash of what it shows; 0: nothing yet
+    bool mirrored = false;  // drawn for what water mirrors, whose places round otherwise
 };
 struct ShadowState : EffectState {
     GlName<TextureKind> maps;  // an array of SHADOW_CASCADES
@@ -146,7 +147,9 @@ void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
 void draw(DrawContext& ctx) {
     ShadowState& s = ctx.own<ShadowState>();
     const uint64_t wanted = ctx.shared.castersHash | 1;
-    const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted; };
+    // The mirror takes what the main view drew; the main view draws its own, so that it is the same without a mirror.
+    const bool mirrored = ctx.globals.mirrored != 0;
+    const auto stale = [&](const ShadowMap& map) { return map.drawn != wanted || (map.mirrored && !mirrored); };
     if (ctx.globals.sunIsUp <= 0 || std::none_of(std::begin(s.map), std::end(s.map), stale) || !ctx.use()) return;
     glViewport(0, 0, kSide, kSide);
     glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map still shades
@@ -154,6 +157,7 @@ void draw(DrawContext& ctx) {
         if (!stale(s.map[i])) continue;
         drawMap(ctx, s, i);
         s.map[i].drawn = wanted;
+        s.map[i].mirrored = mirrored;
     }
     glDisable(GL_DEPTH_CLAMP);
 }
