@@ -1,7 +1,7 @@
 // The picture in which a forest's slices add up, the nearest first: pixels that they have filled are closed to those
 // behind, which are then not shaded, and the whole is laid over the scene at the end.
-// Does not: draw slices (forest/texcells.h). Cost: color and depth of all samples once more; a fraction of a ms for
-// each time that full pixels are closed, by which dense forest is several times cheaper than its slices are deep.
+// Does not: draw slices (forest/texcells.h). Cost: color and depth of all samples once more, and a full-screen pass
+// each time that full pixels are closed. On a software rasteriser slices took 0.91 of their time with it (two pairs).
 #pragma once
 #include "frame/draw_context.h"
 
