@@ -150,6 +150,13 @@ CellQuery patchQuery(const DrawContext& ctx, const Field& field, size_t i, float
     return queryOf(ctx, field, i, field.species[i].grown->patch, pixels);
 }
 
+bool isSownWhole(const Field& field) {
+    return std::all_of(field.species.begin(), field.species.end(), [](const FieldSpecies& s) {
+        const f32::Sown& sown = s.grown->patch.sown;
+        return sown.step == 0 && sown.share == 1;
+    });
+}
+
 void describeCells(GLuint mesh, GLuint cells, size_t stride, GLuint indices) {
     static_assert(sizeof(CellInstance) == sizeof(SliceCell) &&
                   offsetof(CellInstance, corner) == offsetof(SliceCell, x) &&

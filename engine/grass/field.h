@@ -92,6 +92,9 @@ const EffectRow& fieldEffect();
 // Says why far grass is darker; the programs that draw it make it so.
 const EffectRow& farDarkeningEffect();
 
+// Whether at density 1 every cell of each of its species has all blades of the patch (numerics/sowing.h).
+bool isSownWhole(const Field& field);
+
 // Its maps and globals for what is drawn next.
 void bindField(const Field& field);
 // The query for a species' drawn blades in this view.

@@ -235,15 +235,18 @@ void setShell(const Shell& shell) {
 }
 
 std::string insideConstant(bool inside) { return fmt::format("const bool INSIDE = {};\n", inside); }
-std::string rayConstants(RayRest rest) { return fmt::format("const int REST = {};\n", static_cast<int>(rest)); }
+std::string rayConstants(bool whole, RayRest rest) {
+    return fmt::format("const bool WHOLE = {};\nconst int REST = {};\n", whole, static_cast<int>(rest));
+}
 
 enum Program { kOver, kInside, kEnds };
 
 bool begin(DrawContext& ctx, const ShellView& view, const Shell& shell, bool inside) {
     const auto& rays = shell.field->view->settings<RaytracedGrass>();
     endTransparency();
+    const bool whole = !shell.density && isSownWhole(*shell.field);
     const std::string constants =
-        fieldConstants(shell.field->view->of) + rayConstants(rays.rest) + depthConstants(ctx.targets);
+        fieldConstants(shell.field->view->of) + rayConstants(whole, rays.rest) + depthConstants(ctx.targets);
     if (!ctx.use(inside ? kInside : kOver, insideConstant(inside) + constants, &shell.features)) return false;
     bindField(*shell.field);
     bindMaps(shell);
@@ -390,9 +393,10 @@ std::vector<std::string> variants(bool inside) {
     std::vector<std::string> out;
     const std::vector<std::string> depths = depthVariants();
     for (const std::string& field : fieldVariants())
-        out.push_back(insideConstant(inside) + field + rayConstants(RayRest::Mean) + depths[1]);
+        for (const bool whole : {false, true})
+            out.push_back(insideConstant(inside) + field + rayConstants(whole, RayRest::Mean) + depths[1]);
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(insideConstant(inside) + fieldConstants(GrassDrawing{}, {}) + rayConstants(rest) + depths[0]);
+        out.push_back(insideConstant(inside) + fieldConstants(GrassDrawing{}, {}) + rayConstants(false, rest) + depths[0]);
     return out;
 }
 

@@ -73,9 +73,16 @@ void select(DrawContext& ctx) {
     for (const Field* field : fieldsWith(ctx, Feature::GrassRaytraced)) view.carriers.push_back(carrierOf(ctx, *field));
 }
 
-std::string rayConstants(bool inside, RayRest rest, RayVisibility visibility) {
-    return fmt::format("const bool INSIDE = {};\nconst int REST = {};\nconst bool ENDS_AT_SCENE = {};\n", inside,
-                       static_cast<int>(rest), visibility == RayVisibility::Scene);
+std::string rayConstants(bool inside, bool whole, RayRest rest, RayVisibility visibility) {
+    return fmt::format(
+        "const bool INSIDE = {};\nconst bool WHOLE = {};\nconst int REST = {};\nconst bool ENDS_AT_SCENE = {};\n", inside,
+        whole, static_cast<int>(rest), visibility == RayVisibility::Scene);
+}
+// Whether all of its blades grow and slices draw them all, wherever rays go: opacity is then what slices store.
+bool isWhole(const Field& field) {
+    const FieldTiers& tiers = field.view->tiers;
+    return !field.draws(Feature::GrassDensity) && isSownWhole(field) && tiers.slicesFrom <= 0 &&
+           tiers.images.inv < 0 && tiers.images.min <= 0 && tiers.flat.inv == 0;
 }
 bool endsAtScene(const Field& field) {
     return field.view->settings<RaytracedGrass>().visibility == RayVisibility::Scene;
@@ -85,7 +92,7 @@ enum Program { kOver, kInside };
 
 bool begin(DrawContext& ctx, const Field& field, bool inside) {
     const auto& own = field.view->settings<RaytracedGrass>();
-    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, own.rest, own.visibility) +
+    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, isWhole(field), own.rest, own.visibility) +
                                   (endsAtScene(field) ? depthConstants(ctx.targets) : depthVariants()[0]);
     if (!beginField(ctx, field, inside ? kInside : kOver, constants)) return false;
     glUniform1i(0, own.steps);
@@ -134,12 +141,13 @@ std::vector<std::string> variants(bool inside) {
     std::vector<std::string> out;
     const std::vector<std::string> depths = depthVariants();
     for (const std::string& field : fieldVariants())
-        out.push_back(field + rayConstants(inside, RayRest::Mean, RayVisibility::Depth) + depths[0]);
+        for (const bool whole : {false, true})
+            out.push_back(field + rayConstants(inside, whole, RayRest::Mean, RayVisibility::Depth) + depths[0]);
     const std::string plain = fieldConstants(GrassDrawing{}, {});
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(plain + rayConstants(inside, rest, RayVisibility::Depth) + depths[0]);
+        out.push_back(plain + rayConstants(inside, false, rest, RayVisibility::Depth) + depths[0]);
     for (const std::string& depth : depths)
-        out.push_back(plain + rayConstants(inside, RayRest::Mean, RayVisibility::Scene) + depth);
+        out.push_back(plain + rayConstants(inside, false, RayRest::Mean, RayVisibility::Scene) + depth);
     return out;
 }
 

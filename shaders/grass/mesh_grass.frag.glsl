@@ -2,7 +2,7 @@
 // from there on the surface is taken to bend as it does there, or so that it comes to where it was drawn. INSIDE: for
 // an eye within the shell, in the frame that the surface has under the eye. Below the vertical slices lies the
 // horizontal one. Maps lie on the mesh's texture coordinates. Needs: const bool INSIDE; const int REST; const bool
-// MULTISAMPLED.
+// WHOLE; const bool MULTISAMPLED.
 #include "lib/density.glsl"
 #include "lib/far_light.glsl"
 #include "lib/field.glsl"

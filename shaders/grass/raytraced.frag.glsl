@@ -1,5 +1,5 @@
 // A ray through the slices over the terrain (lib/slice_rays.glsl). Cells count from that which the eye is over.
-// Needs: const bool INSIDE; const int REST; const bool ENDS_AT_SCENE; const bool MULTISAMPLED.
+// Needs: const bool INSIDE; const int REST; const bool WHOLE; const bool ENDS_AT_SCENE; const bool MULTISAMPLED.
 #include "lib/density.glsl"
 #include "lib/field.glsl"
 #include "lib/force.glsl"
@@ -67,6 +67,7 @@ float grownAt(Met m, Shell shell, float pixel) {
     vec3 root = rootOf(m, shell);
     vec2 ground = root.xz + frame.eye.xz;
     if (!onTerrain(ground)) return 0.0;
+    if (WHOLE) return 1.0;
     float far = length(root), density = sliceDensity(fieldDensityOver(mapPlace(ground), pixel),
                                                      lodRamp(far, slices.minGeom, slices.geomInv));
     return density * (1.0 - lodRamp(far, slices.minBTF, slices.btfInv));

@@ -1,7 +1,8 @@
 // A ray through a shell of vertical slices, front to back, from where it enters (Habel, Wimmer and Jeschke 2007,
 // sections 3 and 4; H-1 to H-8), over level ground or over a mesh. Coordinates of the ray: x and z in cells of the
 // field; height in metres below the shell's top. The place's lean and slope are taken off the ray, so that slices stand
-// upright on level ground. Fragment shaders only. Needs: const int REST; what lib/slices.glsl needs.
+// upright on level ground. Fragment shaders only. Needs: const int REST; const bool WHOLE: all of the patch's blades grow
+// wherever any do; what lib/slices.glsl needs.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/slice_light.glsl"
@@ -44,12 +45,13 @@ struct Sum {
     float depth;  // metres from the start to where depthAt of the opacity was reached
 };
 
+// Bits of Met::sides; kAcrossZ: of a slice across z, else across x.
+const int kBehind = 1, kMirrorX = 2, kMirrorZ = 4, kAcrossZ = 8;
+
 // A slice where a ray meets it.
 struct Met {
     vec3 texel;
-    float lightLayer;
-    vec2 mirror;
-    float side;
+    int sides;     // which side of it is seen, and how its cell is mirrored: kBehind, kMirrorX, kMirrorZ, kAcrossZ
     vec2 at;       // x, z in cells from slices.eyeCell
     float above;   // metres over the ground
     float t;       // metres from the start
@@ -83,9 +85,8 @@ Met metAt(SliceHit hit, Shell shell) {
     Met m;
     m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y, clamp(1.0 + height / shell.height, 0.0, 1.0),
                    float(axis * (slices.layers - n) + layer));
-    m.side = seen > 0.0 ? 1.0 : -1.0;
-    m.lightLayer = seen > 0.0 ? 0.0 : float(slices.layers);
-    m.mirror = v.mirror;
+    m.sides = (seen > 0.0 ? 0 : kBehind) | (v.mirror.x > 0.0 ? 0 : kMirrorX) | (v.mirror.y > 0.0 ? 0 : kMirrorZ) |
+              (axis == 0 ? 0 : kAcrossZ);
     float here = (float(hit.k) + 0.5) / float(n);
     m.at = axis == 0 ? vec2(here, along) : vec2(along, here);
     m.above = shell.height + height;
@@ -100,20 +101,24 @@ float opacityOf(Met m, Shell shell, float level, float pixel, out vec4 stored) {
     float density = grownAt(m, shell, pixel);
     if (!(density > 0.0)) return 0.0;
     stored = textureLod(sliceThreshold, m.texel, level);
+    if (WHOLE) return density * stored.y;  // what texelOpacity comes to at density 1
     return storedOpacity(stored, density, level, m.chance);
 }
 
-vec3 lightOf(Met m, Shell shell, vec3 at, int axis, float fine, float pixel, vec4 stored) {
+vec3 lightOf(Met m, Shell shell, vec3 at, float fine, float pixel, vec4 stored) {
+    float side = (m.sides & kBehind) == 0 ? 1.0 : -1.0;
+    vec2 mirror = vec2((m.sides & kMirrorX) == 0 ? 1.0 : -1.0, (m.sides & kMirrorZ) == 0 ? 1.0 : -1.0);
+    int axis = (m.sides & kAcrossZ) == 0 ? 0 : 1;
     vec4 leaf = textureLod(sliceReflectance, m.texel, fine);
     leaf.rgb = paintedAt(leaf.rgb, m, shell, pixel);
     SliceSpot s;
     s.texel = m.texel;
     s.visible = sunAt(m, shell);
-    s.images = sunImages(shell.sun, axis, m.side, m.mirror);
-    s.lightLayer = m.lightLayer;
+    s.images = sunImages(shell.sun, axis, side, mirror);
+    s.lightLayer = side > 0.0 ? 0.0 : float(slices.layers);
     s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
     for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
-    if (LAMPS) lampsOnImages(at, vec4(m.side, m.mirror, float(axis)), shell.toField, s.lamp);
+    if (LAMPS) lampsOnImages(at, vec4(side, mirror, float(axis)), shell.toField, s.lamp);
     s.fine = fine;
     return clamp(sliceRadiance(s, leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
 }
@@ -140,20 +145,20 @@ float levelAt(float pixel, float facing) {
     return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
 }
 
-// A slice that a ray meets, with what it stores of light from above (front, back), and its share of the ray's light.
+// A slice that a ray meets, with what it stores of light from above (front, back), its share of the ray's light, and the
+// level of detail at which that is looked up.
 struct Sent {
     float share;
     Met met;
     vec2 above;
-    int axis;
+    float fine;
 };
 
 // Its light times its share.
-vec3 sentLight(Sent s, Shell shell, vec2 levels, float pixel) {
+vec3 sentLight(Sent s, Shell shell, float pixel) {
     if (!(s.share > 0.0)) return vec3(0.0);
-    float fine = max((s.axis == kRayU ? levels.x : levels.y) - 1.0, 0.0);
     vec3 at = shell.start + shell.way * s.met.t;
-    return s.share * lightOf(s.met, shell, at, s.axis, fine, pixel, vec4(0.0, 0.0, s.above));
+    return s.share * lightOf(s.met, shell, at, s.fine, pixel, vec4(0.0, 0.0, s.above));
 }
 
 bool meetsSlice(SliceHit hit) { return hit.family == kRayU || hit.family == kRayV; }
@@ -166,37 +171,39 @@ struct Walk {
     Sent most, next;
 };
 
-void meet(inout Walk walk, Sent s, float alpha) {
+// t: where it counts for the ray's depth, metres.
+void meet(inout Walk walk, Sent s, float alpha, float t) {
     float a = alpha > 0.004 ? min(alpha, 1.0) : 0.0, left = walk.through * (1.0 - a);
-    if (walk.through > 1.0 - depthAt && left <= 1.0 - depthAt) walk.depth = s.met.t;
+    if (walk.through > 1.0 - depthAt && left <= 1.0 - depthAt) walk.depth = t;
     s.share = walk.through - left;
     walk.through = left;
-    if (s.share > walk.most.share) {
-        walk.next = walk.most;
-        walk.most = s;
-    } else if (s.share > walk.next.share)
-        walk.next = s;
+    bool most = s.share > walk.most.share, next = s.share > walk.next.share;
+    if (next) walk.next = s;
+    if (most) walk.next = walk.most;
+    if (most) walk.most = s;
 }
 
-// What slices from `hit` on would show up to the shell's end. Which of them is looked at, and where, is random: looked
-// at where the ray goes on, coarse texels would show as blocks.
-void addRest(inout Sum sum, Shell shell, SliceRay ray, SliceHit hit, uint grain) {
-    if (REST == REST_NOTHING || !meetsSlice(hit)) return;
-    int axis = hit.family;
+// What slices from `hit` on would show up to the shell's end, as one slice more. Which of them is looked at, and where,
+// is random: looked at where the ray goes on, coarse texels would show as blocks.
+void meetRest(inout Walk walk, Shell shell, SliceRay ray, SliceHit hit, float pixel, uint grain) {
+    if (REST == REST_NOTHING || !meetsSlice(hit) || !(walk.through > 1.0 - cutOff)) return;
+    Sent s;
+    s.fine = kCoarse;
     vec2 speed = abs(ray.direction.xy) * float(slices.slices);
     float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
-    Met m = metAt(hit, shell);
+    s.met = metAt(hit, shell);
     uint r = hash2(grain, 79u);
-    m.texel = vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
-                   float(axis * (slices.layers - slices.slices) + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
+    s.met.texel = vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
+                       float(hit.family * (slices.layers - slices.slices) +
+                             int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
     vec4 stored;
-    float pixel = pixelAt(length(shell.start) + hit.t), alpha = opacityOf(m, shell, kCoarse, pixel, stored);
+    float alpha = opacityOf(s.met, shell, kCoarse, pixel, stored);
     if (!(alpha > 0.0)) return;
+    s.above = stored.zw;
     float slicesPerMetre = dot(speed, shell.turned), shown = 1.0 + left * slicesPerMetre;
     float all = REST == REST_OPAQUE ? 1.0 : correctionPow(alpha, min(shown, 64.0));
     // As deep as light comes in the mean.
-    float t = hit.t + min(left, 1.0 / max(alpha * slicesPerMetre, 1e-3));
-    add(sum, lightOf(m, shell, shell.start + shell.way * hit.t, axis, kCoarse, pixel, stored), all, t);
+    meet(walk, s, all, hit.t + min(left, 1.0 / max(alpha * slicesPerMetre, 1e-3)));
 }
 
 // Steps of a ray where a pixel is so wide: slices that lie within one are not told apart, and their mean will do.
@@ -219,26 +226,24 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     // The test stands at the end: rasterisers in software run what stands behind a test once more for nothing.
     do {
         Sent s;
-        s.axis = max(hit.family, 0);
         s.met = metAt(hit, shell);
         vec4 stored;
         bool isU = hit.family == kRayU;
-        float turned = on ? (isU ? shell.turned.x : shell.turned.y) : 0.0;
-        float alpha = opacityOf(s.met, shell, isU ? levels.x : levels.y, pixel, stored) * turned;
-        s.above = stored.zw;
-        meet(walk, s, alpha);
+        float turned = on ? (isU ? shell.turned.x : shell.turned.y) : 0.0, level = isU ? levels.x : levels.y;
+        float alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
+        s.above = stored.zw, s.fine = max(level - 1.0, 0.0);
+        meet(walk, s, alpha, hit.t);
         if (alpha > 0.004) last = hit.t;
         ray = sliceAfter(ray, hit);
         hit = sliceHit(ray);
         --left;
         on = on && left > 0 && meetsSlice(hit) && walk.through > 1.0 - cutOff;
     } while (on);
+    meetRest(walk, shell, ray, hit, pixel, grain);
     Sum sum;
-    sum.through = walk.through, sum.depth = walk.depth;
-    vec3 light = sentLight(walk.most, shell, levels, pixel) + sentLight(walk.next, shell, levels, pixel);
+    sum.through = walk.through, sum.depth = walk.depth < 0.0 ? last : walk.depth;
+    vec3 light = sentLight(walk.most, shell, pixel) + sentLight(walk.next, shell, pixel);
     sum.light = light * ((1.0 - walk.through) / max(walk.most.share + walk.next.share, 1e-6));
-    if (sum.through > 1.0 - cutOff) addRest(sum, shell, ray, hit, grain);
-    if (sum.depth < 0.0) sum.depth = last;
     return sum;
 }
 

@@ -72,6 +72,18 @@ TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
     }
 }
 
+// Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long one.
+TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
+    NoGlErrors errors;
+    Project p = meadow(Technique::Raytraced);
+    Renderer r(gpu(), tables());
+    const auto whole = picture(r, p, grazing());
+    flatField(p).species[0].density = {"maps/full.png", filled({4, 4, 1, PixelType::U16}, 1)};
+    const auto mapped = picture(r, p, grazing());
+    EXPECT_EQ(whole, mapped);
+    EXPECT_GT(covered(whole), 0.5);
+}
+
 // The mean of what is beyond the last step keeps the picture of few steps near that of many; nothing keeps it less.
 TEST(Raytraced, FewStepsAreAsBrightAsManyBecauseTheRestIsFilled) {
     NoGlErrors errors;
