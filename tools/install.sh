@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the distribution packages of third_party/packages.txt that are missing; does nothing if none is.
+# Installs the distribution packages of a list (default: third_party/packages.txt) that are missing; does nothing if
+# none is: tools/install.sh [LIST]
 # Needs root or sudo, and the network, only when something is missing. Speaks on standard error.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -10,7 +11,8 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     exit 0
 fi
 
-mapfile -t wanted < <(sed 's/#.*//' "$root/third_party/packages.txt" | xargs -n 1)
+list=${1:-third_party/packages.txt}
+mapfile -t wanted < <(sed 's/#.*//' "$root/$list" | xargs -n 1)
 # Prints those that are not installed.
 missing() {
     local installed

@@ -38,6 +38,19 @@ std::vector<SliceLevel> levelsOf(int width, int height, size_t layers) {
     }
 }
 
+// Bytes of all that the levels of a head hold.
+uint64_t bytesOf(const Head& h) {
+    uint64_t texels = 0;
+    const auto add = [&](int width, int height, uint64_t layers) {
+        for (int w = width, y = height;; w = std::max(w / 2, 1), y = std::max(y / 2, 1)) {
+            texels += layers * static_cast<uint64_t>(w) * static_cast<uint64_t>(y);
+            if (w == 1 && y == 1) return;
+        }
+    };
+    add(h.width, h.height, 2 * static_cast<uint64_t>(h.slices)), add(h.farSize, h.farSize, 1);
+    return texels * 4 * std::size(kChannels);
+}
+
 bool soundHead(const Head& h, uint64_t key) {
     const auto size = [](int v) { return v >= 1 && v <= 2048 && (v & (v - 1)) == 0; };
     return std::memcmp(h.magic, kMagic, 8) == 0 && h.key == key && h.slices >= 1 && h.slices <= kMaxSlices &&
@@ -54,11 +67,11 @@ std::optional<SliceImages> parse(const std::string& bytes, uint64_t key, std::st
     std::memcpy(&sum, bytes.data() + bytes.size() - 8, 8);
     if (!soundHead(h, key) || sum != hashBytes(bytes.data(), bytes.size() - 8))
         return wrong = "it is damaged or truncated", std::nullopt;
+    if (bytes.size() != sizeof(h) + bytesOf(h) + 8) return wrong = "its size is not what its head says", std::nullopt;
     SliceImages out;
     out.slices = h.slices, out.top = h.top, out.reflectScale = h.reflectScale;
     out.vertical = levelsOf(h.width, h.height, 2 * static_cast<size_t>(h.slices));
     out.far = levelsOf(h.farSize, h.farSize, 1);
-    if (bytes.size() != sizeof(h) + out.bytes() + 8) return wrong = "its size is not what its head says", std::nullopt;
     const char* from = bytes.data() + sizeof(h);
     for (auto* levels : {&out.vertical, &out.far})
         for (SliceLevel& l : *levels)

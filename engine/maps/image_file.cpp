@@ -119,7 +119,11 @@ class OiioReader final : public ImageReader {
         return unsound(fmt::format("is truncated or damaged: {}", firstLine(why)), "export it again").at(file_);
     }
     Status readFromScanlines(int y0, int rows, void* out) {
-        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, type_, out)) return {};
+        // Asked for the file's own type by name, the library would convert through 64 MB of its own.
+        const OIIO::ImageSpec& spec = input_->spec();
+        const bool asStored = spec.format == type_ && spec.channelformats.empty() && spec.nchannels == info_.channels;
+        const OIIO::TypeDesc type = asStored ? OIIO::TypeDesc(OIIO::TypeDesc::UNKNOWN) : type_;
+        if (input_->read_scanlines(0, 0, first_ + y0, first_ + y0 + rows, 0, 0, info_.channels, type, out)) return {};
         return truncated(input_->geterror());
     }
     // Tiles may be of any height, so the whole image is read at the first call.

@@ -30,7 +30,7 @@ Status walkPng(const std::filesystem::path& file, std::istream& in, uint64_t siz
         char head[8];
         in.seekg(static_cast<std::streamoff>(at));
         if (at + 12 > size || !in.read(head, 8)) return damaged(file, "is truncated");
-        at += 12 + bigEndian(head);
+        at += uint64_t(12) + bigEndian(head);
         if (at > size) return damaged(file, "is truncated");
         if (std::memcmp(head + 4, "IEND", 4) == 0) return {};
     }

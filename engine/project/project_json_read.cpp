@@ -190,7 +190,8 @@ void readField(ProjectReader& r, const FieldRow& row, const std::string& path, c
 
 void readFields(ProjectReader& r, std::span<const FieldRow> rows, const std::string& path, const Json& j, void* base) {
     for (const auto& [key, value] : j.object) {
-        const auto row = std::find_if(rows.begin(), rows.end(), [&](const FieldRow& f) { return key == f.name; });
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [&wanted = key](const FieldRow& f) { return wanted == f.name; });
         if (row != rows.end())
             readField(r, *row, path + "." + key, value, at(base, *row));
         else

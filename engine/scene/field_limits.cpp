@@ -24,8 +24,8 @@ std::optional<FieldFault> brokenLimit(const Project& p) {
     for (const auto& [name, field] : fieldsOf(p)) {
         const GrassField& f = field.grows;
         fields += 1, species += f.species.size(), maps += soilMaps(f);
-        const auto fault = [&](const char* where, std::string message) {
-            return FieldFault{name, where, name + ".GrassField" + (*where ? "." : "") + where + ": " + message};
+        const auto fault = [&entity = name](const char* where, std::string message) {
+            return FieldFault{entity, where, entity + ".GrassField" + (*where ? "." : "") + where + ": " + message};
         };
         if (f.species.size() > kMaxSpecies)
             return fault("species", fmt::format("{} species; a field may have {}", f.species.size(), kMaxSpecies));

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "core/hash.h"
 #include "core/log.h"
 #include "support.h"
 
@@ -93,6 +94,17 @@ TEST_F(SliceFile, AnotherVersionsFileIsMadeAnewAndNamed) {
     EXPECT_NE(warnings[0].find("version 77"), std::string::npos) << warnings[0];
     cacheSlices(dir.path, kKey, images());
     EXPECT_TRUE(loadCachedSlices(dir.path, kKey));
+}
+
+// Found by fuzzing, which it took gigabytes from: a head may claim more than its file holds, with a hash that is right.
+TEST_F(SliceFile, AHeadThatClaimsMoreThanTheFileHoldsIsRefusedBeforeRoomIsMade) {
+    std::string claims = bytes.substr(0, bytes.size() - 8);
+    const int sizes[] = {512, 2048, 2048, 2048};  // slices, width, height, size from above
+    std::memcpy(claims.data() + 12, sizes, sizeof sizes);
+    const uint64_t sum = hashBytes(claims.data(), claims.size());
+    claims.append(reinterpret_cast<const char*>(&sum), 8);
+    expectRefused(claims, "claims");
+    EXPECT_NE(warnings[0].find("size"), std::string::npos) << warnings[0];
 }
 
 TEST_F(SliceFile, AnotherKeysFileUnderThisNameIsRefused) {

@@ -85,3 +85,18 @@ TEST(DamagedMaps, ChangedBytesNeverCrashNorGiveTexelsThatAreNotFinite) {
     EXPECT_GT(refused, 100u);
     EXPECT_GT(read, 100u);
 }
+
+// Chunk lengths that, with the 12 bytes around a chunk, come to 2^32 or more: found by fuzzing, which it hung.
+TEST(DamagedMaps, APngWhoseChunksAreAsLongAsNumbersGoIsRefused) {
+    TempDir dir;
+    const std::string sound = soundFile(dir, kKinds[0]);
+    const size_t second = 8 + 12 + 13;  // after the signature and IHDR
+    for (const char low : {'\xf3', '\xf4', '\xff', '\xc7'}) {
+        std::string bytes = sound;
+        bytes.replace(second, 4, std::string("\xff\xff\xff") + low);
+        writeText(dir / "m.png", bytes);
+        const Result<Map> map = readMap(dir / "m.png", wishFor(kKinds[0]));
+        ASSERT_FALSE(map);
+        EXPECT_EQ(map.error().code, ExitCode::Unsound);
+    }
+}
