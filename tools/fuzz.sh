@@ -17,7 +17,7 @@ export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1:quarantine_size_m
 [ -w /dev/shm ] && export TMPDIR=/dev/shm
 run() {
     mkdir -p "corpus/$1" findings
-    "./$1_fuzz" "corpus/$1" "seeds/$1" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=3000 \
+    "./$1_fuzz" "corpus/$1" "seeds/$1" -max_total_time="$seconds" -max_len=65536 -timeout=60 -rss_limit_mb=3000 \
         -close_fd_mask=3 -print_final_stats=1 -artifact_prefix="findings/$1-" >"$1.log" 2>&1 || touch "$1.failed"
     echo "$1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$1.log") inputs tried"
 }
