@@ -7,7 +7,7 @@
 namespace sward {
 
 std::string timeLeft(double share, double seconds) {
-    if (!(share >= 0.02) || !(seconds >= 2) || share >= 1) return "";
+    if (!(share >= 0.005) || !(seconds >= 2) || share >= 1) return "";
     const long left = std::lround(seconds * (1 - share) / share);
     if (left < 60) return fmt::format("{} s left", std::max(left, 1L));
     if (left < 3600) return fmt::format("{}:{:02d} left", left / 60, left % 60);

@@ -5,7 +5,7 @@
 
 namespace sward {
 
-// "40 s left", "2:05 left", "1:10 h left"; empty while too little is done to say (2% or 2 seconds), or all of it.
+// "40 s left", "2:05 left", "1:10 h left"; empty while too little is done to say (0.5% or 2 seconds), or all of it.
 // share: of the work done, 0 to 1; seconds: that it took.
 std::string timeLeft(double share, double seconds);
 

@@ -1,8 +1,11 @@
 #include "cli/interrupt.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <csignal>
+
+#include "app/time_left.h"
 
 namespace sward {
 namespace {
@@ -31,11 +34,26 @@ Interruptible::~Interruptible() {
 }
 bool interrupted() { return pressed != 0; }
 
-std::function<bool(double)> progressLine(const std::string& name) {
-    return [name, last = -1](double share) mutable {
+std::string longTaskText(const std::string& name, double share, double seconds, const std::string& remedy) {
+    constexpr double kTelling = 5, kLong = 30;
+    if (!(seconds >= kTelling) || !(share > 0) || !(seconds * (1 - share) / share >= kLong)) return {};
+    const std::string left = timeLeft(share, seconds);
+    if (left.empty()) return {};
+    return fmt::format("{}: {}; Ctrl+C ends it{}{}", name, left, remedy.empty() ? "" : "; ", remedy);
+}
+
+std::function<bool(double)> progressLine(const std::string& name, const std::string& remedy) {
+    const bool person = isatty(STDERR_FILENO);
+    return [=, last = -1, told = false, begun = std::chrono::steady_clock::now()](double share) mutable {
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         const int percent = static_cast<int>(share * 100);
-        if (percent != last && isatty(STDERR_FILENO))
-            std::fprintf(stderr, "\r%s %3d %%%s", name.c_str(), percent, percent == 100 ? "\n" : "");
+        if (const std::string text = told ? "" : longTaskText(name, share, seconds, remedy); !text.empty()) {
+            std::fprintf(stderr, "%ssward: %s\n", person ? "\r" : "", text.c_str());
+            told = true;
+        }
+        if (percent != last && person)
+            std::fprintf(stderr, "\r%s %3d %%  %-14s%s", name.c_str(), percent, timeLeft(share, seconds).c_str(),
+                         percent == 100 ? "\n" : "");
         last = percent;
         return !interrupted();
     };

@@ -24,13 +24,18 @@ class Interruptible {
 // Whether it was pressed since the last Interruptible was made.
 bool interrupted();
 
-// A line on standard error that is written over, where a person looks; elsewhere nothing. False once interrupted.
-std::function<bool(double)> progressLine(const std::string& name);
+// How long a task still takes, with what would make it shorter, once 5 seconds tell that it takes half a minute or
+// more; else empty.
+std::string longTaskText(const std::string& name, double share, double seconds, const std::string& remedy);
 
-// Waits for a job, telling how far it is. Interrupted error once Ctrl+C was pressed.
+// A line on standard error that is written over, where a person looks, with the time left; elsewhere longTaskText,
+// once. False once interrupted.
+std::function<bool(double)> progressLine(const std::string& name, const std::string& remedy = {});
+
+// Waits for a job, telling how far it is. Interrupted error once Ctrl+C was pressed. remedy: what makes it shorter.
 template <class T>
-Result<T> waitFor(Job<T>& job, uint64_t inputHash) {
-    const auto tell = progressLine(job.label());
+Result<T> waitFor(Job<T>& job, uint64_t inputHash, const std::string& remedy = {}) {
+    const auto tell = progressLine(job.label(), remedy);
     while (!job.finished()) {
         if (!tell(job.progress())) {
             job.cancel();

@@ -82,7 +82,7 @@ Result<Json> trace(const Shot& s, const fs::path& file) {
     const auto start = std::chrono::steady_clock::now();
     Job<Truth> job("reference " + s.camera, 0,
                    [&s](JobControl& control) { return s.scene.trace(s.view, s.settings, control); });
-    auto truth = waitFor(job, 0);
+    auto truth = waitFor(job, 0, "fewer --samples or a smaller --size take less, --shard parts the work");
     if (!truth) return truth.error();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!s.isPart()) {
@@ -122,7 +122,7 @@ Result<Json> traceAll(ReferenceOptions o, const Project& project, ReferenceSetti
         const double since = film ? frame / o.fps : 0, time = o.time + since;
         Job<ReferenceScene> job(
             "scene", 0, [&](JobControl& control) { return ReferenceScene::make(project, tables(), time, control); });
-        auto scene = waitFor(job, 0);
+        auto scene = waitFor(job, 0, "fewer or shorter blades take less");
         if (!scene) return scene.error();
         for (const std::string& camera : *cameras) {
             const fs::path file =

@@ -348,10 +348,11 @@ struct Sums {
     glm::dvec3 light{0}, squares{0};
     int grass = 0;
 };
-Sums samplePixel(const View& v, int x, int y, GrassMemory& memory) {
+// Cancelled, it ends after the sample that it is at: one of deep grass may take a tenth of a second.
+Sums samplePixel(const View& v, int x, int y, GrassMemory& memory, const JobControl& control) {
     Sums sums;
     const uint32_t pixel = f32::hash3(static_cast<uint32_t>(x), static_cast<uint32_t>(y), v.settings.seed);
-    for (int i = 0; i < v.settings.samples; ++i) {
+    for (int i = 0; i < v.settings.samples && !control.cancelled(); ++i) {
         Dice dice{pixel, static_cast<uint32_t>(i)};
         const double dx = static_cast<double>(dice.unit()), dy = static_cast<double>(dice.unit());
         std::optional<Surface> met;
@@ -443,18 +444,19 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
     const int across = (settings.width + kBlockWidth - 1) / kBlockWidth,
               down = (settings.height + kShardRows - 1) / kShardRows;
     MemoryPool memories;
-    std::atomic<int> done{0};
+    std::atomic<size_t> done{0};
     parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t block) {
         const int x0 = static_cast<int>(block) % across * kBlockWidth,
                   y0 = static_cast<int>(block) / across * kShardRows;
         if (control.cancelled() || !isOfShard(y0, settings)) return;
         auto memory = memories.take();
         for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
-            for (int x = x0; x < std::min(x0 + kBlockWidth, settings.width); ++x)
+            for (int x = x0; x < std::min(x0 + kBlockWidth, settings.width); ++x) {
                 writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x),
-                           samplePixel(view, x, y, *memory), settings.samples);
+                           samplePixel(view, x, y, *memory, control), settings.samples);
+                control.setProgress(static_cast<double>(++done) * settings.shards / static_cast<double>(pixels));
+            }
         memories.give(std::move(memory));
-        control.setProgress(static_cast<double>(++done) * settings.shards / (across * down));
     });
     if (control.cancelled()) return failed("cancelled");
     return truth;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "core/file.h"
 #include "core/numerics.h"
 #include "fields.h"
@@ -222,6 +225,21 @@ TEST(ReferenceSamples, NoneOrTooManyAreRefused) {
     }
     control.cancel();
     EXPECT_FALSE(scene->trace(eyeHeight(), sized(64, 48, 4), control));
+}
+
+// A picture of one block that would take minutes: who cancels it does not wait for the block, and sees how far it is.
+TEST(ReferenceSamples, CancellingWaitsForNoWholeBlock) {
+    JobControl control;
+    auto scene = ReferenceScene::make(lawn(), tables(), 0, control);
+    ASSERT_TRUE(scene);
+    std::thread tracing([&] { EXPECT_FALSE(scene->trace(eyeHeight(), sized(8, 8, kMaxReferenceSamples), control)); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const double share = control.progress();
+    control.cancel();
+    const auto asked = std::chrono::steady_clock::now();
+    tracing.join();
+    EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::seconds(2));
+    EXPECT_LT(share, 0.9) << "else nothing was tried";
 }
 
 struct Parts : testing::Test {

@@ -11,7 +11,7 @@ TEST(TimeLeft, FollowsFromTheShareDoneAndIsSaidWhenThereIsSomethingToGoBy) {
     EXPECT_EQ(timeLeft(0.25, 100), "5:00 left");
     EXPECT_EQ(timeLeft(0.1, 1000), "2:30 h left");
     EXPECT_EQ(timeLeft(0.999, 100), "1 s left");
-    EXPECT_EQ(timeLeft(0.01, 100), "") << "too little is done";
+    EXPECT_EQ(timeLeft(0.004, 100), "") << "too little is done";
     EXPECT_EQ(timeLeft(0.5, 1), "") << "too soon";
     EXPECT_EQ(timeLeft(1, 50), "");
 }
