@@ -19,6 +19,7 @@ static_assert(sizeof(TileInView) % 16 == 0, "as std430 strides it");
 constexpr const char* kOwner = "forest/texcells";
 constexpr float kNoTree = 1e30f;  // as high as a foot may lie
 constexpr size_t kBatches = 14;   // of tiles, after each of which full pixels are closed
+constexpr VeilPrograms kVeilPrograms{1, 2, 3};  // in kPrograms
 constexpr double kLevelView = 1e-3;
 static_assert(kTreeSlots == FOREST_SLOTS);
 
@@ -271,11 +272,11 @@ void drawShade(DrawContext& ctx) {
 
 void draw(DrawContext& ctx) {
     TexcellsView& view = ctx.ofView<TexcellsView>();
-    // What closes pixels is made before a second run asks for it, so that programs follow from the scene alone.
-    if (view.runs.empty() || !ctx.use(1, depthConstants(ctx.targets)) || !ctx.use()) return;
-    beginVeil(ctx, kOwner, view.veil);
+    // All are made before a second run asks for what closes pixels: programs follow from the scene alone.
+    if (view.runs.empty() || !useVeil(ctx, kVeilPrograms) || !ctx.use()) return;
+    beginVeil(ctx, kOwner, view.veil, kVeilPrograms);
     for (const Run& run : view.runs) {
-        if (&run != view.runs.data()) closeFull(ctx, view.veil, 1);
+        if (&run != view.runs.data()) closeFull(ctx, view.veil, kVeilPrograms);
         if (!ctx.use()) break;
         bind(ctx, view, run);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_TILES, view.tileBuffer.id());
@@ -286,15 +287,16 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += run.count;
     }
-    endVeil(ctx, view.veil, 2);
+    endVeil(ctx, view.veil, kVeilPrograms);
 }
 
 const System kSystems[] = {
     {"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}, .writes = {Slot::Forests}}, place}};
 const ProgramRow kPrograms[] = {
     {"forest/texcells", "forest/texcells.vert.glsl", "forest/texcells.frag.glsl", nullptr},
-    {"forest/texcells/full", "forest/full.vert.glsl", "forest/full.frag.glsl", nullptr, depthVariants},
-    {"forest/texcells/veil", "post/fullscreen.vert.glsl", "forest/veil.frag.glsl", nullptr, depthVariants}};
+    {"forest/texcells/behind", "post/fullscreen.vert.glsl", "forest/behind.frag.glsl", nullptr, depthVariants},
+    {"forest/texcells/full", "forest/full.vert.glsl", "forest/full.frag.glsl", nullptr},
+    {"forest/texcells/veil", "post/fullscreen.vert.glsl", "forest/veil.frag.glsl", nullptr}};
 const ProgramRow kShadePrograms[] = {{"forest/shade", "terrain/ground.vert.glsl", "forest/shade.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"forest/shade",
                          Stage::GroundShadow,

@@ -23,7 +23,8 @@ flat in vec3 facing;
 flat in float path;
 flat in vec2 canopy;
 flat in int level;
-out vec4 color;
+layout(location = 0) out vec4 color;
+layout(location = 1) out float depth;
 
 void main() {
     vec2 uv = stored / forest.cells;
@@ -38,6 +39,7 @@ void main() {
     vec4 leaves = blend.x * textureLod(slabs, vec3(uv, first + floor(at * fine)), mip);
     if (blend.y > 0.0) leaves += blend.y * textureLod(slabs, vec3(uv, first + fine + floor(0.5 * at * fine)), mip);
     if (leaves.a < 1.0 / 512.0) discard;
+    depth = gl_FragCoord.z;
     vec3 way = position / distance;
     leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
