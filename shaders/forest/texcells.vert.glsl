@@ -26,6 +26,16 @@ vec2 cornerOf(int corner, bool up) {
     return vec2(corner == 1 ? 0.0 : 1.0, corner == 2 ? 0.0 : 1.0);
 }
 
+// Half of a tilted slice lies under the ground or over the trees: cut away.
+void cutAtReach(TileInView t, float over) {
+    vec3 begin = vec3(t.corner[0].w, t.corner[1].w, t.corner[2].w);
+    float low = max(max(begin.x, begin.y), begin.z);
+    float high = min(min(begin.x, begin.y), begin.z) + float(t.slices) * t.spacing;
+    if (!WATER_REFLECTION) gl_ClipDistance[0] = 1.0;
+    gl_ClipDistance[1] = over - low;
+    gl_ClipDistance[2] = high - over;
+}
+
 void main() {
     number = firstTile + gl_InstanceID;
     TileInView t = tiles[number];
@@ -48,5 +58,6 @@ void main() {
     canopy = t.canopy;
     level = t.level;
     cutAtWater(position.y);
+    cutAtReach(t, t.corner[corner].w + rise);
     gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }
