@@ -155,7 +155,6 @@ ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v) {
     g.height = static_cast<float>(v.images.height);
     g.voxel = static_cast<float>(v.images.cells * v.images.edge / v.images.side);
     g.pixel = pixelAt1m(ctx);
-    g.lightSlabs = static_cast<float>(v.images.air.layers);
     g.edge = static_cast<float>(v.images.edge);
     g.cells = static_cast<float>(v.images.cells);
     g.slabs = static_cast<float>(v.images.layers);
