@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/hash.h"
+#include "core/log.h"
 #include "core/numerics.h"
 #include "forest/shade_map.h"
 #include "forest/slicing.h"
@@ -17,8 +18,8 @@ namespace {
 
 static_assert(sizeof(TileInView) % 16 == 0, "as std430 strides it");
 constexpr const char* kOwner = "forest/texcells";
-constexpr float kNoTree = 1e30f;  // as high as a foot may lie
-constexpr size_t kBatches = 14;   // of tiles, after each of which full pixels are closed
+constexpr float kNoTree = 1e30f;                // as high as a foot may lie
+constexpr size_t kBatches = 14;                 // of tiles, after each of which full pixels are closed
 constexpr VeilPrograms kVeilPrograms{1, 2, 3};  // in kPrograms
 constexpr double kLevelView = 1e-3;
 static_assert(kTreeSlots == FOREST_SLOTS);
@@ -161,6 +162,16 @@ ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v) {
     return g;
 }
 
+// Cliffs (D-6) have no volume: said once for each stand.
+void tellCliffs(const ForestHere& here, const std::vector<Prism>& prisms) {
+    const auto cut = std::count_if(prisms.begin(), prisms.end(), [](const Prism& p) { return !p.usable; });
+    if (cut > 0)
+        logWarning(
+            fmt::format("{}.Forest: {} of {} tiles lie on cliffs, where far trees are not drawn (lower slopeDeg's "
+                        "second value, so that none stands there)",
+                        here.entity, cut, prisms.size()));
+}
+
 // What trees' meshes need to be lit by the same air.
 void publish(DrawContext& ctx, Volume& v, ForestHere& here) {
     const ForestGlobals g = globalsOf(ctx, v);
@@ -228,7 +239,7 @@ void place(DrawContext& ctx) {
         Volume& v = s.volumes[here->entity];
         ensureVolume(ctx, kOwner, v, *here);
         const bool stale = v.stood != here->stood;
-        if (stale) v.prisms = prismsOf(*here);
+        if (stale) v.prisms = prismsOf(*here), tellCliffs(*here, v.prisms);
         v.stood = here->stood;
         if (lightVolume(v, sun) || stale) fillCanopies(v, *here->stand, glm::dvec3(sun));
         publish(ctx, v, *here);
