@@ -60,7 +60,7 @@ struct Hook<pointer> {
 // clang-format off
 #define SWARD_GL_CALLS(X) \
     X(glAttachShader) X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) \
-    X(glBindTextureUnit) X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationSeparate) \
+    X(glBindTextureUnit) X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationi) X(glBlendEquationSeparate) \
     X(glBlendFunc) X(glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) \
     X(glClearColor) X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) \
     X(glClearNamedFramebufferfv) X(glClearStencil) X(glClientWaitSync) X(glClipControl) X(glColorMask) \
@@ -75,7 +75,7 @@ struct Hook<pointer> {
     X(glGetNamedBufferSubData) X(glGetProgramInfoLog) X(glGetProgramiv) X(glGetQueryObjectui64v) \
     X(glGetShaderInfoLog) X(glGetShaderiv) X(glGetString) X(glGetTextureImage) X(glGetTextureLevelParameteriv) \
     X(glLinkProgram) X(glMemoryBarrier) X(glMultiDrawArraysIndirect) X(glMultiDrawElementsIndirect) \
-    X(glNamedBufferStorage) X(glNamedBufferSubData) X(glNamedFramebufferDrawBuffer) X(glNamedFramebufferTexture) \
+    X(glNamedBufferStorage) X(glNamedBufferSubData) X(glNamedFramebufferDrawBuffer) X(glNamedFramebufferDrawBuffers) X(glNamedFramebufferTexture) \
     X(glNamedFramebufferTextureLayer) X(glObjectLabel) X(glPatchParameteri) X(glPixelStorei) X(glPopDebugGroup) \
     X(glPushDebugGroup) X(glShaderSource) X(glStencilFunc) X(glStencilMask) X(glStencilOp) X(glTextureBarrier) \
     X(glTextureParameterf) X(glTextureParameteri) X(glTextureStorage2D) X(glTextureStorage2DMultisample) \

@@ -8,10 +8,10 @@
 namespace sward {
 namespace {
 
-constexpr double kSlabPixels = 1.25;  // of a slab's height, where it lies at its tile's distance
-constexpr double kLeastSeen = 0.35;   // of a slab's height that counts, straight from above
-constexpr double kFadeDeg = 4;        // to both sides of Forest::silhouetteDeg
-constexpr double kLevelBand = 0.03;   // sine to both sides of the horizon within which two tilts are there
+constexpr double kSlabPixels = 0.9;  // of a slab's height, where it lies at its tile's distance
+constexpr double kLeastSeen = 0.35;  // of a slab's height that counts, straight from above
+constexpr double kFadeDeg = 4;       // to both sides of Forest::silhouetteDeg
+constexpr double kLevelBand = 0.03;  // sine to both sides of the horizon within which two tilts are there
 
 // A triangle's corner k in its cell, in the order of the tile's.
 glm::ivec2 cornerOf(bool up, int k) { return up ? glm::ivec2(k == 1, k == 2) : glm::ivec2(k != 1, k != 2); }

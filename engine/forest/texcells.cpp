@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/hash.h"
+#include "core/log.h"
 #include "core/numerics.h"
 #include "forest/shade_map.h"
 #include "forest/slicing.h"
@@ -17,8 +18,9 @@ namespace {
 
 static_assert(sizeof(TileInView) % 16 == 0, "as std430 strides it");
 constexpr const char* kOwner = "forest/texcells";
-constexpr float kNoTree = 1e30f;  // as high as a foot may lie
-constexpr size_t kBatches = 14;   // of tiles, after each of which full pixels are closed
+constexpr float kNoTree = 1e30f;                // as high as a foot may lie
+constexpr size_t kBatches = 14;                 // of tiles, after each of which full pixels are closed
+constexpr VeilPrograms kVeilPrograms{1, 2, 3};  // in kPrograms
 constexpr double kLevelView = 1e-3;
 static_assert(kTreeSlots == FOREST_SLOTS);
 
@@ -154,11 +156,20 @@ ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v) {
     g.height = static_cast<float>(v.images.height);
     g.voxel = static_cast<float>(v.images.cells * v.images.edge / v.images.side);
     g.pixel = pixelAt1m(ctx);
-    g.lightSlabs = static_cast<float>(v.images.air.layers);
     g.edge = static_cast<float>(v.images.edge);
     g.cells = static_cast<float>(v.images.cells);
     g.slabs = static_cast<float>(v.images.layers);
     return g;
+}
+
+// Cliffs (D-6) have no volume: said once for each stand.
+void tellCliffs(const ForestHere& here, const std::vector<Prism>& prisms) {
+    const auto cut = std::count_if(prisms.begin(), prisms.end(), [](const Prism& p) { return !p.usable; });
+    if (cut > 0)
+        logWarning(
+            fmt::format("{}.Forest: {} of {} tiles lie on cliffs, where far trees are not drawn (lower slopeDeg's "
+                        "second value, so that none stands there)",
+                        here.entity, cut, prisms.size()));
 }
 
 // What trees' meshes need to be lit by the same air.
@@ -228,7 +239,7 @@ void place(DrawContext& ctx) {
         Volume& v = s.volumes[here->entity];
         ensureVolume(ctx, kOwner, v, *here);
         const bool stale = v.stood != here->stood;
-        if (stale) v.prisms = prismsOf(*here);
+        if (stale) v.prisms = prismsOf(*here), tellCliffs(*here, v.prisms);
         v.stood = here->stood;
         if (lightVolume(v, sun) || stale) fillCanopies(v, *here->stand, glm::dvec3(sun));
         publish(ctx, v, *here);
@@ -271,11 +282,11 @@ void drawShade(DrawContext& ctx) {
 
 void draw(DrawContext& ctx) {
     TexcellsView& view = ctx.ofView<TexcellsView>();
-    // What closes pixels is made before a second run asks for it, so that programs follow from the scene alone.
-    if (view.runs.empty() || !ctx.use(1, depthConstants(ctx.targets)) || !ctx.use()) return;
-    beginVeil(ctx, kOwner, view.veil);
+    // All are made before a second run asks for what closes pixels: programs follow from the scene alone.
+    if (view.runs.empty() || !useVeil(ctx, kVeilPrograms) || !ctx.use()) return;
+    beginVeil(ctx, kOwner, view.veil, kVeilPrograms);
     for (const Run& run : view.runs) {
-        if (&run != view.runs.data()) closeFull(ctx, view.veil, 1);
+        if (&run != view.runs.data()) closeFull(ctx, view.veil, kVeilPrograms);
         if (!ctx.use()) break;
         bind(ctx, view, run);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_FOREST_TILES, view.tileBuffer.id());
@@ -286,15 +297,16 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += run.count;
     }
-    endVeil(ctx, view.veil, 2);
+    endVeil(ctx, view.veil, kVeilPrograms);
 }
 
 const System kSystems[] = {
     {"forest/texcells/place", {.reads = {Slot::Forests, Slot::Sun, Slot::Ground}, .writes = {Slot::Forests}}, place}};
 const ProgramRow kPrograms[] = {
     {"forest/texcells", "forest/texcells.vert.glsl", "forest/texcells.frag.glsl", nullptr},
-    {"forest/texcells/full", "forest/full.vert.glsl", "forest/full.frag.glsl", nullptr, depthVariants},
-    {"forest/texcells/veil", "post/fullscreen.vert.glsl", "forest/veil.frag.glsl", nullptr, depthVariants}};
+    {"forest/texcells/behind", "post/fullscreen.vert.glsl", "forest/behind.frag.glsl", nullptr, depthVariants},
+    {"forest/texcells/full", "forest/full.vert.glsl", "forest/full.frag.glsl", nullptr},
+    {"forest/texcells/veil", "post/fullscreen.vert.glsl", "forest/veil.frag.glsl", nullptr}};
 const ProgramRow kShadePrograms[] = {{"forest/shade", "terrain/ground.vert.glsl", "forest/shade.frag.glsl", nullptr}};
 const Pass kPasses[] = {{"forest/shade",
                          Stage::GroundShadow,

@@ -73,9 +73,9 @@ void upload(DrawContext& ctx, Uploaded& u, const ForestHere& here) {
             u.species[i][l] = uploadTree(ctx.gpu, thinned(here.meshes[i], kTreeKeep[l]));
 }
 
-size_t levelAt(double distance, double height) {
+size_t levelAt(double distance, double height, double detail) {
     size_t level = 0;
-    while (level + 1 < kTreeLevels && distance > kTreeLevelEnds[level] * height / 12) ++level;
+    while (level + 1 < kTreeLevels && distance > kTreeLevelEnds[level] * detail * height / 12) ++level;
     return level;
 }
 
@@ -112,7 +112,7 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
         if (!isMesh(here.rule, t, distance)) continue;
         const float radius = (whole.radius + glm::length(whole.centre)) * t.size;
         const double height = static_cast<double>(here.rule.species[t.species].height * t.size);
-        Chosen& group = chosen[t.species][levelAt(distance, height)];
+        Chosen& group = chosen[t.species][levelAt(distance, height, static_cast<double>(here.rule.meshDetail))];
         if (ctx.frustum.touches(glm::vec3(at) - radius, glm::vec3(at) + radius))
             group.seen.push_back(&t);
         else if (here.rule.castShadows && distance < kShadowsFrom)

@@ -49,9 +49,7 @@ void upload(Gpu& gpu, const std::string& owner, Volume& v, VolumeImages&& images
     v.levels = static_cast<int>(images.levels.size());
     v.slots = slotTexture(gpu, owner, images);
     const ForestAir& air = images.air;
-    v.light = makeTextureArray(gpu, owner, GL_RGBA8, air.side, air.side, air.layers);
-    repeat(v.light);
-    glTextureParameteri(v.light.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    v.light = makeTexture3D(gpu, owner, GL_RGBA8, air.side, air.side, air.layers);
     v.images = std::move(images);
     v.images.levels.clear();
     v.sun = glm::vec3(0);

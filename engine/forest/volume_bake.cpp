@@ -10,6 +10,7 @@ namespace sward {
 namespace {
 
 constexpr double kSplatShare = 0.5;  // of a bake's time
+constexpr int kMostAlong = 64;       // points along an edge: leaves of enormous trees would take minutes
 constexpr EdgeFamily kFamilies[] = {EdgeFamily::Row, EdgeFamily::Slant, EdgeFamily::Across};
 
 glm::dvec2 metres(double u, double v, double edge) {
@@ -42,7 +43,7 @@ template <class F>
 void spread(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double spacing, F point) {
     const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
     const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
-    const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 256);
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, kMostAlong);
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < 2 * i + 1; ++k) {
             // Middles of the n * n equal triangles.

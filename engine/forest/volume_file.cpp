@@ -1,9 +1,8 @@
 // Index: what a file holds, in the order of its bytes · reading · the cache folder.
 #include <cstring>
 
-#include "core/file.h"
+#include "core/cache_file.h"
 #include "core/hash.h"
-#include "core/log.h"
 #include "forest/volume_images.h"
 
 namespace sward {
@@ -102,19 +101,8 @@ std::filesystem::path volumeFile(const std::filesystem::path& folder, uint64_t k
 }
 
 std::optional<VolumeImages> loadCachedVolume(const std::filesystem::path& folder, uint64_t key) {
-    const std::filesystem::path file = volumeFile(folder, key);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-    std::string wrong;
-    const Result<std::string> bytes = readFile(file, kFileLimit);
-    if (bytes) {
-        if (auto images = parse(*bytes, key, wrong)) return images;
-    } else {
-        wrong = bytes.error().message;
-    }
-    logWarning(fmt::format("{}: the cached forest cannot be used: {}; it is made anew", file.string(), wrong));
-    std::filesystem::remove(file, ignored);
-    return std::nullopt;
+    return loadCached(volumeFile(folder, key), kFileLimit, "forest",
+                      [&](const std::string& bytes, std::string& wrong) { return parse(bytes, key, wrong); });
 }
 
 void cacheVolume(const std::filesystem::path& folder, uint64_t key, const VolumeImages& images) {
@@ -123,11 +111,7 @@ void cacheVolume(const std::filesystem::path& folder, uint64_t key, const Volume
     out.value(kFileVersion), out.value(key);
     describe(out, images);
     out.value(hashBytes(out.bytes.data(), out.bytes.size()));
-    const std::filesystem::path file = volumeFile(folder, key);
-    std::error_code failed;
-    std::filesystem::create_directories(file.parent_path(), failed);
-    if (const Status s = writeFileAtomic(file, out.bytes); !s)
-        logWarning(fmt::format("the forest is not cached: {}", s.error().text()));
+    writeCached(volumeFile(folder, key), "forest", out.bytes);
 }
 
 }  // namespace sward

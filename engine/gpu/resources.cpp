@@ -124,6 +124,23 @@ Texture makeTextureArray(Gpu& gpu, const std::string& owner, GLenum format, int 
             format};
 }
 
+Texture makeTexture3D(Gpu& gpu, const std::string& owner, GLenum format, int width, int height, int depth) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_3D, 1, &id);
+    glTextureStorage3D(id, 1, format, width, height, depth);
+    throwWithoutMemory();
+    glTextureParameteri(id, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glObjectLabel(GL_TEXTURE, id, -1, owner.c_str());
+    return {GlName<TextureKind>(id),
+            Tally(gpu, owner, imageBytes(format, width, height) * static_cast<size_t>(depth)),
+            width,
+            height,
+            1,
+            format};
+}
+
 Texture makeTexture2DMultisample(Gpu& gpu, const std::string& owner, GLenum format, int width, int height,
                                  int samples) {
     GLuint id = 0;

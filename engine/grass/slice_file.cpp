@@ -2,9 +2,8 @@
 
 #include <cstring>
 
-#include "core/file.h"
+#include "core/cache_file.h"
 #include "core/hash.h"
-#include "core/log.h"
 #include "grass/slice_settings.h"
 
 namespace sward {
@@ -89,19 +88,8 @@ std::filesystem::path sliceFile(const std::filesystem::path& folder, uint64_t ke
 }
 
 std::optional<SliceImages> loadCachedSlices(const std::filesystem::path& folder, uint64_t key) {
-    const std::filesystem::path file = sliceFile(folder, key);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-    std::string wrong;
-    const Result<std::string> bytes = readFile(file, kFileLimit);
-    if (bytes) {
-        if (auto images = parse(*bytes, key, wrong)) return images;
-    } else {
-        wrong = bytes.error().message;
-    }
-    logWarning(fmt::format("{}: the cached slices cannot be used: {}; they are made anew", file.string(), wrong));
-    std::filesystem::remove(file, ignored);
-    return std::nullopt;
+    return loadCached(sliceFile(folder, key), kFileLimit, "slices",
+                      [&](const std::string& bytes, std::string& wrong) { return parse(bytes, key, wrong); });
 }
 
 void cacheSlices(const std::filesystem::path& folder, uint64_t key, const SliceImages& images) {
@@ -117,11 +105,7 @@ void cacheSlices(const std::filesystem::path& folder, uint64_t key, const SliceI
             for (const Channel c : kChannels) bytes.append(reinterpret_cast<const char*>((l.*c).data()), (l.*c).size());
     const uint64_t sum = hashBytes(bytes.data(), bytes.size());
     bytes.append(reinterpret_cast<const char*>(&sum), 8);
-    const std::filesystem::path file = sliceFile(folder, key);
-    std::error_code failed;
-    std::filesystem::create_directories(file.parent_path(), failed);
-    if (const Status s = writeFileAtomic(file, bytes); !s)
-        logWarning(fmt::format("slices are not cached: {}", s.error().text()));
+    writeCached(sliceFile(folder, key), "slices", bytes);
 }
 
 }  // namespace sward

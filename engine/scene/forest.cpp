@@ -63,6 +63,8 @@ constexpr FieldRow kFields[] = {
                  "near trees as meshes and volumes beyond, all as meshes, or a flat picture to compare with")),
     under("Distances", distance("meshesTo", offsetof(Forest, meshesTo), {0, 1e6, 0, 300},
                                 "how far trees are drawn as meshes; as volumes beyond; inf: all as meshes")),
+    under("Distances", real("meshDetail", offsetof(Forest, meshDetail), "", {0.05, 1e6, 0.3, 4},
+                            "factor of the distances from which meshes have fewer and larger leaves")),
     real("voxel", offsetof(Forest, voxel), "m", {0.02, 5, 0.1, 1}, "size of a volume's smallest part"),
     under(kAdvanced, choice("storage", &Forest::storage, offsetof(Forest, storage), kVolumeStorages,
                             "how volumes are stored: plain, or compressed to a quarter (BC7)")),

@@ -56,10 +56,11 @@ struct Forest {
     TileVariety variety = TileVariety::ThirtyTwo;
     std::vector<PlacedTree> placed;  // beside those that grow
     ForestTechnique technique = ForestTechnique::Texcells;
-    float meshesTo = 60;  // metres: trees are drawn as meshes up to here, as volumes beyond; inf: as meshes
-    float voxel = 0.25f;  // metres: of the volumes, along all three axes
+    float meshesTo = 60;   // metres: trees are drawn as meshes up to here, as volumes beyond; inf: as meshes
+    float meshDetail = 1;  // factor of the distances from which meshes have fewer and larger leaves
+    float voxel = 0.25f;   // metres: of the volumes, along all three axes
     VolumeStorage storage = VolumeStorage::Plain;
-    float silhouetteDeg = 24;  // seen at a smaller angle to their ground, slices face the eye
+    float silhouetteDeg = 60;  // seen at a smaller angle to their ground, slices face the eye
     float slant = 2;           // how far a slice may then rise across a tile, in heights of the forest
     float stiffness = 15;      // against wind: it leans by Wind.strength over this (m per m)
     bool castShadows = true;   // they shade the ground, the grass and objects

@@ -20,10 +20,13 @@ in vec2 stored;
 flat in int number;
 flat in vec2 blend;
 flat in vec3 facing;
-flat in float path;
+in float path;
+in vec3 sun;
+in vec4 haze;
 flat in vec2 canopy;
 flat in int level;
-out vec4 color;
+layout(location = 0) out vec4 color;
+layout(location = 1) out float depth;
 
 void main() {
     vec2 uv = stored / forest.cells;
@@ -38,17 +41,17 @@ void main() {
     vec4 leaves = blend.x * textureLod(slabs, vec3(uv, first + floor(at * fine)), mip);
     if (blend.y > 0.0) leaves += blend.y * textureLod(slabs, vec3(uv, first + fine + floor(0.5 * at * fine)), mip);
     if (leaves.a < 1.0 / 512.0) discard;
-    vec3 way = position / distance;
-    leaves = colorCorrected(leaves, path * slantFactor(facing.xzy, way.xzy));
+    depth = gl_FragCoord.z;
+    leaves = colorCorrected(leaves, path);
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
     vec3 shares = pow(max(lightShares(uv, at), vec3(LEAST_LIGHT)), canopy.xyy);
     vec3 light = 0.5 * (frame.skyLight * shares.g + frame.groundLight * shares.b);
     if (SUN) {
         float visible = shares.r;
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
-        light += frame.sunLight * (visible * foliagePhase(-dot(way, frame.sunDirection)));
+        light += sun * visible;
     }
-    color = vec4(mix(leaves.rgb * light, leaves.a * horizonColor(position.xz), hazeShare(distance)), leaves.a);
+    color = vec4(mix(leaves.rgb * light, leaves.a * haze.rgb, haze.a), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
     if (viewMode() == VIEW_DENSITY) color.rgb = leaves.a * vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = leaves.a * (facing * 0.5 + 0.5);

@@ -1,8 +1,10 @@
 // A corner of one slice of one tile. Slices lie parallel to the tile's ground, or are tilted towards the eye by moving
 // their corners up and down. The nearer one always comes first.
 #include "lib/frame.glsl"
+#include "lib/light.glsl"
 #include "lib/mirror.glsl"
 #include "lib/wind.glsl"
+#include "numerics/correction.h"
 #include "numerics/forest.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
@@ -16,7 +18,9 @@ out vec2 stored;       // lattice coordinates in the cells that repeat
 flat out int number;   // of the tile
 flat out vec2 blend;   // shares of the finer and of the coarser level
 flat out vec3 facing;  // unit normal of the slice
-flat out float path;   // TileInView::path
+out float path;        // slabs' heights that lie between two slices along the line of sight
+out vec3 sun;          // its light that leaves send to the eye
+out vec4 haze;         // its colour; share of the light that it takes
 flat out vec2 canopy;  // TileInView::canopy
 flat out int level;    // TileInView::level
 
@@ -24,6 +28,16 @@ flat out int level;    // TileInView::level
 vec2 cornerOf(int corner, bool up) {
     if (up) return vec2(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0);
     return vec2(corner == 1 ? 0.0 : 1.0, corner == 2 ? 0.0 : 1.0);
+}
+
+// Half of a tilted slice lies under the ground or over the trees: cut away.
+void cutAtReach(TileInView t, float over) {
+    vec3 begin = vec3(t.corner[0].w, t.corner[1].w, t.corner[2].w);
+    float low = max(max(begin.x, begin.y), begin.z);
+    float high = min(min(begin.x, begin.y), begin.z) + float(t.slices) * t.spacing;
+    if (!WATER_REFLECTION) gl_ClipDistance[0] = 1.0;
+    gl_ClipDistance[1] = over - low;
+    gl_ClipDistance[2] = high - over;
 }
 
 void main() {
@@ -44,9 +58,14 @@ void main() {
     vec3 low[3];
     for (int i = 0; i < 3; ++i) low[i] = t.corner[i].xyz + vec3(0.0, t.corner[i].w, 0.0);
     facing = normalize(cross(low[2] - low[0], low[1] - low[0]));
-    path = t.path;
+    float distance = length(position);
+    vec3 way = position / distance;
+    path = t.path * slantFactor(facing.xzy, way.xzy);
+    sun = SUN ? frame.sunLight * foliagePhase(-dot(way, frame.sunDirection)) : vec3(0.0);
+    haze = vec4(horizonColor(position.xz), hazeShare(distance));
     canopy = t.canopy;
     level = t.level;
     cutAtWater(position.y);
+    cutAtReach(t, t.corner[corner].w + rise);
     gl_Position = k < t.slices ? frame.viewProj * vec4(position, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
 }

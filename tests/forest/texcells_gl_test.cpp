@@ -2,6 +2,9 @@
 // where the other trees' meshes are not; none where the density leaves none.
 #include "forest/texcells.h"
 
+#include "core/log.h"
+#include "missed.h"
+#include "objects.h"
 #include "reference/reference.h"
 #include "scenes.h"
 #include "world/forest_stand.h"
@@ -131,6 +134,142 @@ TEST(Texcells, OddPlacesOfTheEyeGiveFinitePictures) {
          {ViewCamera{{80, 6, 80}, {80, 6, 0}, 55, 0}, ViewCamera{{80, 200, 80}, {80, 0, 80.001}, 55, 0},
           ViewCamera{{-50, 0.001, 80}, {80, 0.001, 80}, 55, 0}, ViewCamera{{80, 1, 80}, {80, 300, 80.5}, 55, 0}})
         for (const float x : drawn(p, c)) ASSERT_TRUE(std::isfinite(x) && x >= 0 && x < 100);
+}
+
+// Slices have one sample a pixel; what stands before them keeps the smooth edges of its own samples.
+TEST(Texcells, WhatStandsBeforeThemKeepsItsSmoothEdge) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const auto scene = [&](bool post, float perHectare) {
+        Project p = wood(TreeKind::Broadleaf, 0, perHectare);
+        p.dir = dir.path;
+        if (post)
+            putObject(p, "post", {{.size = {3, 30, 3}, .turnDeg = {0, 0, 11}, .color = {0.9f, 0.05f, 0.05f}}},
+                      {80, -3, 225});
+        return drawn(p, kSide);
+    };
+    const std::vector<float> both = scene(true, 400), forest = scene(false, 400), post = scene(true, 0),
+                             none = scene(false, 0);
+    double off = 0, apart = 0;
+    int edges = 0;
+    for (size_t y = 45; y < 65; ++y) {
+        // What the post's side looks like in this row: there, the forest changes nothing.
+        size_t inside = 3 * (y * 160);
+        for (size_t i = 3 * y * 160; i < 3 * (y + 1) * 160; i += 3)
+            if (std::abs(post[i] - none[i]) > std::abs(post[inside] - none[inside])) inside = i;
+        for (size_t i = 3 * y * 160; i < 3 * (y + 1) * 160; i += 3) {
+            const double share = static_cast<double>((post[i] - none[i]) / (post[inside] - none[i]));
+            if (!(share > 0.2 && share < 0.8)) continue;
+            off += static_cast<double>(both[i]) -
+                   glm::mix(static_cast<double>(forest[i]), static_cast<double>(post[inside]), share);
+            apart += static_cast<double>(post[inside] - forest[i]);
+            ++edges;
+        }
+    }
+    EXPECT_GT(edges, 10);
+    EXPECT_LT(std::abs(off), 0.1 * std::abs(apart)) << "of " << edges << " pixels at its edges";
+}
+
+struct Counted {
+    double vertices = 0, fragments = 0, bytes = 0;
+};
+// Of the volumes alone, seen from above: what is in the picture lies within the lesser terrain.
+Counted countedOn(double side) {
+    Project p = wood(TreeKind::Conifer, 0);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->size = {side, side};
+    const auto before = gpu().ledger["forest/texcells"];
+    Renderer renderer(gpu(), tables());
+    ViewSettings s = small();
+    s.measure = true;
+    EXPECT_TRUE(renderer.draw(p, {{101, 140, 101}, {101, 0, 101.1}, 40, 0}, s));
+    Counted c;
+    for (const PassStats& pass : renderer.stats().passes)
+        if (pass.name == "forest/texcells")
+            c.vertices += static_cast<double>(pass.vertices), c.fragments += static_cast<double>(pass.fragments);
+    c.bytes = static_cast<double>(gpu().ledger["forest/texcells"] - before);
+    return c;
+}
+
+TEST(Texcells, AForestOfTwentyFiveTimesTheAreaTakesNoMore) {
+    NoGlErrors errors;
+    const Counted small = countedOn(202), large = countedOn(1010);
+    std::printf("vertices %.0f and %.0f, fragments %.0f and %.0f, bytes %.0f and %.0f\n", small.vertices,
+                large.vertices, small.fragments, large.fragments, small.bytes, large.bytes);
+    ASSERT_GT(small.fragments, 10000);
+    EXPECT_LE(large.vertices, 1.05 * small.vertices);
+    EXPECT_LE(large.fragments, 1.05 * small.fragments);
+    // A volume's bytes are the same; of the shade map, which grows up to its 1024 texels a side, there are more.
+    expectMissed("bytes of a forest 25 times as large", large.bytes / small.bytes, 1.05, 1.052);
+}
+
+// What users may ask for. Each gives a picture of finite light, and what cannot be is said.
+std::string saidOf(const Project& p, const ViewCamera& c) {
+    std::string said;
+    const int sink = addLogSink([&](LogLevel, const std::string& line) { said += line + "\n"; });
+    for (const float x : drawn(p, c)) EXPECT_TRUE(std::isfinite(x) && x >= 0);
+    removeLogSink(sink);
+    return said;
+}
+Forest& forestIn(Project& p) { return *p.registry.get<Forest>(findEntity(p, "trees")); }
+
+TEST(Texcells, CliffsAreCountedAndSaid) {
+    NoGlErrors errors;
+    Project p = wood(TreeKind::Conifer, 0);
+    forestIn(p).slopeDeg = {0, 90};
+    Map m({64, 64, 1, PixelType::F32});
+    for (int z = 0; z < 64; ++z)
+        for (int x = 0; x < 64; ++x) m.set(x, z, 0, x < 32 ? 0.0f : 3000.0f);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height = field(m, "maps/height.exr");
+    EXPECT_NE(saidOf(p, kAir).find("tiles lie on cliffs"), std::string::npos);
+    EXPECT_EQ(saidOf(wood(TreeKind::Conifer, 0), kAir), "");
+}
+
+TEST(Texcells, GroundOfNoAreaGivesAPicture) {
+    NoGlErrors errors;
+    Project p = wood(TreeKind::Conifer, 0);
+    for (const glm::dvec2 size : {glm::dvec2(0.001, 160), glm::dvec2(160, 0.001), glm::dvec2(0.001, 0.001)}) {
+        p.registry.get<Terrain>(findEntity(p, "ground"))->size = size;
+        saidOf(p, kAir);
+    }
+}
+
+TEST(Texcells, EnormousTreesAreDrawn) {
+    NoGlErrors errors;
+    Project p = wood(TreeKind::Broadleaf, 0, 60);
+    forestIn(p).species[0].height = 150;
+    forestIn(p).species[0].size = {1, 3};
+    saidOf(p, kAir);
+}
+
+TEST(Texcells, WhatFindsNoRoomInATileIsSaid) {
+    NoGlErrors errors;
+    Project p = wood(TreeKind::Conifer, 0, 6000);
+    forestIn(p).distance = 8;
+    EXPECT_NE(saidOf(p, kAir).find("trees find room"), std::string::npos);
+}
+
+TEST(Texcells, TreesOfAFileNeedNoMaterialAndMayHaveAMillionTriangles) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = wood(TreeKind::Conifer, 0, 100);
+    p.dir = dir.path;
+    Mesh mesh;
+    for (int i = 0; i < 1000; ++i)
+        for (int k = 0; k < 1000; ++k) {
+            const float x = static_cast<float>(i - 500) / 250, z = static_cast<float>(k - 500) / 250;
+            const uint32_t first = static_cast<uint32_t>(mesh.vertices.size());
+            for (const glm::vec3& at : {glm::vec3(x, 4, z), glm::vec3(x, 4.02f, z), glm::vec3(x + 0.004f, 4, z)})
+                mesh.vertices.push_back({at, {0, 0, 1}, {}});
+            for (uint32_t c = 0; c < 3; ++c) mesh.indices.push_back(first + c);
+        }
+    mesh.parts = {{0, static_cast<uint32_t>(mesh.indices.size())}};
+    updateBounds(mesh);
+    writeText(dir / "leaves.glb", *encodeGlb(mesh));
+    forestIn(p).species[0].file = "leaves.glb";
+    EXPECT_EQ(saidOf(p, kAir).find("not drawn"), std::string::npos);
+    EXPECT_NE(drawn(p, kAir), drawn(wood(TreeKind::Conifer, 0, 0), kAir));
+    writeText(dir / "leaves.glb", "glTF, but broken");
+    EXPECT_NE(saidOf(p, kAir).find("leaves.glb"), std::string::npos);
 }
 
 }  // namespace

@@ -88,5 +88,19 @@ TEST(ForestTrees, TakeFewerTrianglesFarAway) {
     EXPECT_LT(far, 0.6 * near) << "bark stays as it is";
 }
 
+TEST(ForestTrees, KeepTheirLeavesAsFarAsMeshDetailSays) {
+    NoGlErrors errors;
+    Renderer renderer(gpu(), tables());
+    Project p = wood(std::numeric_limits<float>::infinity());
+    const auto vertices = [&](float detail) {
+        p.registry.get<Forest>(findEntity(p, "trees"))->meshDetail = detail;
+        EXPECT_TRUE(renderer.draw(p, kAbove, measured()));
+        return passNamed(renderer, "forest/trees")->vertices;
+    };
+    const auto all = vertices(1e6f), usual = vertices(1), least = vertices(0.05f);
+    EXPECT_GT(all, 2 * usual);
+    EXPECT_GE(usual, least);
+}
+
 }  // namespace
 }  // namespace sward::test
