@@ -1,14 +1,18 @@
 #!/bin/bash
-# A level made in a real window by real X events: ground raised, a path drawn, an object placed, saved, quit.
-#   morning.sh SWARD OBJECT.glb
-# Ends with 77, which CTest takes as skipped, where the X server or the programs that press its keys are not installed.
+# A morning's level, made in a real window by real X events alone: ground sculpted, a picture of heights taken in, a rule,
+# a path, rocks and benches placed, a pond, two species and flowers, a scatter, a lamp, a camera, a fit to a budget
+# adopted, a walk, saved, exported, opened again with the same files.
+#   morning.sh SWARD PROJECTS
+# PROJECTS: the folder of the samples. SHOTS=DIR keeps pictures of the steps. Ends with 77, which CTest takes as skipped,
+# where the X server or the programs that press its keys are not installed.
 set -eu
-sward=$1 object=$2
+sward=$1 park=$2/park
 for tool in Xvfb xdotool matchbox-window-manager; do
   command -v "$tool" >/dev/null || { echo "$tool is not installed"; exit 77; }
 done
 
 work=$(mktemp -d)
+widgets=$work/widgets
 pids=()
 finish() {
   for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
@@ -19,73 +23,108 @@ trap finish EXIT
 fail() {
   echo "$1"
   cat "$work/out" 2>/dev/null || true
-  [ -z "${KEEP_SHOT:-}" ] || cp "$work/Xvfb_screen0" "$KEEP_SHOT"
+  grep -E "Status/Message|Viewport/Error" "$widgets" 2>/dev/null || true
+  shot failed
+  [ -z "${SHOTS:-}" ] || cp "$widgets" "$SHOTS/failed.txt"
   exit 1
 }
+. "$(dirname "$0")/hand.sh"
 export XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state
-project=$work/glade
-"$sward" new "$project" >/dev/null
-mkdir "$project/models"
-cp "$object" "$project/models/object.glb"
+step() { echo "$(date +%T) $1"; shot "$2"; }
 
-# Waits up to two minutes until a command succeeds.
-until_true() {
-  local what=$1 i
-  shift
-  for i in $(seq 600); do
-    if "$@" >/dev/null 2>&1; then return 0; fi
-    sleep 0.2
-  done
-  fail "waited in vain for $what"
+# Where a place on level ground is in the window, seen from the template's camera as it is set below: 100 m wide, from
+# the south and above.
+eye="100 90 235" target="100 0 110" fov=50
+screen() { # x z y
+  local rect
+  rect=$(awk -F'\t' '$1 == "Viewport" { print $2, $3, $4, $5 }' "$widgets")
+  awk -v eye="$eye" -v target="$target" -v fov=$fov -v rect="$rect" -v x="$1" -v z="$2" -v y="${3:-0}" 'BEGIN {
+    split(eye, e, " "); split(target, t, " "); split(rect, r, " ")
+    fx = t[1] - e[1]; fy = t[2] - e[2]; fz = t[3] - e[3]
+    length3 = sqrt(fx * fx + fy * fy + fz * fz); flat = sqrt(fx * fx + fz * fz)
+    rx = -fz / flat; rz = fx / flat
+    fx /= length3; fy /= length3; fz /= length3
+    ux = -rz * fy; uy = rz * fx - rx * fz; uz = rx * fy
+    dx = x - e[1]; dy = y - e[2]; dz = z - e[3]
+    half = (r[4] - r[2]) / 2 / (sin(fov * 3.14159265 / 360) / cos(fov * 3.14159265 / 360))
+    scale = half / (dx * fx + dy * fy + dz * fz)
+    print int((r[1] + r[3]) / 2 + (dx * rx + dz * rz) * scale), int((r[2] + r[4]) / 2 - (dx * ux + dy * uy + dz * uz) * scale)
+  }'
+}
+ground() { click $(screen "$@"); }
+stroke() { drag $(screen "$1" "$2") $(screen "$3" "$4"); }
+brush() { # tool radius strength falloff
+  press "Tools/$1"
+  number Brush/Radius "$2"
+  number Brush/Strength "$3"
+  number Brush/Falloff "$4"
+}
+saved() { # whether project.json has a text
+  grep -q "$1" "$project/project.json"
 }
 
-Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp -fbdir "$work" 3>"$work/display" >/dev/null 2>&1 &
-pids+=($!)
-until_true "the X server" test -s "$work/display"
-DISPLAY=:$(cat "$work/display")
-export DISPLAY
-matchbox-window-manager -use_titlebar no >/dev/null 2>&1 &  # makes every window as large as the screen
-pids+=($!)
-"$sward" edit "$project" >"$work/out" 2>&1 &
+open_screen 1440 900
+mkdir "$work/levels"
+project=$work/levels/glade
+cd "$work" # nothing of the checkout lies here
+"$sward" edit --widgets "$widgets" >"$work/out" 2>&1 &
 editor=$!
 pids+=("$editor")
-until_true "the window" xdotool search --onlyvisible --name glade
-sleep 3
+patience=60 until_true "the start screen" there "Panel/Start/New project..."
+step "start screen" 01-start
 
-# The hand: each step longer than a frame or two. What is slower waits in the editor's queue of input.
-rest() { sleep 0.3; }
-at() { xdotool mousemove "$1" "$2"; rest; }
-click() { at "$1" "$2"; xdotool mousedown 1; rest; xdotool mouseup 1; rest; }
-key() { xdotool key "$1"; rest; }
-drag() { # from x y to x y
-  at "$1" "$2"
-  xdotool mousedown 1
-  rest
-  for i in 1 2 3 4 5 6 7 8; do xdotool mousemove $(($1 + ($3 - $1) * i / 8)) $(($2 + ($4 - $2) * i / 8)); sleep 0.05; done
-  rest
-  xdotool mouseup 1
-  rest
+# A new project from a template: 200 x 200 m, level.
+press "Panel/Start/New project..."
+press Files/Template/field
+number Files/Size 200
+number Files/Relief 0
+write Files/Path "$project"
+patience=60 until_true "the new project" there Outliner/lawn
+press Outliner/camera
+write_vector() { # PATH x y z
+  number "$1.x" "$2" && number "$1.y" "$3" && number "$1.z" "$4"
 }
+write_vector Inspector/camera.Camera.eye $eye
+write_vector Inspector/camera.Camera.target $target
+number Inspector/camera.Camera.fovDeg $fov
+choose Viewport/Camera camera
+step "new project" 02-new
 
-click 23 542               # the tool Raise
-drag 420 480 560 470
-at 300 520
-key p                      # the path tool
-for x in 250 480 700; do click "$x" 520; done
+# Two hills and a hollow.
+brush Raise 22 1 1
+number Brush/Height 5
+stroke 45 60 55 65
+stroke 150 70 145 60
+brush Lower 16 1 1
+number Brush/Height 2
+stroke 105 120 112 124
+step "hills and a hollow" 03-hills
+
+# A picture of heights into the far corner: looked at, placed, taken.
+menu Maps "Place Heights..."
+write Image/Path "$park/maps/ground.height.exr"
+until_true "the picture of heights" there Image/Preview
+press Image/Place
+for place in "X 150" "Z 0" "Width 50" "Depth 40" "Falloff 0.3"; do number "Place heights/${place% *}" "${place#* }"; done
+step "heights in a corner, seen before they are taken" 04-corner
+press "Place heights/Accept"
+until_true "the taken heights" gone "Place heights/Accept"
+
+# No grass on steep ground, nor on what lies low.
+rule=lawn.MapLayers.layers[rule]
+press Tools/Add
+tab Layers
+press "Layers/Add rule"
+until_true "the rule" there "Layers/$rule/On"
+press "Layers/$rule/Add mask"
+until_true "the second mask" there "Layers/$rule.masks[mask-2].by"
+choose "Layers/$rule.masks[mask-2].by" height
+number "Layers/$rule.masks[mask-2].from" -1
+number "Layers/$rule.masks[mask-2].to" inf
+step "a rule" 05-rule
+
+# A winding path.
+key p
+for point in "20 180" "60 150" "80 110" "110 90" "105 50"; do ground $point; done
 key Return
-click 394 622              # the tab Objects
-click 92 674               # its one object, into the hand
-click 600 560
-key Escape
-key ctrl+s
-until_true "the saved heights" test -s "$project/maps/ground.height.exr"
-key ctrl+q
-gone() { ! kill -0 "$editor" 2>/dev/null; }
-until_true "the editor's end" gone
-wait "$editor" || fail "the editor ended with $?"
-
-"$sward" check "$project" --strict || fail "the project is unsound"
-for part in '"GroundPath"' '"models/object.glb"' '"maps/ground.height.exr"'; do
-  grep -q "$part" "$project/project.json" || fail "$part is missing in project.json"
-done
-[ "$(grep -c '"at":' "$project/project.json")" -eq 3 ] || fail "the path has not three points"
+step "a path" 06-path
