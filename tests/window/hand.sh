@@ -22,6 +22,17 @@ is() { [ "$(value "$1")" = "$2" ]; }
 says() { case "$(value "$1")" in *"$2"*) return 0 ;; *) return 1 ;; esac; }
 middle() { awk -F'\t' -v path="$1" '$1 == path { print int(($2 + $4) / 2), int(($3 + $5) / 2); exit }' "$widgets"; }
 
+# What is in sight of the same panel and column: there the wheel moves the widget, too.
+beside() {
+  awk -F'\t' -v path="$1" '
+    { x[$1] = $2; if ($6 ~ /v/) seen[$1] = int(($2 + $4) / 2) " " int(($3 + $5) / 2) }
+    END {
+      panel = substr(path, 1, index(path, "/"))
+      for (other in seen) if (index(other, panel) == 1) { any = seen[other]; if (x[other] == x[path]) same = seen[other] }
+      print same ? same : any
+    }' "$widgets"
+}
+
 # --- the hand: each step longer than a frame or two. What is slower waits in the editor's queue of input.
 rest() { sleep "${1:-0.15}"; }
 at() { xdotool mousemove "$1" "$2"; rest; }
@@ -51,7 +62,7 @@ find_widget() {
   until_true "the widget $1" there "$1"
   for i in $(seq 60); do
     if in_sight "$1"; then return 0; fi
-    local scrolled=${2:-$(middle "${1%%/*}")} button=5
+    local scrolled=${2:-$(beside "$1")} button=5
     [ "$i" -gt 30 ] && button=4
     xdotool mousemove $scrolled click "$button"
     rest 0.2

@@ -70,11 +70,11 @@ cd "$work" # nothing of the checkout lies here
 "$sward" edit --widgets "$widgets" >"$work/out" 2>&1 &
 editor=$!
 pids+=("$editor")
-patience=60 until_true "the start screen" there "Panel/Start/New project..."
+patience=60 until_true "the start screen" there "Viewport/Start/New project..."
 step "start screen" 01-start
 
 # A new project from a template: 200 x 200 m, level.
-press "Panel/Start/New project..."
+press "Viewport/Start/New project..."
 press Files/Template/field
 number Files/Size 200
 number Files/Relief 0
@@ -92,7 +92,7 @@ step "new project" 02-new
 
 # Two hills and a hollow.
 brush Raise 22 1 1
-number Brush/Height 5
+number Brush/Height 3
 stroke 45 60 55 65
 stroke 150 70 145 60
 brush Lower 16 1 1
@@ -117,10 +117,10 @@ tab Layers
 press "Layers/Add rule"
 until_true "the rule" there "Layers/$rule/On"
 press "Layers/$rule/Add mask"
-until_true "the second mask" there "Layers/$rule.masks[mask-2].by"
-choose "Layers/$rule.masks[mask-2].by" height
-number "Layers/$rule.masks[mask-2].from" -1
-number "Layers/$rule.masks[mask-2].to" inf
+until_true "the second mask" there "Layers/$rule.masks[mask2].by"
+choose "Layers/$rule.masks[mask2].by" height
+number "Layers/$rule.masks[mask2].from" -1
+number "Layers/$rule.masks[mask2].to" inf
 step "a rule" 05-rule
 
 # A winding path.
@@ -128,3 +128,135 @@ key p
 for point in "20 180" "60 150" "80 110" "110 90" "105 50"; do ground $point; done
 key Return
 step "a path" 06-path
+
+# Twelve rocks and three benches, placed by clicks; one is turned, one scaled, two copies are made and taken back.
+mkdir -p "$project/models"
+cp "$park/models/stone1.glb" "$park/models/bench.glb" "$project/models/"
+tab Objects
+place() { # file, then places
+  press "Objects/$1"
+  shift
+  for spot in "$@"; do ground $spot; done
+  key Escape
+}
+place stone1.glb "50 120" "55 125" "62 118" "70 132" "40 140" "130 130" "135 122" "142 138" "150 120" "120 160" "128 168" "90 150"
+place bench.glb "70 150" "90 120" "120 95"
+bench=$(awk -F'\t' '$1 ~ /^Outliner\/bench/ { n++ } END { print n }' "$widgets")
+[ "$bench" -eq 3 ] || fail "there are $bench benches in the list, not 3"
+key e
+press "Outliner/bench"
+handle() { # of the gizmo, and how far it is dragged
+  local from
+  find_widget "$1"
+  from=$(middle "$1")
+  drag $from $((${from% *} + $2)) $((${from#* } + $3))
+}
+handle "Viewport/Gizmo turn y" 60 0
+key r
+press "Outliner/stone1"
+handle "Viewport/Gizmo scale" 40 -40
+key ctrl+d ctrl+d
+until_true "a copy" there "Outliner/stone1-14"
+key ctrl+z ctrl+z
+until_true "the copies' end" gone "Outliner/stone1-13"
+step "rocks and benches" 07-objects
+
+# Water in the hollow.
+write "Outliner/New entity" pond
+press "Outliner/Add entity"
+choose "Inspector/Add component" Water
+number Inspector/pond.Water.level -0.6
+step "a pond" 08-pond
+
+# Two more kinds of grass and flowers, in spots by a rule.
+in_spots() { # the map that the brush is on; the size of the spots
+  tab Layers
+  press "Layers/Add rule"
+  until_true "the rule" says_rule
+  local of
+  of=$(topmost)
+  choose "Layers/$of.operation" add
+  choose "Layers/$of.masks[mask].by" noise
+  number "Layers/$of.masks[mask].from" 0.6
+  number "Layers/$of.masks[mask].to" 1
+  number "Layers/$of.masks[mask].size" "$1"
+}
+topmost() { awk -F'\t' '$1 ~ /^Layers\/.*\/On$/ { sub("^Layers/", "", $1); sub("/On$", "", $1); print $1; exit }' "$widgets"; }
+says_rule() { [ -n "$(topmost)" ]; }
+for kind in meadow reed; do
+  press Outliner/lawn
+  tab Species
+  press "Species/Presets/$kind"
+  press "Species/Add as New"
+  until_true "the brush on $kind" says Brush/Map "$kind"
+  in_spots 25
+done
+menu Add Flowers
+until_true "the brush on flowers" says Brush/Map lowers
+in_spots 12
+step "two species and flowers" 09-species
+
+# Stones all over by a rule, a lamp, a camera from a view that went round.
+press Outliner/stone1
+menu Object "Add Scatter"
+until_true "the scatter" there Outliner/scatter
+menu Add Lamp
+until_true "the lamp" there Outliner/lamp
+at $(screen 100 110)
+xdotool keydown alt
+drag $(screen 100 110) 760 430
+xdotool keyup alt
+menu Add Camera
+until_true "the camera" there Outliner/camera-2
+step "a lamp and a camera" 10-camera
+
+# Settings for a budget, found beside the window and adopted.
+tab Accuracy
+number Accuracy/Budget 500
+number "Accuracy/Search for" 0.5
+press "Accuracy/Fit to budget"
+until_true "the search" there "Accuracy/Stop fit"
+patience=240 until_true "the search's end" gone "Accuracy/Stop fit"
+until_true "its answer" there Accuracy/Adopt
+step "fitted" 11-fit
+press Accuracy/Adopt
+until_true "the adopted settings" says Status/Message adopted
+
+# A walk along the path leaves all as it is.
+press Outliner/path
+menu Play "Walk Along Path"
+rest 6
+says Play/State stopped && fail "nothing plays"
+step "a walk" 12-walk
+key F5
+until_true "the end of play" is Play/State stopped
+
+# Saved, exported, opened again: the same files.
+key ctrl+s
+until_true "the save" says Status/Message "files written"
+menu File "Export..."
+write "Files/Blades Within" 15
+press Files/Export
+patience=300 until_true "the export" says Status/Message glade.glb
+hashes() { (cd "$project" && find . -name '*.glb' -path './glade.glb' -prune -o -type f -print0 | sort -z | xargs -0 sha256sum); }
+made=$(hashes)
+menu File "Open..."
+write Files/Path "$project"
+rest 2
+key ctrl+s
+until_true "a save of nothing" says Status/Message "nothing had changed"
+[ "$(hashes)" = "$made" ] || fail "opened again and saved, the files are others"
+step "opened again" 13-again
+key ctrl+q
+ended() { ! kill -0 "$editor" 2>/dev/null; }
+until_true "the editor's end" ended
+wait "$editor" || fail "the editor ended with $?"
+
+"$sward" check "$project" --strict || fail "the project is unsound"
+for part in '"GroundPath"' '"models/stone1.glb"' '"models/bench.glb"' '"Water"' '"Scatter"' '"Flowers"' '"Light"' '"by": "slope"' \
+  '"by": "height"' '"by": "noise"'; do
+  saved "$part" || fail "$part is missing in project.json"
+done
+[ "$(grep -c '"file": "models/stone1.glb"' "$project/project.json")" -eq 13 ] || fail "there are not twelve rocks and a rule"
+[ -s "$project/../glade.glb" ] || [ -s "$project/glade.glb" ] || fail "nothing was exported"
+echo "a morning's level: all there"
