@@ -35,7 +35,7 @@ Json fitJson(const FitResult& r, double budgetMs) {
     Json j;
     j["technique"] = r.fitted.setting.technique;
     j["budget_ms"] = budgetMs, j["fits"] = r.fits, j["tried"] = r.tried;
-    j["cut_short"] = r.cutShort;
+    j["cut_short"] = r.cutShort, j["truth_samples"] = r.truthSamples;
     j["best"] = candidateJson(r.fitted), j["shipped"] = candidateJson(r.shipped), j["grid"] = candidateJson(r.gridBest),
     j["next_better"] = candidateJson(r.given);
     Json& held = j["held_out"];
@@ -65,7 +65,9 @@ void printFit(const FitResult& r) {
     std::printf("held out  appearance %s, shipped %s, grid %s%s%s\n", number(r.heldOut.fitted).c_str(),
                 number(r.heldOut.shipped).c_str(), number(r.heldOut.grid).c_str(), r.heldOut.note.empty() ? "" : "; ",
                 r.heldOut.note.c_str());
-    if (r.cutShort) std::printf("cut short by --seconds after %d settings\n", r.tried);
+    if (r.cutShort)
+        std::printf("cut short by --seconds after %d settings, held against truths of %d samples\n", r.tried,
+                    r.truthSamples);
     std::printf("outcome   %s; held out, %s\n", said(r.seen).c_str(), said(r.unseen).c_str());
 }
 

@@ -20,6 +20,8 @@ constexpr double kHopeless =
 constexpr double kSure = 4;  // times the most that a candidate must be expected to take to be left out unseen
 constexpr double kMsPerBlade = 1e-5;                    // where the shipped settings draw few blades
 constexpr double kSearchShare = 0.6, kGridShare = 0.8;  // of the seconds: when they begin nothing further
+constexpr double kTruthShare = 0.15;                    // for truths; then fewer samples are traced
+constexpr int kLeastSamples = 2;                        // of a truth: one alone has no error
 constexpr double kStep = 2, kLeastStep = 1.1892;        // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
@@ -42,6 +44,7 @@ struct Search {
     std::vector<FitCandidate> found = {};  // of those, the search's own
     double msPerBlade = kMsPerBlade;
     std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+    CostRequest cost = request.cost;       // with as many samples of truths as there is time for
     FitCandidate shipped = {}, best = {};  // of those found
     bool cutShort = false;
 
@@ -280,6 +283,33 @@ Result<FitCandidate> gridBest(Search& s, const TechniqueRow& own) {
     return best;
 }
 
+// --- truths
+// Of all samples asked for; where that takes longer than its share of the time, begun anew with as many as it allows.
+Result<CostTruth> truthInTime(Search& s, const CostView& view) {
+    const double begun = s.seconds(),
+                 limit = kTruthShare * s.request.seconds / static_cast<double>(s.cost.views.size());
+    double share = 0;
+    bool late = false;
+    const auto watched = [&](const std::string& what, double done) {
+        share = done;
+        late = s.cost.truth.samples > kLeastSamples && s.seconds() - begun > limit;
+        return s.progress(what, done) && !late;
+    };
+    auto truth = costTruthAlone(s.cost, s.project, s.tables, view, watched);
+    if (truth || !late) return truth;
+    s.cutShort = true;
+    s.cost.truth.samples = std::max(kLeastSamples, static_cast<int>(0.8 * share * s.cost.truth.samples));
+    return costTruthAlone(s.cost, s.project, s.tables, view, s.progress);
+}
+Status traceTruths(Search& s) {
+    for (const CostView& view : s.request.cost.views) {
+        auto truth = truthInTime(s, view);
+        if (!truth) return truth.error();
+        s.views.push_back({view, std::move(*truth)});
+    }
+    return {};
+}
+
 // --- cameras that were not seen ----------------------------------------------------------------------------------
 Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
     FitHeldOut out;
@@ -292,7 +322,7 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
             out.note += (out.note.empty() ? "" : "; ") + std::string("no time was left for ") + view.name;
             continue;
         }
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
+        auto truth = truthInTime(s, view);
         if (!truth && truth.error().code == ExitCode::Interrupted) return truth.error();
         if (!truth) {
             out.note += (out.note.empty() ? "" : "; ") + view.name + " was left out: " + truth.error().message;
@@ -312,14 +342,6 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
 }
 
 // --- all of it ---------------------------------------------------------------------------------------------------
-Status traceTruths(Search& s) {
-    for (const CostView& view : s.request.cost.views) {
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
-        if (!truth) return truth.error();
-        s.views.push_back({view, std::move(*truth)});
-    }
-    return {};
-}
 // The best that the search found, and the cheapest of all measured that are better still.
 void choose(const Search& s, FitResult& r) {
     r.fitted = s.best;
@@ -399,7 +421,7 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     if (!grid) return grid.error();
     choose(s, r);
     r.shipped = *shipped, r.gridBest = *grid;
-    r.cutShort = s.cutShort;
+    r.cutShort = s.cutShort, r.truthSamples = s.cost.truth.samples;
     if (!r.fits) return r;
     auto held = heldOut(s, r);
     if (!held) return held.error();

@@ -217,6 +217,7 @@ TEST(Fit, HasAnAnswerHoweverLittleTimeThereIs) {
     ASSERT_TRUE(fit) << fit.error().text();
     EXPECT_TRUE(fit->fits);
     EXPECT_TRUE(fit->cutShort);
+    EXPECT_EQ(fit->truthSamples, 2);
     EXPECT_EQ(fit->tried, 2);
     EXPECT_FALSE(fit->gridBest.known());
     EXPECT_NE(fit->heldOut.note.find("no time was left"), std::string::npos) << fit->heldOut.note;

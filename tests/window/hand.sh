@@ -76,6 +76,8 @@ press() {
 }
 menu() { # File "New..."
   press "Menu/$1"
+  until_true "the menu $1" there "Menu/$1/$2"
+  rest 0.5 # on a busy machine it is there before it takes a click
   press "Menu/$1/$2"
 }
 tab() { press "Tabs/$1"; }
@@ -84,6 +86,7 @@ choose() { # of a list, by an item's whole text
   is "$1" "$2" && return 0
   click $(middle "$1")
   until_true "the item $2 of $1" there "$1/$2"
+  rest 0.5
   find_widget "$1/$2" "$(middle "$1" | awk '{ print $1, $2 + 60 }')"
   click $(middle "$1/$2")
 }
