@@ -147,10 +147,12 @@ struct FitShown {
         better,   // the next better one that does not fit, described; "": none was seen
         outcome;  // of the search against the shipped settings and the grid, from cameras that it did not see; in words
     std::string error;
+    bool cutShort = false;  // the best so far: the search was not at its end
 };
 struct Fit : SideRun {
-    float budget = 16;  // ms
-    std::optional<FitShown> result;
+    float budget = 16;               // ms
+    float minutes = 2;               // that it may search
+    std::optional<FitShown> result;  // the best so far, while it runs
 };
 
 struct Accuracy {
@@ -171,7 +173,7 @@ void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages);
 bool measuring(const Accuracy& accuracy);
 // Kills it and drops its copy; what it has measured so far is kept and reused by the next.
 void stopSweep(Sweep& sweep);
-// The same for a fit.
+// The same for a fit; the best so far stays, to be previewed or adopted.
 void stopFit(Fit& fit);
 // Both.
 void stopRuns(Accuracy& accuracy);

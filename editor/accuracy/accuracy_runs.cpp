@@ -51,9 +51,19 @@ void finishFit(Fit& f, Messages& messages, int code) {
         text && !text->empty() ? fitFrom(*text) : Result<FitShown>(failed(failureOf(f, "fit", code)));
     if (shown)
         f.result = std::move(*shown),
-        say(messages, f.result->fits ? "fitted to the budget" : "nothing fits the budget");
+        say(messages, f.result->fits ? (f.result->cutShort ? "fitted to the budget, as well as the time allowed"
+                                                           : "fitted to the budget")
+                                     : "nothing fits the budget");
     else
         f.error = shown.error().text();
+}
+
+fs::path soFarFile(const Fit& f) { return f.folder / "fit.so-far"; }
+
+void showSoFar(Fit& f) {
+    const Result<std::string> text = readFile(soFarFile(f), 1 << 20);
+    const Result<FitShown> shown = text ? fitFrom(*text) : Result<FitShown>(text.error());
+    if (shown) f.result = *shown;
 }
 
 // What is drawn so far, as a plot without floors.
@@ -121,13 +131,20 @@ void startSweep(Sweep& s, const MeasureParts& parts) {
 void startFit(Fit& f, const MeasureParts& parts) {
     f.result.reset();
     const std::string budget = fmt::format("{:g}", f.budget);
-    accept(parts.messages, launch(f, parts, "fit", {"--budget-ms", budget, "--candidates", "20", "--json"}));
+    if (parts.doc.isOpen()) f.folder = sideFolder(parts.doc);
+    std::error_code ignored;
+    fs::remove(soFarFile(f), ignored);
+    accept(parts.messages, launch(f, parts, "fit",
+                                  {"--budget-ms", budget, "--candidates", "40", "--seconds",
+                                   fmt::format("{:g}", 60 * f.minutes), "--so-far", soFarFile(f).string(), "--json"}));
 }
 
 void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
     const bool further = followNews(accuracy.sweep, "cost", clock.now);
     if (further) showRowsSoFar(accuracy.sweep);
-    if (followNews(accuracy.fit, "fit", clock.now) || further) clock.wanted = std::max(clock.wanted, 2);
+    const bool fitted = followNews(accuracy.fit, "fit", clock.now);
+    if (fitted) showSoFar(accuracy.fit);
+    if (fitted || further) clock.wanted = std::max(clock.wanted, 2);
     if (const auto code = endedRun(accuracy.sweep, clock)) finishSweep(accuracy.sweep, messages, *code);
     if (const auto code = endedRun(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
 }
@@ -135,7 +152,10 @@ void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
 bool measuring(const Accuracy& accuracy) { return accuracy.sweep.child.running() || accuracy.fit.child.running(); }
 
 void stopSweep(Sweep& sweep) { stopRun(sweep); }
-void stopFit(Fit& fit) { stopRun(fit); }
+void stopFit(Fit& fit) {
+    if (fit.child.running()) showSoFar(fit);
+    stopRun(fit);
+}
 void stopRuns(Accuracy& accuracy) { stopSweep(accuracy.sweep), stopFit(accuracy.fit); }
 
 std::vector<CostRow> rowsSoFar(const fs::path& work, const std::string& camera) {
@@ -239,6 +259,8 @@ Result<FitShown> fitFrom(const std::string& text) {
         f.better = fmt::format("{:.3g} ms for {:.4f}: {}", numberAt(*better, "ms"), numberAt(*better, "appearance"),
                                textAt(*better, "settings"));
     f.outcome = outcomeOf(*j);
+    const Json* cut = j->find("cut_short");
+    f.cutShort = cut && cut->boolean;
     return f;
 }
 

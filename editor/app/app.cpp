@@ -24,7 +24,6 @@
 namespace sward {
 namespace {
 
-constexpr double kStrokeMs = 4;        // of a frame, for stamps that wait
 constexpr double kFilmMs = 20;         // of a frame, for pictures of a film
 constexpr double kIdleSeconds = 0.25;  // how late a line logged by another thread may appear
 
@@ -154,7 +153,8 @@ void timeStroke(EditorApp& app) {
 void settleEdits(EditorApp& app) {
     runDeferred(app.edits);
     releaseGroup(app.edits, app.doc, ImGui::IsAnyItemActive());
-    if (app.doc.stroking()) app.doc.pumpStroke(kStrokeMs);
+    const Rect& view = app.areas.viewport;
+    if (app.doc.stroking() && (view.w < 1 || view.h < 1)) app.doc.pumpStroke(0);  // no picture is made that would
     const FrameStats* measured = app.picture.drawnSettings.measure ? &app.counts.stats : nullptr;
     followBrushCost(app.brushCost, app.doc, app.brushes, app.hand.ground, measured);
     followRenderer(*app.renderer, app.doc.isOpen(), app.background.making, app.picture);
@@ -250,7 +250,8 @@ PlayParts playParts(EditorApp& app) { return {app.doc, app.play, *app.surface, a
 
 ObjectParts objectParts(EditorApp& a) {
     const bool active = a.doc.isOpen() && a.brushes.tool == kViewTool;
-    return {a.doc, a.selection, a.objects, a.edits, a.messages, a.view.camera, a.hand.rect, timeShown(a.doc), active};
+    return {a.doc,         a.selection, a.objects,        a.edits, a.messages,
+            a.view.camera, a.hand.rect, timeShown(a.doc), active,  a.clock.fixed};
 }
 
 void runFrame(EditorApp& app, double waitSeconds) {
@@ -285,6 +286,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     present(*app.surface, app.beforePresent);
     addFrame(app.frameTimes, {static_cast<float>(1000 * (clockSeconds() - begun)),
                               static_cast<float>(1000 * (built - widgets) - app.pictureMs)});
+    if (app.afterFrame) app.afterFrame(app.book);
 }
 
 double idleSeconds(const EditorApp& app) {

@@ -128,8 +128,9 @@ struct EditorApp {
     bool keepLayout = false;
     bool quit = false;
     std::string shownTitle;
-    std::filesystem::path shownProject;               // whose first camera the viewport took
-    std::function<void(ui::Surface&)> beforePresent;  // once, on the next frame (screenshots)
+    std::filesystem::path shownProject;                     // whose first camera the viewport took
+    std::function<void(ui::Surface&)> beforePresent;        // once, on the next frame (screenshots)
+    std::function<void(const ui::WidgetBook&)> afterFrame;  // each, once it is on the screen; empty: nobody asks
 };
 
 // One frame: takes input, builds the widgets, draws, presents. Waits up to `waitSeconds` for input first.

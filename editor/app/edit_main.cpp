@@ -1,12 +1,15 @@
 #include "app/edit_main.h"
 
 #include "app/app.h"
+#include "core/file.h"
+#include "core/log.h"
 #include "model/bakes.h"
 #include "model/scene_export.h"
 #include "playtest/playtest.h"
 #include "script/script.h"
 #include "techniques.h"
 #include "ui/driver.h"
+#include "ui/widget_list.h"
 #include "ui/window.h"
 #include "world/view_camera.h"
 
@@ -20,9 +23,14 @@ int exitOf(const Error& error) {
     return static_cast<int>(error.code);
 }
 
+void tellWidgets(const std::filesystem::path& file, const ui::WidgetBook& book) {
+    if (const Status written = writeFileAtomic(file, ui::widgetList(book)); !written)
+        logWarning(written.error().text());
+}
+
 }  // namespace
 
-int editMain(const std::filesystem::path& project) {
+int editMain(const std::filesystem::path& project, const std::filesystem::path& widgets) {
     auto window = ui::openWindow(1440, 900, "Sward");
     if (!window) return exitOf(window.error());
     ui::Surface& surface = **window;
@@ -51,6 +59,7 @@ int editMain(const std::filesystem::path& project) {
         return ran;
     };
     app.console.completions = [&console](const std::string& word) { return console.completions(word); };
+    if (!widgets.empty()) app.afterFrame = [&widgets](const ui::WidgetBook& book) { tellWidgets(widgets, book); };
     runUntilQuit(app);
     return 0;
 }

@@ -18,6 +18,27 @@ PicturePiece rowAt(double top, double area) {
     return row;
 }
 
+// Calls each(cost, area) for the places of the grid that a piece meets, with the part of it that lies there.
+template <class Each>
+void eachPlace(PieceCosts& costs, const PicturePiece& piece, const Each& each) {
+    const auto overlap = [](double a0, double a1, int i, int of) {
+        return std::min(a1, (i + 1.0) / of) - std::max(a0, static_cast<double>(i) / of);
+    };
+    for (int row = 0; row < kPieceRows; ++row)
+        for (int column = 0; column < kPieceColumns; ++column) {
+            const double high = overlap(piece.from, piece.to, row, kPieceRows);
+            const double wide = overlap(piece.left, piece.right, column, kPieceColumns);
+            if (high > 1e-9 && wide > 1e-9) each(costs[static_cast<size_t>(row * kPieceColumns + column)], high * wide);
+        }
+}
+
+// What a piece will cost by what lay there when it was last drawn.
+double expectedMs(Resolution& r, const PicturePiece& piece) {
+    double ms = 0;
+    eachPlace(r.costs, piece, [&](double cost, double area) { ms += area * (cost < 0 ? r.fullMs : cost); });
+    return ms;
+}
+
 void nextPiece(Resolution& r, ResolutionPlan& plan) {
     if (r.stale || r.row.to <= 0) {
         r.pieceArea = r.fullMs <= kSlowMs ? 1 : std::clamp(kPieceMs / r.fullMs, kMinArea, 1.0);
@@ -26,14 +47,19 @@ void nextPiece(Resolution& r, ResolutionPlan& plan) {
     }
     plan.draw = true;
     plan.piece = r.row;
-    plan.piece.right = plan.piece.left + std::max(kMinWidth, r.pieceArea / (r.row.to - r.row.from));
-    if (1 - plan.piece.right < kMinWidth) plan.piece.right = 1;
+    // Whole columns of the grid, as many as may cost so little.
+    const long left = std::lround(plan.piece.left * kPieceColumns);
+    long columns = std::max(1L, std::lround(r.pieceArea / (r.row.to - r.row.from) * kPieceColumns));
+    const auto reach = [&] { plan.piece.right = std::min(1.0, static_cast<double>(left + columns) / kPieceColumns); };
+    for (reach(); columns > 1 && r.fullMs > kSlowMs && expectedMs(r, plan.piece) > kPieceMs; reach()) --columns;
+    plan.expectedMs = expectedMs(r, plan.piece);
 }
 
 // A piece says little of the next one: the sky costs nothing, the grass below it much. So that pieces grow slowly, and
 // never to more than four of them would cost if the picture's cost were even.
 void learnPiece(Resolution& r, const PicturePiece& piece, double ms) {
     const double even = r.fullMs > kSlowMs ? 4 * kPieceMs / r.fullMs : 1;
+    eachPlace(r.costs, piece, [&](double& cost, double) { cost = ms / piece.area(); });
     const double area = piece.area() * std::clamp(kPieceMs / std::max(ms, 0.1), 0.3, 1.5);
     r.pieceArea = std::clamp(area, kMinArea, std::max(kMinArea, std::min(1.0, even)));
     r.piecesMs = piece.first() ? ms : r.piecesMs + ms;

@@ -4,6 +4,7 @@
 // Pure: it is told the time, what changed and what a drawing cost, and says what to draw next. Does not: draw, nor
 // count what the rest of a frame costs.
 #pragma once
+#include <array>
 
 namespace sward {
 
@@ -17,6 +18,11 @@ struct PicturePiece {
     double area() const { return (right - left) * (to - from); }
 };
 
+// What the full picture costs where: a grid of the smallest pieces, each with the milliseconds that a whole picture of
+// its cost would take, as last drawn. Below 0: not drawn yet, taken for the mean of the picture.
+inline constexpr int kPieceRows = 32, kPieceColumns = 24;
+using PieceCosts = std::array<double, static_cast<size_t>(kPieceRows) * kPieceColumns>;
+
 struct Resolution {
     double movingScale = 1;   // side of the drawn image over the viewport's, learnt from what drawings cost
     double movingDetail = 1;  // share of the blades drawn then
@@ -29,6 +35,13 @@ struct Resolution {
     PicturePiece row = {0, 1, 0, 0};
     double pieceArea = 1;  // of the next piece, as a share of the picture
     double piecesMs = 0;   // what its pieces so far have cost
+    PieceCosts costs = unknownCosts();
+
+    static PieceCosts unknownCosts() {
+        PieceCosts none;
+        none.fill(-1);
+        return none;
+    }
 };
 struct ResolutionPlan {
     bool draw = false;
@@ -36,16 +49,17 @@ struct ResolutionPlan {
     int msaa = 4;
     double detail = 1;
     PicturePiece piece = {};
+    double expectedMs = 0;  // what a piece will cost by what lay there when it was last drawn
 };
 
 inline constexpr double kMinScale = 0.25;       // of the side
 inline constexpr double kMinDetail = 1.0 / 16;  // of the blades
 inline constexpr double kSlowMs = 50;           // a drawing slower than this is coarsened while something moves
 inline constexpr double kTargetMs = 45;  // what a drawing may cost then: 15 frames a second with the rest of a frame
-inline constexpr double kPieceMs = 25;   // what a piece should cost: with a frame's panels an answer within 50 ms
-inline constexpr double kMinRow = 1.0 / 32;    // of the height
-inline constexpr double kMinWidth = 1.0 / 24;  // of the width
-inline constexpr double kRestSeconds = 0.25;   // without a change until the image is refined
+inline constexpr double kPieceMs = 22;   // what a piece should cost: with a frame's panels an answer within 50 ms
+inline constexpr double kMinRow = 1.0 / kPieceRows;       // of the height
+inline constexpr double kMinWidth = 1.0 / kPieceColumns;  // of the width
+inline constexpr double kRestSeconds = 0.25;              // without a change until the image is refined
 
 // `changed`: camera, scene, size or decal differ from what was last drawn.
 ResolutionPlan planDrawing(Resolution& r, double now, bool changed);

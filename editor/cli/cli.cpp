@@ -55,7 +55,7 @@ struct Verbs {
     TransitionOptions transitions;
     NewCommand made;
     ScriptOptions script;
-    std::string project = "projects/football", dir;
+    std::string project, widgets, dir;
     bool strict = false, judged = false, json = false, verbose = false;
 
     CLI::App* verb(const char* name, const char* help, std::function<int()> run) {
@@ -149,6 +149,8 @@ struct Verbs {
         f->add_option("--budget-ms", fit.budgetMs, "milliseconds a frame may take, at the slowest camera")->required();
         f->add_option("--candidates", fit.candidates,
                       "settings that the search may try beside the grid's 27 (default: 40)");
+        f->add_option("--seconds", fit.seconds, "that it may take in all, or little more (default: no limit)");
+        f->add_option("--so-far", fit.soFar, "a file that gets the best so far, as --json would print it");
         f->add_flag("--write", fit.write, "save the settings in the project");
         f->add_flag("--json", fit.json, "print JSON");
     }
@@ -275,9 +277,9 @@ struct Verbs {
             ->needs(curve);
     }
     void addProjects() {
-        verb("edit", "Open the editor (default)", [this] {
-            return editVerb(project);
-        })->add_option("project", project, "folder of the project");
+        CLI::App* edit = verb("edit", "Open the editor (default)", [this] { return editVerb(project, widgets); });
+        edit->add_option("project", project, "folder of the project");
+        edit->add_option("--widgets", widgets, "a file that gets, after each frame, where each widget is");
         CLI::App* fresh = verb("new", "Make a project: one terrain, one field, a sun, a camera; or from a template",
                                [this] { return newVerb(made); });
         fresh->add_option("dir", made.dir, "folder to make")->required();

@@ -3,6 +3,7 @@
 // core/error.h.
 #pragma once
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,6 +67,8 @@ bool isCostPart(const std::filesystem::path& file);
 struct FitOptions : CostOptions {
     double budgetMs = 0;
     int candidates = 40;
+    double seconds = std::numeric_limits<double>::infinity();
+    std::string soFar;  // file for the best so far
     bool write = false;
 };
 // `sward fit`: the truest settings within a budget.
@@ -149,8 +152,8 @@ struct ScriptOptions {
 };
 // `sward script`: a Lua file, without a window unless one is asked for.
 int scriptVerb(const ScriptOptions& options);
-// The editor in a window; `project` may be empty.
-int editVerb(const std::string& project);
+// The editor in a window; `project` may be empty. `widgets`: a file for where each widget is, or empty.
+int editVerb(const std::string& project, const std::string& widgets = {});
 
 // --- shared by the verbs
 // Prints the error and gives its exit code.

@@ -3,6 +3,6 @@
 
 namespace sward {
 
-int editVerb(const std::string& project) { return editMain(project); }
+int editVerb(const std::string& project, const std::string& widgets) { return editMain(project, widgets); }
 
 }  // namespace sward

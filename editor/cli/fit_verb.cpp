@@ -35,6 +35,7 @@ Json fitJson(const FitResult& r, double budgetMs) {
     Json j;
     j["technique"] = r.fitted.setting.technique;
     j["budget_ms"] = budgetMs, j["fits"] = r.fits, j["tried"] = r.tried;
+    j["cut_short"] = r.cutShort, j["truth_samples"] = r.truthSamples;
     j["best"] = candidateJson(r.fitted), j["shipped"] = candidateJson(r.shipped), j["grid"] = candidateJson(r.gridBest),
     j["next_better"] = candidateJson(r.given);
     Json& held = j["held_out"];
@@ -64,6 +65,9 @@ void printFit(const FitResult& r) {
     std::printf("held out  appearance %s, shipped %s, grid %s%s%s\n", number(r.heldOut.fitted).c_str(),
                 number(r.heldOut.shipped).c_str(), number(r.heldOut.grid).c_str(), r.heldOut.note.empty() ? "" : "; ",
                 r.heldOut.note.c_str());
+    if (r.cutShort)
+        std::printf("cut short by --seconds after %d settings, held against truths of %d samples\n", r.tried,
+                    r.truthSamples);
     std::printf("outcome   %s; held out, %s\n", said(r.seen).c_str(), said(r.unseen).c_str());
 }
 
@@ -84,6 +88,7 @@ Status save(const FitOptions& o, const FitResult& found) {
 
 int fitVerb(const FitOptions& o) {
     if (!(o.budgetMs > 0)) return report(usage("--budget-ms takes a number above 0"));
+    if (!(o.seconds > 0)) return report(usage("--seconds takes a number above 0"));
     if (o.candidates < 1 || o.candidates > 10000) return report(usage("--candidates takes 1 to 10000"));
     auto project = openForRendering(o);
     if (!project) return report(project.error());
@@ -93,7 +98,12 @@ int fitVerb(const FitOptions& o) {
     auto gpu = makeHeadlessGpu();
     if (!gpu) return report(gpu.error());
     const Interruptible here;
-    const auto r = runFit({o.budgetMs, o.candidates, std::move(*cost)}, *project, tables(), **gpu, costProgress());
+    FitRequest request{o.budgetMs, o.candidates, o.seconds, {}, std::move(*cost)};
+    if (!o.soFar.empty())
+        request.betterFound = [&](const FitResult& best) {
+            if (Status s = writeFileAtomic(o.soFar, writeJson(fitJson(best, o.budgetMs))); !s) report(s.error());
+        };
+    const auto r = runFit(request, *project, tables(), **gpu, costProgress());
     if (!r) return report(r.error());
     if (o.json) std::printf("%s", writeJson(fitJson(*r, o.budgetMs)).c_str());
     if (!r->fits)

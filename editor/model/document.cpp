@@ -215,7 +215,7 @@ void Document::Impl::push(UndoStep step, const StrokeNews* of) {
 }
 
 void Document::Impl::record(const std::string& label, std::vector<Change> changes, const StrokeNews* of) {
-    ++revision;
+    if (!of) ++revision;  // a stroke's stamps did, and its end changes nothing more that is drawn
     if (groupDepth > 0) {
         for (Change& c : changes) mergeChange(group.changes, std::move(c));
         return;

@@ -138,8 +138,20 @@ void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     if (r.fits)
         ui::coloredText(ui::kDimText,
                         ("gives up: " + (r.better.empty() ? "nothing better was seen" : r.better)).c_str());
+    if (r.cutShort) ui::coloredText(ui::kDimText, "the best so far: with more time there may be better");
     if (!r.outcome.empty()) ui::coloredText(ui::kDimText, r.outcome.c_str());
     ImGui::PopTextWrapPos();
+}
+
+void searchTime(Fit& f) {
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "Search for");
+    ImGui::SameLine(0, 5);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 4.2f);
+    ui::NumberSpec spec;
+    spec.softMin = 0.5, spec.softMax = 20, spec.hardMin = 0.1, spec.hardMax = 600, spec.unit = "min";
+    ui::slider("Search for", f.minutes, spec);
+    ui::tooltip("How long it may take, or little more. The best so far is shown meanwhile.");
 }
 
 void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
@@ -155,11 +167,13 @@ void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     ImGui::SameLine(0, 6);
     if (f.child.running()) {
         if (ui::button("Stop fit")) stopFit(f);
-        return ImGui::TextWrapped("%s", newsText(f.news, parts.clock.now).c_str());
-    }
-    {
+        ui::tooltip("Ends the search. The best so far stays here, to be adopted.");
+        ImGui::TextWrapped("%s", newsText(f.news, parts.clock.now).c_str());
+        if (!f.result) return;
+    } else {
         const ui::Disabled none(!parts.doc.isOpen());
         if (ui::button("Fit to budget")) startFit(f, parts);
+        searchTime(f);
     }
     fitResult(accuracy, parts, edits);
 }

@@ -6,6 +6,7 @@
 #include "app/file_tasks.h"
 #include "app/image_tasks.h"
 #include "app/thumbnails.h"
+#include "model/layer_edits.h"
 #include "model/whole_map.h"
 #include "tools/brush_book.h"
 #include "ui/theme.h"
@@ -15,11 +16,14 @@ namespace {
 
 ui::TileSize pictureSize() { return {ImGui::GetFrameHeight() * 2, ImGui::GetFrameHeight() * 2}; }
 
-std::string sizeText(const ConstFieldRef& f, const MapField& m) {
-    if (!m.present()) return "none";
+std::string sizeText(const Project& p, const ConstFieldRef& f, const MapField& m) {
+    const size_t layers = layersOver(p, f.path).size();
+    const std::string over = layers == 0 ? "" : fmt::format(", {} layer{} over it", layers, layers > 1 ? "s" : "");
+    if (!m.present()) return "none" + over;
     const MapInfo& i = m.map.info();
     const char* type = i.type == PixelType::U8 ? "8 bit" : i.type == PixelType::U16 ? "16 bit" : "float";
-    if (f.row->map->role == MapRole::Density && unpainted(m.map)) return "nothing painted yet";
+    if (f.row->map->role == MapRole::Density && unpainted(m.map))
+        return layers ? "nothing painted" + over : "nothing painted yet";
     return fmt::format("{} x {}, {}", i.width, i.height, type);
 }
 
@@ -68,7 +72,7 @@ void mapButtons(const FieldParts& parts, const ConstFieldRef& f, bool present) {
 
 void drawMapField(const FieldParts& parts, const ConstFieldRef& f) {
     const MapField& m = *static_cast<const MapField*>(f.value);
-    const std::string text = sizeText(f, m);
+    const std::string text = sizeText(parts.doc.project(), f, m);
     if (parts.thumbnails && m.present()) {
         ui::picture(f.path + "/Picture", shownOf(mapThumbnail(*parts.thumbnails, f.path, m.map, f.row->map->kind)),
                     pictureSize());

@@ -255,6 +255,17 @@ void addButtons(const FieldParts& parts, const std::string& map) {
     }
 }
 
+// Who flattens to a height that is seen, or digs, must know that layers add theirs to it.
+void sculptedBelow() {
+    const std::string text =
+        "Brushes, Place Heights and Add Pond sculpt the ground below these layers; what is seen is that and the layers "
+        "over it. To sculpt over them: Add painted, and Paint on it.";
+    ImGui::PushTextWrapPos(0);
+    ui::coloredText(ui::kDimText, text.c_str());
+    ImGui::PopTextWrapPos();
+    ui::record("Below", ui::Kind::Label, text);
+}
+
 }  // namespace
 
 void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, const std::vector<LayerNote>& notes) {
@@ -278,6 +289,7 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
         else
             ownMap(parts, brushes, *of, view);
     }
+    if (heights && !layers.empty() && brushes.map == map) sculptedBelow();
     if (ui::button("Paint the map itself", 0, brushes.map == map)) selectMap(doc, brushes, map);
     ui::tooltip("The brush paints below all layers, on " + map);
     const std::string words = ui::inWords(map);

@@ -103,7 +103,10 @@ ViewSettings wantedSettings(EditorApp& a) {
     return s;
 }
 
+// A stamp is in the picture of the frame in which the hand made it.
 void makePicture(EditorApp& a) {
+    constexpr double kStrokeMs = 4;  // of a frame, for stamps that wait
+    if (a.doc.stroking()) a.doc.pumpStroke(kStrokeMs);
     drawScene({a.doc, *a.renderer, a.picture, a.counts, a.clock, a.messages}, viewShown(a.doc, a.view.camera),
               wantedSettings(a), a.queue.pending());
     if (playing(a.doc)) return;

@@ -61,7 +61,7 @@ void drawInArea(EditorApp& app, const PanelRow& row, const Rect& area, bool play
 
 // The panels docked at the bottom share their place as tabs.
 void drawBottom(EditorApp& app, Layout& layout, const Rect& area, bool playing) {
-    if (!beginArea("Bottom", area, ImGuiWindowFlags_NoScrollbar)) return;
+    if (!beginArea("Bottom", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) return;
     layout.tab = openTab(layout);
     const PanelRow* open = nullptr;
     bool first = true;
@@ -77,7 +77,11 @@ void drawBottom(EditorApp& app, Layout& layout, const Rect& area, bool playing) 
     ImGui::Separator();
     if (open) {
         const ui::Scope scope(open->name);
+        ImGui::BeginChild("panel");  // what it holds is scrolled, and the tabs stay
+        ImGui::PushTextWrapPos(0);   // no sentence ends at the edge
         drawRow(app, *open, playing);
+        ImGui::PopTextWrapPos();
+        ImGui::EndChild();
     }
     ImGui::End();
 }

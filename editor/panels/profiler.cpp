@@ -75,7 +75,7 @@ void drawProfiler(ViewCounts& counts, FrameTimes& times, bool measured, const st
     ui::tooltip("Times each pass and counts its work. Waits for the GPU after each, so that a frame takes longer.");
     ImGui::SameLine(0, 18);
     ImGui::PushTextWrapPos(0);
-    ui::coloredText(ui::kDimText, fmt::format("{}  |  culling {:.2f} ms  |  {} cells  |  {:.1f} MB on the GPU", gpuName,
+    ui::coloredText(ui::kDimText, fmt::format("{}  |  culling {:.0f} ms  |  {} cells  |  {:.0f} MB on the GPU", gpuName,
                                               s.cpuCullMs, s.cells, static_cast<double>(s.gpuBytes) / 1e6)
                                       .c_str());
     ImGui::PopTextWrapPos();

@@ -5,6 +5,7 @@
 
 #include "app/edits.h"
 #include "app/messages.h"
+#include "core/log.h"
 #include "model/autosave.h"
 #include "model/document.h"
 #include "panels/panels.h"
@@ -29,11 +30,22 @@ void close(Autosave& autosave) {
     ImGui::CloseCurrentPopup();
 }
 
+// From the newest copy that can be read.
 void recover(Autosave& autosave, Document& doc, Edits& edits, Messages& messages) {
-    edits.deferred.push_back([&, copy = autosave.found.front()] {
-        if (!accept(messages, doc.takeOver(copy, "recover unsaved work"))) return;
-        adoptAutosave(autosave, copy);
-        say(messages, "unsaved work is back; undo shows what was saved");
+    edits.deferred.push_back([&, copies = autosave.found] {
+        Status first;
+        for (const std::filesystem::path& copy : copies) {
+            const Status taken = doc.takeOver(copy, "recover unsaved work");
+            if (!taken) {
+                if (first) first = taken;
+                continue;
+            }
+            adoptAutosave(autosave, copy);
+            if (!first) logWarning(first.error().text());
+            return say(messages, first ? "unsaved work is back; undo shows what was saved"
+                                       : "the newest copy is damaged: unsaved work of an older one is back");
+        }
+        if (!first) showError(messages, first.error());
     });
     close(autosave);
 }

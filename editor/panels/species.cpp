@@ -118,9 +118,11 @@ void drawSpecies(const FieldParts& fields, SpeciesPalette& palette, BrushBook& b
     const GrassField& field = *followChoice(palette, fields.doc, brushes, selected);
     const Parts p{fields, palette, brushes};
     buttons(p);
-    ImGui::SameLine(0, 14);
+    const std::string told = "species of " + palette.field + ", and presets below";
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + 14 + ImGui::CalcTextSize(told.c_str()).x < right) ImGui::SameLine(0, 14);
     ImGui::AlignTextToFramePadding();
-    ui::coloredText(ui::kDimText, ("species of " + palette.field + ", and presets below").c_str());
+    ui::coloredText(ui::kDimText, told.c_str());
     ImGui::BeginChild("species");
     ownSpecies(p, field);
     ImGui::Separator();

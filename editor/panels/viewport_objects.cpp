@@ -133,7 +133,9 @@ void recordObjects(const ObjectParts& parts, const Ground& ground) {
         for (const std::string& name : parts.selection.entities) recordObject(parts, ground, name);
         return;
     }
-    p.registry.each<StaticMesh>([&](Entity e, const StaticMesh&) {
+    if (!parts.waits) parts.tool.objects.readAhead(p);
+    p.registry.each<StaticMesh>([&](Entity e, const StaticMesh& mesh) {
+        if (!parts.waits && !parts.tool.objects.hasRead(p, mesh.file)) return;
         if (const Name* name = p.registry.get<Name>(e); name && !p.registry.get<Hidden>(e))
             recordObject(parts, ground, name->value);
     });
@@ -167,14 +169,20 @@ void drawBox(const ObjectParts& parts, const Corners& c, ImU32 color) {
 }
 
 std::string entityAt(const ObjectParts& parts, double x, double y) {
+    const std::optional<ObjectHit> hit = hitAt(parts, x, y);
+    return hit ? hit->entity : "";
+}
+
+std::optional<ObjectHit> hitAt(const ObjectParts& parts, double x, double y) {
     constexpr double kNear = 5;  // pixels: thin things, and those with gaps, are hard to hit
-    if (!parts.doc.isOpen()) return "";
+    if (!parts.doc.isOpen()) return std::nullopt;
     std::optional<ObjectHit> hit = objectAt(parts, x, y);
     for (int i = 0; i < 8 && !hit; ++i)
         hit = objectAt(parts, x + kNear * std::cos(i * 0.7853981634), y + kNear * std::sin(i * 0.7853981634));
     const std::optional<Handle> icon = iconAt(parts, {x, y});
-    if (icon && (!hit || glm::length(icon->at - parts.camera.eye) < hit->distance)) return icon->entity;
-    return hit ? hit->entity : "";
+    if (icon && (!hit || glm::length(icon->at - parts.camera.eye) < hit->distance))
+        return ObjectHit{icon->entity, glm::length(icon->at - parts.camera.eye)};
+    return hit;
 }
 
 std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox& box) {
@@ -209,11 +217,17 @@ void endChoosing(const ObjectParts& parts, const FrameInput& in) {
     if (!box || !parts.doc.isOpen()) return;
     const Choose how = howChosen(in.ctrl(), in.shift());
     if (isBox(*box)) return choose(parts.selection, entitiesIn(parts, *box), how);
-    const std::string name = entityAt(parts, box->from.x, box->from.y);
-    if (!name.empty())
-        choose(parts.selection, name, how);
-    else if (how == Choose::Only)
+    parts.tool.one = hitAt(parts, box->from.x, box->from.y);
+    parts.tool.oneRevision = parts.doc.revision();
+    if (parts.tool.one) {
+        choose(parts.selection, parts.tool.one->entity, how);
+        if (parts.tool.one->which.empty())
+            parts.tool.one.reset();
+        else
+            say(parts.messages, parts.tool.one->entity + ": " + parts.tool.one->which);
+    } else if (how == Choose::Only) {
         parts.selection.entities.clear();
+    }
 }
 
 void chooseForMenu(const ObjectParts& parts, double x, double y) {
@@ -247,6 +261,9 @@ void drawObjects(const ObjectParts& parts) {
     for (const std::string& name : parts.selection.entities)
         if (const auto corners = parts.tool.objects.cornersOf(parts.doc.project(), ground, name))
             drawBox(parts, *corners, name == shownEntity(parts.selection) ? kChosen : kOthers);
+    const std::optional<ObjectHit>& one = parts.tool.one;
+    if (one && parts.tool.oneRevision == parts.doc.revision() && isChosen(parts.selection, one->entity))
+        drawBox(parts, one->corners, kChosen);
     drawIcons(parts);
     recordObjects(parts, ground);
     if (parts.tool.box && isBox(*parts.tool.box)) drawChoosingBox(*parts.tool.box);

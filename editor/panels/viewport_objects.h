@@ -29,11 +29,14 @@ struct ObjectParts {
     const Rect& view;  // of the image, window coordinates
     double seconds;    // scene time that is shown
     bool active;       // it is the tool in the hand
+    bool waits;        // for files of objects; else one is read a frame, and its objects are found after that
 };
 
 // What of the scene is under a place in the window: an object's triangles, unless ground or an icon lie before them;
 // else the icon there; "": neither.
 std::string entityAt(const ObjectParts& parts, double x, double y);
+// The same with what is known of it; nothing: neither.
+std::optional<ObjectHit> hitAt(const ObjectParts& parts, double x, double y);
 // Objects and icons whose middle lies in the box on the screen, seen or not, in the order of their names.
 std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox& box);
 
@@ -42,7 +45,8 @@ std::vector<std::string> entitiesIn(const ObjectParts& parts, const ChoosingBox&
 void beginChoosing(const ObjectParts& parts, double x, double y);
 // Where the pointer goes; from four pixels on a box is drawn.
 void dragChoosing(const ObjectParts& parts, double x, double y);
-// Where it goes up: the click or the box chooses. Ctrl toggles, Shift adds, a click on nothing lets all go.
+// Where it goes up: the click or the box chooses, a click also which of a rule's or a forest's many it is, and says so.
+// Ctrl toggles, Shift adds, a click on nothing lets all go.
 void endChoosing(const ObjectParts& parts, const FrameInput& in);
 
 // Boxes around what is chosen, icons, the box in the hand. Scripts find "Viewport/Icon NAME", and objects in sight as

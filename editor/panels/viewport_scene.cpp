@@ -14,8 +14,6 @@
 namespace sward {
 namespace {
 
-constexpr double kPiecesMs = 25;  // of a frame, for pieces of the full picture
-
 bool sameCamera(const ViewCamera& a, const ViewCamera& b) {
     return a.eye == b.eye && a.target == b.target && a.fovDeg == b.fovDeg && a.exposure == b.exposure;
 }
@@ -196,8 +194,9 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
         drawPiece(parts, camera, wanted, plan);
         const double ms = plan.piece.first() ? last : last - before;
         spent += ms;
-        if (plan.piece.whole() || spent + ms > kPiecesMs) break;  // another one would cost about the same
+        if (plan.piece.whole()) break;
         plan = nextPlan(v.resolution, clock, wanted.measure, false);
+        if (spent + std::max(ms, plan.expectedMs) > kPieceMs) break;
     }
     countAtRest(parts, camera);
     countSpecies(parts, camera);

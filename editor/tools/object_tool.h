@@ -34,9 +34,12 @@ struct ObjectTool {
     const GizmoPart* hover = nullptr;  // what the pointer is on
     std::optional<GizmoDrag> drag;
     std::optional<ChoosingBox> box;
-    std::string placing;      // file of the object that clicks place; empty: they choose
-    bool randomTurn = false;  // what is placed is turned by an angle of its own
-    bool menu = false;        // the context menu is to be opened
+    // Of the many that a rule or a forest puts there, the one that was clicked, while its entity is chosen.
+    std::optional<ObjectHit> one;
+    uint64_t oneRevision = 0;  // of the document then; at another it may stand elsewhere
+    std::string placing;       // file of the object that clicks place; empty: they choose
+    bool randomTurn = false;   // what is placed is turned by an angle of its own
+    bool menu = false;         // the context menu is to be opened
     PathTool path;
 };
 

@@ -1,5 +1,7 @@
 #include "tools/scene_objects.h"
 
+#include <fmt/format.h>
+
 #include "mesh/mesh_io.h"
 #include "scene/locked.h"
 #include "world/placement.h"
@@ -7,9 +9,8 @@
 namespace sward {
 namespace {
 
-ObjectShape readShape(const Project& p, const std::string& file) {
+ObjectShape shapeOfMesh(const Result<Mesh>& mesh) {
     ObjectShape shape;
-    const Result<Mesh> mesh = readMesh(p.dir, file);
     if (!mesh) return shape;  // drawing tells of it
     Triangles triangles;
     triangles.indices = mesh->indices;
@@ -19,6 +20,13 @@ ObjectShape readShape(const Project& p, const std::string& file) {
     shape.bounds = {mesh->low, mesh->high};
     shape.triangles = std::move(*scene);
     return shape;
+}
+
+// Versions of the files that its species come from.
+std::vector<std::string> filesOf(const Project& p, const Forest& forest) {
+    std::vector<std::string> versions;
+    for (const TreeSpecies& s : forest.species) versions.push_back(s.file.empty() ? "" : fileVersion(p.dir, s.file));
+    return versions;
 }
 
 Corners cornersOfBox(const Box& bounds, const glm::dvec3& at, const glm::dmat3& turn) {
@@ -41,10 +49,10 @@ glm::dmat3 scaledTurn(const PlacedMesh& placed) { return placed.turn * static_ca
 }  // namespace
 
 const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& file) {
-    if (dir_ != p.dir) shapes_.clear(), own_ = {}, rules_.clear(), revision_ = 0, dir_ = p.dir;
+    if (dir_ != p.dir) shapes_.clear(), own_ = {}, rules_.clear(), groves_.clear(), revision_ = 0, dir_ = p.dir;
     const auto known = shapes_.find(file);
     if (known != shapes_.end()) return known->second;
-    ObjectShape& shape = shapes_[file] = readShape(p, file);
+    ObjectShape& shape = shapes_[file] = shapeOfMesh(readMesh(p.dir, file));
     shape.version = fileVersion(p.dir, file);
     return shape;
 }
@@ -94,14 +102,55 @@ void SceneObjects::followScattered(const Project& p, const Ground& ground) {
     rules_ = std::move(kept);
 }
 
+void SceneObjects::followForests(const Project& p, const Ground& ground) {
+    std::map<std::string, Grove> kept;
+    for (const auto& [name, forest] : forestsOf(p)) {
+        if (p.registry.get<Hidden>(findEntity(p, name)) || isLocked(p, name) || !ground.terrain) continue;
+        Grove& grove = kept[name] = std::move(groves_[name]);
+        const std::vector<std::string> files = filesOf(p, *forest);
+        if (grove.terrain && sameForest(grove.rule, *forest) && sameGround(*grove.terrain, *ground.terrain) &&
+            grove.origin == ground.origin && grove.files == files)
+            continue;
+        grove = {{{name}, {}, {}, {}}, *forest, *ground.terrain, ground.origin, files, {}, {}};
+        for (const TreeSpecies& s : forest->species)
+            grove.species.push_back(
+                std::make_unique<ObjectShape>(stands(s) ? shapeOfMesh(treeMesh(p.dir, s)) : ObjectShape{}));
+        std::vector<Box> boxes;
+        for (const StandingTree& tree : standingForest(*forest, ground).trees) {
+            const ObjectShape* shape = grove.species[tree.species].get();
+            if (!shape->triangles) continue;
+            grove.trees.placed.push_back({tree.at, turnOf(tree), shape});
+            grove.speciesOf.push_back(tree.species);
+            boxes.push_back(boxAround(shape->bounds, tree.at, grove.trees.placed.back().turn));
+        }
+        grove.trees.tree = BoxTree(std::move(boxes));
+    }
+    groves_ = std::move(kept);
+}
+
 void SceneObjects::follow(const Project& p, uint64_t revision) {
     if (revision_ == revision && dir_ == p.dir) return;
     forgetChangedFiles(p);
     const Ground ground = findGround(p);
     followOwn(p, ground);
     followScattered(p, ground);
+    followForests(p, ground);
     revision_ = revision;
     dir_ = p.dir;
+}
+
+ObjectHit SceneObjects::hitOf(const Group& group, size_t i, double distance) const {
+    const Placed& o = group.placed[i];
+    ObjectHit hit{group.entities[&group == &own_ ? i : 0], distance, "", cornersOfBox(o.shape->bounds, o.at, o.turn)};
+    const auto grove = groves_.find(hit.entity);
+    if (grove != groves_.end() && &grove->second.trees == &group) {
+        const TreeSpecies& species = grove->second.rule.species[grove->second.speciesOf[i]];
+        hit.which = fmt::format("{}, {:.3g} m high, one of {} trees", species.name,
+                                o.shape->bounds.high.y * glm::length(o.turn[1]), group.placed.size());
+    } else if (group.of) {
+        hit.which = fmt::format("one of {} that its rule scatters", group.placed.size());
+    }
+    return hit;
 }
 
 std::optional<ObjectHit> SceneObjects::closest(const Project& p, uint64_t revision, const glm::dvec3& origin,
@@ -116,13 +165,24 @@ std::optional<ObjectHit> SceneObjects::closest(const Project& p, uint64_t revisi
             const auto met = o.shape->triangles->closest(glm::vec3(back * (origin - o.at)), glm::vec3(back * way), 0,
                                                          static_cast<float>(far));
             if (!met) return far;
-            hit = {group.entities[group.of ? 0 : i], static_cast<double>(met->t)};
+            hit = hitOf(group, i, static_cast<double>(met->t));
             return hit->distance;
         });
     };
     castInto(own_);
     for (const auto& [name, group] : rules_) castInto(group);
+    for (const auto& [name, grove] : groves_) castInto(grove.trees);
     return hit;
+}
+
+bool SceneObjects::readAhead(const Project& p) {
+    for (const auto& [name, e] : p.entities) {
+        const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
+        if (!mesh || mesh->file.empty() || hasRead(p, mesh->file)) continue;
+        shapeOf(p, mesh->file);
+        return true;
+    }
+    return false;
 }
 
 std::optional<Corners> SceneObjects::cornersOf(const Project& p, const Ground& ground, const std::string& entity) {

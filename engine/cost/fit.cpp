@@ -18,8 +18,11 @@ constexpr double kTimedMs = 1500;             // more than the least number only
 constexpr double kHopeless =
     1.5;                     // times the budget: a candidate slower than that from one camera is not drawn from others
 constexpr double kSure = 4;  // times the most that a candidate must be expected to take to be left out unseen
-constexpr double kMsPerBlade = 1e-5;              // where the shipped settings draw few blades
-constexpr double kStep = 2, kLeastStep = 1.1892;  // factors: a doubling, and its fourth root
+constexpr double kMsPerBlade = 1e-5;                    // where the shipped settings draw few blades
+constexpr double kSearchShare = 0.6, kGridShare = 0.8;  // of the seconds: when they begin nothing further
+constexpr double kTruthShare = 0.15;                    // for truths; then fewer samples are traced
+constexpr int kLeastSamples = 2;                        // of a truth: one alone has no error
+constexpr double kStep = 2, kLeastStep = 1.1892;        // factors: a doubling, and its fourth root
 
 // --- candidates --------------------------------------------------------------------------------------------------
 // How far each of the technique's knobs is turned (KnobRow), in the order of its rows.
@@ -40,7 +43,21 @@ struct Search {
     std::map<std::pair<std::string, std::vector<std::string>>, FitCandidate> seen = {};
     std::vector<FitCandidate> found = {};  // of those, the search's own
     double msPerBlade = kMsPerBlade;
-    bool mayGoOn() const { return static_cast<int>(found.size()) < request.candidates; }
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+    CostRequest cost = request.cost;       // with as many samples of truths as there is time for
+    FitCandidate shipped = {}, best = {};  // of those found
+    bool cutShort = false;
+
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(); }
+    // Notes that time was over, too.
+    bool inTime(double share) {
+        const bool is = seconds() < share * request.seconds;
+        cutShort |= !is;
+        return is;
+    }
+    bool mayGoOn() {
+        return static_cast<int>(found.size()) < request.candidates && (found.empty() || inTime(kSearchShare));
+    }
 };
 Error stopped() { return interruption("interrupted; nothing was changed"); }
 
@@ -53,7 +70,8 @@ struct Drawing {
 Result<Drawing> drawingOf(Search& s, const CostSetting& setting, const CostView& from) {
     if (!s.progress(fmt::format("{} of at most {} candidates, {} settings in all", s.found.size(), s.request.candidates,
                                 s.seen.size()),
-                    static_cast<double>(s.found.size()) / std::max(1, s.request.candidates)))
+                    std::max(static_cast<double>(s.found.size()) / std::max(1, s.request.candidates),
+                             std::min(s.seconds() / s.request.seconds, 1.0))))
         return stopped();
     Drawing d{snapshot(s.project, s.tables.components), from.camera, {}};
     d.view.width = s.request.cost.width, d.view.height = s.request.cost.height,
@@ -156,6 +174,14 @@ CostSetting settingOf(const Search& s, const TechniqueRow& t, const Knobs& k) {
     for (const auto& [name, field] : fieldsOf(s.project)) each.push_back({name, t.turned(field, k)});
     return {t.name, mergedValues(each)};
 }
+FitResult soFar(const Search& s) {
+    FitResult r;
+    r.fits = s.best.ms <= s.request.budgetMs;
+    r.fitted = s.best, r.shipped = s.shipped;
+    r.tried = static_cast<int>(s.seen.size());
+    r.cutShort = true;
+    return r;
+}
 // Measured as one of the search's own.
 Result<FitCandidate> searched(Search& s, const TechniqueRow& t, const Knobs& k) {
     const CostSetting setting = settingOf(s, t, k);
@@ -163,7 +189,11 @@ Result<FitCandidate> searched(Search& s, const TechniqueRow& t, const Knobs& k) 
         return c.setting.technique == setting.technique && c.setting.values == setting.values;
     });
     auto c = measured(s, setting);
-    if (c && isNew) s.found.push_back(*c);
+    if (!c || !isNew) return c;
+    s.found.push_back(*c);
+    if (s.best.known() && !better(*c, s.best, s.request.budgetMs)) return c;
+    s.best = *c;
+    if (s.request.betterFound && c->ms <= s.request.budgetMs) s.request.betterFound(soFar(s));
     return c;
 }
 // The neighbours: each knob the step's factor up and down, then those that are added to.
@@ -245,11 +275,39 @@ std::vector<Knobs> gridPoints(const TechniqueRow& t) {
 Result<FitCandidate> gridBest(Search& s, const TechniqueRow& own) {
     FitCandidate best;
     for (const Knobs& k : gridPoints(own)) {
+        if (!s.inTime(kGridShare)) break;
         auto c = measured(s, settingOf(s, own, k));
         if (!c) return c;
         if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
     }
     return best;
+}
+
+// --- truths
+// Of all samples asked for; where that takes longer than its share of the time, begun anew with as many as it allows.
+Result<CostTruth> truthInTime(Search& s, const CostView& view) {
+    const double begun = s.seconds(),
+                 limit = kTruthShare * s.request.seconds / static_cast<double>(s.cost.views.size());
+    double share = 0;
+    bool late = false;
+    const auto watched = [&](const std::string& what, double done) {
+        share = done;
+        late = s.cost.truth.samples > kLeastSamples && s.seconds() - begun > limit;
+        return s.progress(what, done) && !late;
+    };
+    auto truth = costTruthAlone(s.cost, s.project, s.tables, view, watched);
+    if (truth || !late) return truth;
+    s.cutShort = true;
+    s.cost.truth.samples = std::max(kLeastSamples, static_cast<int>(0.8 * share * s.cost.truth.samples));
+    return costTruthAlone(s.cost, s.project, s.tables, view, s.progress);
+}
+Status traceTruths(Search& s) {
+    for (const CostView& view : s.request.cost.views) {
+        auto truth = truthInTime(s, view);
+        if (!truth) return truth.error();
+        s.views.push_back({view, std::move(*truth)});
+    }
+    return {};
 }
 
 // --- cameras that were not seen ----------------------------------------------------------------------------------
@@ -260,7 +318,11 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
     const FitCandidate* candidates[] = {&found.shipped, &found.fitted, &found.gridBest};
     for (const CostView& seen : s.request.cost.views) {
         const CostView view{seen.name + ", moved", heldOutCamera(seen.camera), seen.since};
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
+        if (!s.inTime(1)) {
+            out.note += (out.note.empty() ? "" : "; ") + std::string("no time was left for ") + view.name;
+            continue;
+        }
+        auto truth = truthInTime(s, view);
         if (!truth && truth.error().code == ExitCode::Interrupted) return truth.error();
         if (!truth) {
             out.note += (out.note.empty() ? "" : "; ") + view.name + " was left out: " + truth.error().message;
@@ -280,18 +342,9 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
 }
 
 // --- all of it ---------------------------------------------------------------------------------------------------
-Status traceTruths(Search& s) {
-    for (const CostView& view : s.request.cost.views) {
-        auto truth = costTruthAlone(s.request.cost, s.project, s.tables, view, s.progress);
-        if (!truth) return truth.error();
-        s.views.push_back({view, std::move(*truth)});
-    }
-    return {};
-}
 // The best that the search found, and the cheapest of all measured that are better still.
 void choose(const Search& s, FitResult& r) {
-    for (const FitCandidate& c : s.found)
-        if (!r.fitted.known() || better(c, r.fitted, s.request.budgetMs)) r.fitted = c;
+    r.fitted = s.best;
     r.fits = r.fitted.ms <= s.request.budgetMs;
     for (const auto& [key, c] : s.seen)
         if (r.fits && c.ms > s.request.budgetMs && c.appearance < r.fitted.appearance &&
@@ -353,7 +406,7 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
     if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
-    Search s{request, project, tables, gpu, progress};
+    Search s{.request = request, .project = project, .tables = tables, .gpu = gpu, .progress = progress};
     const auto own = techniqueToFit(project, tables);
     if (!own) return own.error();
     if (Status st = traceTruths(s); !st) return st.error();
@@ -362,11 +415,13 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     if (!shipped) return shipped.error();
     if (const uint64_t blades = s.renderer.stats().bladesGeometry; blades > 1000)
         s.msPerBlade = shipped->ms / static_cast<double>(blades);
+    s.shipped = *shipped;
     if (Status st = search(s, **own); !st) return st.error();
     auto grid = gridBest(s, **own);
     if (!grid) return grid.error();
     choose(s, r);
     r.shipped = *shipped, r.gridBest = *grid;
+    r.cutShort = s.cutShort, r.truthSamples = s.cost.truth.samples;
     if (!r.fits) return r;
     auto held = heldOut(s, r);
     if (!held) return held.error();

@@ -12,6 +12,9 @@
 // Does not: save the project (the caller does). The order of candidates is the same each time but for what times
 // decide.
 #pragma once
+#include <functional>
+#include <limits>
+
 #include "cost/cost.h"
 #include "world/view_camera.h"
 
@@ -49,6 +52,8 @@ struct FitResult {
     FitHeldOut heldOut;
     FitVerdict seen, unseen;  // on the cameras of the search, and on the held-out ones (of those if any was taken)
     int tried = 0;            // settings measured in all
+    bool cutShort = false;    // the time was over before the search or the grid was, or truths have fewer samples
+    int truthSamples = 0;     // a pixel, of the truths that it was measured by
 };
 // The settings to be had from it: the search's, unless it loses on cameras that were not seen.
 const FitCandidate& chosen(const FitResult& result);
@@ -58,7 +63,13 @@ FitVerdict verdictOf(const FitScore& fitted, const FitScore& shipped, const FitS
 struct FitRequest {
     double budgetMs = 0;  // above 0
     int candidates = 40;  // that the search may measure, at least one
-    CostRequest cost;     // views, size, truth, folder for truths; settings and shards are not read
+    // Seconds for all of it, truths that are not kept yet included: a truth that takes longer than its part of 0.15 of
+    // them is begun anew with fewer samples, two at least; the search begins no further candidate after 0.6 of
+    // them, the grid none after 0.8, and after all of them no further held-out camera is traced. What was begun is
+    // ended, and the first candidate and the shipped settings are always measured.
+    double seconds = std::numeric_limits<double>::infinity();
+    std::function<void(const FitResult&)> betterFound = {};  // each time that one fits and is better than all before
+    CostRequest cost;  // views, size, truth, folder for truths; settings and shards are not read
 };
 // The technique whose knobs the grid turns (TechniqueRow::knobs): that of the project's first field, or, where it has
 // none, the first of the table that has some. Unsound: the project has no grass.

@@ -198,6 +198,34 @@ TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {
     EXPECT_GT(none->fitted.ms, 0);
 }
 
+// Far less time than the search would take: it measures one, the project as it is, and says that it was cut short.
+TEST(Fit, HasAnAnswerHoweverLittleTimeThereIs) {
+    NoGlErrors errors;
+    const TempDir dir;
+    const Project p = small_();
+    FitRequest r;
+    r.cost = request(p, dir, "fit");
+    r.candidates = 40;
+    r.budgetMs = 1e6;
+    r.seconds = 1e-6;
+    std::vector<FitCandidate> told;
+    r.betterFound = [&](const FitResult& so) {
+        EXPECT_TRUE(so.fits && so.cutShort);
+        told.push_back(so.fitted);
+    };
+    const auto fit = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(fit) << fit.error().text();
+    EXPECT_TRUE(fit->fits);
+    EXPECT_TRUE(fit->cutShort);
+    EXPECT_EQ(fit->truthSamples, 2);
+    EXPECT_EQ(fit->tried, 2);
+    EXPECT_FALSE(fit->gridBest.known());
+    EXPECT_NE(fit->heldOut.note.find("no time was left"), std::string::npos) << fit->heldOut.note;
+    EXPECT_EQ(chosen(*fit).setting.text(), fit->fitted.setting.text());
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0].setting.text(), fit->fitted.setting.text());
+}
+
 // Every blade drawn by itself is the truth but for its light. A search of three candidates gets nowhere near what
 // ships, nor near the grid around it.
 TEST(Fit, LosesWhereItSeesTooLittle) {

@@ -182,6 +182,29 @@ TEST_F(EditorAccuracy, AFitIsPreviewedRightOfTheLineAndChangesNothingUntilItIsAd
     EXPECT_EQ(apart(plain, shot(), 0, 1), 0);
 }
 
+TEST_F(EditorAccuracy, AFitThatIsStoppedLeavesTheBestSoFarToBeAdopted) {
+    setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+    const std::filesystem::path program = dir / "fits";
+    test::writeText(program,
+                    "#!/bin/sh\nwhile [ \"$1\" != --so-far ]; do shift; done\n"
+                    "echo '{\"fits\": true, \"cut_short\": true, \"technique\": \"hybrid\", \"best\": {\"ms\": 5, "
+                    "\"appearance\": 0.02, \"settings\": \"maxGeom=6\"}, \"shipped\": null}' > \"$2.part\"\n"
+                    "mv \"$2.part\" \"$2\"\nexec sleep 600\n");
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    app->accuracy.program = program.string();
+    ok(ui->set("Accuracy/Search for", "1"));
+    ok(ui->click("Accuracy/Fit to budget"));
+    const std::filesystem::path best = app->accuracy.fit.folder / "fit.so-far";
+    for (int i = 0; i < 2000 && !std::filesystem::exists(best); ++i) ok(ui->wait(1));
+    ok(ui->click("Accuracy/Stop fit"));
+    EXPECT_FALSE(measuring(app->accuracy));
+    ASSERT_TRUE(app->accuracy.fit.result);
+    ok(ui->click("Accuracy/Adopt"));
+    ok(ui->wait(2));
+    EXPECT_EQ(field("lawn.HybridTiers.maxGeom"), "6");
+    unsetenv("XDG_STATE_HOME");
+}
+
 TEST_F(EditorAccuracy, StopEndsTheProgramThatMeasuresAndDropsItsCopy) {
     setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
     const std::filesystem::path program = dir / "measures";

@@ -58,6 +58,8 @@ TEST(AccuracyRuns, AFitIsReadWithWhatItGivesUp) {
     EXPECT_EQ(fit->shippedMs, 12);
     EXPECT_EQ(fit->better, "9 ms for 0.0180: maxGeom=8");
     EXPECT_EQ(fit->outcome, "");
+    EXPECT_FALSE(fit->cutShort);
+    EXPECT_TRUE(fitFrom(R"({"fits": true, "cut_short": true, "best": {"ms": 7.5}, "shipped": null})")->cutShort);
     const auto lost = fitFrom(
         R"({"budget_ms": 8, "fits": true, "best": {"ms": 7.5, "appearance": 0.02, "settings": "maxGeom=6"}, "shipped": null,
         "outcome": {"seen": {"search": "wins", "against": "grid"}, "held_out": {"search": "loses", "against": "shipped"}}})");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace sward {
 namespace {
 
@@ -120,6 +122,41 @@ TEST(Resolution, PiecesGrowSlowlyWhereTheyCostNothing) {
     }
     EXPECT_EQ(r.drawnScale, 1);
     EXPECT_LT(most, 170) << "the first piece of grass alone is a surprise";
+}
+
+// A hedge in a meadow: a narrow strip that costs forty times as much. Nothing tells of it beforehand, once.
+TEST(Resolution, WhatWasDearOnceIsCutFinelyFromThenOn) {
+    Resolution r;
+    r.movingScale = 0.25;
+    learnDrawing(r, planDrawing(r, 0, true), 100);  // 1600 ms in full
+    double most[2] = {0, 0}, now = 1;
+    for (double& longest : most) {
+        ResolutionPlan plan;
+        for (int i = 0; i < 4000 && (plan = planDrawing(r, now, false)).draw; ++i, now += 0.05) {
+            const PicturePiece& p = plan.piece;
+            const double hedge = std::max(0.0, std::min(p.to, 0.6) - std::max(p.from, 0.5)) * (p.right - p.left);
+            const double ms = 1 + 500 * p.area() + 20000 * hedge;
+            learnDrawing(r, plan, ms);
+            longest = std::max(longest, ms);
+        }
+        EXPECT_EQ(r.drawnScale, 1);
+        planDrawing(r, now, true);  // the same view again, as after a stroke
+        learnDrawing(r, {.draw = true, .scale = 0.25}, 40);
+        now += 1;
+    }
+    EXPECT_GT(most[0], 40) << "the first piece of it is a surprise";
+    EXPECT_LE(most[1], 30);
+    EXPECT_LT(most[1], most[0]);
+}
+
+TEST(Resolution, APieceSaysWhatItWillCost) {
+    Machine m{0, 1600};
+    for (int i = 0; i < 20; ++i) m.step(i * 0.06, true);
+    for (int i = 0; i < 2000 && (i == 0 || m.plan.draw); ++i) m.step(3 + i * 0.05, false);
+    m.step(200, true);
+    m.step(201, false);
+    ASSERT_FALSE(m.plan.piece.whole());
+    EXPECT_NEAR(m.plan.expectedMs, 1600 * m.plan.piece.area(), 1e-6);
 }
 
 TEST(Resolution, AChangeBetweenPiecesBeginsAnew) {

@@ -107,6 +107,22 @@ TEST(Document, AStrokeSpreadOverFramesPaintsTheSameBitsAsOneAtOnce) {
     EXPECT_FALSE(b.doc.canUndo());
 }
 
+TEST(Document, TheEndOfAStrokeAsksForNoOtherPicture) {
+    Fixture f;
+    ASSERT_TRUE(f.doc.beginStroke(subtract(4), 20, 20));
+    while (f.doc.pumpStroke(1)) {
+    }
+    const uint64_t painted = f.doc.revision(), hash = f.density().hash();
+    f.doc.endStroke();
+    EXPECT_FALSE(f.doc.stroking());
+    EXPECT_EQ(f.doc.revision(), painted);
+    EXPECT_EQ(f.density().hash(), hash);
+    EXPECT_TRUE(f.doc.dirty());
+    ASSERT_TRUE(f.doc.undo());
+    EXPECT_GT(f.doc.revision(), painted);
+    EXPECT_FALSE(f.doc.dirty());
+}
+
 TEST(Document, UndoDuringAStrokeTakesAllOfItBack) {
     Fixture f;
     const Map before = f.density();

@@ -131,5 +131,18 @@ TEST_F(LayersPanel, ARowBreaksWhereThePanelEnds) {
     }
 }
 
+TEST_F(LayersPanel, OverHeightsItSaysThatBrushesSculptBelow) {
+    const std::string heights = "ground.Terrain.height";
+    brushes.map = heights, brushes.tool = "raise";
+    frames(2);
+    EXPECT_FALSE(shown("Layers/Below")) << "there is no layer yet";
+    click("Layers/Add painted");
+    EXPECT_TRUE(shown("Layers/Below"));
+    click("Layers/ground.MapLayers.layers[painted]/Paint");
+    EXPECT_FALSE(shown("Layers/Below")) << "the brush is on the layer";
+    click("Layers/Paint the map itself");
+    EXPECT_TRUE(shown("Layers/Below"));
+}
+
 }  // namespace
 }  // namespace sward

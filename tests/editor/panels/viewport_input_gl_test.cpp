@@ -33,6 +33,26 @@ TEST_F(EditorUi, AStrokeInTheViewportPaintsAndIsOneUndoStep) {
     EXPECT_FALSE(doc.canRedo());
 }
 
+TEST_F(EditorUi, ATapIsInThePictureOfTheFrameInWhichItIsPressed) {
+    ok(ui->set("Brush/Mode", "Subtract"));
+    const Rect& r = app->hand.rect;
+    app->queue.push({InputKind::Move, static_cast<double>(r.x + r.w / 2), static_cast<double>(r.y + r.h * 0.8f)});
+    runFrame(*app);
+    runFrame(*app);
+    const uint64_t before = density(), revision = doc.revision();
+    app->queue.push({InputKind::Button, 0, 0, 0, true});
+    runFrame(*app);
+    EXPECT_NE(density(), before);
+    EXPECT_GT(doc.revision(), revision);
+    EXPECT_EQ(app->picture.drawnRevision, doc.revision());
+    app->queue.push({InputKind::Button, 0, 0, 0, false});
+    runFrame(*app);
+    EXPECT_FALSE(doc.stroking());
+    EXPECT_EQ(app->picture.drawnRevision, doc.revision()) << "nothing is left to be drawn";
+    ok(ui->key("ctrl+z"));
+    EXPECT_EQ(density(), before);
+}
+
 TEST_F(EditorTools, CombingInTheViewportLaysTheGrassTheWayTheHandGoes) {
     ok(ui->click("Tools/Comb"));
     ok(ui->set("Brush/Strength", "1"));

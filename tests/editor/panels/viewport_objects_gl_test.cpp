@@ -3,6 +3,8 @@
 #include "mesh/mesh_io.h"
 #include "mesh/mesh_shapes.h"
 #include "model/field_walk.h"
+#include "panels/viewport_input.h"
+#include "world/forest_stand.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -49,6 +51,32 @@ class EditorObjects : public test::EditorTools {
     Project first;
     std::string label;
 };
+
+TEST_F(EditorObjects, AClickOnATreeChoosesItsForestAndTheStatusBarSaysWhichTree) {
+    ok(doc.addEntity("wood"));
+    ok(doc.addComponent("wood", "Forest"));
+    ok(doc.setField("wood.Forest.perHectare", "150"));
+    const Forest& rule = *doc.project().registry.get<Forest>(findEntity(doc.project(), "wood"));
+    std::optional<glm::dvec2> at;
+    double nearest = 1e9;
+    for (const StandingTree& tree : standingForest(rule, doc.ground()).trees) {
+        const double away = glm::length(tree.at - app->view.camera.eye);
+        const auto trunk = projectPoint(app->view.camera, app->hand.rect, tree.at + glm::dvec3(0, 1, 0));
+        const Rect& r = app->hand.rect;
+        if (!trunk || away > nearest || trunk->x < r.x + 20 || trunk->x > r.x + r.w - 20 || trunk->y < r.y + 20 ||
+            trunk->y > r.y + r.h - 20)
+            continue;
+        nearest = away, at = trunk;
+    }
+    ASSERT_TRUE(at) << "no tree is in sight";
+    click(*at);
+    EXPECT_EQ(chosen(), Names{"wood"});
+    EXPECT_NE(app->messages.status.find("wood: " + rule.species[0].name + ", "), std::string::npos)
+        << app->messages.status;
+    ASSERT_TRUE(app->objects.one);
+    EXPECT_NEAR(glm::length(app->objects.one->corners[0] - app->view.camera.eye), nearest, 15) << "that tree's box";
+    EXPECT_TRUE(doc.undo());
+}
 
 TEST_F(EditorObjects, AClickChoosesShiftAddsCtrlTogglesAndNothingLetsGo) {
     const glm::dvec2 a = middle("Viewport/Object box-a"), b = middle("Viewport/Object box-b");

@@ -59,6 +59,56 @@ TEST_F(Objects, OneThatIsScatteredChoosesItsRule) {
     EXPECT_EQ(hit(there[0].at + glm::dvec3(0, 20, 0), {0, -1, 0}), "");
 }
 
+TEST_F(Objects, ATreeChoosesItsForestAndSaysWhichItIs) {
+    Terrain t;
+    t.size = {60, 60};
+    p.registry.add<Terrain>(*addEntity(p, "ground"), t);
+    Forest rule;
+    rule.species = {TreeSpecies{.name = "oak", .kind = TreeKind::Broadleaf, .height = 9, .leaves = 200}};
+    rule.perHectare = 200;
+    const Entity e = *addEntity(p, "wood");
+    p.registry.add<Forest>(e, rule);
+    ++revision;
+    const auto trees = standingForest(rule, findGround(p)).trees;
+    ASSERT_GT(trees.size(), 20u);
+    size_t met = 0;
+    for (const StandingTree& tree : trees) {  // at the trunk, from four sides: others may stand before it
+        const glm::dvec3 trunk = tree.at + glm::dvec3(0, 0.6, 0);
+        const auto there = objects.closest(p, revision, trunk + glm::dvec3(2, 0, 0), {-1, 0, 0});
+        if (!there) continue;
+        ++met;
+        EXPECT_EQ(there->entity, "wood");
+        EXPECT_EQ(there->which.substr(0, 5), "oak, ") << there->which;
+        EXPECT_NE(there->which.find(fmt::format("one of {} trees", trees.size())), std::string::npos) << there->which;
+    }
+    EXPECT_EQ(met, trees.size());
+    const glm::dvec3 from = trees[0].at + glm::dvec3(2, 0.6, 0);
+    EXPECT_EQ(hit(from, {-1, 0, 0}), "wood");
+    p.registry.get<Forest>(e)->perHectare = 0;
+    ++revision;
+    EXPECT_EQ(hit(from, {-1, 0, 0}), "") << "cut down";
+    p.registry.get<Forest>(e)->perHectare = 200;
+    p.registry.add<Locked>(e, {});
+    ++revision;
+    EXPECT_EQ(hit(from, {-1, 0, 0}), "");
+}
+
+TEST_F(Objects, FilesAreReadAheadOneByOne) {
+    const Solid box{SolidKind::Box, glm::vec3(1), glm::vec3(0)};
+    test::writeText(dir / "box.glb", *encodeGlb(makeMesh({&box, 1})));
+    add("one", {0, 0, 0});
+    add("same", {5, 0, 0});
+    add("other", {9, 0, 0});
+    p.registry.get<StaticMesh>(findEntity(p, "other"))->file = "box.glb";
+    EXPECT_FALSE(objects.hasRead(p, "ball.glb"));
+    EXPECT_TRUE(objects.readAhead(p));
+    EXPECT_NE(objects.hasRead(p, "ball.glb"), objects.hasRead(p, "box.glb")) << "one of them";
+    EXPECT_TRUE(objects.readAhead(p));
+    EXPECT_TRUE(objects.hasRead(p, "ball.glb") && objects.hasRead(p, "box.glb"));
+    EXPECT_FALSE(objects.readAhead(p));
+    EXPECT_EQ(hit({0, 0, 9}, {0, 0, -1}), "one");
+}
+
 TEST_F(Objects, RaysGoThroughWhatIsLocked) {
     add("near", {0, 0, -5}), add("far", {0, 0, -10}, 2);
     p.registry.add<Locked>(findEntity(p, "near"), {});
