@@ -63,6 +63,7 @@ constexpr FeatureSwitch kSwitches[] = {
     {Feature::FarDarkening, kFar, "farDarkening", "0"},
     {Feature::FarBlur, kFar, "farBlur", "none"},
     {Feature::Sky, isRowOf<Sky>, "intensity", "0"},
+    {Feature::Atmosphere, isRowOf<Sky>, "model", "clear"},
     {Feature::Fog, isRowOf<Fog>, "visibility", "inf"},
     {Feature::Water, kWater},
     {Feature::WaterReflection, kWater, "reflection", "0"},

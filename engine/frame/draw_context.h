@@ -54,6 +54,7 @@ struct GrownFields;   // grass/grown.h
 struct GrassFields;   // grass/field.h
 struct MaskState;     // grass/mask.h
 struct ForestsState;  // forest/stand.h
+struct AirTables;     // sky/air_tables.h
 struct Force;         // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
@@ -71,6 +72,7 @@ struct SharedByViews {
     MaskState* masks = nullptr;
     GrownFields* grown = nullptr;
     ForestsState* forests = nullptr;
+    const AirTables* air = nullptr;  // of the sky's model "atmosphere"
     ForceTarget forceTarget;
 };
 // And what each view has of its own; a frame begins with none of it.

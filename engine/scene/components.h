@@ -128,10 +128,11 @@ struct Light {
     float orbitSeconds = 0;  // for one turn, of a directional light's azimuth too; 0: it stands still
 };
 
-enum class SkyModel { Clear, Uniform };
-inline constexpr auto kSkyModels = enumNames<SkyModel>("clear", "uniform");
+enum class SkyModel { Clear, Uniform, Atmosphere };
+inline constexpr auto kSkyModels = enumNames<SkyModel>("clear", "uniform", "atmosphere");
 
-// The sky: clear by Preetham, Shirley and Smits 1999; or uniform, equally bright everywhere, as under clouds.
+// The sky: clear by Preetham, Shirley and Smits 1999; uniform, equally bright everywhere, as under clouds; or by the
+// light that the atmosphere scatters (Hillaire 2020), which gives the sun's colour and the haze's, too.
 struct Sky {
     SkyModel model = SkyModel::Clear;
     float turbidity = 3;

@@ -115,7 +115,8 @@ void select(DrawContext& ctx) {
     TerrainLod lod = terrainLod(t);
     lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
                     static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
-    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
+    const bool hazy = has(ctx.plan.features, Feature::Fog) || has(ctx.plan.features, Feature::Atmosphere);
+    if (hazy && has(ctx.plan.features, Feature::Sky))
         lod.hidden = f32::hazeReach(ctx.globals.haze);
     view.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();

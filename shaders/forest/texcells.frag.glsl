@@ -48,7 +48,7 @@ void main() {
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
         light += frame.sunLight * (visible * foliagePhase(-dot(way, frame.sunDirection)));
     }
-    color = vec4(mix(leaves.rgb * light, leaves.a * horizonColor(position.xz), hazeShare(distance)), leaves.a);
+    color = vec4(mix(leaves.rgb * light, leaves.a * hazeColor(position), hazeShare(distance)), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
     if (viewMode() == VIEW_DENSITY) color.rgb = leaves.a * vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = leaves.a * (facing * 0.5 + 0.5);

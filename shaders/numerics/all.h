@@ -14,6 +14,8 @@
 #include "numerics/light.h"
 #include "numerics/ribbon.h"
 #include "numerics/sky.h"
+#include "numerics/air.h"
+#include "numerics/air_view.h"
 #include "numerics/tonemap.h"
 #include "numerics/blur.h"
 #include "numerics/weights.h"

@@ -48,6 +48,7 @@ struct STD140 FrameGlobals {
     float mirrorHeight;    // relative to the eye: below it such a view is cut
     float decalRadius;     // of the brush (m); 0: none is shown
     vec2 decalAt;          // its centre: x, z relative to the eye
+    vec2 pixelFrom;        // the picture's lower left corner, in pixels of the whole of which it may be a part
     float decalFalloff;    // share of the radius over which it fades
     float treesShadeFrom;  // metres from the eye over which far trees' shade on the ground sets in (forest/texcells.h)
     float treesShadeTo;

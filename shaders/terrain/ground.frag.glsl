@@ -29,7 +29,7 @@ void main() {
     float grown;
     SoilShares shares = soilUnder(uv, distance, grown);
     vec3 light = soilLight(position, n, shares) * soil(uv);
-    light = mix(light, horizonColor(position.xz), hazeShare(distance));
+    light = mix(light, hazeColor(position), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;
