@@ -31,6 +31,7 @@ constexpr IsRow kTerrain = isRowOf<Terrain>, kField = isRowOf<GrassField>, kDraw
 constexpr FeatureSwitch kSwitches[] = {
     {Feature::TerrainMap, kTerrain, "terrainMap"},
     {Feature::TerrainMap, kPath, "tint", "0", nullptr, true},
+    {Feature::TerrainBeyond, kTerrain, "beyond", "none"},
     {Feature::GrassOnMeshes, isRowOf<MeshGrass>},
     {Feature::GrassDensity, kField, "density", "", "species"},
     {Feature::GrassDensity, kPath, "grass", "0", nullptr, true},

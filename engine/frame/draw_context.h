@@ -43,9 +43,10 @@ struct ShadowCaster {
 
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
 struct GroundMesh {
-    GLuint mesh = 0;                  // vertex array: 17 x 17 corners, triangles as unsigned shorts
-    int firstIndex = 0, indices = 0;  // of a node's triangles
-    std::span<const TerrainNode> nodes;
+    GLuint mesh = 0;                     // vertex array: 17 x 17 corners, triangles as unsigned shorts
+    int firstIndex = 0, indices = 0;     // of a node's triangles
+    std::span<const TerrainNode> nodes;  // of the terrain
+    std::span<const TerrainNode> land;   // with those beyond it
 };
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);

@@ -129,7 +129,9 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
     if (d.y < 0) {
-        const float distance = f32::plainDistance(g.eye, g.terrainSize, d);
+        const float land = static_cast<float>(v.scene.solids->land().reach);
+        const float distance =
+            f32::plainDistance(g.eye + glm::vec3(land, 0, land), g.terrainSize + glm::vec2(2 * land), d);
         return f32::plainLight(g.groundLight, hazeOf(v, way, static_cast<double>(distance)),
                                v.air ? g.haze : f32::clearHaze(g.haze), distance);
     }
@@ -138,8 +140,17 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     return light;
 }
 
+// Of ground beyond the terrain, with what grows there.
+glm::vec3 landColor(const View& v, const Surface& s) {
+    const Land& land = v.scene.solids->land();
+    const float beyond = f32::beyondBy({s.at.x, s.at.z}, v.globals.terrainSize),
+                left = v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    return f32::landSends(s.color * left, land.grass, left, land.mean, f32::landMean(beyond, land.fade));
+}
+
 std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
     std::optional<Surface> solid = v.scene.solids->closest(ray);
+    if (solid && solid->beyond) solid->color = landColor(v, *solid);
     if (solid) ray.far = solid->t;
     if (std::optional<Surface> flower = v.scene.flowers->closest(ray)) {
         solid = flower;
@@ -185,7 +196,7 @@ float untracedShare(const View& v, const Surface& s, bool casts) {
     if (v.settings.lighting == ReferenceLighting::Full) return 1;
     if (s.met == Met::Flower) return s.open;
     if (s.met == Met::Blade) return (v.masked >> s.field & 1) && casts ? 1 : s.open;
-    if (s.met == Met::Ground)
+    if (s.met == Met::Ground && !s.beyond)
         return v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y, casts ? ~v.shading : kAllFields);
     return 1;
 }
@@ -238,7 +249,7 @@ float skyShare(const View& v, const Surface& s) {
 glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
     if (s.met != Met::Object) share *= skyShare(v, s);
-    if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    if (s.met == Met::Ground && !s.beyond) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
     return s.color * s.tint * f32::halvesLight(v.globals.groundLight, v.globals.skyLight, s.normal.y) * share;
 }
 

@@ -60,12 +60,16 @@ constexpr FieldRow kTerrainFields[] = {
     color("groundColor", offsetof(Terrain, groundColor), {0, 4, 0, 1},
           "mean reflectance of the soil, or factor of the texture"),
     flag("castShadows", offsetof(Terrain, castShadows), "hills shade what lies behind them"),
+    choice("beyond", &Terrain::beyond, offsetof(Terrain, beyond), kLandsBeyond,
+           "what is seen beyond the terrain; none: a plain in the haze; extend: the ground, as at its edges; fade: the "
+           "ground, which farther out comes to the terrain's mean. Maps that repeat go on repeating"),
 };
 FeatureSet terrainFeatures(const void* component) {
     const auto& t = *static_cast<const Terrain*>(component);
     FeatureSet s = featureSet(Feature::Terrain);
     if (t.height.present()) s |= featureSet(Feature::TerrainHeights);
     if (t.terrainMap.present()) s |= featureSet(Feature::TerrainMap);
+    if (t.beyond != LandBeyond::None) s |= featureSet(Feature::TerrainBeyond);
     if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows);
     return s;
 }

@@ -13,6 +13,7 @@
 #include "lib/wind.glsl"
 #include "numerics/clump.h"
 #include "numerics/hash.h"
+#include "numerics/land.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 #include "numerics/stand.h"
@@ -61,6 +62,7 @@ vec2 laidSeen(vec3 toEye, float vertical) {
 }
 
 void main() {
+    if (TERRAIN_BEYOND && beyondBy(place, frame.terrainSize) > 0.0) discard;  // of nodes that reach over the edge
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
     float d = length(position);

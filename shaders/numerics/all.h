@@ -12,6 +12,7 @@
 #include "numerics/population.h"
 #include "numerics/leaf.h"
 #include "numerics/light.h"
+#include "numerics/land.h"
 #include "numerics/ribbon.h"
 #include "numerics/sky.h"
 #include "numerics/air.h"
