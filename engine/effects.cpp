@@ -20,6 +20,7 @@
 #include "post/far_blur.h"
 #include "post/map_overlay.h"
 #include "post/tonemap.h"
+#include "sky/atmosphere.h"
 #include "sky/lamps.h"
 #include "sky/sky.h"
 #include "sky/wind.h"
@@ -33,7 +34,7 @@ namespace sward {
 
 std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
-        sunEffect(),     skyEffect(),           hazeEffect(),         lampsEffect(),                       // light
+        sunEffect(),     skyEffect(),           hazeEffect(),         atmosphereEffect(),  lampsEffect(),  // light
         windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
         meshEffect(),    scatterEffect(),       shadowEffect(),                                            // objects
         forestEffect(),  treesEffect(),         texcellsEffect(),                                          // forest

@@ -28,12 +28,17 @@ Result<std::pair<int, int>> parseShard(const std::string& text) {
 
 namespace {
 
-std::vector<uint8_t> toneMapped(const std::vector<float>& linear) {
+// As shaders/post/tonemap.frag.glsl shows it.
+std::vector<uint8_t> toneMapped(const std::vector<float>& linear, int width) {
     std::vector<uint8_t> out(linear.size());
     for (size_t i = 0; i + 2 < linear.size(); i += 3) {
         const glm::vec3 shown = f32::srgbEncode3(
             f32::toneMapNeutral(glm::max(glm::vec3(linear[i], linear[i + 1], linear[i + 2]), glm::vec3(0))));
-        for (int c = 0; c < 3; ++c) out[i + static_cast<size_t>(c)] = static_cast<uint8_t>(std::lround(255 * shown[c]));
+        const int pixel = static_cast<int>(i / 3);
+        const float dither = f32::ditherOf(pixel % width, pixel / width);
+        for (int c = 0; c < 3; ++c)
+            out[i + static_cast<size_t>(c)] =
+                static_cast<uint8_t>(std::lround(std::clamp(255 * shown[c] + dither, 0.0f, 255.0f)));
     }
     return out;
 }
@@ -44,8 +49,9 @@ Status writeTruth(const Truth& t, const fs::path& file) {
     const fs::path error = fs::path(file).replace_extension(".error.exr");
     if (file.extension() != ".exr" && file.extension() != ".png")
         return usage("images are written as .png or .exr", "name --out so").at(file);
-    const Status drawn = file.extension() == ".exr" ? writeImageExr(file, t.width, t.height, 3, t.color)
-                                                    : writeImagePng(file, t.width, t.height, 3, toneMapped(t.color));
+    const Status drawn = file.extension() == ".exr"
+                             ? writeImageExr(file, t.width, t.height, 3, t.color)
+                             : writeImagePng(file, t.width, t.height, 3, toneMapped(t.color, t.width));
     if (!drawn) return drawn;
     if (Status s = writeImageExr(error, t.width, t.height, 3, t.error); !s) return s;
     std::printf("%s\n%s\n", file.string().c_str(), error.string().c_str());

@@ -31,6 +31,7 @@ constexpr IsRow kTerrain = isRowOf<Terrain>, kField = isRowOf<GrassField>, kDraw
 constexpr FeatureSwitch kSwitches[] = {
     {Feature::TerrainMap, kTerrain, "terrainMap"},
     {Feature::TerrainMap, kPath, "tint", "0", nullptr, true},
+    {Feature::TerrainBeyond, kTerrain, "beyond", "none"},
     {Feature::GrassOnMeshes, isRowOf<MeshGrass>},
     {Feature::GrassDensity, kField, "density", "", "species"},
     {Feature::GrassDensity, kPath, "grass", "0", nullptr, true},
@@ -63,6 +64,7 @@ constexpr FeatureSwitch kSwitches[] = {
     {Feature::FarDarkening, kFar, "farDarkening", "0"},
     {Feature::FarBlur, kFar, "farBlur", "none"},
     {Feature::Sky, isRowOf<Sky>, "intensity", "0"},
+    {Feature::Atmosphere, isRowOf<Sky>, "model", "clear"},
     {Feature::Fog, isRowOf<Fog>, "visibility", "inf"},
     {Feature::Water, kWater},
     {Feature::WaterReflection, kWater, "reflection", "0"},

@@ -12,6 +12,7 @@
 #include "frame/flower_image.h"
 #include "mesh/glb_parts.h"
 #include "mesh/mesh_io.h"
+#include "sky/daylight.h"
 #include "world/forest_stand.h"
 #include "world/lights.h"
 #include "world/placement.h"
@@ -83,9 +84,7 @@ void addLight(tinygltf::Model& m, const std::string& name, const Light& light, c
 // the square of the distance as theirs does: candela are intensity / beta.
 glm::vec3 strengthOf(const Project& p, const Light& light, bool isSun) {
     if (isSun) {
-        const Sky* sky = firstOf<Sky>(p);
-        return f32::sunIlluminance(directionTo(light, 0), sky ? sky->turbidity : 3.0f) * 1000.0f * light.color *
-               light.intensity;
+        return sunKlx(p, directionTo(light, 0)) * 1000.0f * light.color * light.intensity;
     }
     const float lux = light.intensity * static_cast<float>(kLampLux);
     const float share = light.type == LightType::Point ? 1 / std::max(light.attenuation, 1e-3f) : 1;

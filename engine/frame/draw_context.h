@@ -43,9 +43,10 @@ struct ShadowCaster {
 
 // The terrain's nodes as they are drawn this frame, for layers that lie on it.
 struct GroundMesh {
-    GLuint mesh = 0;                  // vertex array: 17 x 17 corners, triangles as unsigned shorts
-    int firstIndex = 0, indices = 0;  // of a node's triangles
-    std::span<const TerrainNode> nodes;
+    GLuint mesh = 0;                     // vertex array: 17 x 17 corners, triangles as unsigned shorts
+    int firstIndex = 0, indices = 0;     // of a node's triangles
+    std::span<const TerrainNode> nodes;  // of the terrain
+    std::span<const TerrainNode> land;   // with those beyond it
 };
 // Draws nodes of the mesh, at most NODES_PER_DRAW a call, through a buffer of that many. Returns the number of calls.
 size_t drawNodes(const GroundMesh& mesh, std::span<const TerrainNode> nodes, const Buffer& room);
@@ -54,6 +55,7 @@ struct GrownFields;   // grass/grown.h
 struct GrassFields;   // grass/field.h
 struct MaskState;     // grass/mask.h
 struct ForestsState;  // forest/stand.h
+struct AirTables;     // sky/air_tables.h
 struct Force;         // world/forces.h
 // The map around the eye in which forces add up, for passes that draw into it (grass/forces).
 struct ForceTarget {
@@ -71,6 +73,7 @@ struct SharedByViews {
     MaskState* masks = nullptr;
     GrownFields* grown = nullptr;
     ForestsState* forests = nullptr;
+    const AirTables* air = nullptr;  // of the sky's model "atmosphere"
     ForceTarget forceTarget;
 };
 // And what each view has of its own; a frame begins with none of it.

@@ -21,12 +21,13 @@ Project emptyProject(const fs::path& dir) {
     lawn.width = 0.006f, lawn.bend = 0.7f, lawn.leanDeg = 14;
     lawn.density = {"maps/lawn.lawn.density.png", std::move(density)};
     Terrain ground;
+    ground.beyond = LandBeyond::Fade;
     ground.groundColor = {0.06f, 0.07f, 0.03f};  // mossy: what shows between blades is no bare soil
     p.registry.add<Terrain>(*addEntity(p, "ground"), std::move(ground));
     p.registry.add<GrassField>(*addEntity(p, "lawn"), std::move(field));
     p.registry.add<Light>(*addEntity(p, "sun"));
-    p.registry.add<Sky>(*addEntity(p, "sky"));
-    p.registry.add<Fog>(*addEntity(p, "haze"));
+    p.registry.add<Sky>(*addEntity(p, "sky"), {.model = SkyModel::Atmosphere, .turbidity = 1.5f});
+    p.registry.add<Fog>(*addEntity(p, "haze"), {.visibility = 8000});
     p.registry.add<Camera>(*addEntity(p, "camera"));
     return p;
 }

@@ -11,6 +11,7 @@
 #include "reference/water_rays.h"
 #include "scene/technique.h"
 #include "shared/frame.h"
+#include "sky/air_tables.h"
 #include "sky/daylight.h"
 #include "world/drawn_project.h"
 #include "world/view_camera.h"
@@ -68,6 +69,7 @@ struct View {
     std::vector<const GrassField*> fields{};
     FieldBits masked = 0, shading = 0;  // fields whose blades shade each other; the ground
     WaterRays water{};
+    std::shared_ptr<const AirTables> air = {};  // of a sky of that model
     bool hasSky = false, hasSun = false, hasHaze = false;
 };
 
@@ -80,12 +82,18 @@ View viewFrom(const ReferenceScene::Impl& scene, const ViewCamera& camera, const
     const Terrain& t = *firstOf<Terrain>(scene.project);
     v.globals.terrainSize = t.size;
     v.globals.terrainShare = 1.0 / t.size;
-    v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky),
-    v.hasHaze = has(scene.features, Feature::Fog);
+    v.hasSun = has(scene.features, Feature::Sun), v.hasSky = has(scene.features, Feature::Sky);
+    const bool hasAir = has(scene.features, Feature::Atmosphere);
+    v.hasHaze = has(scene.features, Feature::Fog) || hasAir;
     SkySums sums;
     if (v.hasSun) addSun(v.globals, scene.project, scene.time);
-    if (v.hasSky) addSky(v.globals, scene.project, scene.time, sums);
-    if (v.hasHaze) addHaze(v.globals, scene.project);
+    if (has(scene.features, Feature::Fog)) addHaze(v.globals, scene.project);
+    if (hasAir) {
+        auto tables = std::make_shared<AirTables>();
+        addAir(v.globals, scene.project, scene.time, *tables);
+        v.air = std::move(tables);
+    }
+    if (v.hasSky) addSky(v.globals, scene.project, scene.time, sums, v.air.get());
     if (has(scene.features, Feature::Lamps))
         v.lamps = lampsAround(scene.project, camera.eye, scene.time, v.globals.exposure);
     if (v.hasSky) v.sky = f32::skyModel(v.globals.skySun, v.globals.turbidity);
@@ -108,20 +116,41 @@ glm::vec3 horizonOf(const View& v, const glm::dvec3& way) {
                              {static_cast<float>(way.x), static_cast<float>(way.z)});
 }
 
+// What haze fades into over a distance (m).
+glm::vec3 hazeOf(const View& v, const glm::dvec3& way, double distance) {
+    if (!v.air) return horizonOf(v, way);
+    const glm::vec2 level(way.x, way.z);
+    return airOver(*v.air, v.globals.skySun, level, static_cast<float>(distance)) * v.globals.skyGain;
+}
+
 // What a ray sees that meets nothing: the sky, and the plain beyond the terrain.
 glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     if (!v.hasSky) return glm::vec3(0);
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
-    if (d.y < 0)
-        return f32::plainLight(g.groundLight, horizonOf(v, way), g.haze, f32::plainDistance(g.eye, g.terrainSize, d));
-    glm::vec3 light = f32::skyRadianceOf(v.sky, d) * g.skyGain;
+    if (d.y < 0) {
+        const float land = static_cast<float>(v.scene.solids->land().reach);
+        const float distance =
+            f32::plainDistance(g.eye + glm::vec3(land, 0, land), g.terrainSize + glm::vec2(2 * land), d);
+        return f32::plainLight(g.groundLight, hazeOf(v, way, static_cast<double>(distance)),
+                               v.air ? g.haze : f32::clearHaze(g.haze), distance);
+    }
+    glm::vec3 light = (v.air ? skyOf(*v.air, g.skySun, d) : f32::skyRadianceOf(v.sky, d)) * g.skyGain;
     if (withSun && v.hasSun) light += g.sunLight * f32::sunDisc(glm::dot(d, g.sunDirection));
     return light;
 }
 
+// Of ground beyond the terrain, with what grows there.
+glm::vec3 landColor(const View& v, const Surface& s) {
+    const Land& land = v.scene.solids->land();
+    const float beyond = f32::beyondBy({s.at.x, s.at.z}, v.globals.terrainSize),
+                left = v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    return f32::landSends(s.color * left, land.grass, left, land.mean, f32::landMean(beyond, land.fade));
+}
+
 std::optional<Surface> meet(const View& v, Ray ray, GrassMemory& memory) {
     std::optional<Surface> solid = v.scene.solids->closest(ray);
+    if (solid && solid->beyond) solid->color = landColor(v, *solid);
     if (solid) ray.far = solid->t;
     if (std::optional<Surface> flower = v.scene.flowers->closest(ray)) {
         solid = flower;
@@ -167,7 +196,7 @@ float untracedShare(const View& v, const Surface& s, bool casts) {
     if (v.settings.lighting == ReferenceLighting::Full) return 1;
     if (s.met == Met::Flower) return s.open;
     if (s.met == Met::Blade) return (v.masked >> s.field & 1) && casts ? 1 : s.open;
-    if (s.met == Met::Ground)
+    if (s.met == Met::Ground && !s.beyond)
         return v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y, casts ? ~v.shading : kAllFields);
     return 1;
 }
@@ -220,7 +249,7 @@ float skyShare(const View& v, const Surface& s) {
 glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
     if (s.met != Met::Object) share *= skyShare(v, s);
-    if (s.met == Met::Ground) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
+    if (s.met == Met::Ground && !s.beyond) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
     return s.color * s.tint * f32::halvesLight(v.globals.groundLight, v.globals.skyLight, s.normal.y) * share;
 }
 
@@ -279,7 +308,7 @@ void crossWater(const View& v, Path& path, const WaterMet& w, Dice& dice, GrassM
         path.seesSun = false;  // the glint is the sun's image
         if (!path.met || !v.hasHaze) return;
         const float haze = f32::hazeTaken(v.globals.haze, static_cast<float>(path.met->t));
-        path.sum += path.weight * haze * horizonOf(v, path.ray.way);
+        path.sum += path.weight * haze * hazeOf(v, path.ray.way, path.met->t);
         path.weight *= 1 - haze;
         return;
     }
@@ -331,8 +360,9 @@ glm::vec3 radiance(const View& v, const Ray& ray, Dice& dice, GrassMemory& memor
 
 glm::vec3 inHaze(const View& v, const glm::vec3& light, const Surface& s) {
     const glm::dvec3 way = s.at - v.eye;
-    const float share = f32::hazeTaken(v.globals.haze, static_cast<float>(glm::length(way)));
-    return glm::mix(light, horizonOf(v, way), share);
+    const double distance = glm::length(way);
+    const float share = f32::hazeTaken(v.globals.haze, static_cast<float>(distance));
+    return glm::mix(light, hazeOf(v, way, distance), share);
 }
 
 // From the near plane on, through (x, y) in pixels from the top left.

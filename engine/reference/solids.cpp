@@ -1,5 +1,7 @@
 #include "reference/solids.h"
 
+#include <algorithm>
+
 #include "core/numerics.h"
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
@@ -33,6 +35,38 @@ V across(const Mesh& mesh, const TriangleHit& h, V MeshVertex::*member) {
 
 glm::vec3 towards(const glm::vec3& n, const glm::dvec3& way) { return glm::dot(glm::dvec3(n), way) > 0 ? -n : n; }
 
+// Places along an axis of a terrain of this size: some on it, and beyond its edges ever farther apart.
+std::vector<double> landSteps(double size, double reach) {
+    constexpr int kOn = 128;
+    std::vector<double> out;
+    for (int i = 0; i <= kOn; ++i) out.push_back(size * i / kOn);
+    for (double beyond = 0, step = size / kOn; beyond < reach; step *= 1.06) {
+        beyond = std::min(beyond + step, reach);
+        out.push_back(size + beyond);
+        out.push_back(-beyond);
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+}
+// Adds squares of the land around the terrain. Its corners on the terrain's edge are its inner ones; as they are fewer
+// than the terrain's, squares on the edge begin a little under it, so that no ray slips through.
+void addLand(Triangles& out, const Terrain& t, const Land& land) {
+    const std::vector<double> xs = landSteps(t.size.x, land.reach), zs = landSteps(t.size.y, land.reach);
+    const auto first = static_cast<uint32_t>(out.positions.size()), across = static_cast<uint32_t>(xs.size());
+    const double under = 0.0005 * std::max(t.size.x, t.size.y);
+    for (const double z : zs)
+        for (const double x : xs) {
+            const bool inside = f64::beyondBy({x, z}, t.size) <= 0;
+            out.positions.push_back(glm::vec3(x, landHeight(t, land, x, z) - (inside ? under : 0), z));
+        }
+    for (uint32_t j = 0; j + 1 < zs.size(); ++j)
+        for (uint32_t i = 0; i + 1 < xs.size(); ++i) {
+            const bool on = xs[i] >= 0 && xs[i + 1] <= t.size.x && zs[j] >= 0 && zs[j + 1] <= t.size.y;
+            const uint32_t a = first + j * across + i, b = a + across;
+            if (!on) out.indices.insert(out.indices.end(), {a, b, a + 1, b + 1, a + 1, b});
+        }
+}
+
 }  // namespace
 
 Result<Solids> Solids::make(const Project& p, const JobControl& control) {
@@ -43,7 +77,9 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
         s.level_ = !t->height.present();
         const Rgba8 soil = t->groundTexture.empty() ? Rgba8{} : loadColorImage(p.dir / t->groundTexture);
         s.soil_ = texelGridOf(soil.pixels.empty() ? makeSoil(256) : soil);
+        s.land_ = landOf(p);
         if (!s.level_) triangles[0] = terrainSurface(*t).triangles();
+        if (!s.level_ && s.land_.reach > 0) addLand(triangles[0], *t, s.land_);
     }
     for (const PlacedMesh& placedMesh : placedMeshes(p)) {
         if (control.cancelled()) return failed("cancelled");
@@ -90,9 +126,8 @@ double Solids::flatGround(const Ray& ray) const {
     if (!ground_.terrain || !level_ || ray.way.y == 0) return kNone;
     const double t = -ray.origin.y / ray.way.y;
     const glm::dvec3 at = ray.origin + ray.way * t;
-    const bool there = t > ray.near && t < ray.far && at.x >= 0 && at.z >= 0 && at.x <= ground_.terrain->size.x &&
-                       at.z <= ground_.terrain->size.y;
-    return there ? t : kNone;
+    const bool there = f64::beyondBy({at.x, at.z}, ground_.terrain->size) <= land_.reach;
+    return t > ray.near && t < ray.far && there ? t : kNone;
 }
 
 bool Solids::isCutOut(const TriangleHit& h) const {
@@ -141,7 +176,12 @@ bool Solids::blocks(const Ray& ray) const {
 }
 
 glm::vec3 Solids::groundNormal(double x, double z) const {
-    return ground_.terrain ? glm::vec3(terrainNormal(*ground_.terrain, x, z)) : glm::vec3(0, 1, 0);
+    if (!ground_.terrain) return glm::vec3(0, 1, 0);
+    const Terrain& t = *ground_.terrain;
+    if (level_ || f64::beyondBy({x, z}, t.size) <= 0) return glm::vec3(terrainNormal(t, x, z));
+    const double step = std::max<double>(t.gridSpacing, 0.01 * std::max(t.size.x, t.size.y));
+    const auto at = [&](double dx, double dz) { return landHeight(t, land_, x + dx * step, z + dz * step); };
+    return glm::vec3(glm::normalize(glm::dvec3(at(-1, 0) - at(1, 0), 2 * step, at(0, -1) - at(0, 1))));
 }
 
 glm::vec3 Solids::soilAt(double x, double z) const {
@@ -164,6 +204,7 @@ Surface Solids::groundAt(const Ray& ray, double t) const {
     s.face = s.normal;
     if (ray.way.y > 0 && level_) s.normal = s.face = -s.normal;
     s.color = soilAt(s.at.x, s.at.z);
+    s.beyond = land_.reach > 0 && f64::beyondBy({s.at.x, s.at.z}, ground_.terrain->size) > 0;
     s.place = glm::dvec2(s.at.x, s.at.z) / mapExtent(*ground_.terrain);
     return s;
 }

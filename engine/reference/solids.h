@@ -9,6 +9,7 @@
 #include "reference/surface.h"
 #include "scene/project.h"
 #include "world/ground.h"
+#include "world/land.h"
 
 namespace sward {
 
@@ -21,6 +22,7 @@ class Solids {
     // Whether a shadow falls: only what casts shadows counts.
     bool blocks(const Ray& ray) const;
     const Ground& ground() const { return ground_; }
+    const Land& land() const { return land_; }
     // Unit, upward; by the terrain's own map.
     glm::vec3 groundNormal(double x, double z) const;
 
@@ -43,6 +45,7 @@ class Solids {
     double flatGround(const Ray& ray) const;
 
     Ground ground_;
+    Land land_;
     bool level_ = true;
     TexelGrid soil_;
     std::map<std::string, Mesh> meshes_;

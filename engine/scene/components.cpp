@@ -60,12 +60,16 @@ constexpr FieldRow kTerrainFields[] = {
     color("groundColor", offsetof(Terrain, groundColor), {0, 4, 0, 1},
           "mean reflectance of the soil, or factor of the texture"),
     flag("castShadows", offsetof(Terrain, castShadows), "hills shade what lies behind them"),
+    choice("beyond", &Terrain::beyond, offsetof(Terrain, beyond), kLandsBeyond,
+           "what is seen beyond the terrain; none: a plain in the haze; extend: the ground, as at its edges; fade: the "
+           "ground, which farther out comes to the terrain's mean. Maps that repeat go on repeating"),
 };
 FeatureSet terrainFeatures(const void* component) {
     const auto& t = *static_cast<const Terrain*>(component);
     FeatureSet s = featureSet(Feature::Terrain);
     if (t.height.present()) s |= featureSet(Feature::TerrainHeights);
     if (t.terrainMap.present()) s |= featureSet(Feature::TerrainMap);
+    if (t.beyond != LandBeyond::None) s |= featureSet(Feature::TerrainBeyond);
     if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows);
     return s;
 }
@@ -103,12 +107,17 @@ FeatureSet lightFeatures(const void* component) {
 
 constexpr FieldRow kSkyFields[] = {
     choice("model", &Sky::model, offsetof(Sky, model), kSkyModels,
-           "clear: by sun and turbidity; uniform: equally bright everywhere, as under clouds"),
-    real("turbidity", offsetof(Sky, turbidity), "", {1.7, 12, 2, 8}, "how hazy the air is: 2 clear, 8 thick haze"),
+           "clear: by sun and turbidity (Preetham 1999); uniform: equally bright everywhere, as under clouds; "
+           "atmosphere: sky, "
+           "sun and haze by the light that air scatters (Hillaire 2020), into dusk"),
+    real("turbidity", offsetof(Sky, turbidity), "", {1, 12, 1, 8},
+         "how hazy the air is: 1 as on a mountain (atmosphere alone), 2 clear, 8 thick haze"),
     real("intensity", offsetof(Sky, intensity), "", {0, kBrightest, 0, 4}, "factor of the sky's light; 0: no sky"),
 };
 FeatureSet skyFeatures(const void* component) {
-    return static_cast<const Sky*>(component)->intensity > 0 ? featureSet(Feature::Sky) : FeatureSet{};
+    const auto& s = *static_cast<const Sky*>(component);
+    if (!(s.intensity > 0)) return {};
+    return s.model == SkyModel::Atmosphere ? featureSet(Feature::Sky, Feature::Atmosphere) : featureSet(Feature::Sky);
 }
 
 constexpr MapRow kGusts{.least = "0 calm", .most = "1 gust"};

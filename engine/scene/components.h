@@ -27,6 +27,11 @@ struct Transform {
 // the ray-traced truth do.
 struct Hidden {};
 
+// What is seen beyond the terrain: a plain in the haze; the ground as at its edges; or the ground as it comes, farther
+// out, to the mean of the terrain (world/land.h). Maps that repeat go on repeating.
+enum class LandBeyond { None, Extend, Fade };
+inline constexpr auto kLandsBeyond = enumNames<LandBeyond>("none", "extend", "fade");
+
 // The ground: heights, and how it is coloured.
 // Source of the colour blend: Jahrmann and Wimmer 2013, equation 1.
 struct Terrain {
@@ -43,6 +48,7 @@ struct Terrain {
     float tileSize = 2;          // metres after which it repeats
     glm::vec3 groundColor{0.12f, 0.09f, 0.06f};  // mean reflectance of the made soil, or factor of the texture
     bool castShadows = false;                    // hills shade what lies behind them
+    LandBeyond beyond = LandBeyond::None;
 };
 
 // One kind of blade. Shapes: scene/population.h.
@@ -128,10 +134,11 @@ struct Light {
     float orbitSeconds = 0;  // for one turn, of a directional light's azimuth too; 0: it stands still
 };
 
-enum class SkyModel { Clear, Uniform };
-inline constexpr auto kSkyModels = enumNames<SkyModel>("clear", "uniform");
+enum class SkyModel { Clear, Uniform, Atmosphere };
+inline constexpr auto kSkyModels = enumNames<SkyModel>("clear", "uniform", "atmosphere");
 
-// The sky: clear by Preetham, Shirley and Smits 1999; or uniform, equally bright everywhere, as under clouds.
+// The sky: clear by Preetham, Shirley and Smits 1999; uniform, equally bright everywhere, as under clouds; or by the
+// light that the atmosphere scatters (Hillaire 2020), which gives the sun's colour and the haze's, too.
 struct Sky {
     SkyModel model = SkyModel::Clear;
     float turbidity = 3;

@@ -13,6 +13,7 @@ enum class Slot : uint8_t {
     Sun,          // the first directional light
     SkyLight,     // light of the sky, and what is left of the sun's
     Haze,         // how far one sees
+    Air,          // tables of the sky and of the air before things
     Lamps,        // other lights
     Ground,       // heights of the terrain, and what shaders know of it
     GroundNodes,  // the terrain's nodes in view

@@ -1,9 +1,11 @@
 #include "sky/daylight.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "core/numerics.h"
 #include "scene/project.h"
+#include "sky/air_tables.h"
 #include "sky/exposure.h"
 #include "world/lights.h"
 
@@ -19,27 +21,34 @@ float turbidityOf(const Project& p) {
     return sky ? sky->turbidity : 3.0f;
 }
 
+bool hasAir(const Project& p) {
+    const Sky* sky = firstOf<Sky>(p);
+    return sky && sky->intensity > 0 && sky->model == SkyModel::Atmosphere;
+}
+
 // Without a light component the sky has its sun at the zenith.
 glm::vec3 sunOf(const Project& p, double seconds) {
     const Light* light = sunLight(p);
     return light ? directionTo(*light, seconds) : glm::vec3(0, 1, 0);
 }
 
+using SkySeen = std::function<glm::vec3(const glm::vec3& towards)>;
+
 // Irradiance of the sky on level ground, divided by pi: midpoint rule over 12 elevations and 24 azimuths.
-glm::vec3 skyOnGround(const glm::vec3& sun, float turbidity) {
+glm::vec3 skyOnGround(const SkySeen& seen) {
     constexpr int kRows = 12, kColumns = 24;
     glm::vec3 sum(0);
     for (int r = 0; r < kRows; ++r)
         for (int c = 0; c < kColumns; ++c) {
             const float y = (r + 0.5f) / kRows, h = std::sqrt(1 - y * y), a = 2 * kPi * (c + 0.5f) / kColumns;
-            sum += f32::skyRadiance(glm::vec3(h * std::cos(a), y, h * std::sin(a)), sun, turbidity) * y;
+            sum += seen(glm::vec3(h * std::cos(a), y, h * std::sin(a))) * y;
         }
     return sum * (2.0f / (kRows * kColumns));  // solid angle 2 pi / n each, divided by pi
 }
 
 // The sky at the horizon as horizonLight has it: a polynomial through the five points of Chebyshev's between the least
 // chord to the sun and the greatest, by its series.
-void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
+void fitHorizon(SkySums& s, const glm::vec3& sun, const SkySeen& seenIn) {
     const float r = glm::length(glm::vec2(sun.x, sun.z)), least = std::sqrt(2 - 2 * r), most = std::sqrt(2 + 2 * r);
     const glm::vec2 h = r > 1e-4f ? glm::vec2(sun.x, sun.z) / r : glm::vec2(1, 0);
     const float middle = 0.5f * (least + most), half = std::max(0.5f * (most - least), 1e-4f);
@@ -48,7 +57,7 @@ void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
         const float node = static_cast<float>(i) * kPi / 4, chord = middle + half * std::cos(node);
         const float c = std::clamp((1 - 0.5f * chord * chord) / std::max(r, 1e-4f), -1.0f, 1.0f),
                     n = std::sqrt(1 - c * c);
-        const glm::vec3 seen = f32::skyRadiance(glm::vec3(h.x * c - h.y * n, 0, h.y * c + h.x * n), sun, turbidity);
+        const glm::vec3 seen = seenIn(glm::vec3(h.x * c - h.y * n, 0, h.y * c + h.x * n));
         for (int k = 0; k < 5; ++k)
             a[k] += seen *
                     (std::cos(static_cast<float>(k) * node) * (i % 4 == 0 ? 0.25f : 0.5f) * (k % 4 == 0 ? 0.5f : 1.0f));
@@ -59,19 +68,28 @@ void fitHorizon(SkySums& s, const glm::vec3& sun, float turbidity) {
     s.horizonMiddle = middle, s.horizonScale = 1 / half;
 }
 
-void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity) {
-    if (s.sun == sun && s.turbidity == turbidity) return;
+void integrateSky(SkySums& s, const glm::vec3& sun, float turbidity, const AirTables* air) {
+    const unsigned changes = air ? air->changes : 0;
+    if (s.sun == sun && s.turbidity == turbidity && s.airChanges == changes) return;
     s.sun = sun;
     s.turbidity = turbidity;
-    s.level = skyOnGround(sun, turbidity);
-    fitHorizon(s, sun, turbidity);
+    s.airChanges = changes;
+    const SkySeen seen = [&](const glm::vec3& towards) {
+        return air ? skyOf(*air, sun, towards) : f32::skyRadiance(towards, sun, turbidity);
+    };
+    s.level = skyOnGround(seen);
+    fitHorizon(s, sun, seen);
 }
 
-// A camera's white balance: three quarters of the way to making white ground look white. Luminance is kept.
-glm::vec3 whiteBalance(const glm::vec3& onGround) {
+// A camera's white balance: as far (a share) of the way to making white ground look white. Luminance is kept.
+glm::vec3 whiteBalance(const glm::vec3& onGround, float share) {
     const float luminance = glm::dot(onGround, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     if (!(luminance > 0)) return glm::vec3(1);
-    return glm::pow(glm::vec3(luminance) / glm::max(onGround, glm::vec3(1e-4f * luminance)), glm::vec3(0.75f));
+    return glm::pow(glm::vec3(luminance) / glm::max(onGround, glm::vec3(1e-4f * luminance)), glm::vec3(share));
+}
+// Three quarters; in air, where the sun sinks through ten degrees, down to what keeps the blue hour blue.
+float balanceShare(bool inAir, float sunUp) {
+    return inAir ? glm::mix(0.3f, 0.75f, glm::smoothstep(0.0f, 0.17f, sunUp)) : 0.75f;
 }
 
 LightGlobals directional(const Light& light, double time) {
@@ -97,12 +115,15 @@ struct Lamp {
 
 }  // namespace
 
+glm::vec3 sunKlx(const Project& p, const glm::vec3& sun) {
+    return hasAir(p) ? f32::sunThroughAir(sun, turbidityOf(p)) : f32::sunIlluminance(sun, turbidityOf(p));
+}
+
 void addSun(FrameGlobals& g, const Project& p, double seconds) {
     const Light& light = *sunLight(p);
     const glm::vec3 sun = directionTo(light, seconds);
     const float up = sun.y > 0 ? 1.0f : 0.0f;
-    const glm::vec3 irradiance =
-        f32::sunIlluminance(sun, turbidityOf(p)) * light.color * (light.intensity * kExposure / kPi * g.exposure * up);
+    const glm::vec3 irradiance = sunKlx(p, sun) * light.color * (light.intensity * kExposure / kPi * g.exposure * up);
     g.sunDirection = sun;
     g.sunIsUp = up;
     g.sunLight = f32::soundLight(irradiance);
@@ -110,12 +131,18 @@ void addSun(FrameGlobals& g, const Project& p, double seconds) {
     g.groundLight += irradiance * std::max(sun.y, 0.0f) * kGroundAlbedo;
 }
 
-void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s) {
+void addAir(FrameGlobals& g, const Project& p, double seconds, AirTables& tables) {
+    updateAir(tables, turbidityOf(p), sunOf(p, seconds).y, g.haze);
+    g.haze += airExtinction(turbidityOf(p));
+}
+
+void addSky(FrameGlobals& g, const Project& p, double seconds, SkySums& s, const AirTables* air) {
     const glm::vec3 sun = sunOf(p, seconds);
     const float turbidity = firstOf<Sky>(p)->model == SkyModel::Uniform ? 0 : turbidityOf(p);
-    integrateSky(s, sun, turbidity);
+    integrateSky(s, sun, turbidity, air);
     const float scale = firstOf<Sky>(p)->intensity * kExposure * g.exposure;
-    const glm::vec3 balance = whiteBalance(s.level * scale + g.sunLight * std::max(g.sunDirection.y, 0.0f));
+    const glm::vec3 balance =
+        whiteBalance(s.level * scale + g.sunLight * std::max(g.sunDirection.y, 0.0f), balanceShare(air, sun.y));
     const glm::vec3 gain = balance * scale;
     g.skySun = sun;
     g.turbidity = turbidity;

@@ -1,6 +1,7 @@
 // What sun, sky, haze and lamps give at a time, as the numbers that shaders read: for drawing, and for the ray-traced
-// reference. Pure, but for the sky's sums, which are kept between frames. Does not: draw. Order: sun, then sky (which
-// brings both into the camera's balance), then haze; a scene without one leaves it out.
+// reference. Pure, but for the sky's sums and tables, which are kept between frames. Does not: draw. Order: sun, haze,
+// air (of a Sky of the model "atmosphere"), then sky, which brings sun and sky into the camera's balance; a scene
+// without one leaves it out.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -10,11 +11,13 @@
 namespace sward {
 
 struct Project;
+struct AirTables;
 
-// The sky integrated over its half, made anew only when sun or turbidity change.
+// The sky integrated over its half, made anew only when sun, turbidity or air change.
 struct SkySums {
     glm::vec3 sun{2};  // no direction: nothing integrated yet
     float turbidity = 0;
+    unsigned airChanges = 0;  // of the tables that it was made from
     glm::vec3 level{0};
     glm::vec3 horizon[5]{};  // of horizonLight, numerics/light.h
     float horizonMiddle = 0, horizonScale = 0;
@@ -22,8 +25,13 @@ struct SkySums {
 
 // Each reads globals.mode.y, the camera's exposure factor. seconds: scene time.
 void addSun(FrameGlobals& globals, const Project& project, double seconds);  // there must be one (world/lights.h)
-void addSky(FrameGlobals& globals, const Project& project, double seconds, SkySums& sums);  // there must be a Sky
-void addHaze(FrameGlobals& globals, const Project& project);                                // there must be a Fog
+void addHaze(FrameGlobals& globals, const Project& project);                 // there must be a Fog
+void addAir(FrameGlobals& globals, const Project& project, double seconds, AirTables& tables);
+// There must be a Sky; air: what addAir made, null for another model of sky.
+void addSky(FrameGlobals& globals, const Project& project, double seconds, SkySums& sums, const AirTables* air);
+// Illuminance (klx) of a sun in that direction on what faces it, as the sky's model has it, before the Light's own
+// factors.
+glm::vec3 sunKlx(const Project& project, const glm::vec3& sun);
 // Lights beside the sun, relative to the eye (sky/lamps.h).
 LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure);
 

@@ -11,7 +11,10 @@ struct SkyState : EffectState {
 };
 
 void runSun(DrawContext& ctx) { addSun(ctx.globals, ctx.project, ctx.settings.time); }
-void runSky(DrawContext& ctx) { addSky(ctx.globals, ctx.project, ctx.settings.time, ctx.own<SkyState>().sums); }
+void runSky(DrawContext& ctx) {
+    const bool inAir = has(ctx.plan.features, Feature::Atmosphere);
+    addSky(ctx.globals, ctx.project, ctx.settings.time, ctx.own<SkyState>().sums, inAir ? ctx.shared.air : nullptr);
+}
 void runHaze(DrawContext& ctx) { addHaze(ctx.globals, ctx.project); }
 
 void drawDome(DrawContext& ctx) {
@@ -23,7 +26,7 @@ void drawDome(DrawContext& ctx) {
 
 const System kSunSystems[] = {{"sky/sun", {.writes = {Slot::Sun}}, runSun, true}};
 const System kSkySystems[] = {
-    {"sky/ambient", {.reads = {Slot::Sun}, .writes = {Slot::Sun, Slot::SkyLight}}, runSky, true}};
+    {"sky/ambient", {.reads = {Slot::Sun, Slot::Air}, .writes = {Slot::Sun, Slot::SkyLight}}, runSky, true}};
 const System kHazeSystems[] = {{"sky/haze", {.writes = {Slot::Haze}}, runHaze, true}};
 const ProgramRow kDomePrograms[] = {{"sky/dome", "sky/dome.vert.glsl", "sky/dome.frag.glsl", nullptr}};
 const Pass kDomePasses[] = {

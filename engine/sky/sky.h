@@ -1,7 +1,7 @@
-// Sun and sky: Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight", 1999. The formulas:
-// numerics/sky.h. Systems turn the components into the frame's light; the pass "sky/dome" draws the sky where nothing
-// else is, and below the horizon the hazy ground that lies beyond the terrain. Does not: clouds, night, shadows. Cost:
-// the dome 1 fragment a sky pixel; the light, once a change, 1 ms of CPU.
+// Sun and sky: Preetham, Shirley and Smits, "A Practical Analytic Model for Daylight", 1999 (formulas: numerics/sky.h);
+// or by the tables of sky/atmosphere.h. Systems turn the components into the frame's light; the pass "sky/dome" draws
+// the sky where nothing else is, and below the horizon the hazy ground that lies beyond the terrain. Does not: clouds,
+// night, shadows. Cost: the dome 1 fragment a sky pixel; the light, once a change, 1 ms of CPU.
 #pragma once
 #include "scene/rows.h"
 

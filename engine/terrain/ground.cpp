@@ -1,5 +1,6 @@
 #include "terrain/ground.h"
 
+#include <algorithm>
 #include <random>
 
 #include "core/log.h"
@@ -8,6 +9,7 @@
 #include "frame/draw_context.h"
 #include "scene/tiling.h"
 #include "terrain/lod.h"
+#include "world/land.h"
 
 namespace sward {
 namespace {
@@ -19,6 +21,7 @@ struct GroundState : EffectState {
     VertexArray mesh;
     Texture soil;
     std::string soilOf = "?";  // file of the ground's texture; "" is the made one
+    Land land;
 };
 struct GroundView : EffectState {
     Buffer nodes;
@@ -105,6 +108,9 @@ void prepare(DrawContext& ctx) {
     g.terrainTiling = shaderTiling(t, t.terrainMapTiling);
     g.soilColor = t.groundColor;
     g.soilRepeats = 1 / t.tileSize;
+    s.land = has(ctx.plan.features, Feature::TerrainBeyond) ? landOf(ctx.project) : Land{};
+    g.landReach = static_cast<float>(s.land.reach), g.landFade = s.land.fade;
+    g.landMean = s.land.mean, g.landGrass = s.land.grass;
     bindMaps(ctx, s, t);
 }
 
@@ -112,17 +118,25 @@ void select(DrawContext& ctx) {
     const GroundState& s = ctx.own<GroundState>();
     GroundView& view = ctx.ofView<GroundView>();
     const Terrain& t = *ctx.shared.ground.terrain;
-    TerrainLod lod = terrainLod(t);
+    TerrainLod lod = terrainLod(t, s.land.reach);
+    lod.landLevel = s.land.level;
     lod.plainFrom = 0.5 * static_cast<double>(ctx.shared.bounds.high - ctx.shared.bounds.low) *
                     static_cast<double>(pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)));
-    if (has(ctx.plan.features, Feature::Fog) && has(ctx.plan.features, Feature::Sky))
-        lod.hidden = f32::hazeReach(ctx.globals.haze);
+    const bool hazy = has(ctx.plan.features, Feature::Fog) || has(ctx.plan.features, Feature::Atmosphere);
+    if (hazy && has(ctx.plan.features, Feature::Sky)) lod.hidden = f32::hazeReach(ctx.globals.haze);
     view.selected = selectNodes(t, lod, ctx.shared.bounds, ctx.eye, ctx.frustum);
     const bool level = !t.height.present();
-    ctx.shared.groundMesh = {s.mesh.id(), level ? kNodeIndices : 0, level ? 6 : kNodeIndices, view.selected};
+    const auto beyond = std::find_if_not(view.selected.begin(), view.selected.end(),
+                                         [&](const TerrainNode& n) { return touches(t, n); });
+    ctx.shared.groundMesh = {s.mesh.id(),
+                             level ? kNodeIndices : 0,
+                             level ? 6 : kNodeIndices,
+                             {view.selected.begin(), beyond},
+                             view.selected};
     FrameGlobals& g = ctx.globals;
     g.eyeAbove = std::max(static_cast<float>(ctx.eye.y) - ctx.shared.bounds.high, 0.0f);
     g.groundScale = g.groundTexel = 0;
+    g.landLevel = static_cast<float>(static_cast<double>(s.land.level) - ctx.eye.y);
     if (t.height.present()) {
         const auto [offset, scale] = heightScale(t);
         const float base =
@@ -136,12 +150,12 @@ void select(DrawContext& ctx) {
 }
 
 void drawMesh(DrawContext& ctx, const Buffer& room) {
-    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.nodes, room);
-    ctx.pass->instances += ctx.shared.groundMesh.nodes.size();
+    ctx.pass->draws += drawNodes(ctx.shared.groundMesh, ctx.shared.groundMesh.land, room);
+    ctx.pass->instances += ctx.shared.groundMesh.land.size();
 }
 
 void drawDepth(DrawContext& ctx) {
-    if (ctx.shared.groundMesh.nodes.empty() || !ctx.use()) return;
+    if (ctx.shared.groundMesh.land.empty() || !ctx.use()) return;
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawMesh(ctx, ctx.ofView<DepthView>().nodes);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -149,7 +163,7 @@ void drawDepth(DrawContext& ctx) {
 
 // Where the ground is seen, the stencil says so, if there is one: blades' shadows lie there alone.
 void draw(DrawContext& ctx) {
-    if (ctx.shared.groundMesh.nodes.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
+    if (ctx.shared.groundMesh.land.empty() || !ctx.use(0, ctx.shared.soil.constants)) return;
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SOIL, ctx.shared.soil.globals);
     glBindTextures(TEX_SOIL, static_cast<GLsizei>(ctx.shared.soil.maps.size()), ctx.shared.soil.maps.data());
     if (ctx.targets.stencil) {

@@ -1,5 +1,7 @@
 #include "terrain/lod.h"
 
+#include <algorithm>
+
 namespace sward {
 namespace {
 
@@ -24,8 +26,9 @@ struct Selection {
     }
 
     bool visible(double x, double z, double size) const {
-        if (x >= terrain.size.x || z >= terrain.size.y) return false;
-        const auto [low, high] = bounds.over(terrain.size, x, z, x + size, z + size);
+        if (x >= terrain.size.x + lod.reach || z >= terrain.size.y + lod.reach) return false;
+        auto [low, high] = bounds.over(terrain.size, x, z, x + size, z + size);
+        if (lod.reach > 0) low = std::min(low, lod.landLevel), high = std::max(high, lod.landLevel);
         if (const double d = distance(x, z, size); d > lod.hidden && high - eye.y < kHorizonSine * d) return false;
         return frustum.touches(glm::vec3(x - eye.x, low - eye.y, z - eye.z),
                                glm::vec3(x + size - eye.x, high - eye.y, z + size - eye.z));
@@ -59,19 +62,27 @@ struct Selection {
 
 }  // namespace
 
-TerrainLod terrainLod(const Terrain& t) {
+TerrainLod terrainLod(const Terrain& t, double reach) {
     TerrainLod lod;
-    const double extent = std::max(t.size.x, t.size.y);
+    const double extent = std::max(t.size.x, t.size.y), all = extent + 2 * reach;
+    lod.reach = reach;
     lod.spacing = t.height.present() ? t.gridSpacing : extent / (2 * kNodeQuads);
     lod.range = std::max<double>(t.lodDistance, 3.5 * 2 * kNodeQuads * lod.spacing);
-    while (2 * kNodeQuads * lod.spacing * std::exp2(lod.levels - 1) < extent) ++lod.levels;
+    while (2 * kNodeQuads * lod.spacing * std::exp2(lod.levels - 1) < all) ++lod.levels;
     return lod;
+}
+
+bool touches(const Terrain& t, const TerrainNode& n) {
+    const double side = kNodeQuads * static_cast<double>(n.spacing), x = static_cast<double>(n.place.x),
+                 z = static_cast<double>(n.place.y);
+    return x < t.size.x && z < t.size.y && x + side > 0 && z + side > 0;
 }
 
 std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds,
                                      const glm::dvec3& eye, const Frustum& frustum) {
     Selection s{t, lod, bounds, eye, frustum, std::max(eye.y - bounds.high, 0.0), {}};
-    s.quad(0, 0, lod.levels - 1);
+    s.quad(-lod.reach, -lod.reach, lod.levels - 1);
+    std::stable_partition(s.out.begin(), s.out.end(), [&](const TerrainNode& n) { return touches(t, n); });
     return std::move(s.out);
 }
 

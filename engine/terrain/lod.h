@@ -17,12 +17,17 @@ struct TerrainLod {
     double plainFrom =
         std::numeric_limits<double>::infinity();  // metres from which all land is a plane to within a pixel: as few
                                                   // nodes as can be, whose levels may differ by more than one
+    double reach = 0;                             // metres of land beyond the terrain's edges
+    float landLevel = 0;                          // that such land may come to
 };
 // Levels for a terrain, with the range widened where it is too short for morphing (3.5 nodes of level 0). Level ground
 // (no height map) is one level, whatever its size, and of each node the four corners do: what is drawn on nodes takes
 // from corners only what is linear between them.
-TerrainLod terrainLod(const Terrain& t);
-// Nodes within the frustum, each point of the ground in exactly one. eye: relative to the terrain's corner.
+TerrainLod terrainLod(const Terrain& t, double reach = 0);
+// Whether any of a node lies on the terrain.
+bool touches(const Terrain& t, const TerrainNode& node);
+// Nodes within the frustum, each point of the ground in exactly one; those that touch the terrain first. eye: relative
+// to the terrain's corner.
 std::vector<TerrainNode> selectNodes(const Terrain& t, const TerrainLod& lod, const HeightBounds& bounds,
                                      const glm::dvec3& eye, const Frustum& frustum);
 

@@ -17,7 +17,7 @@ local function at(x, z) return { margin + x, margin + z } end
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = size, gridSpacing = 0.5, groundColor = { 0.09, 0.075, 0.045 } } })
+entity.add("ground", { Terrain = { beyond = "fade", size = size, gridSpacing = 0.5, groundColor = { 0.09, 0.075, 0.045 } } })
 entity.add("turf", { GrassField = {
     cellSize = 0.5, slices = 20,
     species = { {
@@ -34,8 +34,8 @@ entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
 entity.add("lantern", { Transform = { position = { 55.7, 0.4, 25 } },
                         Light = { type = "point", color = { 1, 0.72, 0.4 }, intensity = 12, attenuation = 4, castShadows = false,
                                   orbitRadius = 0.7, orbitSeconds = 8 } })
-entity.add("sky", { Sky = { turbidity = 3 } })
-entity.add("haze", { Fog = { visibility = 4000 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.4 } })
+entity.add("haze", { Fog = { visibility = 9000 } })
 entity.add("whole", { Camera = { eye = { 62.5, 40, -60 }, target = { 62.5, 0, 36 }, fovDeg = 55 } })
 entity.add("human", { Camera = { eye = { 52, 1.7, 14 }, target = { 58, 0, 24 }, fovDeg = 55 } })
 entity.add("walk", { CameraPath = { keys = {  -- someone walks onto the pitch and along it

@@ -10,7 +10,7 @@ local tint = "grass.GrassField.vegetation"
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.1, 0.08, 0.05 }, gridSpacing = 0.25, castShadows = true } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.1, 0.08, 0.05 }, gridSpacing = 0.25, castShadows = true } })
 entity.add("grass", { GrassField = {
     technique = "raytraced", cellSize = 1, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = { {
@@ -28,8 +28,8 @@ entity.add("turf", { GrassField = {
     } },
 } })
 entity.add("sun", { Light = { azimuthDeg = 225, elevationDeg = 38 } })
-entity.add("sky", { Sky = { turbidity = 2.6 } })
-entity.add("haze", { Fog = { visibility = 3000 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.3 } })
+entity.add("haze", { Fog = { visibility = 6000 } })
 entity.add("wind", { Wind = { strength = 0.14, azimuthDeg = 70, speed = 3, gustSize = 5, turbulence = 0.45 } })
 
 -- Gentle ground.

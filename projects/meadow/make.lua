@@ -7,7 +7,7 @@ local height, tall, tint = "ground.Terrain.height", "grass.GrassField.species[ta
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
     technique = "tessellated", maxDistance = 40, thinning = 0.6, cellSize = 1, slices = 16, sliceWidth = 512, farSize = 512,
     species = {
@@ -19,8 +19,8 @@ entity.add("grass", { GrassField = {
     },
 } })
 entity.add("sun", { Light = { azimuthDeg = 215, elevationDeg = 36 } })
-entity.add("sky", { Sky = { turbidity = 3 } })
-entity.add("haze", { Fog = { visibility = 2200 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
+entity.add("haze", { Fog = { visibility = 5000 } })
 entity.add("wind", { Wind = { strength = 0.22, azimuthDeg = 60, speed = 4, gustSize = 9, turbulence = 0.4 } })
 
 map.create { path = height, width = 256, height = 256, type = "f32" }

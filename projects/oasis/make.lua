@@ -12,7 +12,7 @@ local orientation = "grass.GrassField.orientation"
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.34, 0.25, 0.15 }, tileSize = 3, castShadows = true } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.34, 0.25, 0.15 }, tileSize = 3, castShadows = true } })
 entity.add("grass", { GrassField = {
     cellSize = 1, minGeom = 4, maxGeom = 9, minBTF = 26, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
@@ -31,8 +31,8 @@ entity.add("lake", { Water = { level = 0, clarity = 3.2, color = { 0.012, 0.032,
 entity.add("daisies", { Flowers = { flowersPerM2 = 26, height = 0.34, heightVariation = 0.3, headSize = 0.042, color = { 0.74, 0.72, 0.66 }, secondColor = { 0.74, 0.66, 0.42 }, maxDistance = 45 } })
 entity.add("asters", { Flowers = { flowersPerM2 = 16, height = 0.4, heightVariation = 0.3, headSize = 0.05, color = { 0.36, 0.13, 0.46 }, secondColor = { 0.58, 0.2, 0.4 }, seed = 7, maxDistance = 45 } })
 entity.add("sun", { Light = { azimuthDeg = 312, elevationDeg = 40 } })
-entity.add("sky", { Sky = { turbidity = 2.4 } })
-entity.add("haze", { Fog = { visibility = 2200 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.4 } })
+entity.add("haze", { Fog = { visibility = 6000 } })
 entity.add("wind", { Wind = { strength = 0.16, azimuthDeg = 200, speed = 3, gustSize = 9, turbulence = 0.4 } })
 
 -- A smooth closed curve through points, as a line of many; `by` grows it about its middle.

@@ -11,7 +11,7 @@ local orientation, tint = "grass.GrassField.orientation", "grass.GrassField.vege
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.11, 0.085, 0.055 } } })
 entity.add("grass", { GrassField = {
     cellSize = 1, minGeom = 2.5, maxGeom = 6, minBTF = 14, maxBTF = 24, slices = 20, sliceWidth = 512, farSize = 512,
     species = {
@@ -25,8 +25,8 @@ entity.add("grass", { GrassField = {
     },
 } })
 entity.add("sun", { Light = { azimuthDeg = 105, elevationDeg = 38 } })
-entity.add("sky", { Sky = { turbidity = 3.5 } })
-entity.add("haze", { Fog = { visibility = 2500 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
+entity.add("haze", { Fog = { visibility = 6000 } })
 
 -- A smooth curve through points, as a line of many.
 local function curve(points, closed)

@@ -14,7 +14,7 @@ for _, name in ipairs(entity.list()) do entity.remove(name) end
 -- Metres after which each map repeats; the tiling is how often that is in mapSize.
 local mapSize = 256
 local function every(metres) return mapSize / metres end
-entity.add("land", { Terrain = {
+entity.add("land", { Terrain = { beyond = "fade", 
     size = { size, size }, mapSize = mapSize, heightTiling = every(760), terrainMapTiling = every(613),
     groundColor = { 0.11, 0.088, 0.052 }, gridSpacing = 1, lodDistance = 60,
 } })
@@ -33,8 +33,8 @@ entity.add("grass", { GrassField = {
 entity.add("daisies", { Flowers = { densityTiling = every(67), flowersPerM2 = 9, height = 0.38, heightVariation = 0.35, headSize = 0.05, color = { 0.74, 0.6, 0.1 },
     secondColor = { 0.74, 0.7, 0.6 }, maxDistance = 40 } })
 entity.add("sun", { Light = { azimuthDeg = 205, elevationDeg = 33 } })
-entity.add("sky", { Sky = { turbidity = 2.8 } })
-entity.add("haze", { Fog = { visibility = 1400 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.3 } })
+entity.add("haze", { Fog = { visibility = 4000 } })
 entity.add("wind", { Wind = { strength = 0.25, azimuthDeg = 100, speed = 5, gustSize = 11, turbulence = 0.4 } })
 
 -- Heights are mirrored where they repeat: waves with a crest or a trough on every edge go on there without a crease.

@@ -8,7 +8,7 @@ local height = "ground.Terrain.height"
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.19, 0.18, 0.165 }, gridSpacing = 0.25, castShadows = true } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.19, 0.18, 0.165 }, gridSpacing = 0.25, castShadows = true } })
 entity.add("moss", { GrassField = {
     onTerrain = false, cellSize = 0.25, slices = 16, sliceWidth = 256, sliceHeight = 64, farSize = 256, seed = 3,
     species = { {
@@ -26,8 +26,8 @@ entity.add("turf", { GrassField = {
     } },
 } })
 entity.add("sun", { Light = { azimuthDeg = 235, elevationDeg = 40 } })
-entity.add("sky", { Sky = { turbidity = 2.6 } })
-entity.add("haze", { Fog = { visibility = 3000 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.3 } })
+entity.add("haze", { Fog = { visibility = 6000 } })
 entity.add("wind", { Wind = { strength = 0.12, azimuthDeg = 60, speed = 3, gustSize = 4, turbulence = 0.4 } })
 
 map.create { path = height, width = 128, height = 128, type = "f32" }

@@ -6,7 +6,7 @@ local height, wheat, tint = "ground.Terrain.height", "field.GrassField.species[w
 project.new()
 for _, name in ipairs(entity.list()) do entity.remove(name) end
 
-entity.add("ground", { Terrain = { size = { size, size }, groundColor = { 0.13, 0.1, 0.065 }, gridSpacing = 0.5 } })
+entity.add("ground", { Terrain = { beyond = "fade", size = { size, size }, groundColor = { 0.13, 0.1, 0.065 }, gridSpacing = 0.5 } })
 entity.add("field", { GrassField = {
     technique = "tessellated", maxDistance = 30, cellSize = 1, minGeom = 5, maxGeom = 12, minBTF = 25, maxBTF = 40, slices = 16, sliceWidth = 512, sliceHeight = 128, farSize = 512,
     species = {
@@ -19,8 +19,8 @@ entity.add("field", { GrassField = {
     },
 } })
 entity.add("sun", { Light = { azimuthDeg = 235, elevationDeg = 24 } })
-entity.add("sky", { Sky = { turbidity = 4 } })
-entity.add("haze", { Fog = { visibility = 1800 } })
+entity.add("sky", { Sky = { model = "atmosphere", turbidity = 1.5 } })
+entity.add("haze", { Fog = { visibility = 4000 } })
 entity.add("wind", { Wind = { strength = 0.32, azimuthDeg = 65, speed = 5, gustSize = 7, turbulence = 0.5 } })
 
 map.create { path = height, width = 160, height = 160, type = "f32" }

@@ -62,7 +62,7 @@ void main() {
     vec3 way = position / distance;
     path = t.path * slantFactor(facing.xzy, way.xzy);
     sun = SUN ? frame.sunLight * foliagePhase(-dot(way, frame.sunDirection)) : vec3(0.0);
-    haze = vec4(horizonColor(position.xz), hazeShare(distance));
+    haze = vec4(hazeColor(position), hazeShare(distance));
     canopy = t.canopy;
     level = t.level;
     cutAtWater(position.y);

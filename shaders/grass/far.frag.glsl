@@ -13,6 +13,7 @@
 #include "lib/wind.glsl"
 #include "numerics/clump.h"
 #include "numerics/hash.h"
+#include "numerics/land.h"
 #include "numerics/lod.h"
 #include "numerics/opacity.h"
 #include "numerics/stand.h"
@@ -61,6 +62,7 @@ vec2 laidSeen(vec3 toEye, float vertical) {
 }
 
 void main() {
+    if (TERRAIN_BEYOND && beyondBy(place, frame.terrainSize) > 0.0) discard;  // of nodes that reach over the edge
     Repeated r = repeated(position.xz);
     vec2 uv = mapPlace(place);
     float d = length(position);
@@ -89,7 +91,7 @@ void main() {
     FarLit lit =
         FarLit(levelSun(), kLevel, position, slices.farAmbient * skyShare(uv), sunVisible(position, vec3(0.0)));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit) * gain, vec3(0.0), vec3(kBrightest));
-    color = vec4(mix(light, horizonColor(position.xz), hazeShare(d)), alpha);
+    color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);
     if (viewMode() == VIEW_NORMALS) color.rgb = vec3(0.5, 1.0, 0.5);
     if (viewMode() == VIEW_OVERDRAW) color = vec4(1.0 / 32.0, 0.0, 0.0, 0.0);

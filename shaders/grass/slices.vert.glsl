@@ -95,7 +95,7 @@ void main() {
     gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
     ambient = brighter * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));
-    haze = vec4(horizonColor(foot.xz) * hazed, 1.0 - hazed);
+    haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
     if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, kLevel, lamp);
     cutAtWater(position.y);

@@ -1,5 +1,5 @@
 // How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
-// Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, BLADE_SHADOWS, CASTING_LIGHTS. hue, lightness: as
+// Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue, lightness: as
 // numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
 #include "lib/blade.glsl"
 #include "lib/field.glsl"
@@ -76,6 +76,6 @@ BladeLight lightBlade(Lit p, vec2 uv) {
         rest += sun * p.open;
     }
     o.lit = vec4(rest, share);
-    if (FOG) o.lit.rgb = mix(o.lit.rgb, horizonColor(p.position.xz), share);
+    if (FOG || ATMOSPHERE) o.lit.rgb = mix(o.lit.rgb, hazeColor(p.position), share);
     return o;
 }

@@ -1,6 +1,7 @@
-// Ground under a point. Needs: const bool TERRAIN_HEIGHTS.
+// Ground under a point. Needs: const bool TERRAIN_HEIGHTS, TERRAIN_BEYOND.
 #include "lib/frame.glsl"
 #include "numerics/bilinear.h"
+#include "numerics/land.h"
 #include "shared/bindings.h"
 
 layout(binding = TEX_HEIGHT) uniform sampler2D heightMap;
@@ -20,7 +21,9 @@ float groundHeight(vec2 place) {
                           texelFetch(heightMap, ivec2(t.x1, t.y0), 0).r - base,
                           texelFetch(heightMap, ivec2(t.x0, t.y1), 0).r - base,
                           texelFetch(heightMap, ivec2(t.x1, t.y1), 0).r - base, t.fx, t.fy);
-    return frame.groundBase + frame.groundScale * h;
+    float height = frame.groundBase + frame.groundScale * h;
+    if (!TERRAIN_BEYOND || frame.heightTiling > 0.0) return height;
+    return mix(height, frame.landLevel, landMean(beyondBy(place, frame.terrainSize), frame.landFade));
 }
 
 // Upward unit normal by central differences over `step` metres; exactly up on flat ground (T-5).

@@ -1,4 +1,5 @@
-// The frame's light on surfaces, and haze. Needs: const bool SUN, FOG.
+// The frame's light on surfaces, and haze. Needs: const bool SUN, FOG, ATMOSPHERE.
+#include "lib/air.glsl"
 #include "lib/frame.glsl"
 #include "numerics/light.h"
 
@@ -15,8 +16,10 @@ vec3 horizonColor(vec2 direction) {
     return horizonLight(frame.horizon[0].rgb, frame.horizon[1].rgb, frame.horizon[2].rgb, frame.horizon[3].rgb,
                         frame.horizon[4].rgb, frame.horizonMiddle, frame.horizonScale, frame.skySun.xz, direction);
 }
+// What haze before a position relative to the eye fades into.
+vec3 hazeColor(vec3 position) { return ATMOSPHERE ? airUpTo(position) : horizonColor(position.xz); }
 // Share of the light that haze takes away over a distance.
 float hazeShare(float distance) {
-    if (!FOG) return 0.0;
+    if (!FOG && !ATMOSPHERE) return 0.0;
     return hazeTaken(frame.haze, distance);
 }

@@ -18,7 +18,8 @@ NodeCorner nodeCorner() {
     TerrainNode node = nodes[gl_InstanceID];
     float spacing = node.spacing;
     vec2 local = corner * spacing;
-    vec2 limit = frame.terrainSize - node.place;  // nodes reach over the terrain's edge: their vertices do not
+    // Nodes reach over the edge of the terrain, or of the land beyond it: their vertices do not.
+    vec2 limit = frame.terrainSize + frame.landReach - node.place;
     vec2 flatRelative = node.corner + min(local, limit);
     float above = max(frame.eyeAbove, 0.0);
     float d = sqrt(dot(flatRelative, flatRelative) + above * above);

@@ -265,7 +265,7 @@ vec4 shownOf(Sum sum, Shell shell, uint grain) {
     if (viewMode() == VIEW_NORMALS) return vec4(0.5, 0.5, 1.0, alpha);
     if (viewMode() == VIEW_OVERDRAW) return vec4(1.0 / 32.0, 0.0, 0.0, alpha);
     if (viewMode() == VIEW_DENSITY) return vec4(0.1, 0.65, 0.15, alpha);
-    return vec4(light * (1.0 - hazed) + horizonColor(shell.start.xz) * hazed, alpha);
+    return vec4(light * (1.0 - hazed) + hazeColor(shell.start) * hazed, alpha);
 }
 // Depth of the pixel; carrier: the carrier's.
 float depthOf(Sum sum, Shell shell, float carrier) {

@@ -38,9 +38,11 @@ FN real plainDistance(vec3 eye, vec2 size, vec3 way) {
     return max(max(eye.y, real(0.5)) / max(-way.y, real(1e-5)),
                edgeDistance(vec2(eye.x, eye.z), size, vec2(way.x, way.z)));
 }
-// The plain beyond the terrain: what ground throws back, lost in the horizon's colour by haze, or in 4 km of clear air.
+// Extinction (1/m) before the plain beyond the terrain where no model of air says it: clear air hides it in 4 km.
+FN real clearHaze(real extinction) { return max(extinction, real(0.001)); }
+// The plain beyond the terrain: what ground throws back, lost in the horizon's colour by haze.
 FN vec3 plainLight(vec3 ground, vec3 horizon, real extinction, real distance) {
-    return mix(ground, horizon, hazeTaken(max(extinction, real(0.001)), distance));
+    return mix(ground, horizon, hazeTaken(extinction, distance));
 }
 
 // How much brighter than its light (divided by pi) the sun's disc is shown, by the cosine to its middle; the edge is

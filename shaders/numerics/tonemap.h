@@ -31,5 +31,14 @@ FN real srgbDecode(real encoded) {
     if (x <= real(0.04045)) return x / real(12.92);
     return pow((x + real(0.055)) / real(1.055), real(2.4));
 }
+// What is added to a pixel before it is rounded to levels, in levels, within half a level either way: so a slow change
+// ends in grain of the right mean instead of in bands. The same at each place of every picture. Interleaved gradient
+// noise: Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014. x, y: pixels, 0
+// to 16384.
+FN real ditherOf(int x, int y) {
+    real slope = real(0.06711056) * real(x) + real(0.00583715) * real(y);
+    real turned = real(52.9829189) * (slope - floor(slope));
+    return turned - floor(turned) - 0.5f;
+}
 FN vec3 srgbEncode3(vec3 c) { return vec3(srgbEncode(c.x), srgbEncode(c.y), srgbEncode(c.z)); }
 FN vec3 srgbDecode3(vec3 c) { return vec3(srgbDecode(c.x), srgbDecode(c.y), srgbDecode(c.z)); }

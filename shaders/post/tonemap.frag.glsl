@@ -1,5 +1,6 @@
 // Linear light to the screen: Khronos PBR Neutral tone mapping (2024), which keeps hues, then sRGB. False-colour views
-// are already in screen colours; depth is shown as the logarithm of the distance.
+// are already in screen colours; others are dithered by half of one of the screen's 255 levels; depth is shown as the
+// logarithm of the distance.
 #include "lib/frame.glsl"
 #include "lib/scene_depth.glsl"
 #include "numerics/tonemap.h"
@@ -17,6 +18,8 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 light = texelFetch(scene, pixel, 0).rgb;
     vec3 shown = srgbEncode3(toneMapNeutral(max(light, vec3(0.0))));
+    ivec2 place = pixel + ivec2(frame.pixelFrom);
+    shown += ditherOf(place.x, place.y) / 255.0;
     if (viewMode() == VIEW_DEPTH)
         shown = depthView(sceneDepth(pixel));
     else if (viewMode() != VIEW_FINAL)

@@ -63,6 +63,8 @@
 #define TEX_FOREST_SHADE 50  // as TEX_SHADOW
 #define TEX_FOREST_VEIL 51
 #define TEX_FOREST_NEAREST 52
+#define TEX_SKY 53  // as TEX_SHADOW
+#define TEX_AIR 54
 #define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw

@@ -40,6 +40,11 @@ struct STD140 FrameGlobals {
     vec3 skyGain;  // factor of numerics/sky.h radiances: exposure and white balance
     float horizonScale;
     vec4 horizon[5];  // rgb: the sky at the horizon; with middle and scale as horizonLight has it (numerics/light.h)
+    // The land beyond the terrain (world/land.h).
+    vec3 landMean;    // reflectance of the terrain with what grows on it
+    float landReach;  // metres beyond the terrain's edges; 0: there is none
+    vec3 landGrass;   // reflectance of its grass
+    float landFade;   // 1 / metres over which it comes to the mean; 0: it does not
     // The view.
     int mode;              // ViewMode
     int samples;           // a pixel
@@ -48,9 +53,11 @@ struct STD140 FrameGlobals {
     float mirrorHeight;    // relative to the eye: below it such a view is cut
     float decalRadius;     // of the brush (m); 0: none is shown
     vec2 decalAt;          // its centre: x, z relative to the eye
+    vec2 pixelFrom;        // the picture's lower left corner, in pixels of the whole of which it may be a part
     float decalFalloff;    // share of the radius over which it fades
     float treesShadeFrom;  // metres from the eye over which far trees' shade on the ground sets in (forest/texcells.h)
     float treesShadeTo;
+    float landLevel;  // height to which the land beyond comes, relative to the eye
 };
 
 #ifdef __cplusplus

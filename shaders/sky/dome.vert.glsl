@@ -9,7 +9,7 @@ void main() {
     vec2 p = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
     vec4 a = frame.invViewProj * vec4(p, 1.0, 1.0);  // on the near plane: its place is the direction
     direction = a.xyz / a.w;
-    SkyModel m = skyModel(frame.skySun, frame.turbidity);
+    SkyModel m = skyModel(frame.skySun, ATMOSPHERE ? 0.0 : frame.turbidity);
     skyA = m.a;
     skyB = m.b;
     skyC = m.c;

@@ -1,9 +1,10 @@
 // Ground colour: the soil's image under the terrain map (Jahrmann and Wimmer 2013, equation 1), lit; darker where grass
-// stands on it.
+// stands on it. Beyond the terrain: what world/land.h says.
 #include "lib/frame.glsl"
 #include "lib/ground_light.glsl"
 #include "lib/light.glsl"
 #include "lib/soil.glsl"
+#include "numerics/land.h"
 #include "numerics/light.h"
 #include "shared/bindings.h"
 
@@ -15,11 +16,27 @@ in vec2 place;
 in vec3 normal;
 out vec4 color;
 
-vec3 soil(vec2 uv) {
+// Beyond the terrain a map that lies on it once has its edge's texels: the farther out, the more of them are one, or
+// they would show as streaks.
+float mapBias(float beyond) {
+    if (!TERRAIN_BEYOND) return 0.0;
+    return log2(1.0 + 0.3 * beyond * frame.mapShare.x * float(textureSize(terrainMap, 0).x));
+}
+
+vec3 soil(vec2 uv, float beyond) {
     vec3 image = texture(soilTexture, place * frame.soilRepeats).rgb * 2.0 * frame.soilColor;
     if (!TERRAIN_MAP) return image;
-    vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling));
+    vec4 map = texture(terrainMap, tiled(uv, frame.terrainTiling), mapBias(beyond));
     return soilColor(image, frame.soilColor, map.rgb, map.a);
+}
+
+// Beyond the terrain what grows is told by the reflectance alone: soil is lit, and seen, through it. Its hills, which
+// no map of shadows knows, cast none; objects' shadows end softly.
+vec3 land(vec3 soil, float left, float beyond) {
+    return landSends(soil * left, frame.landGrass, left, frame.landMean, landMean(beyond, frame.landFade));
+}
+vec3 landLight(vec3 n, float beyond) {
+    return ambientLight(n) + sunLight(n) * mix(sunVisible(position, vec3(0.0)), 1.0, min(beyond / 10.0, 1.0));
 }
 
 void main() {
@@ -28,8 +45,10 @@ void main() {
     vec3 n = normalize(normal);
     float grown;
     SoilShares shares = soilUnder(uv, distance, grown);
-    vec3 light = soilLight(position, n, shares) * soil(uv);
-    light = mix(light, horizonColor(position.xz), hazeShare(distance));
+    float beyond = TERRAIN_BEYOND ? beyondBy(place, frame.terrainSize) : 0.0;
+    vec3 light = beyond > 0.0 ? landLight(n, beyond) * land(soil(uv, beyond), shares.mean, beyond)
+                              : soilLight(position, n, shares) * soil(uv, 0.0);
+    light = mix(light, hazeColor(position), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = n * 0.5 + 0.5;

@@ -85,7 +85,7 @@ void main() {
     vec3 through = left * (1.0 - mirror);
     // What is mirrored and what is seen through are in their own haze already.
     vec3 light = mirroredLight(toEye, ripple) * mirror + body * (1.0 - haze) +
-                 horizonColor(position.xz) * haze * (1.0 - mirror - through);
+                 hazeColor(position) * haze * (1.0 - mirror - through);
     added = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
     factor = vec4(through, 0.0);
 }

@@ -193,6 +193,7 @@ const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
                                                     {"reflection", "Reflection"},
                                                     {"lights", "Lamps"},
                                                     {"reflectionScale", "Reflection"},
+                                                    {"air", "Air"},
                                                     {"ground", ""}};
 
 // All that the effects do to slots whose rows stand in a file.

@@ -20,7 +20,7 @@ inline float lightsGive(const Project& p, double time) {
     g.exposure = 1;
     SkySums sums;
     if (sunLight(p)) addSun(g, p, time);
-    if (firstOf<Sky>(p)) addSky(g, p, time, sums);
+    if (firstOf<Sky>(p)) addSky(g, p, time, sums, nullptr);
     glm::vec3 all = g.sunLight + g.skyLight + g.groundLight, horizon(0);
     for (const glm::vec4& h : g.horizon) horizon = glm::max(horizon, glm::vec3(h));
     all += horizon;

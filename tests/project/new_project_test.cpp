@@ -29,10 +29,10 @@ TEST(NewProject, HasGroundGrassSunSkyHazeAndACamera) {
     for (const auto& [name, entity] : p.entities) found.insert(name);
     EXPECT_EQ(found, names);
     EXPECT_DOUBLE_EQ(virtualBlades(p), 4000.0 * 40 * 40);
-    const FeatureSet expected =
-        featureSet(Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps,
-                   Feature::GrassGeometry, Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows,
-                   Feature::GroundShadows, Feature::Sun, Feature::CastingLights, Feature::Sky, Feature::Fog);
+    const FeatureSet expected = featureSet(
+        Feature::Terrain, Feature::Grass, Feature::GrassDensity, Feature::GrassClumps, Feature::GrassGeometry,
+        Feature::GrassSlices, Feature::GrassFar, Feature::BladeShadows, Feature::GroundShadows, Feature::Sun,
+        Feature::CastingLights, Feature::Sky, Feature::Atmosphere, Feature::TerrainBeyond, Feature::Fog);
     EXPECT_EQ(sceneFeatures(p.registry, tables()), expected);
 }
 

@@ -23,7 +23,7 @@ FrameGlobals skyOf(float elevation, float turbidity, double* sunAzimuth) {
     g.exposure = 1;
     SkySums sums;
     addSun(g, p, 0);
-    addSky(g, p, 0, sums);
+    addSky(g, p, 0, sums, nullptr);
     *sunAzimuth = std::atan2(g.skySun.z, g.skySun.x);
     return g;
 }
