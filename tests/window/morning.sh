@@ -3,6 +3,7 @@
 # a path, rocks and benches placed, a pond, two species and flowers, a scatter, a lamp, a camera, a fit to a budget
 # adopted, a walk, saved, exported, opened again with the same files.
 #   morning.sh SWARD PROJECTS
+# Run by hand, on a machine that does little else: it takes minutes, and is none of CTest's tests (first_level.sh is).
 # PROJECTS: the folder of the samples. SHOTS=DIR keeps pictures of the steps. Ends with 77, which CTest takes as skipped,
 # where the X server or the programs that press its keys are not installed.
 set -eu
@@ -125,8 +126,10 @@ step "a rule" 05-rule
 
 # A winding path.
 key p
+until_true "the path tool" is Tools/Path true
 for point in "20 180" "60 150" "80 110" "110 90" "105 50"; do ground $point; done
 key Return
+until_true "the path" there Outliner/path
 step "a path" 06-path
 
 # Twelve rocks and three benches, placed by clicks; one is turned, one scaled, two copies are made and taken back.
@@ -148,6 +151,7 @@ press "Outliner/bench"
 handle() { # of the gizmo, and how far it is dragged
   local from
   find_widget "$1"
+  stays "$1"
   from=$(middle "$1")
   drag $from $((${from% *} + $2)) $((${from#* } + $3))
 }
