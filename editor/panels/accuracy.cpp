@@ -116,6 +116,9 @@ void plotColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, dou
         adopt(parts.doc, edits, parts.messages, *chosen);
 }
 
+// Three digits, and never an exponent.
+std::string milliseconds(double ms) { return ms < 1000 ? fmt::format("{:.3g}", ms) : fmt::format("{:.0f}", ms); }
+
 void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     Fit& f = accuracy.fit;
     if (!f.error.empty()) return ImGui::TextWrapped("%s", f.error.c_str());
@@ -129,10 +132,11 @@ void fitResult(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     ui::tooltip("Sets them in the project: one undo step.\n" + r.settings);
     ImGui::PushTextWrapPos(0);
     const std::string error = std::isfinite(r.appearance) ? fmt::format(", error {:.4f}", r.appearance) : "";
-    ImGui::TextUnformatted(fmt::format("{}{:.3g} ms{}  (now {:.3g} ms, {:.4f})",
-                                       r.fits ? "" : "Nothing fits. The quickest: ", r.ms, error, r.shippedMs,
-                                       r.shippedAppearance)
-                               .c_str());
+    ImGui::TextUnformatted(
+        fmt::format("{}{} ms{}  (now {} ms{})", r.fits ? "" : "Nothing fits. The quickest: ", milliseconds(r.ms), error,
+                    milliseconds(r.shippedMs),
+                    std::isfinite(r.shippedAppearance) ? fmt::format(", {:.4f}", r.shippedAppearance) : "")
+            .c_str());
     ui::record("Fitted", ui::Kind::Label, r.settings);
     ui::tooltip(r.settings);
     if (r.fits)

@@ -99,6 +99,15 @@ void addElement(const FieldParts& parts, const std::string& list) {
         });
 }
 
+// Of a long list only the rows in sight are built, and those that are open: a path has a thousand points.
+bool isOutOfSight(size_t rows, const std::string& path, const std::string& title) {
+    constexpr size_t kMany = 64;
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
+    if (rows <= kMany || ImGui::IsRectVisible(size) || ui::sectionIsOpen(path, title)) return false;
+    ImGui::Dummy(size);
+    return true;
+}
+
 void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row, const std::string& path,
                const void* list) {
     const ListRow& l = *row.list;
@@ -107,7 +116,9 @@ void listField(const FieldParts& parts, const Owner& owner, const FieldRow& row,
         const std::string name = *static_cast<const std::string*>(
             static_cast<const void*>(static_cast<const char*>(element) + l.fields[0].offset));
         const std::string called = name.empty() ? std::to_string(i) : name, at = path + "[" + called + "]";
-        const bool open = header(at, elementTitle(row.name) + ": " + called, l.size(list) < 3);
+        const std::string title = elementTitle(row.name) + ": " + called;
+        if (isOutOfSight(l.size(list), at, title)) continue;
+        const bool open = header(at, title, l.size(list) < 3);
         removeButton(parts, at, "Remove this one", [&doc = parts.doc, at] { return doc.removeListElement(at); });
         if (!open) continue;
         ImGui::Indent(8);

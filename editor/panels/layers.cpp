@@ -255,6 +255,18 @@ void addButtons(const FieldParts& parts, const std::string& map) {
     }
 }
 
+// Of many layers only those in sight are built; another leaves the room that it took when it was.
+template <class Build>
+void inSight(const std::string& path, size_t layers, const Build& build) {
+    constexpr size_t kMany = 8;
+    float& height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID((path + "/height").c_str()), 0);
+    if (layers > kMany && height > 0 && !ImGui::IsRectVisible({ImGui::GetContentRegionAvail().x, height}))
+        return ImGui::Dummy({1, height});
+    const float top = ImGui::GetCursorPosY();
+    build();
+    height = ImGui::GetCursorPosY() - top - ImGui::GetStyle().ItemSpacing.y;
+}
+
 // Who flattens to a height that is seen, or digs, must know that layers add theirs to it.
 void sculptedBelow() {
     const std::string text =
@@ -279,16 +291,17 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
     addButtons(parts, map);
     ImGui::BeginChild("layers");
     const std::vector<LayerOf> layers = layersOver(doc.project(), map);
-    for (auto of = layers.rbegin(); of != layers.rend(); ++of) {
-        layer(parts, brushes, *of, heights);
-        note(notes, of->path);
-        if (of->layer->kind == LayerKind::Rule)
-            masks(parts, *of);
-        else if (of->layer->kind == LayerKind::Path)
-            alongPath(parts, *of);
-        else
-            ownMap(parts, brushes, *of, view);
-    }
+    for (auto of = layers.rbegin(); of != layers.rend(); ++of)
+        inSight(of->path, layers.size(), [&] {
+            layer(parts, brushes, *of, heights);
+            note(notes, of->path);
+            if (of->layer->kind == LayerKind::Rule)
+                masks(parts, *of);
+            else if (of->layer->kind == LayerKind::Path)
+                alongPath(parts, *of);
+            else
+                ownMap(parts, brushes, *of, view);
+        });
     if (heights && !layers.empty() && brushes.map == map) sculptedBelow();
     if (ui::button("Paint the map itself", 0, brushes.map == map)) selectMap(doc, brushes, map);
     ui::tooltip("The brush paints below all layers, on " + map);

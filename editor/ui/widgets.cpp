@@ -156,6 +156,10 @@ bool section(const std::string& label, const std::string& title, bool openAtFirs
     return open;
 }
 
+bool sectionIsOpen(const std::string& label, const std::string& title) {
+    return ImGui::GetStateStorage()->GetInt(ImGui::GetID((title + "##" + idOf(label)).c_str())) != 0;
+}
+
 bool input(const std::string& label, std::string& text, const char* hint, bool* entered, const LineHelp& help) {
     const bool enter = inputText(idOf(label).c_str(), hint, text, help);
     const bool left = ImGui::IsItemDeactivatedAfterEdit();

@@ -94,6 +94,8 @@ bool checkbox(const std::string& label, bool& value, bool titled = true);
 bool selectable(const std::string& label, bool selected, bool* doubleClicked = nullptr);
 // A section that opens and closes; true while open. `title` is what is shown of it.
 bool section(const std::string& label, const std::string& title, bool openAtFirst = true);
+// Whether a section is open that is not built in this frame; one that never was built is not.
+bool sectionIsOpen(const std::string& label, const std::string& title);
 // What arrows and Tab make of the text that is being typed; empty functions leave it.
 struct LineHelp {
     std::function<std::string(const std::string& text, int step)> recall;  // up: -1, down: 1

@@ -69,25 +69,37 @@ find_widget() {
   done
   fail "$1 does not come into sight"
 }
+# Until it stays where it is: a panel that opens moves what is beside it, on a busy machine some frames later.
+stays() {
+  local last now still=0 i
+  last=$(middle "$1")
+  for i in $(seq 40); do
+    rest 0.12
+    now=$(middle "$1")
+    if [ "$now" = "$last" ]; then still=$((still + 1)); else still=0; fi
+    last=$now
+    if [ "$still" -ge 3 ]; then return 0; fi
+  done
+}
 press() {
   find_widget "$1" "${2:-}"
-  rest 0.1 # until what moved rests
+  stays "$1"
   click $(middle "$1")
 }
 menu() { # File "New..."
   press "Menu/$1"
   until_true "the menu $1" there "Menu/$1/$2"
-  rest 0.5 # on a busy machine it is there before it takes a click
   press "Menu/$1/$2"
 }
 tab() { press "Tabs/$1"; }
 choose() { # of a list, by an item's whole text
   find_widget "$1" "${3:-}"
   is "$1" "$2" && return 0
+  stays "$1"
   click $(middle "$1")
   until_true "the item $2 of $1" there "$1/$2"
-  rest 0.5
   find_widget "$1/$2" "$(middle "$1" | awk '{ print $1, $2 + 60 }')"
+  stays "$1/$2"
   click $(middle "$1/$2")
 }
 write() { # into a line of text
@@ -99,6 +111,7 @@ write() { # into a line of text
 }
 number() { # into a slider
   find_widget "$1" "${3:-}"
+  stays "$1"
   xdotool keydown ctrl
   rest
   click $(middle "$1")

@@ -1,4 +1,6 @@
 // The panel Layers, clicked: what it changes is what the project has, one undo step each.
+#include <algorithm>
+
 #include "app/viewport.h"
 #include "model/layer_edits.h"
 #include "panel_stage.h"
@@ -142,6 +144,17 @@ TEST_F(LayersPanel, OverHeightsItSaysThatBrushesSculptBelow) {
     EXPECT_FALSE(shown("Layers/Below")) << "the brush is on the layer";
     click("Layers/Paint the map itself");
     EXPECT_TRUE(shown("Layers/Below"));
+}
+
+TEST_F(LayersPanel, OfManyLayersOnlyThoseInSightAreBuilt) {
+    for (int i = 0; i < 30; ++i) ASSERT_TRUE(addLayer(doc, kDensity, LayerKind::Rule));
+    frames(4);
+    const auto built = std::count_if(book.widgets.begin(), book.widgets.end(), [](const auto& w) {
+        return w.first.starts_with("Layers/") && w.first.ends_with("/On");
+    });
+    EXPECT_GT(built, 3);
+    EXPECT_LT(built, 20);
+    EXPECT_TRUE(shown("Layers/Paint the map itself")) << "what follows them is there";
 }
 
 }  // namespace
