@@ -40,8 +40,9 @@ double depthFrom(const TreeAir& air, const glm::dvec2& at, const glm::dvec3& way
 }
 
 // An image that holds the rectangle from low to high.
-TreeShade imageOver(const glm::dvec2& low, const glm::dvec2& high) {
+TreeShade imageOver(const glm::dvec2& low, const glm::dvec2& high, double texel) {
     TreeShade s;
+    s.texel = texel;  // as fine as the tree's air: those of enormous trees would take minutes
     s.first = low;
     s.size = glm::ivec2(glm::ceil((high - low) / s.texel));
     s.depth.resize(static_cast<size_t>(s.size.x) * static_cast<size_t>(s.size.y));
@@ -99,7 +100,7 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light) {
     const glm::dvec3 way = raised(light);
     const double half = 0.5 * air.side * air.part;
     const glm::dvec2 thrown = -glm::dvec2(way.x, way.z) * (air.height / way.y);
-    TreeShade s = imageOver(glm::min(glm::dvec2(0), thrown) - half, glm::max(glm::dvec2(0), thrown) + half);
+    TreeShade s = imageOver(glm::min(glm::dvec2(0), thrown) - half, glm::max(glm::dvec2(0), thrown) + half, air.part);
     fill(s, [&](const glm::dvec2& at) { return depthFrom(air, at, way); });
     return s;
 }
@@ -107,7 +108,7 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light) {
 TreeShade shadeOfSky(const TreeAir& air) {
     if (air.side == 0) return {};
     const double reach = 0.5 * air.side * air.part + air.height;
-    TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach));
+    TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach), air.part);
     fill(s, [&](const glm::dvec2& at) {
         double light = 0, all = 0;
         for (int k = 0; k < kSkyDirections; ++k) {

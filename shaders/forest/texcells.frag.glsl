@@ -2,10 +2,8 @@
 // haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
-#include "lib/light.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/correction.h"
-#include "numerics/forest.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
