@@ -129,9 +129,7 @@ glm::vec3 background(const View& v, const glm::dvec3& way, bool withSun) {
     const FrameGlobals& g = v.globals;
     const glm::vec3 d(way);
     if (d.y < 0) {
-        const float land = static_cast<float>(v.scene.solids->land().reach);
-        const float distance =
-            f32::plainDistance(g.eye + glm::vec3(land, 0, land), g.terrainSize + glm::vec2(2 * land), d);
+        const float distance = f32::plainDistance(g.eye, g.terrainSize, d);
         return f32::plainLight(g.groundLight, hazeOf(v, way, static_cast<double>(distance)),
                                v.air ? g.haze : f32::clearHaze(g.haze), distance);
     }

@@ -4,8 +4,9 @@
 // (section 5.3); and what the air adds to what stands in it (section 5.4, along level rays: land lies near the
 // horizon). Drawing and the ray-traced truth read the same tables. Unlike the paper they are made on the CPU, since a
 // picture's other light follows from them, too; the sky is that of an eye kAirEye above the ground, wherever the camera
-// is. Does not: clouds, night's own light, shadows of hills in the air. Cost of a change on two cores: of the sun's
-// height or of the haze 15 ms, of the turbidity 20 ms more; 0.3 MB.
+// is. Does not: clouds, night's own light, shadows of hills in the air. Cost of a change:
+// of the sun's height 0.3 million steps along rays, of the turbidity 0.9 million more, on all cores; of the haze some
+// thousands. 0.3 MB.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

@@ -60,7 +60,8 @@ void sumMeans(const Project& p, const Terrain& t, Land& land) {
         const glm::vec3 soil = f32::soilColor(t.groundColor, t.groundColor, glm::vec3(paint), paint.w);
         float area = 0;
         glm::vec3 colour(0);
-        for (const auto& [name, field] : fields) addGrass(t, field.grows, x, z, area, colour);
+        for (const auto& [name, field] : fields)
+            if (field.grows.onTerrain) addGrass(t, field.grows, x, z, area, colour);
         areas += area, grassColours += colour;
         const glm::vec3 grass = area > 0 ? kCanopySends * colour / area : glm::vec3(0);
         const float left = std::exp(-kTakesLight * area);

@@ -26,8 +26,7 @@ SkyModel model() {
 
 vec3 skyLightFrom(vec3 d) { return ATMOSPHERE ? skyInAir(d) : skyRadianceOf(model(), d) * frame.skyGain; }
 vec3 plain(vec3 d) {
-    float distance = plainDistance(frame.eye + vec3(frame.landReach, 0.0, frame.landReach),
-                                   frame.terrainSize + 2.0 * frame.landReach, d);
+    float distance = plainDistance(frame.eye, frame.terrainSize, d);
     return plainLight(frame.groundLight, hazeColor(d * distance), ATMOSPHERE ? frame.haze : clearHaze(frame.haze),
                       distance);
 }

@@ -30,13 +30,14 @@ vec3 soil(vec2 uv, float beyond) {
     return soilColor(image, frame.soilColor, map.rgb, map.a);
 }
 
-// Beyond the terrain what grows is told by the reflectance alone: soil is lit, and seen, through it. Its hills, which
-// no map of shadows knows, cast none; objects' shadows end softly.
+// Beyond the terrain what grows is told by the reflectance alone: soil is lit, and seen, through it. Hills cast no
+// shadows there: their map ends with the terrain.
 vec3 land(vec3 soil, float left, float beyond) {
     return landSends(soil * left, frame.landGrass, left, frame.landMean, landMean(beyond, frame.landFade));
 }
-vec3 landLight(vec3 n, float beyond) {
-    return ambientLight(n) + sunLight(n) * mix(sunVisible(position, vec3(0.0)), 1.0, min(beyond / 10.0, 1.0));
+vec3 landLight(vec3 n) {
+    bool shaded = OBJECT_SHADOWS && frame.sunIsUp > 0.0;
+    return ambientLight(n) + sunLight(n) * (shaded ? sunPastObjects(position, vec3(0.0)) : 1.0);
 }
 
 void main() {
@@ -46,7 +47,7 @@ void main() {
     float grown;
     SoilShares shares = soilUnder(uv, distance, grown);
     float beyond = TERRAIN_BEYOND ? beyondBy(place, frame.terrainSize) : 0.0;
-    vec3 light = beyond > 0.0 ? landLight(n, beyond) * land(soil(uv, beyond), shares.mean, beyond)
+    vec3 light = beyond > 0.0 ? landLight(n) * land(soil(uv, beyond), shares.mean, beyond)
                               : soilLight(position, n, shares) * soil(uv, 0.0);
     light = mix(light, hazeColor(position), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);

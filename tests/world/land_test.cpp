@@ -65,6 +65,10 @@ TEST(Land, SendsItsSoilWhereNothingGrowsAndAsACanopyWhereMuchDoes) {
     GrassField f;
     f.species[0].rootColor = f.species[0].midColor = f.species[0].tipColor = {0.1f, 0.2f, 0.04f};
     f.species[0].bladesPerM2 = 1e5f;
+    f.onTerrain = false;
+    p.registry.add<GrassField>(*addEntity(p, "moss"), f);
+    EXPECT_NEAR(landOf(p).mean.x, of(p).groundColor.x, 1e-5f) << "what grows on meshes alone is no ground";
+    f.onTerrain = true;
     p.registry.add<GrassField>(*addEntity(p, "grass"), f);
     const Land l = landOf(p);
     for (int k = 0; k < 3; ++k) {
