@@ -285,6 +285,8 @@ void draw(DrawContext& ctx) {
     // All are made before a second run asks for what closes pixels: programs follow from the scene alone.
     if (view.runs.empty() || !useVeil(ctx, kVeilPrograms) || !ctx.use()) return;
     beginVeil(ctx, kOwner, view.veil, kVeilPrograms);
+    // Tilted slices end where no tree reaches.
+    glEnable(GL_CLIP_DISTANCE1), glEnable(GL_CLIP_DISTANCE2);
     for (const Run& run : view.runs) {
         if (&run != view.runs.data()) closeFull(ctx, view.veil, kVeilPrograms);
         if (!ctx.use()) break;
@@ -297,6 +299,7 @@ void draw(DrawContext& ctx) {
         ctx.pass->draws += 1;
         ctx.pass->instances += run.count;
     }
+    glDisable(GL_CLIP_DISTANCE1), glDisable(GL_CLIP_DISTANCE2);
     endVeil(ctx, view.veil, kVeilPrograms);
 }
 
