@@ -396,7 +396,8 @@ std::vector<std::string> variants(bool inside) {
         for (const bool whole : {false, true})
             out.push_back(insideConstant(inside) + field + rayConstants(whole, RayRest::Mean) + depths[1]);
     for (const RayRest rest : {RayRest::Opaque, RayRest::Nothing})
-        out.push_back(insideConstant(inside) + fieldConstants(GrassDrawing{}, {}) + rayConstants(false, rest) + depths[0]);
+        out.push_back(insideConstant(inside) + fieldConstants(GrassDrawing{}, {}) + rayConstants(false, rest) +
+                      depths[0]);
     return out;
 }
 

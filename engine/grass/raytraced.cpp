@@ -75,14 +75,14 @@ void select(DrawContext& ctx) {
 
 std::string rayConstants(bool inside, bool whole, RayRest rest, RayVisibility visibility) {
     return fmt::format(
-        "const bool INSIDE = {};\nconst bool WHOLE = {};\nconst int REST = {};\nconst bool ENDS_AT_SCENE = {};\n", inside,
-        whole, static_cast<int>(rest), visibility == RayVisibility::Scene);
+        "const bool INSIDE = {};\nconst bool WHOLE = {};\nconst int REST = {};\nconst bool ENDS_AT_SCENE = {};\n",
+        inside, whole, static_cast<int>(rest), visibility == RayVisibility::Scene);
 }
 // Whether all of its blades grow and slices draw them all, wherever rays go: opacity is then what slices store.
 bool isWhole(const Field& field) {
     const FieldTiers& tiers = field.view->tiers;
-    return !field.draws(Feature::GrassDensity) && isSownWhole(field) && tiers.slicesFrom <= 0 &&
-           tiers.images.inv < 0 && tiers.images.min <= 0 && tiers.flat.inv == 0;
+    return !field.draws(Feature::GrassDensity) && isSownWhole(field) && tiers.slicesFrom <= 0 && tiers.images.inv < 0 &&
+           tiers.images.min <= 0 && tiers.flat.inv == 0;
 }
 bool endsAtScene(const Field& field) {
     return field.view->settings<RaytracedGrass>().visibility == RayVisibility::Scene;
@@ -92,7 +92,8 @@ enum Program { kOver, kInside };
 
 bool begin(DrawContext& ctx, const Field& field, bool inside) {
     const auto& own = field.view->settings<RaytracedGrass>();
-    const std::string constants = fieldConstants(field.view->of) + rayConstants(inside, isWhole(field), own.rest, own.visibility) +
+    const std::string constants = fieldConstants(field.view->of) +
+                                  rayConstants(inside, isWhole(field), own.rest, own.visibility) +
                                   (endsAtScene(field) ? depthConstants(ctx.targets) : depthVariants()[0]);
     if (!beginField(ctx, field, inside ? kInside : kOver, constants)) return false;
     glUniform1i(0, own.steps);

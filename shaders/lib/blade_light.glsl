@@ -1,6 +1,6 @@
 // How a point of a blade is coloured and lit: every light but what the shadow mask decides by the fragment.
-// Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue, lightness: as
-// numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
+// Needs: const bool GRASS_VEGETATION, GRASS_HEIGHTS, SUN, FOG, ATMOSPHERE, BLADE_SHADOWS, CASTING_LIGHTS. hue,
+// lightness: as numerics/population.h bladeTint takes them; uv: of the root (mapPlace).
 #include "lib/blade.glsl"
 #include "lib/field.glsl"
 #include "lib/density.glsl"

@@ -1,8 +1,8 @@
 // A ray through a shell of vertical slices, front to back, from where it enters (Habel, Wimmer and Jeschke 2007,
 // sections 3 and 4; H-1 to H-8), over level ground or over a mesh. Coordinates of the ray: x and z in cells of the
 // field; height in metres below the shell's top. The place's lean and slope are taken off the ray, so that slices stand
-// upright on level ground. Fragment shaders only. Needs: const int REST; const bool WHOLE: all of the patch's blades grow
-// wherever any do; what lib/slices.glsl needs.
+// upright on level ground. Fragment shaders only. Needs: const int REST; const bool WHOLE: all of the patch's blades
+// grow wherever any do; what lib/slices.glsl needs.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/slice_light.glsl"
@@ -145,8 +145,8 @@ float levelAt(float pixel, float facing) {
     return max(log2(max(max(texels.x, texels.y), 1e-6)) + log2(slices.sharpness), 0.0);
 }
 
-// A slice that a ray meets, with what it stores of light from above (front, back), its share of the ray's light, and the
-// level of detail at which that is looked up.
+// A slice that a ray meets, with what it stores of light from above (front, back), its share of the ray's light, and
+// the level of detail at which that is looked up.
 struct Sent {
     float share;
     Met met;
@@ -193,9 +193,9 @@ void meetRest(inout Walk walk, Shell shell, SliceRay ray, SliceHit hit, float pi
     float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
     s.met = metAt(hit, shell);
     uint r = hash2(grain, 79u);
-    s.met.texel = vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
-                       float(hit.family * (slices.layers - slices.slices) +
-                             int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
+    s.met.texel =
+        vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
+             float(hit.family * (slices.layers - slices.slices) + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
     vec4 stored;
     float alpha = opacityOf(s.met, shell, kCoarse, pixel, stored);
     if (!(alpha > 0.0)) return;

@@ -72,7 +72,8 @@ TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
     }
 }
 
-// Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long one.
+// Where no map says how much grows, a shorter program looks slices up; over a map that is full everywhere, the long
+// one.
 TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
     NoGlErrors errors;
     Project p = meadow(Technique::Raytraced);
