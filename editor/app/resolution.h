@@ -5,6 +5,7 @@
 // count what the rest of a frame costs.
 #pragma once
 #include <array>
+#include <cstddef>
 
 namespace sward {
 
@@ -21,7 +22,7 @@ struct PicturePiece {
 // What the full picture costs where: a grid of the smallest pieces, each with the milliseconds that a whole picture of
 // its cost would take, as last drawn. Below 0: not drawn yet, taken for the mean of the picture.
 inline constexpr int kPieceRows = 32, kPieceColumns = 24;
-using PieceCosts = std::array<double, static_cast<size_t>(kPieceRows) * kPieceColumns>;
+using PieceCosts = std::array<double, static_cast<std::size_t>(kPieceRows) * kPieceColumns>;
 
 struct Resolution {
     double movingScale = 1;   // side of the drawn image over the viewport's, learnt from what drawings cost
