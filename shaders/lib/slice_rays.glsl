@@ -69,6 +69,13 @@ float fallen(Shell shell, float t) { return (0.5 * shell.bend.x + shell.bend.y *
 // How far the ray is below the shell's top.
 float heightAt(SliceRay ray, Shell shell, float t) { return ray.entry.z + ray.direction.z * t + fallen(shell, t); }
 
+// axis: 0 for slices across x, 1 across z.
+int sidesOf(Shell shell, int axis, vec2 mirror) {
+    float from = axis == 0 ? shell.seen.x * mirror.x : shell.seen.z * mirror.y;
+    return (from < 0.0 ? 0 : kBehind) | (mirror.x > 0.0 ? 0 : kMirrorX) | (mirror.y > 0.0 ? 0 : kMirrorZ) |
+           (axis == 0 ? 0 : kAcrossZ);
+}
+
 Met metAt(SliceHit hit, Shell shell) {
     int n = slices.slices, axis = hit.family;
     float half_ = 0.5 / float(n), height = hit.position.z + fallen(shell, hit.t);
@@ -78,15 +85,13 @@ Met metAt(SliceHit hit, Shell shell) {
     ivec2 cell = axis == 0 ? ivec2(across, int(whole)) : ivec2(int(whole), across);
     CellVersion v = cellVersion(int(slices.eyeCell.x) + cell.x, int(slices.eyeCell.y) + cell.y, slices.seed);
     vec2 signs = axis == 0 ? v.mirror : v.mirror.yx, begin = axis == 0 ? v.shift : v.shift.yx;
-    float seen = (axis == 0 ? -shell.seen.x : -shell.seen.z) * signs.x;
     int layer = (signs.x > 0.0 ? k : n - 1 - k) + n - int(begin.x * float(n) + 0.5);  // repeats after n
     if (layer >= n) layer -= n;
     float in_ = along - whole;
     Met m;
     m.texel = vec3((signs.y > 0.0 ? 1.0 + in_ : 2.0 - in_) - begin.y, clamp(1.0 + height / shell.height, 0.0, 1.0),
                    float(axis * (slices.layers - n) + layer));
-    m.sides = (seen > 0.0 ? 0 : kBehind) | (v.mirror.x > 0.0 ? 0 : kMirrorX) | (v.mirror.y > 0.0 ? 0 : kMirrorZ) |
-              (axis == 0 ? 0 : kAcrossZ);
+    m.sides = sidesOf(shell, axis, v.mirror);
     float here = (float(hit.k) + 0.5) / float(n);
     m.at = axis == 0 ? vec2(here, along) : vec2(along, here);
     m.above = shell.height + height;
@@ -166,8 +171,12 @@ bool meetsSlice(SliceHit hit) { return hit.family == kRayU || hit.family == kRay
 // Opacity that has come together along a ray, and the two slices that send the most of its light: the others are taken
 // to be as bright as these in the mean, which spares two look-ups and the light of each.
 struct Walk {
+    SliceRay ray;
+    SliceHit hit;  // what it meets next
+    int left;      // steps
     float through;
     float depth;  // as Sum has it
+    float last;   // of the slices that were met, metres from the start
     Sent most, next;
 };
 
@@ -183,19 +192,23 @@ void meet(inout Walk walk, Sent s, float alpha, float t) {
     if (most) walk.most = s;
 }
 
-// What slices from `hit` on would show up to the shell's end, as one slice more. Which of them is looked at, and where,
-// is random: looked at where the ray goes on, coarse texels would show as blocks.
-void meetRest(inout Walk walk, Shell shell, SliceRay ray, SliceHit hit, float pixel, uint grain) {
+// What slices from `hit` on would show up to the shell's end, as one slice more. Which of them is looked at, where, and
+// how its cell is mirrored, is random: looked at where the ray goes on, coarse texels would show as blocks.
+void meetRest(inout Walk walk, Shell shell, float pixel, uint grain) {
+    SliceRay ray = walk.ray;
+    SliceHit hit = walk.hit;
     if (REST == REST_NOTHING || !meetsSlice(hit) || !(walk.through > 1.0 - cutOff)) return;
     Sent s;
     s.fine = kCoarse;
     vec2 speed = abs(ray.direction.xy) * float(slices.slices);
     float left = max(ray.end - hit.t, 0.0), middle = hit.t + 0.5 * min(left, slices.cellSize);
-    s.met = metAt(hit, shell);
     uint r = hash2(grain, 79u);
-    s.met.texel =
-        vec3(hashUnit(r), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
-             float(hit.family * (slices.layers - slices.slices) + int(hashUnit(hash2(r, 1u)) * float(slices.slices))));
+    int across = hit.family == kRayU ? 0 : 1, n = slices.slices;
+    if (!WHOLE) s.met = metAt(hit, shell);  // its place says what grows there
+    s.met.texel = vec3(hashUnit(r << 14), clamp(1.0 + heightAt(ray, shell, middle) / shell.height, 0.0, 1.0),
+                       float(across * (slices.layers - n) + int((r >> 20) * uint(n) >> 12)));
+    s.met.t = hit.t;
+    s.met.sides = sidesOf(shell, across, vec2((r & 1u) == 0u ? 1.0 : -1.0, (r & 2u) == 0u ? 1.0 : -1.0));
     vec4 stored;
     float alpha = opacityOf(s.met, shell, kCoarse, pixel, stored);
     if (!(alpha > 0.0)) return;
@@ -212,36 +225,44 @@ int stepsAt(float pixel) {
     return int(clamp(ceil(float(steps) * apart / max(footprint, 1e-6)), 1.0, float(steps)));
 }
 
+bool goesOn(Walk walk) { return walk.left > 0 && meetsSlice(walk.hit) && walk.through > 1.0 - cutOff; }
+
+// One slice on, if there is any.
+void step(inout Walk walk, Shell shell, vec2 levels, float pixel) {
+    bool on = goesOn(walk), isU = walk.hit.family == kRayU;
+    float turned = isU ? shell.turned.x : shell.turned.y, level = isU ? levels.x : levels.y, alpha = 0.0;
+    vec4 stored = vec4(0.0);
+    Sent s;
+    s.met = metAt(walk.hit, shell);
+    if (on) alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
+    s.above = stored.zw, s.fine = max(level - 1.0, 0.0);
+    meet(walk, s, alpha, walk.hit.t);
+    if (alpha > 0.004) walk.last = walk.hit.t;
+    if (!on) return;
+    walk.ray = sliceAfter(walk.ray, walk.hit);
+    walk.hit = sliceHit(walk.ray);
+    --walk.left;
+}
+
 Sum traced(Shell shell, SliceRay ray, uint grain) {
     // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
-    float pixel = pixelAt(max(length(shell.start), slices.cellSize)), last = 0.0;
+    float pixel = pixelAt(max(length(shell.start), slices.cellSize));
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
     levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
-    SliceHit hit = sliceHit(ray);
     Walk walk;
-    walk.through = 1.0, walk.depth = -1.0;
+    walk.ray = ray, walk.hit = sliceHit(ray);
+    walk.left = stepsAt(pixel);
+    walk.through = 1.0, walk.depth = -1.0, walk.last = 0.0;
     walk.most.share = 0.0, walk.next.share = 0.0;
-    int left = stepsAt(pixel);
-    bool on = meetsSlice(hit);
-    // The test stands at the end: rasterisers in software run what stands behind a test once more for nothing.
+    // Two steps a round, and the test at the end: rasterisers in software keep what a round hands on in memory, and
+    // run what stands behind a test once more for nothing.
     do {
-        Sent s;
-        s.met = metAt(hit, shell);
-        vec4 stored;
-        bool isU = hit.family == kRayU;
-        float turned = on ? (isU ? shell.turned.x : shell.turned.y) : 0.0, level = isU ? levels.x : levels.y;
-        float alpha = opacityOf(s.met, shell, level, pixel, stored) * turned;
-        s.above = stored.zw, s.fine = max(level - 1.0, 0.0);
-        meet(walk, s, alpha, hit.t);
-        if (alpha > 0.004) last = hit.t;
-        ray = sliceAfter(ray, hit);
-        hit = sliceHit(ray);
-        --left;
-        on = on && left > 0 && meetsSlice(hit) && walk.through > 1.0 - cutOff;
-    } while (on);
-    meetRest(walk, shell, ray, hit, pixel, grain);
+        step(walk, shell, levels, pixel);
+        step(walk, shell, levels, pixel);
+    } while (goesOn(walk));
+    meetRest(walk, shell, pixel, grain);
     Sum sum;
-    sum.through = walk.through, sum.depth = walk.depth < 0.0 ? last : walk.depth;
+    sum.through = walk.through, sum.depth = walk.depth < 0.0 ? walk.last : walk.depth;
     vec3 light = sentLight(walk.most, shell, pixel) + sentLight(walk.next, shell, pixel);
     sum.light = light * ((1.0 - walk.through) / max(walk.most.share + walk.next.share, 1e-6));
     return sum;

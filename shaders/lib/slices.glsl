@@ -23,9 +23,16 @@ struct LookTap {
     ivec4 view;
     vec4 weight;
 };
+// Azimuth from x towards z in eighths of a turn, [0, 8): exact at whole ones, within 0.005 between; 0 of no direction.
+float eighths(vec2 d) {
+    vec2 size = abs(d);
+    float t = min(size.x, size.y) / max(max(size.x, size.y), 1e-6), turn = t * (1.3476 - 0.3476 * t);
+    if (size.y > size.x) turn = 2.0 - turn;
+    if (d.x < 0.0) turn = 4.0 - turn;
+    return d.y < 0.0 && turn > 0.0 ? 8.0 - turn : turn;
+}
 LookTap lookTap(vec3 toEye) {
-    float turn = fract(atan(toEye.z, toEye.x) / 6.28318530718) * float(LOOK_AZIMUTHS);
-    if (!(abs(toEye.x) + abs(toEye.z) > 1e-6)) turn = 0.0;
+    float turn = eighths(toEye.xz);
     float high = sqrt(clamp(toEye.y, 0.0, 1.0)) * float(LOOK_ELEVATIONS - 1);
     int a = min(int(turn), LOOK_AZIMUTHS - 1), b = (a + 1) % LOOK_AZIMUTHS, low = min(int(high), LOOK_ELEVATIONS - 2);
     float fa = turn - float(a), fh = high - float(low);
