@@ -1,6 +1,6 @@
 // Fields by PATH: finding, listing. Their values as text: project_values.cpp.
-#include <charconv>
 #include <cstring>
+#include <functional>
 
 #include "scene/moved_fields.h"
 #include "scene/project.h"
@@ -25,8 +25,6 @@ std::string listNames(const Range& range, NameOf&& nameOf) {
     for (const auto& item : range) out += (out.empty() ? "" : ", ") + std::string(nameOf(item));
     return out.empty() ? "nothing" : out;
 }
-
-bool isNumber(const std::string& s) { return !s.empty() && s.find_first_not_of("0123456789") == std::string::npos; }
 
 // "a.b[c].d" -> "a", "b", "[c]", "d". Empty if the brackets do not match or a part is empty.
 std::vector<std::string> splitPath(const std::string& path) {
@@ -77,21 +75,36 @@ Result<BasicFieldRef<Void>> descend(BasicFieldRef<Void> ref, Void* base, std::sp
     const Result<size_t> element = findElement(ref, selector);
     if (!element) return element.error();
     const ListRow& list = *row->list;
-    ref.path += "[" + elementSelectors(list, ref.value)[*element] + "]";
+    ref.path += "[" + elementSelector(list, ref.value, *element) + "]";
     return descend<Void>(ref, elementOf(list, ref.value, *element), list.fields, parts.subspan(2), path);
 }
 
+// Fields that are looked for: of a kind, and with a value that is wanted.
+struct Wanted {
+    bool (*kind)(const FieldRow&);
+    std::function<bool(const void*)> value;
+};
+
+// Whether there is one of the kind among the rows, or in lists below them.
+bool holdKind(std::span<const FieldRow> rows, const Wanted& wanted) {
+    return std::any_of(rows.begin(), rows.end(), [&](const FieldRow& row) {
+        return wanted.kind(row) || (row.type == FieldType::List && holdKind(row.list->fields, wanted));
+    });
+}
+
 // Adds the fields below `base` that are wanted, those of list elements too, in the order of the rows.
-template <class Void, class Wanted>
+template <class Void>
 void collect(const BasicFieldRef<Void>& parent, Void* base, std::span<const FieldRow> rows, const Wanted& wanted,
              std::vector<BasicFieldRef<Void>>& out) {
     for (const FieldRow& row : rows) {
+        const bool below = row.type == FieldType::List && holdKind(row.list->fields, wanted);
+        if (!below && !wanted.kind(row)) continue;
         BasicFieldRef<Void> ref = parent;
         ref.value = at(base, row);
         ref.row = &row;
         ref.path += fmt::format(".{}", row.name);
-        if (wanted(row, ref.value)) out.push_back(ref);
-        if (row.type != FieldType::List) continue;
+        if (wanted.kind(row) && wanted.value(ref.value)) out.push_back(ref);
+        if (!below) continue;
         const std::vector<std::string> selectors = elementSelectors(*row.list, ref.value);
         for (size_t i = 0; i < selectors.size(); ++i) {
             BasicFieldRef<Void> element = ref;
@@ -102,7 +115,7 @@ void collect(const BasicFieldRef<Void>& parent, Void* base, std::span<const Fiel
 }
 
 // Of all components, in the order of entities' names.
-template <class AnyProject, class Wanted>
+template <class AnyProject>
 auto collectAll(AnyProject& p, std::span<const ComponentRow> rows, const Wanted& wanted) {
     std::vector<RefIn<AnyProject>> out;
     for (const auto& [name, entity] : p.entities)
@@ -155,9 +168,9 @@ Result<RefIn<AnyProject>> fieldIn(AnyProject& p, std::span<const ComponentRow> r
 
 template <class AnyProject>
 std::vector<RefIn<AnyProject>> mapsIn(AnyProject& p, std::span<const ComponentRow> rows, bool absentToo) {
-    auto out = collectAll(p, rows, [&](const FieldRow& row, const void* value) {
-        return row.type == FieldType::Map && (absentToo || static_cast<const MapField*>(value)->present());
-    });
+    auto out = collectAll(p, rows,
+                          {[](const FieldRow& row) { return row.type == FieldType::Map; },
+                           [&](const void* map) { return absentToo || static_cast<const MapField*>(map)->present(); }});
     std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     return out;
 }
@@ -190,14 +203,10 @@ Result<RefIn<AnyProject>> mapIn(AnyProject& p, std::span<const ComponentRow> row
 
 Result<size_t> findElement(const ConstFieldRef& list, const std::string& selector) {
     CHECK(list.row->type == FieldType::List);
-    const std::vector<std::string> names = elementSelectors(*list.row->list, list.value);
-    const auto named = std::find(names.begin(), names.end(), selector);
-    if (named != names.end()) return size_t(named - names.begin());
-    size_t number = 0;
-    const auto end = std::from_chars(selector.data(), selector.data() + selector.size(), number);
-    if (isNumber(selector) && end.ec == std::errc() && number < names.size()) return number;
+    const ListRow& row = *list.row->list;
+    if (const std::optional<size_t> element = selectedElement(row, list.value, selector)) return *element;
     return usage(fmt::format("{}: no element \"{}\"", list.path, selector),
-                 "there are: " + listNames(names, [](const std::string& s) { return s; }));
+                 "there are: " + listNames(elementSelectors(row, list.value), [](const std::string& s) { return s; }));
 }
 
 Result<FieldRef> findField(Project& p, std::span<const ComponentRow> rows, const std::string& path) {
@@ -215,9 +224,9 @@ std::vector<ConstFieldRef> allMaps(const Project& p, std::span<const ComponentRo
 }
 
 std::vector<ConstFieldRef> allFiles(const Project& p, std::span<const ComponentRow> rows) {
-    return collectAll(p, rows, [](const FieldRow& row, const void* value) {
-        return row.isFile && !static_cast<const std::string*>(value)->empty();
-    });
+    return collectAll(p, rows,
+                      {[](const FieldRow& row) { return row.isFile; },
+                       [](const void* file) { return !static_cast<const std::string*>(file)->empty(); }});
 }
 
 Result<FieldRef> findMap(Project& p, std::span<const ComponentRow> rows, const std::string& name) {

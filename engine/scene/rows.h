@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -279,6 +280,9 @@ struct Tables {
 // How a path selects each element of a list: by its name (the first String field) where that is one and no other's,
 // else by its number from 0.
 std::vector<std::string> elementSelectors(const ListRow& row, const void* list);
+// That of one element; and the element of a selector, if there is one. Both look at names alone.
+std::string elementSelector(const ListRow& row, const void* list, size_t i);
+std::optional<size_t> selectedElement(const ListRow& row, const void* list, const std::string& selector);
 
 // The row named so, or null.
 const ComponentRow* findComponent(std::span<const ComponentRow> rows, std::string_view name);

@@ -31,7 +31,15 @@ TEST(Rows, AnElementIsSelectedByANameThatIsItsOwnElseByItsNumber) {
     const auto selectors = [&](std::initializer_list<const char*> names) {
         std::vector<Species> list;
         for (const char* name : names) list.emplace_back().name = name;
-        return elementSelectors(*species->list, &list);
+        const std::vector<std::string> all = elementSelectors(*species->list, &list);
+        for (size_t i = 0; i < all.size(); ++i) {
+            EXPECT_EQ(elementSelector(*species->list, &list, i), all[i]);
+            EXPECT_EQ(selectedElement(*species->list, &list, all[i]), i);
+            EXPECT_EQ(selectedElement(*species->list, &list, std::to_string(i)), i) << "its number will do, too";
+        }
+        for (const char* none : {"", "nobody", "99", "-1", "1x", "a.b"})
+            EXPECT_EQ(selectedElement(*species->list, &list, none), std::nullopt) << none;
+        return all;
     };
     using Texts = std::vector<std::string>;
     EXPECT_EQ(selectors({}), Texts{});
