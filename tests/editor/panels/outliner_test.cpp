@@ -87,9 +87,9 @@ TEST_F(Outliner, AllInAFolderAreHiddenAndLockedInOneStep) {
     click("Outliner/Folders/light/Hide");
     click("Outliner/Folders/light/Lock");
     EXPECT_EQ(doc.stepsDone(), steps + 2);
-    for (const char* name : {"sun", "sky"}) {
-        EXPECT_TRUE(doc.project().registry.get<Hidden>(findEntity(doc.project(), name)));
-        EXPECT_TRUE(isLocked(doc.project(), name));
+    for (const char* entity : {"sun", "sky"}) {
+        EXPECT_TRUE(doc.project().registry.get<Hidden>(findEntity(doc.project(), entity)));
+        EXPECT_TRUE(isLocked(doc.project(), entity));
     }
     EXPECT_FALSE(isLocked(doc.project(), "camera"));
     click("Outliner/Folders/light/Show");
