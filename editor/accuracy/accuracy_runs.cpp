@@ -101,15 +101,9 @@ std::string outcomeOf(const Json& fit) {
 
 bool isViewSetting(const std::string& value) { return value.starts_with("msaa=") || value.starts_with("detail="); }
 
-std::vector<std::string> grassEntities(const Document& document) {
-    std::vector<std::string> names;
-    for (const auto& [name, e] : document.project().entities)
-        if (document.project().registry.get<GrassField>(e)) names.push_back(name);
-    return names;
-}
-
 Status adoptIn(Document& document, const std::string& entity, const CostSetting& setting) {
-    if (Status s = document.setField(entity + ".GrassField.technique", setting.technique); !s) return s;
+    const auto [held, technique] = techniqueField(entity, setting.technique);
+    if (Status s = document.setField(held, technique); !s) return s;
     for (const std::string& text : setting.values) {
         const auto v = settingValue(text);
         if (!v || isViewSetting(text) || !v->isFor(entity)) continue;
@@ -213,9 +207,11 @@ CostSetting settingOf(const std::string& technique, const std::string& text) {
 }
 
 bool isPresent(const Document& document, const CostSetting& setting) {
-    for (const std::string& entity : grassEntities(document)) {
-        const Project& project = document.project();
-        if (project.registry.get<GrassField>(findEntity(project, entity))->technique != setting.technique) return false;
+    const Project& project = document.project();
+    for (const std::string& entity : entitiesOf(project, setting.technique)) {
+        const auto [held, technique] = techniqueField(entity, setting.technique);
+        const auto own = findField(project, document.tables().components, held);
+        if (!own || fieldText(*own) != technique) return false;
         for (const std::string& value : setting.values) {
             if (isViewSetting(value) && value != "msaa=4" && value != "detail=1") return false;
             const auto v = settingValue(value);
@@ -231,7 +227,7 @@ bool isPresent(const Document& document, const CostSetting& setting) {
 Result<std::vector<std::string>> adoptSettings(Document& document, const CostSetting& setting) {
     Status done;
     document.beginGroup("adopt settings");
-    for (const std::string& entity : grassEntities(document))
+    for (const std::string& entity : entitiesOf(document.project(), setting.technique))
         if (done) done = adoptIn(document, entity, setting);
     done ? document.endGroup() : document.cancelGroup();
     if (!done) return done.error();

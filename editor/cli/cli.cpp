@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/log.h"
+#include "cost/cost_settings.h"
 #include "cost/effect_probe.h"
 #include "model/bakes.h"
 
@@ -132,9 +133,8 @@ struct Verbs {
             "--numerics", cost.numerics,
             "the price of formulas: each form's error and time, on the CPU and in a shader; needs no project");
         c->add_flag("--json", cost.json, "with --numerics: print JSON")->needs(numerics);
-        c->add_option(
-            "--technique", cost.technique,
-            "sweep one alone beside the project as it is: " + techniqueNames(tables().techniques) + " (default: all)");
+        c->add_option("--technique", cost.technique,
+                      "sweep one alone beside the project as it is: " + sweptNames(tables()) + " (default: all)");
         c->add_option("--out", cost.out,
                       "folder for table, plots and report; run again, it goes on where it stopped; with --numerics for "
                       "numerics.csv and numerics.json");

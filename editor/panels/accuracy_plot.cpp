@@ -16,8 +16,8 @@ namespace {
 ImU32 opaque(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
 // A technique's colour; white for rows of one that the table lacks.
 ImU32 colorOf(std::span<const TechniqueRow> techniques, const std::string& name) {
-    const TechniqueRow* row = findTechnique(techniques, name);
-    return row ? opaque(row->color) : ui::kStrongLine;
+    const std::optional<uint32_t> rgb = techniqueRgb(techniques, name);
+    return rgb ? opaque(*rgb) : ui::kStrongLine;
 }
 
 // A logarithmic axis: values to pixels.

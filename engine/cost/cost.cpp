@@ -129,9 +129,11 @@ Status measure(Sweep& s, Prepared& p, CostRow& row, const CostTruth& truth) {
 }
 
 // --- what it will take -------------------------------------------------------------------------------------------
-// Grass without blades by the technique that asks least of the scene.
+// Grass without blades by the technique that asks least of the scene; nothing where there is no grass.
 std::optional<CostSetting> plainest(const Sweep& s, const Prepared& p) {
-    const FieldEntity field = fieldsOf(p.project).front().second;
+    const auto fields = fieldsOf(p.project);
+    if (fields.empty()) return std::nullopt;
+    const FieldEntity field = fields.front().second;
     const TechniqueRow* least = nullptr;
     for (const TechniqueRow& row : s.tables.techniques)
         if (row.tiers(field).blades.max <= 0 &&

@@ -1,6 +1,7 @@
 #include "cost/cost_settings.h"
 
 #include "core/json.h"
+#include "scene/forest_technique.h"
 
 namespace sward {
 namespace {
@@ -33,18 +34,55 @@ Result<bool> setView(ViewSettings& view, const std::string& name, const std::str
     return true;
 }
 
-// What a technique's row tries, around each field's own values.
-std::vector<SettingValues> sweptBy(const TechniqueRow& row,
-                                   const std::vector<std::pair<std::string, FieldEntity>>& fields) {
-    if (!row.sweep) return {{"msaa=4"}};
-    const size_t settings = row.sweep(fields.front().second).size();
+// What a technique's row tries, around each field's own values: sweep(one of `each`) is a list, equally long for all.
+template <class T, class F>
+std::vector<SettingValues> sweptBy(const std::vector<std::pair<std::string, T>>& fields, F sweep) {
+    const size_t settings = sweep(fields.front().second).size();
     std::vector<SettingValues> out;
     for (size_t i = 0; i < settings; ++i) {
         std::vector<std::pair<std::string, SettingValues>> each;
-        for (const auto& [name, field] : fields) each.push_back({name, row.sweep(field).at(i)});
+        for (const auto& [name, field] : fields) each.push_back({name, sweep(field).at(i)});
         out.push_back(mergedValues(each));
     }
     return out;
+}
+void addGrass(std::vector<CostSetting>& out, const Project& project, const Tables& tables, const std::string& only) {
+    const auto fields = fieldsOf(project);
+    for (const TechniqueRow& row : tables.techniques) {
+        if (fields.empty() || (!only.empty() && only != row.name)) continue;
+        const auto sweep = [&](const FieldEntity& f) {
+            return row.sweep ? row.sweep(f) : std::vector<SettingValues>{{"msaa=4"}};
+        };
+        for (const SettingValues& v : sweptBy(fields, sweep)) out.push_back({row.name, v});
+    }
+}
+void addForests(std::vector<CostSetting>& out, const Project& project, const std::string& only) {
+    const auto forests = growingForests(project);
+    for (const ForestTechniqueRow& row : forestTechniques()) {
+        if (forests.empty() || (!only.empty() && only != kEveryForestTechnique && only != row.name)) continue;
+        const auto sweep = [&](const Forest* f) { return row.sweep(*f); };
+        for (const SettingValues& v : sweptBy(forests, sweep)) out.push_back({row.name, v});
+    }
+}
+// Of one entity.
+Status applyTo(Project& project, const Tables& tables, const std::string& entity, const CostSetting& setting,
+               ViewSettings& view) {
+    if (!setting.technique.empty()) {
+        const auto [path, value] = techniqueField(entity, setting.technique);
+        if (Status s = setField(project, tables, path, value); !s) return s;
+    }
+    const GrassField* field = project.registry.get<GrassField>(findEntity(project, entity));
+    const std::string technique = setting.technique.empty() && field ? field->technique : setting.technique;
+    for (const std::string& text : setting.values) {
+        const auto v = settingValue(text);
+        if (!v) return v.error();
+        const auto ofView = setView(view, v->name, v->value);
+        if (!ofView) return ofView.error();
+        if (*ofView || !v->isFor(entity)) continue;
+        if (Status s = setField(project, tables, settingPath(tables, entity, technique, v->name), v->value); !s)
+            return s;
+    }
+    return {};
 }
 
 }  // namespace
@@ -76,6 +114,7 @@ SettingValues mergedValues(const std::vector<std::pair<std::string, SettingValue
 
 std::string settingPath(const Tables& tables, const std::string& entity, const std::string& technique,
                         const std::string& name) {
+    if (findForestTechnique(technique)) return entity + ".Forest." + name;
     const TechniqueRow* row = findTechnique(tables.techniques, technique);
     const auto has = [&](const ComponentRow& c) {
         return std::any_of(c.fields.begin(), c.fields.end(), [&](const FieldRow& f) { return name == f.name; });
@@ -87,6 +126,27 @@ std::string settingPath(const Tables& tables, const std::string& entity, const s
     return entity + ".GrassField." + name;
 }
 
+std::vector<std::string> entitiesOf(const Project& project, const std::string& technique) {
+    std::vector<std::string> names;
+    if (findForestTechnique(technique))
+        for (const auto& [name, forest] : growingForests(project)) names.push_back(name);
+    else
+        for (const auto& [name, field] : fieldsOf(project)) names.push_back(name);
+    return names;
+}
+
+std::pair<std::string, std::string> techniqueField(const std::string& entity, const std::string& technique) {
+    if (const ForestTechniqueRow* row = findForestTechnique(technique))
+        return {entity + ".Forest.technique", kForestTechniques[row->technique]};
+    return {entity + ".GrassField.technique", technique};
+}
+
+std::string sweptNames(const Tables& tables) {
+    std::string names = techniqueNames(tables.techniques);
+    for (const ForestTechniqueRow& row : forestTechniques()) names += std::string(", ") + row.name;
+    return names + ", or " + kEveryForestTechnique + " for all of forests";
+}
+
 std::string CostSetting::text() const {
     std::string all;
     for (const std::string& v : values) all += (all.empty() ? "" : " ") + v;
@@ -95,9 +155,12 @@ std::string CostSetting::text() const {
 
 std::string ownTechniques(const Project& project) {
     std::vector<std::string> names;
-    for (const auto& [name, field] : fieldsOf(project))
-        if (std::find(names.begin(), names.end(), field.grows.technique) == names.end())
-            names.push_back(field.grows.technique);
+    const auto add = [&](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const auto& [name, field] : fieldsOf(project)) add(field.grows.technique);
+    if (names.empty())
+        for (const auto& [name, forest] : growingForests(project)) add(techniqueOf(*forest).name);
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : "+") + name;
     return all;
@@ -105,16 +168,18 @@ std::string ownTechniques(const Project& project) {
 
 Result<std::vector<CostSetting>> costSettings(const Project& project, const Tables& tables,
                                               const std::string& technique) {
-    const auto fields = fieldsOf(project);
-    if (fields.empty()) return unsound("the project has no grass", "add a GrassField").at(project.dir);
-    if (!technique.empty() && !findTechnique(tables.techniques, technique))
-        return usage("there is no technique \"" + technique + "\"", techniqueNames(tables.techniques));
+    const bool isForests = technique == kEveryForestTechnique || findForestTechnique(technique);
+    if (!technique.empty() && !isForests && !findTechnique(tables.techniques, technique))
+        return usage("there is no technique \"" + technique + "\"", sweptNames(tables));
+    const bool grass = !fieldsOf(project).empty(), forests = !growingForests(project).empty();
+    if (isForests && !forests) return unsound("the project has no forest", "add a Forest").at(project.dir);
+    if (!grass && (!forests || (!technique.empty() && !isForests)))
+        return unsound("the project has no grass", "add a GrassField").at(project.dir);
     const std::string own = ownTechniques(project);
-    std::vector<CostSetting> out{{findTechnique(tables.techniques, own) ? own : "", {}}};
-    for (const TechniqueRow& row : tables.techniques) {
-        if (!technique.empty() && technique != row.name) continue;
-        for (const SettingValues& v : sweptBy(row, fields)) out.push_back({row.name, v});
-    }
+    const bool one = findTechnique(tables.techniques, own) || findForestTechnique(own);
+    std::vector<CostSetting> out{{one ? own : "", {}}};
+    addGrass(out, project, tables, technique);
+    addForests(out, project, technique);
     return out;
 }
 
@@ -129,21 +194,8 @@ bool drawsNoLess(const CostSetting& a, const CostSetting& b) {
 }
 
 Status applySetting(Project& project, const Tables& tables, const CostSetting& setting, ViewSettings& view) {
-    for (const auto& [name, e] : project.entities) {
-        const GrassField* field = project.registry.get<GrassField>(e);
-        if (!field) continue;
-        if (!setting.technique.empty())
-            if (Status s = setField(project, tables, name + ".GrassField.technique", setting.technique); !s) return s;
-        for (const std::string& text : setting.values) {
-            const auto v = settingValue(text);
-            if (!v) return v.error();
-            const auto ofView = setView(view, v->name, v->value);
-            if (!ofView) return ofView.error();
-            if (*ofView || !v->isFor(name)) continue;
-            const std::string path = settingPath(tables, name, field->technique, v->name);
-            if (Status s = setField(project, tables, path, v->value); !s) return s;
-        }
-    }
+    for (const std::string& entity : entitiesOf(project, setting.technique))
+        if (Status s = applyTo(project, tables, entity, setting, view); !s) return s;
     return {};
 }
 

@@ -6,6 +6,7 @@
 #include "core/hash.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
+#include "scene/forest_technique.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -31,12 +32,19 @@ std::pair<std::vector<float>, int> seedStrips(const std::vector<float>& grass, i
     return any ? std::pair(std::move(left), kStripEvery * kStripRows / kShardRows) : std::pair(grass, 1);
 }
 
-// Names what the truth follows from: the project without how its grass is drawn.
+// Leaves of a forest what says which trees stand: how they are drawn is as usual.
+void drawAsUsual(Forest& f) {
+    const Forest usual;
+    f.technique = usual.technique, f.meshesTo = usual.meshesTo, f.meshDetail = usual.meshDetail;
+    f.storage = usual.storage, f.silhouetteDeg = usual.silhouetteDeg, f.slant = usual.slant;
+}
+// Names what the truth follows from: the project without how its grass and its forests are drawn.
 uint64_t populationHash(const Project& p, const Tables& tables) {
     Project plain = snapshot(p, tables.components);
     const GrassField usual;
     for (const auto& [name, e] : plain.entities) {
         if (GrassField* f = plain.registry.get<GrassField>(e)) f->technique = usual.technique;
+        if (Forest* f = plain.registry.get<Forest>(e)) drawAsUsual(*f);
         for (const ComponentRow& row : tables.components)
             if (row.settingsOf && !row.readByTruth) row.remove(plain.registry, e);
     }
@@ -48,7 +56,7 @@ fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, co
     const std::string of =
         fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), view.name, s.width, s.height,
                     r.time + view.since, s.samples, s.seed, static_cast<int>(s.lighting), SWARD_VERSION) +
-        (s.shards > 1 ? " strips" : "");
+        (s.shards > 1 ? " strips" : "") + (growingForests(p).empty() ? "" : " trees");
     return r.folder / ("truth-" + hashHex(hashText(of)) + ".exr");
 }
 
@@ -173,7 +181,7 @@ Result<CostTruth> costTruthAlone(const CostRequest& r, const Project& project, c
     if (std::any_of(truth->grass.begin(), truth->grass.end(), [](float g) { return g > 0; }))
         return CostTruth{
             std::move(truth->picture), std::move(truth->grass), {view.name, {}, {}, {}, truth->error, truth->image}};
-    return failed(view.name + " sees no grass", "choose another with --camera");
+    return failed(view.name + " sees no grass and no forest", "choose another with --camera");
 }
 
 Result<CostTruth> costTruth(const CostRequest& r, const Project& project, const Tables& tables, const CostView& view,

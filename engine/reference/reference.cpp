@@ -388,7 +388,7 @@ Sums samplePixel(const View& v, int x, int y, GrassMemory& memory, const JobCont
         if (met && v.hasHaze) light = inHaze(v, light, *met);
         const glm::dvec3 l(glm::clamp(light, glm::vec3(0), glm::vec3(kBrightest)));
         sums.light += l, sums.squares += l * l;
-        sums.grass += met && met->met == Met::Blade;
+        sums.grass += met && (met->met == Met::Blade || met->ofTree);
     }
     return sums;
 }

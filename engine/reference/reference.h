@@ -40,7 +40,7 @@ struct Truth {
     int width = 0, height = 0;
     std::vector<float> color;  // RGB, linear, before tone mapping, first row on top: as Renderer::readLinear
     std::vector<float> error;  // RGB, standard error of color; infinite with one sample
-    std::vector<float> grass;  // share of the pixel's samples that meet a blade first
+    std::vector<float> grass;  // share of the pixel's samples that meet a blade, or a tree of a forest, first
 };
 
 // A project prepared for rays, as it is at a scene time. Takes a copy (maps share their tiles); tracing is from any

@@ -131,6 +131,7 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
             out.casts.push_back(scatter->castShadows);
         }
     }
+    out.firstTree = out.instances.placed.size();
     if (Status s = addForests(out, p, ground, origin, castersAlone); !s) return s.error();
     return out;
 }

@@ -29,6 +29,7 @@ struct ScatteredTriangles {
     std::vector<Mesh> meshes;        // the same with their vertices' other parts
     TriangleInstances instances;
     std::vector<bool> casts;  // by instance
+    size_t firstTree = 0;     // of the instances: from it on they are trees
 };
 // Those that cast shadows alone, or all. origin: of the positions, in the world. Errors: a file that cannot be read.
 Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone);

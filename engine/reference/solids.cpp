@@ -114,8 +114,8 @@ Status Solids::addScattered(const Project& p) {
     }
     for (size_t i = 0; i < scattered_.casts.size(); ++i) {
         const TriangleInstances::Placed& at = scattered_.instances.placed[i];
-        objects_.push_back(
-            {&scattered_.meshes[at.mesh], glm::dvec3(at.at), glm::dmat3(at.turn), scattered_.casts[i], true});
+        objects_.push_back({&scattered_.meshes[at.mesh], glm::dvec3(at.at), glm::dmat3(at.turn), scattered_.casts[i],
+                            true, i >= scattered_.firstTree});
         imagesOf_.push_back(&scatteredImages_[at.mesh]);
     }
     return {};
@@ -214,6 +214,7 @@ Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
     const MeshPart& part = partOf(*o.mesh, h.triangle);
     Surface s;
     s.met = Met::Object;
+    s.ofTree = o.isTree;
     s.t = static_cast<double>(h.t);
     s.at = ray.origin + ray.way * s.t;
     const glm::vec3 flat = o.instanced ? glm::vec3(o.turn * glm::dvec3(h.normal)) : h.normal;

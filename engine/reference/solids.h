@@ -33,6 +33,7 @@ class Solids {
         glm::dmat3 turn;
         bool casts;
         bool instanced = false;  // its triangles' normals are not turned
+        bool isTree = false;     // of a forest
     };
     Solids() = default;
     Status addScattered(const Project& p);

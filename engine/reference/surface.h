@@ -31,6 +31,7 @@ struct Surface {
     float open = 1;             // of a blade or flower: ambient light left so near to its root, where nothing is traced
     uint32_t field = 0;         // of a blade: the number of its field (grass_rays.h)
     bool beyond = false;        // of ground: beyond the terrain, where its colour tells what grows, too
+    bool ofTree = false;        // of an object: it is a tree of a forest
     bool onMesh = false;        // of a blade: it grows on a mesh, where none of the terrain's maps is read
     glm::dvec2 place{0};        // as a share of the terrain, where the maps are read: a blade's root
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/numerics.h"
+#include "scene/forest_technique.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -28,9 +29,14 @@ std::string techniqueNames(std::span<const TechniqueRow> rows) {
     return out;
 }
 
+std::optional<uint32_t> techniqueRgb(std::span<const TechniqueRow> rows, std::string_view name) {
+    if (const TechniqueRow* row = findTechnique(rows, name)) return row->color;
+    if (const ForestTechniqueRow* row = findForestTechnique(name)) return row->color;
+    return std::nullopt;
+}
+
 std::string techniqueColor(std::span<const TechniqueRow> rows, std::string_view name) {
-    const TechniqueRow* row = findTechnique(rows, name);
-    return fmt::format("#{:06x}", row ? row->color : 0x808080u);
+    return fmt::format("#{:06x}", techniqueRgb(rows, name).value_or(0x808080u));
 }
 
 FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, bool coarse) {

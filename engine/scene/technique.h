@@ -3,6 +3,7 @@
 // technique. Does not: draw; the effects do whose features a row asks for.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -87,7 +88,9 @@ struct TechniqueRow {
 const TechniqueRow* findTechnique(std::span<const TechniqueRow> rows, std::string_view name);
 // Names of all, "a, b, c".
 std::string techniqueNames(std::span<const TechniqueRow> rows);
-// "#rrggbb" of a technique; a grey for names that the table lacks, such as those in files of other versions.
+// 0xRRGGBB of a technique, of grass or of forests; nothing of names that neither table has.
+std::optional<uint32_t> techniqueRgb(std::span<const TechniqueRow> rows, std::string_view name);
+// The same as "#rrggbb"; a grey for names that the tables lack, such as those in files of other versions.
 std::string techniqueColor(std::span<const TechniqueRow> rows, std::string_view name);
 
 // The tiers of a field by its technique; those of a technique that the table lacks are empty: nothing is drawn.

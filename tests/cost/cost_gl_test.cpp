@@ -3,6 +3,7 @@
 #include "cost/cost_files.h"
 #include "cost/fit.h"
 #include "fields.h"
+#include "scene/forest.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -171,6 +172,36 @@ TEST(CostSweep, HasTheProjectAsItShipsAndEachPictureOnce) {
     const auto merged = mergeCosts(parts);
     ASSERT_TRUE(merged) << merged.error().text();
     EXPECT_EQ(withoutTimes(*merged), withoutTimes(*whole));
+}
+
+// A wood without any grass, from the side: its three techniques are rows of one table, held against traced trees.
+TEST(CostSweep, HoldsVolumesMeshesAndTheFlatPictureOfAForestAgainstItsTruth) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = lawn();
+    removeEntity(p, "grass");
+    p.registry.get<Terrain>(findEntity(p, "ground"))->size = {100, 100};
+    put<Forest>(p, "trees", {.species = {{.leaves = 1500}}, .meshesTo = 0});
+    put(p, "eye", Camera{{50, 7, 150}, {50, 5, 60}, 35, 0});
+    CostRequest r = request(p, dir, "wood");
+    r.width = 96, r.height = 64;
+    r.settings = {{"forest-texcells", {}},
+                  {"forest-texcells", {"silhouetteDeg=0", "msaa=4"}},
+                  {"forest-trees", {"meshDetail=1", "msaa=4"}},
+                  {"forest-flat", {"msaa=4"}}};
+    const auto run = runCost(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(run) << run.error().text();
+    ASSERT_EQ(run->rows.size(), 4u) << "each draws another picture";
+    std::map<std::string, double> errorOf;
+    for (const CostRow& row : run->rows) {
+        EXPECT_EQ(row.skipped, "") << row.technique;
+        errorOf[row.technique] = std::max(errorOf[row.technique], row.metrics.appearance.distance);
+        std::printf("%s %s: %.4f\n", row.technique.c_str(), row.settings.c_str(), row.metrics.appearance.distance);
+    }
+    EXPECT_GT(errorOf["forest-trees"], 0);
+    EXPECT_LT(errorOf["forest-trees"], errorOf["forest-flat"]);
+    EXPECT_LT(errorOf["forest-texcells"], errorOf["forest-flat"]);
+    EXPECT_NE(costCsv(*run).find("eye,forest-flat,"), std::string::npos);
 }
 
 TEST(Fit, FindsSettingsWithinTheBudgetOrNamesTheNearest) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fields.h"
+#include "scene/forest_technique.h"
 #include "techniques.h"
 
 namespace sward::test {
@@ -103,6 +104,48 @@ TEST(CostSettings, EachFieldIsSweptAroundItsOwnValues) {
         EXPECT_EQ(verge.sharpness, meadow.sharpness) << s.text();
     }
     EXPECT_EQ(costSettings(p, tables(), "flat")->at(1).text(), "msaa=1") << "what is common is said once";
+}
+
+TEST(CostSettings, AForestsTechniquesStandBesideThoseOfGrass) {
+    Project p = grassy();
+    const size_t grassAlone = costSettings(p, tables())->size();
+    p.registry.add<Forest>(*addEntity(p, "wood"), {.meshesTo = 40});
+    p.registry.add<Forest>(*addEntity(p, "copse"), {.meshesTo = 20});
+    const auto all = costSettings(p, tables());
+    ASSERT_TRUE(all);
+    EXPECT_EQ(all->front().technique, "hybrid") << "as it is, by its grass";
+    std::set<std::string> drawnBy;
+    for (const CostSetting& s : *all) {
+        const ForestTechniqueRow* row = findForestTechnique(s.technique);
+        if (!row) continue;
+        drawnBy.insert(s.technique);
+        Project copy = snapshot(p, tables().components);
+        ViewSettings view;
+        ASSERT_TRUE(applySetting(copy, tables(), s, view)) << s.text();
+        for (const auto& [name, forest] : growingForests(copy)) EXPECT_EQ(forest->technique, row->technique) << name;
+        EXPECT_EQ(flatField(copy, "meadow").technique, "hybrid") << s.text();
+    }
+    EXPECT_EQ(drawnBy, (std::set<std::string>{"forest-texcells", "forest-trees", "forest-flat"}));
+    const auto volumes = costSettings(p, tables(), "forest-texcells");
+    ASSERT_TRUE(volumes);
+    EXPECT_EQ(all->size(), grassAlone + volumes->size() - 1 + costSettings(p, tables(), "forest-trees")->size() - 1 +
+                               costSettings(p, tables(), "forest-flat")->size() - 1);
+    EXPECT_EQ(costSettings(p, tables(), "forest")->size(), 1 + all->size() - grassAlone);
+    EXPECT_EQ(volumes->at(1).text(), "copse.meshesTo=20 wood.meshesTo=40 msaa=4") << "around each one's own";
+    removeEntity(p, "wood"), removeEntity(p, "copse");
+    EXPECT_EQ(costSettings(p, tables(), "forest-flat").error().code, ExitCode::Unsound);
+}
+
+TEST(CostSettings, AForestAloneIsSweptByItsOwnTechniques) {
+    Project p;
+    p.registry.add<Forest>(*addEntity(p, "wood"), {.technique = ForestTechnique::Flat});
+    EXPECT_EQ(ownTechniques(p), "forest-flat");
+    const auto all = costSettings(p, tables());
+    ASSERT_TRUE(all);
+    EXPECT_EQ(all->front().technique, "forest-flat");
+    EXPECT_EQ(all->front().text(), kAsItIs);
+    for (const CostSetting& s : *all) EXPECT_TRUE(findForestTechnique(s.technique)) << s.technique;
+    EXPECT_EQ(costSettings(p, tables(), "hybrid").error().code, ExitCode::Unsound);
 }
 
 TEST(CostSettings, AValueIsForEveryFieldOrForOne) {

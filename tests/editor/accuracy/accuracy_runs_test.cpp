@@ -37,6 +37,27 @@ TEST(AccuracyRuns, AdoptingIsOneUndoStepAndNamesWhatIsTheViews) {
     EXPECT_FALSE(doc.canUndo());
 }
 
+TEST(AccuracyRuns, AForestsSettingsAreAdoptedByItAndLeaveTheGrassAsItIs) {
+    test::TempDir dir;
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    ASSERT_TRUE(doc.addEntity("wood"));
+    ASSERT_TRUE(doc.addComponent("wood", "Forest"));
+    const auto value = [&](const char* path) {
+        return fieldText(*findField(doc.project(), doc.tables().components, path));
+    };
+    const std::string grass = value("lawn.GrassField.technique");
+    const CostSetting wanted = settingOf("forest-texcells", "meshesTo=30 msaa=4");
+    EXPECT_FALSE(isPresent(doc, wanted));
+    ASSERT_TRUE(adoptSettings(doc, wanted));
+    EXPECT_EQ(value("wood.Forest.meshesTo"), "30");
+    EXPECT_TRUE(isPresent(doc, wanted));
+    ASSERT_TRUE(adoptSettings(doc, settingOf("forest-trees", "meshDetail=2")));
+    EXPECT_EQ(value("wood.Forest.technique"), "trees");
+    EXPECT_EQ(value("lawn.GrassField.technique"), grass);
+    EXPECT_FALSE(isPresent(doc, wanted));
+}
+
 TEST(AccuracyRuns, SettingsThatDoNotExistChangeNothing) {
     test::TempDir dir;
     Document doc(tables());
