@@ -174,7 +174,8 @@ TEST_F(EditorTools, AStrokeThatBeginsInTheSkyOrLeavesTheWindowPaintsTheGroundAlo
 TEST_F(EditorTools, KeysHeldWhileADialogOpensAreOfNoUseBehindIt) {
     const Rect r = app->hand.rect;
     const auto key = [&](int code, bool down) { app->queue.push({InputKind::Key, 0, 0, code, down}); };
-    app->queue.push({InputKind::Move, static_cast<double>(r.x + r.w / 2), static_cast<double>(r.y + r.h / 2), 0, false});
+    app->queue.push(
+        {InputKind::Move, static_cast<double>(r.x + r.w / 2), static_cast<double>(r.y + r.h / 2), 0, false});
     app->queue.push({InputKind::Button, 0, 0, 1, true});
     key(GLFW_KEY_W, true);
     const glm::dvec3 start = app->view.camera.eye;
