@@ -1,7 +1,7 @@
 // The play bar: it says what was pressed and does nothing itself.
+#include "panels/play_bar.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
-#include "panels/play_bar.h"
 #include "playtest/playtest.h"
 
 namespace sward {
