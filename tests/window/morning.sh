@@ -3,9 +3,9 @@
 # a path, rocks and benches placed, a pond, two species and flowers, a scatter, a lamp, a camera, a fit to a budget
 # adopted, a walk, saved, exported, opened again with the same files.
 #   morning.sh SWARD PROJECTS
-# PROJECTS: the folder of the samples. Takes five to nine minutes, most of it the search. What fails is told with the step in which it did, and the
-# screen of that moment is kept: in SHOTS, a folder that also gets a picture of each step, else beside the system's
-# temporary files. Ends with 77, which CTest takes as skipped, where the X server or the programs that press its keys
+# PROJECTS: the folder of the samples. Takes five to nine minutes, most of it the search. What fails is told with the
+# step in which it did, and the screen of that moment is kept: in SHOTS, a folder that also gets a picture of each step,
+# else beside the system's temporary files. Ends with 77, which CTest takes as skipped, where the X server or the programs that press its keys
 # are not installed.
 set -eu
 sward=$1 park=$2/park
@@ -281,6 +281,9 @@ for part in '"GroundPath"' '"models/stone1.glb"' '"models/bench.glb"' '"Water"' 
   saved "$part" || fail "$part is missing in project.json"
 done
 [ "$(grep -c '"file": "models/stone1.glb"' "$project/project.json")" -eq 13 ] || fail "there are not twelve rocks and a rule"
+saved '"rotationDeg": \[0, -\?[1-9]' || fail "no bench is turned"
+grep '"scale":' "$project/project.json" | grep -qv '"scale": 1,\?$' || fail "no rock is scaled"
+saved '"terrainMap"' || fail "there is no sand"
 adopted=0 # what is as by default is not in the file; samples and the share of blades are the view's
 for setting in $fitted; do
   case $setting in msaa=* | detail=* | filtering=*) continue ;; esac
