@@ -278,6 +278,12 @@ void sculptedBelow() {
     ui::record("Below", ui::Kind::Label, text);
 }
 
+void noLayersOver(const std::string& map) {
+    const std::string text = ui::inWords(map) + " holds directions or colours: layers lie over amounts and heights.";
+    ui::coloredText(ui::kDimText, text.c_str());
+    ui::record("Note", ui::Kind::Label, text);
+}
+
 }  // namespace
 
 void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, const std::vector<LayerNote>& notes) {
@@ -286,8 +292,7 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
     if (!chosen) return ImGui::TextDisabled("The brush is on no map.");
     const std::string map = stackedMap(doc.project(), chosen->path);
     const bool heights = liesOverHeights(doc, map);
-    if (chosen->row->map->kind != MapKind::Amounts && !heights)
-        return ImGui::TextDisabled("%s holds directions or colours: layers lie over amounts and heights.", map.c_str());
+    if (chosen->row->map->kind != MapKind::Amounts && !heights) return noLayersOver(map);
     addButtons(parts, map);
     ImGui::BeginChild("layers");
     const std::vector<LayerOf> layers = layersOver(doc.project(), map);

@@ -92,6 +92,8 @@ void drawPlayFrame(const Document& doc, bool captured, const Rect& r) {
     ImGui::GetWindowDrawList()->AddRect({r.x + 1.5f, r.y + 1.5f}, {r.x + r.w - 1.5f, r.y + r.h - 1.5f}, color, 0, 0, 3);
     outlined({r.x + 18, r.y + 14}, color,
              fmt::format("{}   {:.2f} s", play->paused() ? "PAUSED" : "PLAYING", play->time()));
+    ui::recordAt("Viewport/Playing",
+                 {ui::Kind::Area, r.x, r.y, r.x + r.w, r.y + r.h, fmt::format("{:.2f}", play->time())});
     const std::string keys =
         captured ? "W A S D walk    Shift run    Space jump    Esc frees the mouse    F6 pause    F11 step    F5 stop"
         : play->paused() ? "F6 goes on    F11 one step    F5 stop"

@@ -93,6 +93,18 @@ TEST_F(LayersPanel, PreviewsALayerOverTheScene) {
     EXPECT_NE(overlayOf(doc, brushes).map, kRule + ".amounts");
 }
 
+TEST_F(LayersPanel, SaysInWordsOverWhichMapsNoLayersLie) {
+    selectMap(doc, brushes, "ground.Terrain.terrainMap");
+    frames(2);
+    EXPECT_EQ(value("Layers/Note"),
+              "Ground \u203a terrain map holds directions or colours: layers lie over amounts and heights.");
+    EXPECT_FALSE(shown("Layers/Add rule"));
+    selectMap(doc, brushes, kDensity);
+    frames(2);
+    EXPECT_FALSE(shown("Layers/Note"));
+    EXPECT_TRUE(shown("Layers/Add rule"));
+}
+
 TEST_F(LayersPanel, TheInspectorShowsMasksWithinLayersToo) {
     click("Layers/Add rule");
     ViewState looking;

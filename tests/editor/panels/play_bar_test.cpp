@@ -1,4 +1,5 @@
 // The play bar: it says what was pressed and does nothing itself.
+#include "panels/play_bar.h"
 #include "editor/panels/panel_stage.h"
 #include "panels/panels.h"
 #include "playtest/playtest.h"
@@ -37,6 +38,21 @@ TEST_F(PlayBar, PauseAndStepAreForWhatIsPlayed) {
     frames(2);
     EXPECT_EQ(value("Panel/State"), "paused");
     doc.stopPlay();
+}
+
+TEST_F(PlayBar, TheFrameSaysHowLongItWasPlayed) {
+    draw = [this] { drawPlayFrame(doc, false, {100, 100, 400, 300}); };
+    frames(2);
+    EXPECT_FALSE(shown("Viewport/Playing")) << "nothing is played";
+    ASSERT_TRUE(doc.startPlay({}));
+    frames(2);
+    EXPECT_EQ(value("Viewport/Playing"), "0.00");
+    doc.play()->step(90);
+    frames(2);
+    EXPECT_EQ(value("Viewport/Playing"), "1.50");
+    doc.stopPlay();
+    frames(2);
+    EXPECT_FALSE(shown("Viewport/Playing"));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // What the hand does in the viewport: strokes of all kinds of brushes, by the real mouse and modifiers.
 #include <cmath>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include "editor/editor_fixture.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
@@ -134,6 +137,107 @@ TEST_F(EditorTools, ShiftErasesWithThePreset) {
     ok(ui->drag(static_cast<double>(r.x + r.w * 0.3f), y, static_cast<double>(r.x + r.w * 0.6f), y, "shift"));
     EXPECT_NE(density(), before);
     EXPECT_LT(mapOf("lawn.GrassField.species[lawn].density").map.mean(), mean);
+}
+
+TEST_F(EditorTools, AClickOutsideAnOpenMenuClosesItAndPaintsNothing) {
+    const auto opened = [&] { return app->book.widgets.contains("Menu/File/New..."); };
+    ok(ui->click("Menu/File"));
+    ok(ui->wait(2));
+    EXPECT_TRUE(opened());
+    const Rect& r = app->hand.rect;
+    press(static_cast<double>(r.x + r.w * 0.6f), static_cast<double>(r.y + r.h * 0.8f));
+    release();
+    EXPECT_FALSE(opened());
+    EXPECT_EQ(app->hand.gesture, Gesture::None);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorTools, AStrokeThatBeginsInTheSkyOrLeavesTheWindowPaintsTheGroundAloneAndIsOneStep) {
+    const Rect r = app->hand.rect;
+    const double x = static_cast<double>(r.x + r.w * 0.5f), low = static_cast<double>(r.y + r.h * 0.8f);
+    const uint64_t before = density();
+    press(x, static_cast<double>(r.y) + 8);
+    moveTo(x, low);
+    release();
+    EXPECT_EQ(density(), before) << "it began beside the ground";
+    ok(ui->click("Tools/Subtract"));
+    press(x, low);
+    for (const auto& [px, py] : {std::pair{-40.0, low}, {-1e6, -1e6}, {1e6, 1e6}, {x, -5.0}, {x, low}}) moveTo(px, py);
+    release();
+    EXPECT_NE(density(), before);
+    EXPECT_FALSE(doc.stroking());
+    ASSERT_TRUE(doc.undo());
+    EXPECT_EQ(density(), before);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorTools, KeysHeldWhileADialogOpensAreOfNoUseBehindIt) {
+    const Rect r = app->hand.rect;
+    const auto key = [&](int code, bool down) { app->queue.push({InputKind::Key, 0, 0, code, down}); };
+    app->queue.push(
+        {InputKind::Move, static_cast<double>(r.x + r.w / 2), static_cast<double>(r.y + r.h / 2), 0, false});
+    app->queue.push({InputKind::Button, 0, 0, 1, true});
+    key(GLFW_KEY_W, true);
+    const glm::dvec3 start = app->view.camera.eye;
+    ok(ui->wait(4));
+    EXPECT_NE(app->view.camera.eye, start) << "it flies";
+    app->queue.push({InputKind::Button, 0, 0, 1, false});
+    key(GLFW_KEY_LEFT_CONTROL, true), key(GLFW_KEY_N, true), key(GLFW_KEY_N, false);
+    ok(ui->wait(6));
+    ASSERT_TRUE(ui->exists("Files/Path")) << "the dialog is open, W and Ctrl are held";
+    const glm::dvec3 eye = app->view.camera.eye;
+    const uint64_t painted = density();
+    app->queue.push({InputKind::Button, 0, 0, 0, true});  // on the dialog's own window or beside it: not on the ground
+    app->queue.push({InputKind::Button, 0, 0, 0, false});
+    key(GLFW_KEY_LEFT_CONTROL, false);
+    ok(ui->wait(6));
+    key(GLFW_KEY_W, false);
+    ok(ui->key("escape"));
+    ok(ui->wait(4));
+    EXPECT_FALSE(ui->exists("Files/Path"));
+    EXPECT_EQ(app->view.camera.eye, eye);
+    EXPECT_EQ(density(), painted);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorTools, ADialogThatOpensDuringAStrokeLosesNothingOfIt) {
+    const Rect r = app->hand.rect;
+    const double y = static_cast<double>(r.y + r.h * 0.8f);
+    const uint64_t before = density();
+    ok(ui->click("Tools/Subtract"));
+    press(static_cast<double>(r.x + r.w * 0.3f), y);
+    moveTo(static_cast<double>(r.x + r.w * 0.5f), y);
+    for (const bool down : {true, false}) {
+        app->queue.push({InputKind::Key, 0, 0, down ? GLFW_KEY_LEFT_CONTROL : GLFW_KEY_N, true});
+        if (!down) app->queue.push({InputKind::Key, 0, 0, GLFW_KEY_N, false});
+    }
+    app->queue.push({InputKind::Key, 0, 0, GLFW_KEY_LEFT_CONTROL, false});
+    ok(ui->wait(6));
+    moveTo(static_cast<double>(r.x + r.w * 0.6f), y);
+    release();
+    ok(ui->key("escape"));
+    ok(ui->wait(4));
+    EXPECT_FALSE(ui->exists("Files/Path"));
+    EXPECT_FALSE(doc.stroking());
+    EXPECT_EQ(app->hand.gesture, Gesture::None);
+    EXPECT_NE(density(), before);
+    ASSERT_TRUE(doc.undo());
+    EXPECT_EQ(density(), before);
+    EXPECT_FALSE(doc.canUndo());
+}
+
+TEST_F(EditorTools, AWindowOfOnePixelRunsAndTakesKeys) {
+    app.reset();
+    app = std::make_unique<EditorApp>(doc, *gpu, ui::makeHeadlessSurface(1, 1), false);
+    ui = makeUiDriver(*app);
+    ok(ui->wait(4));
+    app->queue.push({InputKind::Move, 0, 0, 0, false});
+    app->queue.push({InputKind::Button, 0, 0, 0, true});
+    app->queue.push({InputKind::Button, 0, 0, 0, false});
+    ok(ui->wait(4));
+    ok(ui->key("ctrl+z"));
+    EXPECT_FALSE(doc.stroking());
+    EXPECT_FALSE(doc.canUndo());
 }
 
 }  // namespace
