@@ -121,7 +121,7 @@ TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
         std::printf("  %s: %.3f of the blades' cover, brightness off by %.3f\n", nameOf(technique),
                     covered(slices) / covered(blades), off);
         if (technique == Technique::Slices)  // from steeply above wide blades: they hold no view from above
-            expectMissed("slices' brightness against blades', seen from steeply above", off, 0.12, 0.221);
+            expectMissed("slices' brightness against blades', seen from steeply above", off, 0.12, 0.203);
         else
             EXPECT_LE(off, 0.12) << nameOf(technique);
     }
@@ -229,7 +229,7 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
                 EXPECT_NEAR(share.y, 1, 0.45) << which;
                 if (technique == Technique::Slices && distance < 5 && sun.elevationDeg > 30)
                     expectMissed("pressed slices' green by their red against blades', near by", share.y / share.x - 1,
-                                 0.35, 0.471);
+                                 0.35, 0.414);
                 else
                     EXPECT_NEAR(share.y / share.x, 1, 0.35) << which << "; soil is red";
             }
