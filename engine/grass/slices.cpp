@@ -134,13 +134,24 @@ void updateGains(GrownSpecies& s, const FieldLight& l) {
     s.gains = gainsOf(s.look, l);
 }
 
-void setGains(SliceGlobals& g, bool conserving, const Gains& gains) {
-    const glm::vec4 none(1, 1, 1, 0);
-    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
-        const glm::vec4 across = conserving ? gains.slices[i] : none, above = conserving ? gains.far[i] : none,
-                        laid = conserving ? gains.laid[i] : none;
-        g.gains[i] = {across, across.w, above, above.w, laid};
-    }
+float greatest(const std::array<glm::vec4, LOOK_VIEWS>& factors) {
+    float most = 1e-6f;
+    for (const glm::vec4& f : factors) most = std::max({most, f.x, f.y, f.z});
+    return most;
+}
+// As LookGain has it.
+uint32_t packedGain(const glm::vec4& factor, float scale) {
+    const glm::uvec3 share(glm::round(glm::clamp(glm::vec3(factor) / scale, 0.0f, 1.0f) * 1023.0f));
+    return share.x | share.y << 10 | share.z << 20;
+}
+
+void setGains(SliceGlobals& g, bool conserving, Gains gains) {
+    if (!conserving)
+        for (auto* factors : {&gains.slices, &gains.far, &gains.laid}) factors->fill({1, 1, 1, 0});
+    g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), 0};
+    for (size_t i = 0; i < LOOK_VIEWS; ++i)
+        g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
+                      packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};
 }
 
 void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLuint light) {

@@ -205,7 +205,7 @@ void main() {
     shell.ambient = shell.brighter * slices.ambient * open;
     shell.visible = sunVisible(shell.start, n);
 
-    uint grain = grainAt(cells + rate * ahead, far);
+    uint grain = INSIDE ? grainAt(cells + rate * (ahead + far), seen.y, far) : grainAt(cells + rate * ahead, 0.0, far);
     Sum sum = traced(shell, ray, grain);
     addFlat(sum, shell, ray, p, plain * sliceGain(toEye, p.free, 0.0, true), open);
     closeOutline(sum, ray, k, height);

@@ -125,7 +125,8 @@ void main() {
     shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shell.brighter * slices.ambient * skyShare(uv);
 
-    uint grain = grainAt(toCells(shell.start.xz), far);
+    vec2 comesIn = toCells(shell.start.xz);
+    uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);
     shell.visible = sunVisible(shell.start, vec3(0.0));
     SliceRay ray = sliceRay(entry, direction, slices.slices, slices.slices, height);
     float scene = 0.0;

@@ -248,7 +248,7 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     // A ray's way through the shell is short: where it comes in says how fine all that it meets is.
     float pixel = pixelAt(max(length(shell.start), slices.cellSize));
     vec2 levels = vec2(levelAt(pixel, abs(shell.seen.x)), levelAt(pixel, abs(shell.seen.z)));
-    levels = floor(levels + hashUnit(hash2(grain, 80u)));  // one of two: twice the look-ups would blend them
+    levels = floor(levels + hashUnit(grain));  // one of two: twice the look-ups would blend them
     Walk walk;
     walk.ray = ray, walk.hit = sliceHit(ray);
     walk.left = stepsAt(pixel);
@@ -268,13 +268,15 @@ Sum traced(Shell shell, SliceRay ray, uint grain) {
     return sum;
 }
 
-// A random number fixed to the place: its grains are about a pixel.
-uint grainAt(vec2 c, float distance) {
-    float size = float(textureSize(sliceThreshold, 0).x), pixel = distance / (pixelsPerMetre * slices.cellSize);
-    float level = clamp(floor(log2(max(pixel * size, 1e-6))), 0.0, 16.0);
+// A random number fixed to a place: its grains are about a pixel. A ray's place is where it comes in, from where on all
+// of them differ: from an eye within the shell, after a cell. c, up: in cells; distance: metres from the eye.
+uint grainAt(vec2 c, float up, float distance) {
+    int size = textureSize(sliceThreshold, 0).x;
+    float pixel = distance / (pixelsPerMetre * slices.cellSize);
+    int level = int(clamp(log2(max(pixel * float(size), 1e-6)), 0.0, 16.0)), grains = max(size >> level, 1);
     vec2 whole = floor(c);
-    ivec2 cell = ivec2(slices.eyeCell) + ivec2(whole), at = ivec2((c - whole) * size * exp2(-level));
-    return hash3(uint(at.x) + 2048u * uint(at.y), cellHash(cell.x, cell.y, uint(level)), 78u);
+    ivec2 at = (ivec2(slices.eyeCell) + ivec2(whole)) * grains + ivec2((c - whole) * float(grains));
+    return hash3(uint(at.x), uint(at.y), 78u + uint(level) + 32u * uint(int(floor(up * float(grains)))));
 }
 
 // Colour and alpha of what a ray saw; alpha 0: nothing of the pixel.

@@ -42,12 +42,14 @@ LookTap lookTap(vec3 toEye) {
     return t;
 }
 
-// The mean of what the four views have.
-float mixTap(LookTap t, float a, float b, float c, float d) {
-    return a * t.weight.x + b * t.weight.y + c * t.weight.z + d * t.weight.w;
+// The mean of what four views have; of factors as LookGain packs them, and of leans.
+vec3 mixGains(LookTap t, uvec4 bits, float scale) {
+    vec4 w = t.weight * (scale / 1023.0);
+    return vec3(dot(w, vec4(bits & 1023u)), dot(w, vec4(bits >> 10 & 1023u)), dot(w, vec4(bits >> 20)));
 }
-vec3 mixTap(LookTap t, vec3 a, vec3 b, vec3 c, vec3 d) {
-    return a * t.weight.x + b * t.weight.y + c * t.weight.z + d * t.weight.w;
+vec2 mixLeans(LookTap t, uvec4 bits) {
+    return t.weight.x * unpackHalf2x16(bits.x) + t.weight.y * unpackHalf2x16(bits.y) +
+           t.weight.z * unpackHalf2x16(bits.z) + t.weight.w * unpackHalf2x16(bits.w);
 }
 
 // Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`:
@@ -56,14 +58,11 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
              d = slices.gains[t.view.w];
-    float acrossLean = mixTap(t, a.acrossLean, b.acrossLean, c.acrossLean, d.acrossLean),
-          aboveLean = mixTap(t, a.aboveLean, b.aboveLean, c.aboveLean, d.aboveLean);
-    float leant = max(1.0 + dot(lean, vec2(acrossLean, aboveLean)), 0.1);
-    vec3 gain =
-        (far ? mixTap(t, a.above, b.above, c.above, d.above) : mixTap(t, a.across, b.across, c.across, d.across)) *
-        leant;
+    float leant = max(1.0 + dot(lean, mixLeans(t, uvec4(a.lean, b.lean, c.lean, d.lean))), 0.1);
+    vec3 gain = leant * (far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
+                             : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
     if (!FORCES && !FORCE_MAP) return gain;
-    return gain * mix(vec3(1.0), mixTap(t, a.laid, b.laid, c.laid, d.laid), press);
+    return gain * mix(vec3(1.0), mixGains(t, uvec4(a.laid, b.laid, c.laid, d.laid), slices.gainScale.z), press);
 }
 
 // The chance of a cell (numerics/sowing.h), and the opacity of what a slice stores there (texelOpacity).

@@ -9,6 +9,14 @@
 
 const int COVERAGE = 0, BOTH = 1, TEST = 2;  // ways, as Transparency of scene/components.h; 3: blended
 
+// Bits 0 to 3: whether those bytes of x are below a threshold in [0, 256]. Two at a time: a byte that is not below it
+// carries into the bits over it.
+uint bytesBelow(uint x, uint threshold) {
+    uint lack = (256u - threshold) * 0x00010001u;
+    uint carries = ((x & 0x00FF00FFu) + lack & 0x01000100u) >> 8 | ((x >> 8 & 0x00FF00FFu) + lack & 0x01000100u) >> 7;
+    return ~(carries | carries >> 14) & 15u;
+}
+
 // Covers the fragment's samples; returns the alpha to write, 0: discard. way: one of the four; `seed`: a random number
 // of what is drawn, fixed to it.
 float coveredAlpha(int way, float alpha, uint seed) {
@@ -16,12 +24,8 @@ float coveredAlpha(int way, float alpha, uint seed) {
     if (!(alpha >= 0.004)) return 0.0;
     if (way == COVERAGE) {
         if (alpha >= 1.0) return 1.0;
-        uint threshold = uint(alpha * 256.0 + 0.5), low = hash3(seed, 1u, 0u), high = hash3(seed, 2u, 0u);
-        uvec4 a = uvec4(low, low >> 8, low >> 16, low >> 24) & 255u,
-              b = uvec4(high, high >> 8, high >> 16, high >> 24) & 255u;
-        uvec4 bits = uvec4(1u, 2u, 4u, 8u);
-        uint mask = 0u;
-        for (int i = 0; i < 4; ++i) mask |= (a[i] < threshold ? bits[i] : 0u) | (b[i] < threshold ? bits[i] << 4 : 0u);
+        uint threshold = uint(alpha * 256.0 + 0.5), low = hash3(seed, 1u, 0u);
+        uint mask = bytesBelow(low, threshold) | bytesBelow(hashMix(low), threshold) << 4;
         gl_SampleMask[0] = int(mask * 0x01010101u);  // the ninth sample as the first, and so on
         return (mask & ((1u << uint(min(gl_NumSamples, 8))) - 1u)) == 0u ? 0.0 : 1.0;
     }

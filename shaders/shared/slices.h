@@ -10,13 +10,14 @@
 namespace sward {
 #endif
 
-// Factors by which slices, seen from one of the tabulated views, get the radiance of the blades they stand for.
+// Factors by which slices, seen from one of the tabulated views, get the radiance of the blades they stand for. Red,
+// green and blue are shares of SliceGlobals::gainScale, 10 bits each from the lowest on: rays look them up by the
+// pixel.
 struct STD140 LookGain {
-    vec3 across;       // of vertical slices
-    float acrossLean;  // brighter by a lean (m per m) towards +x
-    vec3 above;        // of the horizontal slice
-    float aboveLean;   // brighter by a lean towards +z
-    vec3 laid;         // of either where grass lies, on top
+    uint across;  // of vertical slices
+    uint above;   // of the horizontal slice
+    uint laid;    // of either where grass lies, on top
+    uint lean;    // as packHalf2x16: brighter by a lean (m per m) towards +x, vertical slices; towards +z, horizontal
 };
 
 struct STD140 SliceGlobals {
@@ -33,6 +34,7 @@ struct STD140 SliceGlobals {
     vec2 eyeCell;        // x, z of the cell that the eye is over
     vec2 inCell;         // where in it, in cells (B-17)
     vec4 sunWeights;     // of the images x+, y, z+, x-; z- is what is left to 1
+    vec4 gainScale;      // greatest factor of LookGain's across, above and laid
     vec3 ambient;        // light from all around that vertical slices receive
     float fade;          // omega of numerics/opacity.h
     vec3 farAmbient;     // that the horizontal slice receives
