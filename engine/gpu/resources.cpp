@@ -18,6 +18,7 @@ size_t formatBytes(GLenum format) {
         case GL_RGBA8:
         case GL_SRGB8_ALPHA8:
         case GL_RG16:
+        case GL_RG16F:
         case GL_R32F:
         case GL_DEPTH_COMPONENT32F:
         case GL_R11F_G11F_B10F:

@@ -176,15 +176,20 @@ Mean asFar(const std::vector<Posed>& points, const FieldLight& l, const glm::vec
     return m;
 }
 
+// share: of a quarter turn up, as a sine's root.
+glm::vec3 directionOf(float azimuth, float share) {
+    const float y = std::clamp(share * share, kLeast, 0.999f), h = std::sqrt(1 - y * y);
+    return {h * std::cos(azimuth), y, h * std::sin(azimuth)};
+}
 glm::vec3 viewOf(int i) {
-    const float a = 6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
-                t = static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1);
-    const float y = std::clamp(t * t, kLeast, 0.999f), h = std::sqrt(1 - y * y);
-    return {h * std::cos(a), y, h * std::sin(a)};
+    return directionOf(6.2831853f * static_cast<float>(i % LOOK_AZIMUTHS) / LOOK_AZIMUTHS,
+                       static_cast<float>(i / LOOK_AZIMUTHS) / (LOOK_ELEVATIONS - 1));
 }
 
+// Where there is no light, 1.
+float quotient(float a, float b, float least = 0.2f) { return b > 1e-9f ? std::clamp(a / b, least, 5.0f) : 1.0f; }
 glm::vec3 quotient(const glm::vec3& a, const glm::vec3& b) {
-    return glm::clamp(a / glm::max(b, glm::vec3(1e-9f)), glm::vec3(0.2f), glm::vec3(5));
+    return {quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z)};
 }
 float luminance(const glm::vec3& c) { return glm::dot(c, glm::vec3(0.2126f, 0.7152f, 0.0722f)); }
 
@@ -310,6 +315,35 @@ Gains gainsOf(const Look& look, const FieldLight& light) {
         };
         out.slices[static_cast<size_t>(i)].w = change(0);
         out.far[static_cast<size_t>(i)].w = change(2);
+    }
+    return out;
+}
+
+LampGains lampGainsOf(const Look& look, FieldLight leaves) {
+    leaves.sky = leaves.ground = glm::vec3(0);
+    FieldLight images = leaves;  // of lamps they know what falls on the side that is seen
+    images.translucency = 0, images.weighting = LightWeighting::Poly9;
+    const auto plain = posed(look, glm::vec2(0), 0), clumped = posed(look, glm::vec2(0), look.clumpLean);
+    constexpr float kTurns[] = {0.196f, 0.982f};  // of all, by the symmetry of mirrored cells
+    LampGains out;
+    for (size_t i = 0; i < out.size(); ++i) {
+        const auto share = [&](size_t n) {
+            return static_cast<float>(i / n % LAMP_ELEVATIONS) / (LAMP_ELEVATIONS - 1);
+        };
+        const float between = std::acos(1 - 2 * static_cast<float>(i % LAMP_AZIMUTHS) / (LAMP_AZIMUTHS - 1));
+        glm::vec3 blades(0), vertical(0), horizontal(0);
+        for (const float turn : kTurns) {
+            const glm::vec3 e = directionOf(turn, share(LAMP_AZIMUTHS)),
+                            lamp = directionOf(turn + between, share(LAMP_AZIMUTHS * LAMP_ELEVATIONS));
+            leaves.suns = images.suns = {{lamp, glm::vec3(1)}};
+            const std::vector<glm::vec4> weights{imageWeights(lamp, images.weighting)};
+            blades += asBlades(clumped, e, leaves).value();
+            vertical += asSlices(plain, e, images, glm::vec3(0), weights).value();
+            horizontal += asFar(plain, images, glm::vec3(0), weights).value();
+        }
+        const float bright = luminance(blades);
+        // Blades are all but black before a lamp.
+        out[i] = {quotient(bright, luminance(vertical), 0.02f), quotient(bright, luminance(horizontal), 0.02f)};
     }
     return out;
 }

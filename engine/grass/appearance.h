@@ -73,6 +73,13 @@ struct Gains {
 };
 // Factors by which slices and pressed blades are drawn so that they are as bright as blades drawn one by one.
 Gains gainsOf(const Look& look, const FieldLight& light);
+
+// Factors for light from one lamp, by where the eye and the lamp are (LAMP_AZIMUTHS, x fastest; LAMP_ELEVATIONS of the
+// eye, then of the lamp): x, of vertical slices; y, of the horizontal one. A lamp's light comes from elsewhere at each
+// place, and the sun's gains say nothing of it.
+using LampGains = std::array<glm::vec2, static_cast<size_t>(LAMP_AZIMUTHS* LAMP_ELEVATIONS* LAMP_ELEVATIONS)>;
+// leaves: roughness, gloss, translucency; how lamps are shaded. Its lights are not read.
+LampGains lampGainsOf(const Look& look, FieldLight leaves);
 // Five weights (x+, y, z+, x-; z- is what is left to 1) by a form of equations 8-13; Cosine: by the exact one, and
 // so is the published one where it has no value (B-1, B-4).
 glm::vec4 imageWeights(const glm::vec3& towardsLight, LightWeighting weighting);

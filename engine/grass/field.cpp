@@ -68,7 +68,8 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
         for (size_t k = 0; k < field.species.size() && species < MAX_SOIL_SPECIES; ++k, ++species) {
             const GrownSpecies& s = *field.grown->species[k];
             g.species[species] = {lightLeft(s.look, ctx.globals.sunDirection.y),
-                                  shaderTiling(t, f.species[k].densityTiling), 0, 0};
+                                  shaderTiling(t, f.species[k].densityTiling),
+                                  {s.look.across, s.look.above}};
             numbers.back().density.push_back(soilMap(soil, f.species[k].density.present() ? s.density : 0));
         }
     }

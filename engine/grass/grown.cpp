@@ -59,6 +59,7 @@ void writeGlobals(DrawContext& ctx, GrownSpecies& s, const GrownField& field, si
     const f32::Sown& sown = s.drawn().sown;
     g.spread = sown.spread, g.step = sown.step, g.sownShare = sown.share;
     g.sowSeed = sowingSeed(sp, g.seed);
+    g.area = {s.look.across, s.look.above};
     g.maskRadius = s.shade.radius, g.maskHeight = s.shade.top;
     writeBuffer(ctx.gpu, s.globals, kOwner, sizeof(g), &g);
 }
@@ -117,7 +118,7 @@ void updateSpecies(DrawContext& ctx, GrownField& field, size_t i) {
     updateLook(s.look, s.lookKey, f.species[i], s.patch, s.key ^ s.bladeHash, s.bladeImage);
     writeGlobals(ctx, s, field, i);
     if (!field.draws(Feature::GrassFar) && !field.draws(Feature::GrassOnMeshes))
-        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {};
+        s.slices = {}, s.sliceKey = s.sliceAsked = 0, s.bake = {}, s.lampGains = {};
 }
 
 void updateField(DrawContext& ctx, GrownField& field) {

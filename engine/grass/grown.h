@@ -39,6 +39,8 @@ struct GrownSpecies {
     uint64_t bakeOf = 0;  // what it makes
     uint64_t gainKey = 0;
     Gains gains;
+    uint64_t lampGainKey = 0;
+    Texture lampGains;  // of lampGainsOf, while there are lamps
 };
 struct GrownField {
     std::string name;               // its entity's

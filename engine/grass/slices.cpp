@@ -13,6 +13,7 @@
 #include "grass/grass_fields.h"
 #include "grass/slice_file.h"
 #include "shared/slices.h"
+#include "world/lights.h"
 #include "world/wind.h"
 
 namespace sward {
@@ -113,6 +114,32 @@ FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index)
     return l;
 }
 
+bool lampsCast(const Project& project) {
+    const Light* sun = sunLight(project);
+    bool casts = false;
+    for (const auto& [name, entity] : project.entities)
+        if (const Light* light = project.registry.get<Light>(entity)) casts |= light != sun && light->castShadows;
+    return casts;
+}
+// Gains of lamps' light, where there are lamps.
+void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
+    if (!has(f.features, Feature::Lamps)) {
+        s.lampGains = {}, s.lampGainKey = 0;
+        return;
+    }
+    l.shade = s.shade.texture && lampsCast(ctx.project) ? &s.shade : nullptr;
+    std::vector<float> read{l.translucency, l.gloss, l.roughness};
+    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    if (s.lampGains.id() && s.lampGainKey == key) return;
+    s.lampGainKey = key;
+    const LampGains gains = lampGainsOf(s.look, l);
+    if (!s.lampGains.id())
+        s.lampGains = makeTexture3D(ctx.gpu, kFarOwner, GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
+    glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,
+                        gains.data());
+}
+
 void updateGains(GrownSpecies& s, const FieldLight& l) {
     std::vector<float> read{l.sky.x,
                             l.sky.y,
@@ -158,6 +185,7 @@ void bindSlices(const FieldSpecies& s, GLuint reflectance, GLuint threshold, GLu
     glBindTextureUnit(TEX_SLICE_REFLECTANCE, reflectance);
     glBindTextureUnit(TEX_SLICE_THRESHOLD, threshold);
     glBindTextureUnit(TEX_SLICE_LIGHT, light);
+    if (s.grown->lampGains.id()) glBindTextureUnit(TEX_LAMP_GAINS, s.grown->lampGains.id());
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SLICES, s.sliceGlobals.id());
 }
 
@@ -525,7 +553,9 @@ SliceGlobals sliceGlobalsOf(const DrawContext& ctx, const Field& field, size_t i
 void makeSlices(DrawContext& ctx, Feature feature) {
     eachGrown(ctx, feature, [&](GrownField& field, size_t i) {
         ensureSlices(ctx, field, i);
-        updateGains(*field.species[i], fieldLight(ctx, field, i));
+        const FieldLight light = fieldLight(ctx, field, i);
+        updateGains(*field.species[i], light);
+        updateLampGains(ctx, field, *field.species[i], light);
     });
 }
 

@@ -190,12 +190,12 @@ glm::vec3 sends(const Surface& s, const glm::vec3& toEye, const glm::vec3& towar
 }
 
 // Share of direct light that is left where shadows are not traced: as shaders have it without masks and drawn shadows.
-float untracedShare(const View& v, const Surface& s, bool casts) {
+float untracedShare(const View& v, const Surface& s, bool casts, float sinElevation) {
     if (v.settings.lighting == ReferenceLighting::Full) return 1;
     if (s.met == Met::Flower) return s.open;
     if (s.met == Met::Blade) return (v.masked >> s.field & 1) && casts ? 1 : s.open;
     if (s.met == Met::Ground && !s.beyond)
-        return v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y, casts ? ~v.shading : kAllFields);
+        return v.scene.grass->lightLeft(s.place, sinElevation, casts ? ~v.shading : kAllFields);
     return 1;
 }
 
@@ -211,7 +211,7 @@ glm::vec3 lightFrom(const View& v, const Surface& s, const glm::vec3& toEye, con
     const glm::vec3 sent = sends(s, toEye, light.towards) * light.color;
     if (sent == glm::vec3(0)) return glm::vec3(0);
     if (light.casts && !lit(v, s, light.towards, light.far, dice, memory)) return glm::vec3(0);
-    return sent * untracedShare(v, s, light.casts);
+    return sent * untracedShare(v, s, light.casts, light.towards.y);
 }
 
 glm::vec3 directLight(const View& v, const Surface& s, const glm::vec3& toEye, Dice& dice, GrassMemory& memory) {

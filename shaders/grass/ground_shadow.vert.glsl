@@ -33,10 +33,9 @@ void main() {
     // whole ones out.
     if (!exists(s) || s.opacity < b.dither) return;
     vec3 n = groundNormal(s.ground, kNormalStep);
-    int kind = species.index;
+    SpeciesInField kind = field.species[species.index];
     float near = 1.0 - lodRamp(length(s.root), field.shadeFrom, field.shadeInv);
-    SoilShares soil =
-        soilShares(soilLeft(field.species[kind].shade, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
+    SoilShares soil = soilShares(soilLeft(kind.shade, species.area, s.density, bladeShare(s.uv)), near, skyShare(s.uv));
     vec3 takes = shadowShare(light, s.root, n, soil);
     if (!(max(takes.r, max(takes.g, takes.b)) > 1.0 / 255.0)) return;
 
@@ -45,7 +44,7 @@ void main() {
     BladeFrame f = bladeFrameFacing(pose.control, pose.tip, pose.facing, s.v);
     vec3 p = f.position + f.side * (s.across * b.width * frame.widening * (1.0 - s.v * s.v));
     vec3 l = towardsLight(s.root + p);
-    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * field.species[kind].height);
+    GroundShadow shadow = shadowOfSun(dot(p, n), vec3(l.x, dot(l, n), l.z), kLongest * kind.height);
     vec2 land = p.xz + shadow.offset;
     vec3 at = vec3(s.root.x + land.x, groundHeight(s.ground + land), s.root.z + land.y);
     left = vec3(1.0) - takes * shadow.alpha;

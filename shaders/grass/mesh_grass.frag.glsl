@@ -114,8 +114,8 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOn(leaf.rgb, c, pixel);
     FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, slices.farAmbient * open,
-                        shell.visible * pastHorizon(shell, slices.farHeight));
-    vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit) * gain, vec3(0.0), vec3(kBrightest));
+                        shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter);
+    vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     add(sum, light, alpha, e.t);
 }
 
@@ -200,9 +200,10 @@ void main() {
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(seen.xz) / level : vec2(1.0);
     vec3 open = ambientLight(n) / max(ambientLight(vec3(0.0, 1.0, 0.0)), vec3(1e-6));
     vec3 plain = vec3(p.lighter * darkened(far) * slices.reflectScale);
-    shell.brighter = plain * sliceGain(toEye, p.free, 0.0, false);
-    shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
-    shell.ambient = shell.brighter * slices.ambient * open;
+    vec3 shown = plain * sliceGain(toEye, p.free, 0.0, false);
+    shell.gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    shell.ambient = shown * slices.ambient * open;
+    shell.brighter = plain;
     shell.visible = sunVisible(shell.start, n);
 
     uint grain = INSIDE ? grainAt(cells + rate * (ahead + far), seen.y, far) : grainAt(cells + rate * ahead, 0.0, far);

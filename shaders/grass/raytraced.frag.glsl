@@ -121,9 +121,11 @@ void main() {
     shell.toField = kLevel;
     shell.sun = levelSun();
     shell.turned = CONSERVING ? verticalShare(toEye.y) * abs(way.xz) / level : vec2(1.0);
-    shell.brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(toEye, p.free, press, false);
-    shell.gain = SUN ? shell.brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
-    shell.ambient = shell.brighter * slices.ambient * skyShare(uv);
+    float plain = p.lighter * darkened(far) * slices.reflectScale;
+    vec3 shown = plain * sliceGain(toEye, p.free, press, false);
+    shell.gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    shell.ambient = shown * slices.ambient * skyShare(uv);
+    shell.brighter = plain * laidGain(lookTap(toEye), press);
 
     vec2 comesIn = toCells(shell.start.xz);
     uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);

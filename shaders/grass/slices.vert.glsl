@@ -28,7 +28,7 @@ flat out vec4 axes;    // w: 0 slices across x, 1 across z; x: side of it that i
 flat out float lightLayer;
 flat out float chance;  // of the cell
 out vec3 gain;          // of light from the sun
-out vec3 brighter;      // of any light
+out vec3 brighter;      // of lamps' light
 out vec4 lamp[3];       // red, green, blue: lamps' light on the view's images; unless weights are taken per pixel
 out vec3 ambient;
 out vec4 haze;     // its colour times the share that it has; w: what is left to the slice
@@ -89,11 +89,13 @@ void main() {
     weights =
         vec2(lodRamp(far, slices.minGeom, slices.geomInv), (1.0 - lodRamp(far, slices.minBTF, slices.btfInv)) * turned);
 
-    brighter = p.lighter * darkened(far) * slices.reflectScale * sliceGain(-foot / far, p.free, press, false);
+    float plain = p.lighter * darkened(far) * slices.reflectScale;
+    vec3 toEye = -foot / far, shown = plain * sliceGain(toEye, p.free, press, false);
+    brighter = plain * laidGain(lookTap(toEye), press);
     axes = vec4(side > 0.0 ? 1.0 : -1.0, mirror, float(axis));
     images = sunImages(levelSun(), axis, axes.x, mirror);
-    gain = SUN ? brighter * frame.sunLight * frame.sunIsUp : vec3(0.0);
-    ambient = brighter * slices.ambient * skyShare(uv);
+    gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
+    ambient = shown * slices.ambient * skyShare(uv);
     float hazed = hazeShare(length(position));
     haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);

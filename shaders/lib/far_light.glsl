@@ -13,7 +13,23 @@ struct FarLit {
     vec3 at;       // relative to the eye
     vec3 ambient;
     float visible;  // share of the sun that is seen from there
+    vec3 gain;      // of the sun's and the sky's light
+    vec3 brighter;  // of lamps' light
 };
+
+// A lamp's light there, with its gain, and its five weights.
+struct FarLamp {
+    vec3 light;
+    vec4 weights;
+};
+FarLamp farLamp(int i, FarLit here) {
+    LampHere l = lampAt(i, here.at);
+    vec3 direction = here.toField * l.direction, toEye = here.toField * (-here.at / max(length(here.at), 1e-4));
+    FarLamp lamp;
+    lamp.light = l.light * here.brighter * lampGain(toEye, direction).y;
+    lamp.weights = lampWeights(direction) * lampFade(direction);
+    return lamp;
+}
 
 // Five weights as weights of a cell's images: x+, x-, z+, z-.
 vec4 farImages(Repeated r, vec4 w) {
@@ -24,10 +40,8 @@ vec4 farImages(Repeated r, vec4 w) {
 vec3 farLampsSend(Repeated r, vec3 reflectance, vec4 lit, vec2 above, FarLit here) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, here.at);
-        vec3 direction = here.toField * l.direction;
-        vec4 w = lampWeights(direction) * lampFade(direction), images = farImages(r, w);
-        sum += l.light * reflectance * (dot(images, lit) + w.y * above.x);
+        FarLamp l = farLamp(i, here);
+        sum += l.light * reflectance * (dot(farImages(r, l.weights), lit) + l.weights.y * above.x);
     }
     return sum;
 }
@@ -44,23 +58,22 @@ vec3 farFullSends(sampler2DArray lightImages, Repeated r, vec4 images, float upp
         for (int i = 0; i < 4; ++i) through += images[i] * image[i ^ 1];
         send += slices.translucency * leafThrough(through);
     }
-    send *= sun;
+    send *= sun * here.gain;
     if (!LAMPS) return send;
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, here.at);
-        vec3 direction = here.toField * l.direction;
-        vec4 w = lampWeights(direction) * lampFade(direction), by = farImages(r, w);
-        vec3 lit = w.y * image[4];
+        FarLamp l = farLamp(i, here);
+        vec4 by = farImages(r, l.weights);
+        vec3 lit = l.weights.y * image[4];
         for (int k = 0; k < 4; ++k) lit += by[k] * image[k];
         send += l.light * lit;
     }
     return send;
 }
 
-// What it sends to the eye, before gains. lightImages: the slice's; leaf: reflectance, and share of ambient light that
+// What it sends to the eye. lightImages: the slice's; leaf: reflectance, and share of ambient light that
 // reaches it; above: what it stores of light from above.
 vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, FarLit here) {
-    vec3 light = here.ambient * leaf.rgb * leaf.a;
+    vec3 light = here.gain * here.ambient * leaf.rgb * leaf.a;
     if (!SUN && !LAMPS) return light;
     vec3 sun = SUN ? frame.sunLight * frame.sunIsUp * here.visible : vec3(0.0);
     vec4 w = here.sun.weights, images = farImages(r, w);
@@ -69,6 +82,6 @@ vec3 farRadiance(sampler2DArray lightImages, Repeated r, vec4 leaf, vec2 above, 
     vec3 towards = here.sun.towards * vec3(r.mirror.x, 1.0, r.mirror.y);
     vec2 send = LIGHT_COSINE ? cosineOf(vec3(lit.x, above.x, lit.z), vec3(lit.y, above.y, lit.w), towards)
                              : vec2(dot(lit, images) + above.x * w.y, dot(lit.yxwz, images) + above.y * w.y);
-    light += leavesSend(leaf.rgb, send) * sun;
+    light += leavesSend(leaf.rgb, send) * sun * here.gain;
     return LAMPS ? light + farLampsSend(r, leaf.rgb, lit, above, here) : light;
 }

@@ -7,8 +7,29 @@
 
 // Share of light that a species leaves to soil where it has this density and share of its height; shade: at 1 and 1.
 // What takes light is leaves' area, and that is in proportion to the height.
-float soilLeft(float shade, float density, float tall) {
-    return mix(1.0, GRASS_HEIGHTS ? pow(max(shade, 1e-6), tall) : shade, density);
+vec3 soilLeft(vec3 shade, float density, float tall) {
+    return mix(vec3(1.0), GRASS_HEIGHTS ? pow(max(shade, vec3(1e-6)), vec3(tall)) : shade, density);
+}
+float soilLeft(float shade, float density, float tall) { return soilLeft(vec3(shade), density, tall).x; }
+// The share of the sun's light that is left, and of a lamp's that stands so high (sine: kLampSines).
+struct SoilLeft {
+    float sun;
+    vec3 lamps;
+};
+const SoilLeft kAllLeft = SoilLeft(1.0, vec3(1.0));
+const vec3 kLampSines = vec3(0.2, 0.5, 1.0);
+SoilLeft times(SoilLeft a, SoilLeft b) { return SoilLeft(a.sun * b.sun, a.lamps * b.lamps); }
+// By Beer's law through leaves of so much area (SliceGlobals), as `shade` is for the sun.
+vec3 lampShades(vec2 area) {
+    vec3 across = area.x * sqrt(vec3(1.0) - kLampSines * kLampSines), above = area.y * kLampSines;
+    return exp(-sqrt(across * across + above * above) / kLampSines);
+}
+SoilLeft soilLeft(float shade, vec2 area, float density, float tall) {
+    return SoilLeft(soilLeft(shade, density, tall), LAMPS ? soilLeft(lampShades(area), density, tall) : vec3(1.0));
+}
+float lampLeft(SoilLeft left, float sine) {
+    vec2 steps = clamp((sine - kLampSines.xy) / (kLampSines.yz - kLampSines.xy), 0.0, 1.0);
+    return mix(mix(left.lamps.x, left.lamps.y, steps.x), left.lamps.z, steps.y);
 }
 
 // Light of one light that casts shadows: 0 the sun, i lamp i - 1.
@@ -20,25 +41,31 @@ vec3 castLight(int i, vec3 at, vec3 n) {
 // What grass leaves to soil of light from everywhere, of light in the mean, and of light from lights that cast its
 // shadows: near the eye the blades' own shadows take that; elsewhere the mean does.
 struct SoilShares {
-    float ambient, mean, casting;
+    float ambient;
+    SoilLeft mean, casting;
 };
 // Of grass that leaves `shades` in the mean. near: 1 where blades are drawn, 0 where they are not; sky: share of the
 // sky that the ground sees.
-SoilShares soilShares(float shades, float near, float sky) {
-    bool drawn = GROUND_SHADOWS && CASTING_LIGHTS;
-    return SoilShares(shades * sky, shades, drawn ? mix(shades, 1.0, near) : shades);
+SoilShares soilShares(SoilLeft shades, float near, float sky) {
+    SoilLeft casting = SoilLeft(mix(shades.sun, 1.0, near), mix(shades.lamps, vec3(1.0), near));
+    return SoilShares(shades.sun * sky, shades, GROUND_SHADOWS && CASTING_LIGHTS ? casting : shades);
 }
-float directShare(bool casts, SoilShares s) { return GROUND_SHADOWS && CASTING_LIGHTS && casts ? s.casting : s.mean; }
+// Of light i: 0 the sun, i lamp i - 1, at a point.
+float directShare(int i, bool casts, vec3 at, SoilShares s) {
+    SoilLeft left = casts ? s.casting : s.mean;
+    return i == 0 ? left.sun : lampLeft(left, lampAt(i - 1, at).direction.y);
+}
 
 vec3 soilLight(vec3 at, vec3 n, SoilShares s) {
     vec3 sum = ambientLight(n) * s.ambient;
-    if (SUN) sum += castLight(0, at, n) * directShare(frame.sunCasts > 0.0, s);
-    for (int i = 0; i < lampCount(); ++i) sum += castLight(i + 1, at, n) * directShare(i < castingLamps(), s);
+    if (SUN) sum += castLight(0, at, n) * directShare(0, frame.sunCasts > 0.0, at, s);
+    for (int i = 0; i < lampCount(); ++i)
+        sum += castLight(i + 1, at, n) * directShare(i + 1, i < castingLamps(), at, s);
     return sum;
 }
 // Share of that which the shadow of light i takes away; less than all, since other lights and the sky still reach
 // there.
 vec3 shadowShare(int i, vec3 at, vec3 n, SoilShares s) {
-    return clamp(castLight(i, at, n) * directShare(true, s) / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0),
+    return clamp(castLight(i, at, n) * directShare(i, true, at, s) / max(soilLight(at, n, s), vec3(1e-6)), vec3(0.0),
                  vec3(1.0));
 }

@@ -10,7 +10,7 @@ struct SliceSpot {
     vec4 images;       // of the sun (sunImages)
     float lightLayer;  // 0 in front of the slice, slices.layers behind it
     vec3 gain;         // of light from the sun
-    vec3 brighter;     // of any light
+    vec3 brighter;     // of lamps' light
     vec3 ambient;
     vec4 lamp[3];  // red, green, blue: lamps' light on the images
     float fine;    // level of detail of what is lit

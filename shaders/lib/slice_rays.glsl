@@ -34,7 +34,7 @@ struct Shell {
     vec2 turned;   // share of the slices across x and across z that shows
     mat3 toField;  // from the world's axes to the field's
     SunSeen sun;
-    vec3 gain, brighter, ambient;
+    vec3 gain, brighter, ambient;  // as SliceSpot has them
     float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
 };
 

@@ -16,6 +16,7 @@ layout(std140, binding = UBO_SLICES) uniform SliceBlock { SliceGlobals slices; }
 layout(binding = TEX_SLICE_REFLECTANCE) uniform sampler2DArray sliceReflectance;
 layout(binding = TEX_SLICE_THRESHOLD) uniform sampler2DArray sliceThreshold;
 layout(binding = TEX_SLICE_LIGHT) uniform sampler2DArray sliceLight;
+layout(binding = TEX_LAMP_GAINS) uniform sampler3D lampGains;
 const int FULL_STORAGE = 2;
 
 // The four tabulated views around one towards the eye, and their weights.
@@ -52,8 +53,15 @@ vec2 mixLeans(LookTap t, uvec4 bits) {
            t.weight.z * unpackHalf2x16(bits.z) + t.weight.w * unpackHalf2x16(bits.w);
 }
 
-// Factor that gives slices the mean radiance of the blades they stand for; `lean`: by paint and wind, m per m; `press`:
-// how far they are laid down.
+// How many times as bright grass is where it is laid down so far.
+vec3 laidGain(LookTap t, float press) {
+    if (!FORCES && !FORCE_MAP) return vec3(1.0);
+    uvec4 bits = uvec4(slices.gains[t.view.x].laid, slices.gains[t.view.y].laid, slices.gains[t.view.z].laid,
+                       slices.gains[t.view.w].laid);
+    return mix(vec3(1.0), mixGains(t, bits, slices.gainScale.z), press);
+}
+// Factor that gives slices, in the sun's and the sky's light, the mean radiance of the blades they stand for; `lean`:
+// by paint and wind, m per m; `press`: how far they are laid down.
 vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     LookTap t = lookTap(toEye);
     LookGain a = slices.gains[t.view.x], b = slices.gains[t.view.y], c = slices.gains[t.view.z],
@@ -61,8 +69,16 @@ vec3 sliceGain(vec3 toEye, vec2 lean, float press, bool far) {
     float leant = max(1.0 + dot(lean, mixLeans(t, uvec4(a.lean, b.lean, c.lean, d.lean))), 0.1);
     vec3 gain = leant * (far ? mixGains(t, uvec4(a.above, b.above, c.above, d.above), slices.gainScale.y)
                              : mixGains(t, uvec4(a.across, b.across, c.across, d.across), slices.gainScale.x));
-    if (!FORCES && !FORCE_MAP) return gain;
-    return gain * mix(vec3(1.0), mixGains(t, uvec4(a.laid, b.laid, c.laid, d.laid), slices.gainScale.z), press);
+    return gain * laidGain(t, press);
+}
+// The same for a lamp's light, without what forces do: of vertical slices, and of the horizontal one. Towards the eye
+// and the lamp, unit, in the field's axes.
+vec2 lampGain(vec3 toEye, vec3 towards) {
+    vec2 level = vec2(length(toEye.xz), length(towards.xz));
+    float cosine = dot(toEye.xz, towards.xz) / max(level.x * level.y, 1e-6);
+    vec3 size = vec3(LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS),
+         at = vec3(0.5 - 0.5 * clamp(cosine, -1.0, 1.0), sqrt(clamp(vec2(toEye.y, towards.y), 0.0, 1.0)));
+    return textureLod(lampGains, (at * (size - 1.0) + 0.5) / size, 0.0).rg;
 }
 
 // The chance of a cell (numerics/sowing.h), and the opacity of what a slice stores there (texelOpacity).
@@ -167,12 +183,14 @@ vec4 sunImages(SunSeen sun, int axis, float side, vec2 mirror) {
 const mat3 kLevel = mat3(1.0);
 SunSeen levelSun() { return SunSeen(frame.sunDirection, slices.sunWeights); }
 
-// Light of all lamps on the images of a vertical slice at a point. toField: from the world's axes to the field's.
+// Light of all lamps on the images of a vertical slice at a point, with their gains. toField: from the world's axes to
+// the field's.
 void lampsOnImages(vec3 at, vec4 axes, mat3 toField, inout vec4 sum[3]) {
+    vec3 toEye = toField * (-at / max(length(at), 1e-4));
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
         vec3 direction = toField * l.direction;
-        vec4 w = imagesOf(lampWeights(direction), axes) * lampFade(direction);
+        vec4 w = imagesOf(lampWeights(direction), axes) * (lampFade(direction) * lampGain(toEye, direction).x);
         for (int c = 0; c < 3; ++c) sum[c] += l.light[c] * w;
     }
 }

@@ -18,29 +18,30 @@ layout(binding = TEX_SOIL) uniform sampler2D soilMap[MAX_SOIL_MAPS];
 #define SOIL_FINEST(map, at) ((map) < 0 ? 1.0 : textureLod(soilMap[max(map, 0)], at, 0.0).r)
 
 #define SOIL_FIELD(field, heights, occlusion)                                     \
-    left = 1.0;                                                                   \
+    left = kAllLeft;                                                              \
     tall = SOIL_TEXEL(heights, tiled(uv, soilGrowth.fields[field].heightTiling)); \
     sky = min(sky, SOIL_FINEST(occlusion, uv * soilGrowth.fields[field].occlusionTiling));
-#define SOIL_SPECIES(number, map)                                            \
-    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling)); \
-    left *= soilLeft(soilGrowth.species[number].shade, density, tall);       \
+#define SOIL_SPECIES(number, map)                                                                                   \
+    density = SOIL_TEXEL(map, tiled(uv, soilGrowth.species[number].tiling));                                        \
+    left = times(left, soilLeft(soilGrowth.species[number].shade, soilGrowth.species[number].area, density, tall)); \
     grown += density;
 #define SOIL_SHARE(field) all = soilUnderBoth(all, soilOf(soilGrowth.fields[field], left, distance));
 
-SoilShares soilOf(SoilField f, float left, float distance) {
+SoilShares soilOf(SoilField f, SoilLeft left, float distance) {
     return soilShares(left, 1.0 - lodRamp(distance, f.shadeFrom, f.shadeInv), 1.0);
 }
 // Of what one field leaves, the next takes its share.
 SoilShares soilUnderBoth(SoilShares a, SoilShares b) {
-    return SoilShares(a.ambient, a.mean * b.mean, a.casting * b.casting);
+    return SoilShares(a.ambient, times(a.mean, b.mean), times(a.casting, b.casting));
 }
 
 // grown: how dense all species are together. The sky that the ground sees is the least that any field's map says.
 SoilShares soilUnder(vec2 uv, float distance, out float grown) {
-    float left = 1.0, tall = 1.0, sky = 1.0, density = 0.0;
+    SoilLeft left = kAllLeft;
+    float tall = 1.0, sky = 1.0, density = 0.0;
     grown = 0.0;
-    SoilShares all = SoilShares(1.0, 1.0, 1.0);
+    SoilShares all = SoilShares(1.0, left, left);
     SOIL_EACH
-    all.ambient = all.mean * sky;
+    all.ambient = all.mean.sun * sky;
     return all;
 }

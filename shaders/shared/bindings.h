@@ -65,7 +65,8 @@
 #define TEX_FOREST_NEAREST 52
 #define TEX_SKY 53  // as TEX_SHADOW
 #define TEX_AIR 54
-#define TEX_SHADOW 12  // bound by who makes them, for the whole frame
+#define TEX_LAMP_GAINS 55  // of the species that is drawn
+#define TEX_SHADOW 12      // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw
 #define TEX_MASK 14

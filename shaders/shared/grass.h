@@ -10,7 +10,7 @@ namespace sward {
 // Of one species, for shaders of all.
 struct STD140 SpeciesInField {
     float tiling;  // of its density map, as FieldGlobals has tilings
-    float shade;   // share of light left at the soil under full density
+    float shade;   // share of the sun's light left at the soil under full density
     float height;  // mean (m)
     float gusts;   // lean (m per m) of a full gust; 0 in a calm
 };
@@ -51,6 +51,7 @@ struct STD140 SpeciesGlobals {
     uint seed;
     float fade;  // omega of numerics/opacity.h
     int index;   // of the species in FieldGlobals
+    vec2 area;   // as SliceGlobals has it
     float translucency;
     float gloss;
     float roughness;   // of the gloss

@@ -6,6 +6,10 @@
 #define LOOK_AZIMUTHS 8
 #define LOOK_ELEVATIONS 4
 #define LOOK_VIEWS 32
+// Texels of the image of lamps' gains: x, (1 - cosine of the azimuth between eye and light) / 2; y and z, elevations of
+// eye and light as above.
+#define LAMP_AZIMUTHS 7
+#define LAMP_ELEVATIONS 5
 #ifdef __cplusplus
 namespace sward {
 #endif

@@ -17,10 +17,9 @@ struct STD140 SoilField {
     float occlusionTiling;  // of the map of ambient occlusion
 };
 struct STD140 SoilSpecies {
-    float shade;    // share of light left at the soil under full density
-    float tiling;   // of the density map
-    float unusedA;  // std140 gives elements of an array 16 bytes
-    float unusedB;
+    float shade;   // as SpeciesInField
+    float tiling;  // of the density map
+    vec2 area;     // as SliceGlobals
 };
 struct STD140 SoilGlobals {
     SoilField fields[MAX_FIELDS];

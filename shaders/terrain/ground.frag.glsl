@@ -47,7 +47,7 @@ void main() {
     float grown;
     SoilShares shares = soilUnder(uv, distance, grown);
     float beyond = TERRAIN_BEYOND ? beyondBy(place, frame.terrainSize) : 0.0;
-    vec3 light = beyond > 0.0 ? landLight(n) * land(soil(uv, beyond), shares.mean, beyond)
+    vec3 light = beyond > 0.0 ? landLight(n) * land(soil(uv, beyond), shares.mean.sun, beyond)
                               : soilLight(position, n, shares) * soil(uv, 0.0);
     light = mix(light, hazeColor(position), hazeShare(distance));
     color = vec4(clamp(light, vec3(0.0), vec3(kBrightest)), 1.0);
