@@ -132,6 +132,14 @@ std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath) {
     return out;
 }
 
+std::string sculptsBelow(const Document& doc, const std::string& mapPath) {
+    if (stackedMap(doc.project(), mapPath) != mapPath || kindUnder(doc, mapPath) != MapKind::Heights) return {};
+    const std::vector<LayerOf> layers = layersOver(doc.project(), mapPath);
+    const auto acting = std::count_if(layers.begin(), layers.end(),
+                                      [](const LayerOf& l) { return !l.layer->muted && l.layer->opacity > 0; });
+    return acting == 0 ? "" : fmt::format("below {} layer{}", acting, acting == 1 ? "" : "s");
+}
+
 Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
     const Result<ConstFieldRef> map = findMap(doc.project(), doc.tables().components, mapPath);
     if (!map) return map.error();

@@ -286,13 +286,10 @@ void inSight(const std::string& path, size_t layers, const Build& build) {
 
 // Who flattens to a height that is seen, or digs, must know that layers add theirs to it.
 void sculptedBelow() {
-    const std::string text =
-        "Brushes, Place Heights and Add Pond sculpt the ground below these layers; what is seen is that and the layers "
-        "over it. To sculpt over them: Add painted, and Paint on it.";
     ImGui::PushTextWrapPos(0);
-    ui::coloredText(ui::kDimText, text.c_str());
+    ui::coloredText(ui::kDimText, kSculptsBelow);
     ImGui::PopTextWrapPos();
-    ui::record("Below", ui::Kind::Label, text);
+    ui::record("Below", ui::Kind::Label, kSculptsBelow);
 }
 
 void noLayersOver(const std::string& map) {

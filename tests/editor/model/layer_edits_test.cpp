@@ -180,6 +180,18 @@ TEST(LayerEdits, OverHeightsBeginGently) {
     EXPECT_EQ(&f.doc.standing(), &f.doc.project());
 }
 
+TEST(LayerEdits, WhoSculptsIsToldHowManyLayersLieAbove) {
+    Fixture f;
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "");
+    for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 2 layers");
+    EXPECT_EQ(sculptsBelow(f.doc, "ground.MapLayers.layers[painted].amounts"), "") << "on a layer nothing is below";
+    ASSERT_TRUE(f.doc.setField("ground.MapLayers.layers[rule].muted", "true"));
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 1 layer");
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    EXPECT_EQ(sculptsBelow(f.doc, kDensity), "") << "what is painted there is not seen as a height";
+}
+
 TEST(LayerEdits, OverColoursBeginOnWhatIsSteep) {
     Fixture f;
     const std::string colours = "ground.Terrain.terrainMap";
