@@ -21,11 +21,7 @@ namespace {
 
 float em(float ems) { return ImGui::GetFontSize() * ems; }
 
-// Beside the last widget if so much finds room there, else on a new line.
-void beside(float width, float gap = 6) {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
-}
+using ui::beside;
 float wide(const char* text) { return ImGui::CalcTextSize(text).x; }
 float buttonWide(const char* text) { return wide(text) + 2 * ImGui::GetStyle().FramePadding.x; }
 float boxWide(const char* title) { return ImGui::GetFrameHeight() + 3 + wide(title); }
