@@ -98,7 +98,7 @@ ui.click("Tabs/Accuracy")
 ui.set("Accuracy/Against", "reference")
 entity.set(blades, 16000)
 for _ = 1, 100 do  -- the truth gets finer while nothing moves
-    if tonumber(ui.get("Accuracy/samples"):match("^%d+")) >= 24 then break end
     ui.wait(300)
+    if ui.exists("Accuracy/samples") and tonumber(ui.get("Accuracy/samples"):match("^%d+")) >= 24 then break end
 end
 ui.screenshot(OUT .. "/edit-accuracy.png")
