@@ -1,8 +1,10 @@
 #!/bin/sh
-# Renders the pictures of README.md and docs/ that show sample projects: docs/images/PROJECT-CAMERA.jpg. To be run by hand
-# after a change of how they look; the samples must be there (the default build). Needs ImageMagick's convert.
+# Makes the pictures of README.md and docs/ that show sample projects, docs/images/PROJECT-CAMERA.jpg, and those of the
+# tour of the editor, docs/images/edit-NAME.jpg (the name "editing" for all of them). To be run by hand after a change of
+# how they look; the samples must be there (the default build). Needs ImageMagick's convert.
 #   tools/readme_pictures.sh [path/to/sward] [NAME...]
-# Pictures of the editor, plots and truths are made by hand.
+# The level in the window makes pictures of its own: SHOTS=FOLDER tests/window/morning.sh. Plots and truths are made by
+# hand.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 sward=${1:-$here/build/release/sward}
@@ -38,3 +40,13 @@ oasis-human 1024x768
 forest-valley 1024x640
 grove-human 1024x640
 LIST
+
+case " $names " in '  ' | *" editing "*)
+    { echo "OUT, PARK = '$work', '$here/projects/park'"; cat "$here/tools/editing_pictures.lua"; } >"$work/editing.lua"
+    "$sward" script "$work/editing.lua" --size 1440x900 >"$work/said"
+    for picture in "$work"/edit-*.png; do
+        name=$(basename "$picture" .png)
+        convert "$picture" -resize 900x -quality 85 "$here/docs/images/$name.jpg"
+        echo "docs/images/$name.jpg"
+    done ;;
+esac

@@ -5,11 +5,13 @@
 #include "core/json.h"
 #include "model/entity_edits.h"
 #include "model/hollow.h"
+#include "model/layer_edits.h"
 #include "model/one_step.h"
 #include "model/whole_map.h"
 #include "tools/appear.h"
 #include "tools/brush_target.h"
 #include "world/ground.h"
+#include "world/height_layers.h"
 
 namespace sward {
 namespace {
@@ -91,7 +93,9 @@ void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messag
     });
     if (!accept(messages, done)) return;
     choose(selection, name);
-    say(messages, own.empty() ? "new: " + name : "a hollow below the level of " + name);
+    const std::string below = sculptsBelow(doc, heightsPath(doc.project()));
+    say(messages, (own.empty() ? "new: " + name : "a hollow below the level of " + name) +
+                      (below.empty() ? "" : ", dug " + below));
 }
 
 void paintNew(const Document& doc, BrushBook& brushes, const std::string& owner) {

@@ -229,7 +229,12 @@ bool ShapeRows::row(int y, float* light) const {
 }
 
 float shapeLight(const BrushShape& shape, float x, float y) {
-    const ShapeLevel& level = shape.levels[std::min<size_t>(shape.levels.size() - 1, 2)];
+    constexpr int kSide = 64;  // texels enough for a picture of it; those of a small shape are all shown
+    size_t coarse = 0;
+    while (coarse + 1 < shape.levels.size() &&
+           std::max(shape.levels[coarse + 1].width, shape.levels[coarse + 1].height) >= kSide)
+        ++coarse;
+    const ShapeLevel& level = shape.levels[coarse];
     const float half = halfSide(level);
     return lightAt(level, 0.5f * static_cast<float>(level.width) + 0.5f + half * x,
                    0.5f * static_cast<float>(level.height) + 0.5f + half * y);

@@ -54,16 +54,16 @@ std::string firstPath(const Project& p) {
     return {};
 }
 
-// What a new layer over heights begins with.
-Status beginOverHeights(Document& doc, const std::string& path, LayerKind kind) {
-    const bool levels = kind == LayerKind::Path;
-    if (Status done = doc.setField(path + ".operation", levels ? "replace" : "add"); !done) return done;
+// What a new layer over heights or colours begins with.
+Status beginOver(Document& doc, MapKind under, const std::string& path, LayerKind kind) {
+    const bool heights = under == MapKind::Heights, adds = heights && kind != LayerKind::Path;
+    if (Status done = doc.setField(path + ".operation", adds ? "add" : "replace"); !done) return done;
     if (kind == LayerKind::Rule) {
         if (Status done = doc.addListElement(path + ".masks"); !done) return done;
-        const std::vector<std::pair<const char*, std::string>> noise = {
-            {"by", "noise"}, {"to", "1"}, {"from", "1"}, {"falloff", "1"}, {"size", "12"}};
-        for (const auto& [field, text] : noise)
-            if (Status done = doc.setField(path + ".masks[mask]." + field, text); !done) return done;
+        const std::string mask = path + ".masks[mask]";
+        return heights
+                   ? setAll(doc, mask, {{"by", "noise"}, {"to", "1"}, {"from", "1"}, {"falloff", "1"}, {"size", "12"}})
+                   : setAll(doc, mask, {{"to", "90"}, {"from", "35"}, {"falloff", "4"}});
     }
     if (kind != LayerKind::Painted) return {};
     const Result<ConstFieldRef> amounts = findField(doc.project(), doc.tables().components, path + ".amounts");
@@ -115,10 +115,10 @@ std::string stackedMap(const Project& p, const std::string& mapPath) {
     return of && place < of->layers.size() ? layeredPath(entityOfPath(layer), of->layers[place]) : mapPath;
 }
 
-bool liesOverHeights(const Document& doc, const std::string& mapPath) {
+MapKind kindUnder(const Document& doc, const std::string& mapPath) {
     const Result<ConstFieldRef> under =
         findField(doc.project(), doc.tables().components, stackedMap(doc.project(), mapPath));
-    return under && under->row->type == FieldType::Map && under->row->map->kind == MapKind::Heights;
+    return under && under->row->type == FieldType::Map ? under->row->map->kind : MapKind::Amounts;
 }
 
 std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath) {
@@ -130,6 +130,14 @@ std::vector<LayerOf> layersOver(const Project& p, const std::string& mapPath) {
     for (size_t i = 0; i < paths.size(); ++i)
         if (layeredPath(entity, of->layers[i]) == mapPath) out.push_back({paths[i], &of->layers[i]});
     return out;
+}
+
+std::string sculptsBelow(const Document& doc, const std::string& mapPath) {
+    if (stackedMap(doc.project(), mapPath) != mapPath || kindUnder(doc, mapPath) != MapKind::Heights) return {};
+    const std::vector<LayerOf> layers = layersOver(doc.project(), mapPath);
+    const auto acting = std::count_if(layers.begin(), layers.end(),
+                                      [](const LayerOf& l) { return !l.layer->muted && l.layer->opacity > 0; });
+    return acting == 0 ? "" : fmt::format("below {} layer{}", acting, acting == 1 ? "" : "s");
 }
 
 Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
@@ -148,7 +156,8 @@ Status addLayer(Document& doc, const std::string& mapPath, LayerKind kind) {
         if (Status done = setAll(doc, made, {{"map", within}, {"kind", name}, {"name", called}}); !done) return done;
         if (kind == LayerKind::Path)
             if (Status done = doc.setField(path + ".path", firstPath(doc.project())); !done) return done;
-        if (map->row->map->kind == MapKind::Heights) return beginOverHeights(doc, path, kind);
+        const MapKind under = map->row->map->kind;
+        if (under == MapKind::Heights || under == MapKind::Colours) return beginOver(doc, under, path, kind);
         if (kind == LayerKind::Rule) return doc.addListElement(path + ".masks");
         return kind == LayerKind::Painted ? doc.createMap(path + ".amounts") : Status();
     });
@@ -177,7 +186,7 @@ Status importLayer(Document& doc, const std::string& layerPath, const std::files
                    const ImportOptions& options) {
     const Result<ConstFieldRef> map = findField(doc.project(), doc.tables().components, layerPath + ".amounts");
     if (!map) return map.error();
-    if (liesOverHeights(doc, map->path)) return importHeights(doc, layerPath, file, options);
+    if (kindUnder(doc, map->path) == MapKind::Heights) return importHeights(doc, layerPath, file, options);
     MapImport used;
     Result<Map> texels = readImport(doc.project(), *map, file, options, &used);
     if (!texels) return texels.error();

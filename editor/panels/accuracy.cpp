@@ -168,7 +168,7 @@ void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     spec.softMin = 1, spec.softMax = 100, spec.hardMin = 0.01, spec.hardMax = 1e5, spec.unit = "ms";
     ui::slider("Budget", f.budget, spec);
     ui::tooltip("What a frame of 320 x 240 may take on this machine, in milliseconds.");
-    ImGui::SameLine(0, 6);
+    ui::beside(ImGui::CalcTextSize("Fit to budget").x + 2 * ImGui::GetStyle().FramePadding.x);
     if (f.child.running()) {
         if (ui::button("Stop fit")) stopFit(f);
         ui::tooltip("Ends the search. The best so far stays here, to be adopted.");
@@ -193,8 +193,10 @@ void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, d
         for (const float share : {1.1f, 2.2f, 1.25f})
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
+        ImGui::PushTextWrapPos(0);
         choices(c, parts.doc.tables().techniques, parts.clock.now);
         scores(c, comparisonLabel(c, parts.doc, parts.clock));
+        ImGui::PopTextWrapPos();
         ImGui::TableNextColumn();
         plotColumn(accuracy, parts, edits, lastMs);
         ImGui::TableNextColumn();

@@ -7,6 +7,7 @@
 
 #include "app/edits.h"
 #include "app/messages.h"
+#include "model/layer_edits.h"
 #include "model/new_map.h"
 #include "panels/bar_rows.h"
 #include "panels/brush_shape.h"
@@ -150,6 +151,17 @@ void heights(Rows& rows, BrushSettings& b) {
     }
 }
 
+// A hill that an `add` layer lifts ends higher than it was flattened to: said beside the tool.
+void belowLayers(Rows& rows, const Document& doc, const std::string& map) {
+    const std::string text = sculptsBelow(doc, map);
+    if (text.empty()) return;
+    next(rows, text.c_str(), 0);
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kErrorText, text.c_str());
+    ui::tooltip(kSculptsBelow);
+    ui::record("Below", ui::Kind::Label, text);
+}
+
 // The settings of the present tool on the present map.
 void settings(Rows& rows, BrushBook& brushes, const std::optional<ConstFieldRef>& map, double yaw,
               const ShapeParts& shapes) {
@@ -220,6 +232,7 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
     }
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
     settings(rows, brushes, map, yaw, {doc, edits, messages, images});
+    if (map) belowLayers(rows, doc, map->path);
     speciesWidgets(rows, doc, brushes);
     mirrorWidget(rows, brushes);
     return rows.count;

@@ -13,6 +13,7 @@
 #include "ui/theme.h"
 #include "ui/words.h"
 #include "world/layer_masks.h"
+#include "world/layered_tiles.h"
 #include "world/map_stacks.h"
 
 namespace sward {
@@ -20,11 +21,7 @@ namespace {
 
 float em(float ems) { return ImGui::GetFontSize() * ems; }
 
-// Beside the last widget if so much finds room there, else on a new line.
-void beside(float width, float gap = 6) {
-    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
-}
+using ui::beside;
 float wide(const char* text) { return ImGui::CalcTextSize(text).x; }
 float buttonWide(const char* text) { return wide(text) + 2 * ImGui::GetStyle().FramePadding.x; }
 float boxWide(const char* title) { return ImGui::GetFrameHeight() + 3 + wide(title); }
@@ -171,6 +168,21 @@ void metres(const FieldParts& parts, const LayerOf& of) {
         captioned(parts, kind == LayerKind::Rule ? "metres" : "white is", of.path + ".high", em(6));
 }
 
+// The colour that a layer lays, as a swatch.
+void swatch(const FieldParts& parts, const LayerOf& of) {
+    const std::string path = of.path + ".color";
+    beside(wide("lays") + 4 + ImGui::GetFrameHeight());
+    ImGui::AlignTextToFramePadding();
+    ui::coloredText(ui::kDimText, "lays");
+    ImGui::SameLine(0, 4);
+    float v[3] = {of.layer->color.x, of.layer->color.y, of.layer->color.z};
+    if (ui::colorEdit(path, v)) {
+        holdEdit(parts, path);
+        setField(parts, path, fmt::format("[{}, {}, {}]", v[0], v[1], v[2]), labelOf(path));
+    }
+    told(path, "The colour that it lays where it counts. Click to choose.");
+}
+
 // The path that a layer goes along.
 void alongPath(const FieldParts& parts, const LayerOf& of) {
     ImGui::Indent(em(1.5f));
@@ -219,7 +231,7 @@ void order(const FieldParts& parts, const std::string& path) {
 }
 
 // One line where there is room; else it breaks between its widgets.
-void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, bool overHeights) {
+void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, MapKind under) {
     const std::string& path = of.path;
     bool on = !of.layer->muted;
     if (ui::checkbox(path + "/On", on, false))
@@ -233,8 +245,9 @@ void layer(const FieldParts& parts, BrushBook& brushes, const LayerOf& of, bool 
     beside(em(6));
     choice(parts, path + ".operation", em(6));
     captioned(parts, "opacity", path + ".opacity", em(5));
-    if (overHeights) metres(parts, of);
-    if (!overHeights || of.layer->kind != LayerKind::Path) {
+    if (under == MapKind::Heights) metres(parts, of);
+    if (under == MapKind::Colours && of.layer->operation == LayerOperation::Replace) swatch(parts, of);
+    if (under != MapKind::Heights || of.layer->kind != LayerKind::Path) {
         beside(boxWide("invert"));
         flag(parts, path + ".invert", "invert");
     }
@@ -269,17 +282,15 @@ void inSight(const std::string& path, size_t layers, const Build& build) {
 
 // Who flattens to a height that is seen, or digs, must know that layers add theirs to it.
 void sculptedBelow() {
-    const std::string text =
-        "Brushes, Place Heights and Add Pond sculpt the ground below these layers; what is seen is that and the layers "
-        "over it. To sculpt over them: Add painted, and Paint on it.";
     ImGui::PushTextWrapPos(0);
-    ui::coloredText(ui::kDimText, text.c_str());
+    ui::coloredText(ui::kDimText, kSculptsBelow);
     ImGui::PopTextWrapPos();
-    ui::record("Below", ui::Kind::Label, text);
+    ui::record("Below", ui::Kind::Label, kSculptsBelow);
 }
 
 void noLayersOver(const std::string& map) {
-    const std::string text = ui::inWords(map) + " holds directions or colours: layers lie over amounts and heights.";
+    const std::string text =
+        ui::inWords(map) + " holds directions or pushes: layers lie over amounts, colours and heights.";
     ui::coloredText(ui::kDimText, text.c_str());
     ui::record("Note", ui::Kind::Label, text);
 }
@@ -291,14 +302,15 @@ void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, co
     const std::optional<ConstFieldRef> chosen = chosenMap(doc, brushes);
     if (!chosen) return ImGui::TextDisabled("The brush is on no map.");
     const std::string map = stackedMap(doc.project(), chosen->path);
-    const bool heights = liesOverHeights(doc, map);
-    if (chosen->row->map->kind != MapKind::Amounts && !heights) return noLayersOver(map);
+    const MapKind under = kindUnder(doc, map);
+    const bool heights = under == MapKind::Heights;
+    if (!heights && !layeredKind(under)) return noLayersOver(map);
     addButtons(parts, map);
     ImGui::BeginChild("layers");
     const std::vector<LayerOf> layers = layersOver(doc.project(), map);
     for (auto of = layers.rbegin(); of != layers.rend(); ++of)
         inSight(of->path, layers.size(), [&] {
-            layer(parts, brushes, *of, heights);
+            layer(parts, brushes, *of, under);
             note(notes, of->path);
             if (of->layer->kind == LayerKind::Rule)
                 masks(parts, *of);

@@ -8,11 +8,13 @@
 #include "app/edits.h"
 #include "app/messages.h"
 #include "model/document.h"
+#include "model/layer_edits.h"
 #include "tools/camera_control.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 #include "ui/words.h"
 #include "world/ground.h"
+#include "world/height_layers.h"
 
 namespace sward {
 namespace {
@@ -38,7 +40,9 @@ void findings(const MapHealthView& view, const Document& doc, FlyCamera& camera,
         ui::tooltip(fmt::format("Flies to where it is worst: {:.1f}, {:.1f} m", f.worst.x, f.worst.y));
         ImGui::SameLine();
         const std::string text = ui::inWords(f.map) + ": " + f.message;
+        ImGui::PushTextWrapPos(0);  // of lines longer than the window none ends at its edge
         ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
         ui::record("Line", ui::Kind::Label, text);
         ImGui::PopID();
     }
@@ -83,7 +87,9 @@ void checkMaps(MapHealthView& view, const Document& doc) {
 void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, Edits& edits) {
     if (!view.open) return;
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowSize({em * 52, em * 14}, ImGuiCond_Appearing);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowSize({std::min(em * 52, screen.x - em * 7), std::min(em * 14, screen.y - em * 9)},
+                             ImGuiCond_Appearing);
     ImGui::SetNextWindowPos({em * 6, em * 8}, ImGuiCond_Appearing);
     if (ImGui::Begin("Map health", &view.open, kWindow)) {
         const size_t faults = static_cast<size_t>(
@@ -148,6 +154,11 @@ void drawHeightPlacing(HeightPlacing& h, Document& doc, Edits& edits, Messages& 
         ui::checkbox("Flip X", h.place.flipX);
         ImGui::SameLine();
         ui::checkbox("Flip Z", h.place.flipZ);
+        if (const std::string below = sculptsBelow(doc, heightsPath(doc.project())); !below.empty()) {
+            ui::coloredText(ui::kErrorText, ("They go " + below).c_str());
+            ui::tooltip(kSculptsBelow);
+            ui::record("Below", ui::Kind::Label, below);
+        }
         if (!h.error.empty()) {
             ui::coloredText(ui::kErrorText, h.error.c_str());
             ui::record("Error", ui::Kind::Label, h.error);

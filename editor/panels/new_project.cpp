@@ -46,10 +46,11 @@ void drawNewProject(FileDialog& d, Thumbnails& thumbnails) {
     const ui::NumberSpec relief{.softMax = 40, .hardMin = 0, .hardMax = kMostRelief, .unit = "m"};
     ui::slider("Relief", d.wish.relief, relief);
     ui::tooltip("Metres between the lowest and the highest ground; 0: level.");
-    ImGui::SameLine(0, 16);
+    ImGui::PushTextWrapPos(0);
     if (const ProjectTemplate* t = findTemplate(d.templates, d.wish.name))
         ui::coloredText(ui::kDimText, t->help.c_str());
-    ImGui::NewLine();
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
 }
 
 }  // namespace sward

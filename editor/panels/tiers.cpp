@@ -158,11 +158,12 @@ std::vector<std::pair<const char*, uint64_t>> tierCounts(const Stats& s) {
 void counts(const FrameStats& s) {
     bool first = true;
     for (const auto& [name, n] : tierCounts(s)) {
-        if (!first) ImGui::SameLine(0, 14);
+        const std::string number = counted(n);
+        if (!first) ui::beside(ImGui::CalcTextSize(name).x + 5 + ImGui::CalcTextSize(number.c_str()).x, 14);
         first = false;
         ui::coloredText(ui::kDimText, name);
         ImGui::SameLine(0, 5);
-        ImGui::TextUnformatted(counted(n).c_str());
+        ImGui::TextUnformatted(number.c_str());
         ui::record(name, ui::Kind::Label, fmt::format("{}", n));
     }
 }

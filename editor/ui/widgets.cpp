@@ -101,6 +101,11 @@ void setError(const std::string& label, const std::string& message) {
         book().errors[pathOf(label)] = message;
 }
 
+void beside(float width, float gap) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;  // where a new line ends
+    if (ImGui::GetItemRectMax().x + gap + width <= right) ImGui::SameLine(0, gap);
+}
+
 void tooltip(const std::string& text) {
     constexpr double kRestSeconds = 0.45;
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;

@@ -85,6 +85,8 @@ void setError(const std::string& label, const std::string& message);  // empty: 
 
 // Shown when the pointer has rested on the last item for a moment; empty text shows nothing. Recorded as "Tooltip".
 void tooltip(const std::string& text);
+// The next widget goes beside the last one, if so much finds room there in its window or column, else on a new line.
+void beside(float width, float gap = 6);
 
 // True if it was pressed. Width 0: as the label needs; `accent`: it is the usual choice, or is switched on.
 bool button(const std::string& label, float width = 0, bool accent = false);

@@ -27,7 +27,7 @@ Project emptyProject(const fs::path& dir) {
     p.registry.add<GrassField>(*addEntity(p, "lawn"), std::move(field));
     p.registry.add<Light>(*addEntity(p, "sun"));
     p.registry.add<Sky>(*addEntity(p, "sky"), {.model = SkyModel::Atmosphere, .turbidity = 1.5f});
-    p.registry.add<Fog>(*addEntity(p, "haze"), {.visibility = 8000});
+    p.registry.add<Fog>(*addEntity(p, "haze"), {.visibility = 25000});
     p.registry.add<Camera>(*addEntity(p, "camera"));
     return p;
 }

@@ -45,6 +45,7 @@ constexpr FieldRow kLayerFields[] = {
            "how its amounts change what lies below"),
     flag("invert", offsetof(MapLayer, invert), "its amounts are taken from 1"),
     listOf("masks", offsetof(MapLayer, masks), &kMaskList, "where a rule counts: they are multiplied"),
+    color("color", offsetof(MapLayer, color), kReflectance, "over colours: what it lays, as reflectance"),
     real("low", offsetof(MapLayer, low), "m", kMetres,
          "over heights: what an amount of 0 stands for; of a path: how far it lies over the ground along its middle"),
     real("high", offsetof(MapLayer, high), "m", kMetres, "over heights: what an amount of 1 stands for"),

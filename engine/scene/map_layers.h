@@ -1,10 +1,13 @@
 // Layers over the maps of an entity: a painted map stays as it was painted, and what is drawn is it and the layers over
-// it. Beside any component with maps of amounts (density, blade height, ambient occlusion), and over the heights.
-// Does not: evaluate anything (world/map_stacks.h, world/height_layers.h), nor touch maps that repeat.
+// it. Beside any component with maps of amounts (density, blade height, ambient occlusion) or colours (the ground's,
+// the blades'), and over the heights. Does not: evaluate anything (world/map_stacks.h, world/height_layers.h), nor
+// touch maps that repeat.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "core/enum_names.h"
 #include "maps/map.h"
@@ -35,7 +38,8 @@ inline constexpr auto kLayerKinds = enumNames<LayerKind>("rule", "image", "paint
 
 // How a layer's amount b changes what lies below, a; the result is kept in [0, 1]. Over heights both are metres, and
 // nothing is kept: a rule's b is `high`, and its masks say where; an image's goes from `low` to `high`; a path's is the
-// ground below at its middle and `low` more.
+// ground below at its middle and `low` more. Over colours `replace` lays `color`, as opaque as b; `multiply`,
+// `subtract` and `minimum` change the opacity of what lies below (world/layered_tiles.h).
 enum class LayerOperation { Multiply, Add, Subtract, Replace, Minimum, Maximum };
 inline constexpr auto kLayerOperations =
     enumNames<LayerOperation>("multiply", "add", "subtract", "replace", "minimum", "maximum");
@@ -47,11 +51,12 @@ struct MapLayer {
     bool muted = false;  // it is kept and does nothing
     float opacity = 1;   // share of its effect
     LayerOperation operation = LayerOperation::Multiply;
-    bool invert = false;         // its amounts are taken from 1
-    std::vector<MapMask> masks;  // of a rule: they are multiplied; none: 1 everywhere
-    float low = 0, high = 1;     // metres, over heights alone
-    std::string path;            // of a path: the entity that has it
-    MapField amounts;            // of an image or painted layer: one channel, over the whole terrain
+    bool invert = false;                   // its amounts are taken from 1
+    std::vector<MapMask> masks;            // of a rule: they are multiplied; none: 1 everywhere
+    glm::vec3 color{0.54f, 0.39f, 0.19f};  // reflectance that it lays, over colours alone: sand
+    float low = 0, high = 1;               // metres, over heights alone
+    std::string path;                      // of a path: the entity that has it
+    MapField amounts;                      // of an image or painted layer: one channel, over the whole terrain
 };
 
 // The layers of all maps of an entity; of one map the first lies lowest.

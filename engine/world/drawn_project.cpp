@@ -7,6 +7,7 @@
 #include "core/numerics.h"
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
+#include "world/layered_tiles.h"
 
 namespace sward {
 namespace {
@@ -36,14 +37,10 @@ void thin(Map& m, int x, int y, const GroundPath&, float share) {
     const float value = m.at(x, y);
     m.set(x, y, 0, value + ((share > 0 ? 1.0f : 0.0f) - value) * std::abs(share));
 }
-// The path's colour over the map's, both as linear light by their opacities.
+// The path's colour over the map's.
 void tint(Map& m, int x, int y, const GroundPath& path, float share) {
-    const float under = m.at(x, y, 3) * (1 - share), opacity = share + under;
-    for (int c = 0; c < 3; ++c) {
-        const float light = share * path.color[c] + under * f32::srgbDecode(m.at(x, y, c));
-        m.set(x, y, c, f32::srgbEncode(light / opacity));
-    }
-    m.set(x, y, 3, opacity);
+    const glm::vec4 now = laidOver({m.at(x, y, 0), m.at(x, y, 1), m.at(x, y, 2), m.at(x, y, 3)}, path.color, share);
+    for (int c = 0; c < 4; ++c) m.set(x, y, c, now[c]);
 }
 
 constexpr PathEffect kEffects[] = {

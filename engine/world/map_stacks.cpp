@@ -1,4 +1,4 @@
-// Index: stacks of amounts · the project as it is shown.
+// Index: stacks · the project as it is shown.
 #include "world/map_stacks.h"
 
 #include <algorithm>
@@ -8,40 +8,21 @@
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
 #include "world/height_layers.h"
+#include "world/layered_tiles.h"
 
 namespace sward {
 namespace {
 
-// --- stacks of amounts ---------------------------------------------------------------------------------------------
-// A layer that counts, over the map of its stack.
-struct Over {
-    const MapLayer* layer;
-    const Map* coverage;
-};
-
+// --- stacks --------------------------------------------------------------------------------------------------------
 // What a map with layers came to at the last call, and of what.
 struct Stack {
     Map final, painted;
     std::vector<Map> coverages;
-    std::string of;  // operations and opacities
+    std::string of;  // how the layers combine
 };
 
-void combine(const Map& painted, const std::vector<Over>& layers, TilePlace at, Numbers& out) {
-    if (painted.empty())
-        std::fill(out.begin(), out.end(), 1.0f);
-    else
-        readTile(painted, at.x, at.y, out);
-    Numbers amounts(kTileTexels);
-    for (const Over& over : layers) {
-        readTile(*over.coverage, at.x, at.y, amounts);
-        const float opacity = over.layer->opacity;
-        for (size_t i = 0; i < kTileTexels; ++i)
-            out[i] += opacity * (std::clamp(combined(over.layer->operation, out[i], amounts[i]), 0.0f, 1.0f) - out[i]);
-    }
-}
-
 // Tiles of the stack where the painted map or a layer is another than at the last call.
-std::vector<TilePlace> changedTiles(const Stack& s, const Map& painted, const std::vector<Over>& layers) {
+std::vector<TilePlace> changedTiles(const Stack& s, const Map& painted, const std::vector<LayerOver>& layers) {
     std::vector<TilePlace> out = painted.empty() ? std::vector<TilePlace>() : tilesThatDiffer(painted, s.painted);
     for (size_t i = 0; i < layers.size(); ++i)
         for (const TilePlace& t : tilesThatDiffer(*layers[i].coverage, s.coverages[i]))
@@ -49,34 +30,25 @@ std::vector<TilePlace> changedTiles(const Stack& s, const Map& painted, const st
     return out;
 }
 
-void updateStack(Stack& s, LayerScene& scene, const Map& painted, const MapInfo& info,
-                 const std::vector<Over>& layers) {
+std::string howItCombines(const MapLayer& layer) {
+    return fmt::format("{} {} {} {} {}|", static_cast<int>(layer.operation), layer.opacity, layer.color.x,
+                       layer.color.y, layer.color.z);
+}
+
+void updateStack(Stack& s, LayerScene& scene, const LayeredKind& kind, const Map& painted, const MapInfo& info,
+                 const std::vector<LayerOver>& layers) {
     std::string of;
-    for (const Over& o : layers) of += fmt::format("{} {}|", static_cast<int>(o.layer->operation), o.layer->opacity);
+    for (const LayerOver& o : layers) of += howItCombines(*o.layer);
     const bool fresh = s.final.info() != info || s.painted.info() != painted.info() || s.of != of;
     if (s.final.info() != info) s.final = Map(info);
     const std::vector<TilePlace> tiles = fresh ? tilesIn(s.final, {kEverywhere}) : changedTiles(s, painted, layers);
     evaluateTiles(s.final, tiles, NumberRange::Unit,
-                  [&](TilePlace at, Numbers& out) { combine(painted, layers, at, out); });
+                  [&](TilePlace at, Numbers& out) { kind.combine(painted, layers, at, out); });
     scene.evaluated += tiles.size();
     s.of = std::move(of);
     s.painted = painted;
     s.coverages.clear();
-    for (const Over& o : layers) s.coverages.push_back(*o.coverage);
-}
-
-// What to say of a layer that counts and is 0 everywhere; empty if nothing.
-std::string zeroSays(const MapLayer& layer) {
-    switch (layer.operation) {
-        case LayerOperation::Multiply:
-        case LayerOperation::Replace:
-        case LayerOperation::Minimum:
-            return layer.opacity < 1 ? "" : "it is 0 everywhere and hides all of the map: widen or invert it";
-        default:
-            return layer.operation == LayerOperation::Subtract && layer.invert
-                       ? ""
-                       : "it is 0 everywhere and changes nothing: widen or invert it";
-    }
+    for (const LayerOver& o : layers) s.coverages.push_back(*o.coverage);
 }
 
 // The field of the map that layers lie over, or why they cannot.
@@ -85,9 +57,13 @@ Result<FieldRef> layeredMap(Project& p, std::span<const ComponentRow> rows, cons
     Result<FieldRef> field = findField(p, rows, path);
     if (!field || field->row->type != FieldType::Map)
         return unsound(fmt::format("there is no map {}", path), "name another, or bring it back");
-    if (isRowOf<MapLayers>(*field->component) || field->row->map->kind != MapKind::Amounts || field->row->map->onMesh)
-        return unsound(fmt::format("{} holds no amounts on the terrain", path),
-                       "layers lie over densities and the like");
+    const MapRow& row = *field->row->map;
+    if (isRowOf<MapLayers>(*field->component) || !layeredKind(row.kind) || row.onMesh)
+        return unsound(fmt::format("{} holds no amounts or colours on the terrain", path),
+                       "layers lie over densities, colours and the like");
+    if (const Map& map = mapOf(ConstFieldRef(*field)).map; !map.empty() && map.info().channels != row.channels)
+        return unsound(fmt::format("{} has {} channels, not {}", path, map.info().channels, row.channels),
+                       "import it again");
     if (tilingOf(terrain, mapTiling(*field)).repeats)
         return unsound(fmt::format("{} repeats, and layers lie on the whole terrain", path),
                        "set its tiling to 1 and Terrain.mapSize to 0");
@@ -146,8 +122,13 @@ bool MapStacks::Impl::stackMap(const std::string& path,
     auto& target = *static_cast<MapField*>(field->value);
     const MapInfo info =
         target.present() ? target.map.info() : newMapInfo(*field->row->map, std::max(terrain->size.x, terrain->size.y));
-    std::vector<Over> over;
+    const LayeredKind& kind = *layeredKind(field->row->map->kind);
+    std::vector<LayerOver> over;
     for (const auto& [layer, of] : layers) {
+        if (const Status can = kind.fits(*of); !can) {
+            skip(layer, can.error());
+            continue;
+        }
         Coverage& c = coverages[layer];
         asked.insert(layer);
         if (const Status done = updateCoverage(c, scene, *of, {info.width, info.height, 1, PixelType::U16}); !done) {
@@ -155,14 +136,15 @@ bool MapStacks::Impl::stackMap(const std::string& path,
             skip(layer, done.error());
             continue;
         }
-        if (const std::string says = c.zero ? zeroSays(*of) : ""; !says.empty()) notes.push_back({layer, says, false});
+        if (const std::string says = c.zero ? kind.zeroSays(*of) : ""; !says.empty())
+            notes.push_back({layer, says, false});
         over.push_back({of, &c.map});
         putCoverage(to, layer, c.map);
     }
     if (over.empty()) return false;
     asked.insert(path);
     Stack& stack = stacks[path];
-    updateStack(stack, scene, target.map, info, over);
+    updateStack(stack, scene, kind, target.map, info, over);
     target = {target.file.empty() ? "maps/layered" : target.file, stack.final};
     return true;
 }

@@ -11,24 +11,24 @@ namespace {
 template <class T>
 void readTexels(const Tile& tile, float most, Numbers& out) {
     const T* in = reinterpret_cast<const T*>(tile.bytes.data());
-    for (size_t i = 0; i < kTileTexels; ++i) out[i] = static_cast<float>(in[i]) / most;
+    for (size_t i = 0; i < tile.bytes.size() / sizeof(T); ++i) out[i] = static_cast<float>(in[i]) / most;
 }
 
 template <class T>
-void writeTexels(const Numbers& in, int width, int height, float most, Tile& tile) {
+void writeTexels(const Numbers& in, size_t width, int height, float most, Tile& tile) {
     T* out = reinterpret_cast<T*>(tile.bytes.data());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const size_t i = static_cast<size_t>(y) * kTileSize + static_cast<size_t>(x);
+    const size_t row = tile.bytes.size() / sizeof(T) / kTileSize;
+    for (size_t y = 0; y < static_cast<size_t>(height); ++y)
+        for (size_t i = y * row; i < y * row + width; ++i) {
             const float unit = in[i] > 0 ? std::min(in[i], 1.0f) : 0.0f;
             out[i] = static_cast<T>(std::is_floating_point_v<T> ? unit : std::round(unit * most));
         }
 }
 
-void copyTexels(const Numbers& in, int width, int height, Tile& tile) {
-    for (int y = 0; y < height; ++y)
-        std::memcpy(tile.bytes.data() + static_cast<size_t>(y) * kTileSize * sizeof(float),
-                    &in[static_cast<size_t>(y) * kTileSize], static_cast<size_t>(width) * sizeof(float));
+void copyTexels(const Numbers& in, size_t width, int height, Tile& tile) {
+    const size_t row = tile.bytes.size() / sizeof(float) / kTileSize;
+    for (size_t y = 0; y < static_cast<size_t>(height); ++y)
+        std::memcpy(tile.bytes.data() + y * row * sizeof(float), &in[y * row], width * sizeof(float));
 }
 
 bool meet(const MapBox& a, const MapBox& b) { return a.x0 <= b.x1 && b.x0 <= a.x1 && a.z0 <= b.z1 && b.z0 <= a.z1; }
@@ -86,8 +86,8 @@ void readTile(const Map& map, int tx, int ty, Numbers& out) {
 std::shared_ptr<const Tile> makeTile(const Map& map, int tx, int ty, const Numbers& numbers, NumberRange range) {
     const MapInfo& info = map.info();
     auto made = std::make_shared<Tile>(Tile{std::vector<std::byte>(map.tileBytes())});
-    const int w = std::min(kTileSize, info.width - tx * kTileSize),
-              h = std::min(kTileSize, info.height - ty * kTileSize);
+    const int h = std::min(kTileSize, info.height - ty * kTileSize);
+    const size_t w = static_cast<size_t>(std::min(kTileSize, info.width - tx * kTileSize) * info.channels);  // numbers
     switch (info.type) {
         case PixelType::U8:
             writeTexels<uint8_t>(numbers, w, h, 255, *made);
@@ -140,7 +140,7 @@ std::vector<TilePlace> tilesThatDiffer(const Map& a, const Map& b) {
 }
 
 bool isZero(const Map& map) {
-    Numbers numbers(kTileTexels);
+    Numbers numbers(kTileTexels * static_cast<size_t>(map.info().channels));
     for (int ty = 0; ty < map.tilesY(); ++ty)
         for (int tx = 0; tx < map.tilesX(); ++tx) {
             readTile(map, tx, ty, numbers);

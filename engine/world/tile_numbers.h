@@ -1,4 +1,4 @@
-// Tiles of maps of one channel as floats, and where two states of a map differ: what layers are evaluated by.
+// Tiles of maps as floats, and where two states of a map differ: what layers are evaluated by.
 // Does not: know layers (world/layer_coverage.h). A map lies on the terrain once here; places are shares of its sides.
 #pragma once
 #include <memory>
@@ -10,9 +10,9 @@
 namespace sward {
 
 inline constexpr size_t kTileTexels = size_t(kTileSize) * kTileSize;
-using Numbers = std::vector<float>;  // of a tile, rows first: kTileTexels of them
+using Numbers = std::vector<float>;  // of a tile, rows first: kTileTexels of them, times the map's channels
 
-// Of a map of one channel, as Map::at gives them; `out` has kTileTexels.
+// As Map::at gives them, channels side by side; `out` has room for them.
 void readTile(const Map& map, int tx, int ty, Numbers& out);
 
 enum class NumberRange { Unit, Any };  // kept within 0 to 1, or as they are (floats only)
@@ -46,7 +46,7 @@ template <class F>
 void evaluateTiles(Map& map, const std::vector<TilePlace>& tiles, NumberRange range, const F& numbers) {
     std::vector<std::shared_ptr<const Tile>> made(tiles.size());
     parallelFor(tiles.size(), [&](size_t i) {
-        Numbers out(kTileTexels);
+        Numbers out(kTileTexels * static_cast<size_t>(map.info().channels));
         numbers(tiles[i], out);
         made[i] = makeTile(map, tiles[i].x, tiles[i].y, out, range);
     });

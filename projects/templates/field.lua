@@ -18,3 +18,4 @@ local function ground(x, z) return relief > 0 and map.at(height, x, z) or 0 end
 local middle = size / 2
 entity.set("camera.Camera.eye", { middle - 6, ground(middle - 6, middle + 9) + 1.7, middle + 9 })
 entity.set("camera.Camera.target", { middle, ground(middle, middle) + 0.3, middle })
+entity.set("sun.Light.azimuthDeg", 300)  -- behind the camera's shoulder: against it a lawn is dark

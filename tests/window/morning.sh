@@ -120,7 +120,7 @@ step "heights in a corner, seen before they are taken" 04-corner "a rule"
 press "Place heights/Accept"
 until_true "the taken heights" gone "Place heights/Accept"
 
-# No grass above 35 degrees, nor on what lies low: there the sand is bare, 1 m below the level ground and deeper.
+# No grass above 35 degrees, nor on what lies low: there is bare sand by a rule, 1 m below the level ground and deeper.
 rule=lawn.MapLayers.layers[rule]
 press Tools/Add
 tab Layers
@@ -132,10 +132,15 @@ choose "Layers/$rule.masks[mask2].by" height
 number "Layers/$rule.masks[mask2].from" -1
 number "Layers/$rule.masks[mask2].to" inf
 choose Brush/Map "ground.Terrain.terrainMap (new)"
-write Brush/Colour "#c2a878"
-number Brush/Radius 12
-number Brush/Strength 1
-stroke 105 120 112 124
+press "Layers/Add rule"
+sand=ground.MapLayers.layers[rule]
+until_true "the rule of sand" there "Layers/$sand/On"
+choose "Layers/$sand.masks[mask].by" height
+number "Layers/$sand.masks[mask].from" -1000
+number "Layers/$sand.masks[mask].to" -1
+number "Layers/$sand.masks[mask].falloff" 0.2
+says_nothing() { gone "Layers/$sand/Note"; }
+until_true "sand in the hollow" says_nothing
 step "a rule" 05-rule "a path"
 
 # A winding path.
@@ -283,7 +288,9 @@ done
 [ "$(grep -c '"file": "models/stone1.glb"' "$project/project.json")" -eq 13 ] || fail "there are not twelve rocks and a rule"
 saved '"rotationDeg": \[0, -\?[1-9]' || fail "no bench is turned"
 grep '"scale":' "$project/project.json" | grep -qv '"scale": 1,\?$' || fail "no rock is scaled"
-saved '"terrainMap"' || fail "there is no sand"
+saved '"map": "Terrain.terrainMap"' || fail "there is no rule of sand"
+if saved '"terrainMap": '; then fail "the sand was painted"; fi
+"$sward" export "$project" --map terrainMap --out "$work/sand.png" || fail "there is no sand"
 adopted=0 # what is as by default is not in the file; samples and the share of blades are the view's
 for setting in $fitted; do
   case $setting in msaa=* | detail=* | filtering=*) continue ;; esac

@@ -38,6 +38,25 @@ TEST(LayerCoverage, OfAPathIsItsWeight) {
     EXPECT_EQ(lost.error().message, "there is no path \"nowhere\"");
 }
 
+TEST(LayerCoverage, APathOfOnePointIsARoundSpot) {
+    Project p = rampLawn(0);
+    put(p, "spot", GroundPath{.points = {{"only", {10, 10}}}, .width = 4, .falloff = 0});
+    MapLayer layer = ruleLayer("along", {});
+    layer.kind = LayerKind::Path;
+    layer.path = "spot";
+    LayerScene scene = sceneOf(p);
+    Coverage c;
+    ASSERT_TRUE(updateCoverage(c, scene, layer, kTexels));
+    EXPECT_EQ(at(c.map, 10, 10), 1);
+    EXPECT_EQ(at(c.map, 11.5, 10), 1);
+    EXPECT_EQ(at(c.map, 12.5, 10), 0);
+    EXPECT_EQ(at(c.map, 10, 7), 0);
+    p.registry.get<GroundPath>(findEntity(p, "spot"))->points.clear();
+    const Status none = updateCoverage(c, scene, layer, kTexels);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().message, "the path \"spot\" has no points");
+}
+
 TEST(LayerCoverage, IsEvaluatedAgainWhereHeightsChangedAlone) {
     Project p = rampLawn(40);
     LayerScene scene = sceneOf(p);

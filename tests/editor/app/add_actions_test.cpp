@@ -5,6 +5,7 @@
 
 #include "app/object_actions.h"
 #include "model/field_walk.h"
+#include "model/layer_edits.h"
 #include "scene/forest.h"
 #include "support.h"
 #include "techniques.h"
@@ -83,6 +84,12 @@ TEST_F(AddMenu, APondIsAHollowWithWaterBelowItsRim) {
     EXPECT_LT(terrainHeight(ground, 20, 20), water.level - 0.8);
     EXPECT_EQ(terrainHeight(ground, 20, 30), 0) << "dry";
     expectOneStep();
+}
+
+TEST_F(AddMenu, APondBelowLayersOfHeightsSaysSo) {
+    ASSERT_TRUE(addLayer(doc, "ground.Terrain.height", LayerKind::Painted));
+    addPond(doc, view, selection, messages);
+    EXPECT_EQ(messages.status, "new: pond, dug below 1 layer");
 }
 
 TEST_F(AddMenu, ASecondPondHasTheLevelOfTheFirst) {

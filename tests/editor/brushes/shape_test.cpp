@@ -73,6 +73,20 @@ TEST(Shape, ASmallStampTakesTheMeanOfAFinePicture) {
         for (int x = 97; x < 103; ++x) EXPECT_NEAR(map.at(x, y), 0.5, 0.02);
 }
 
+// The veil over the ground shows what a stamp would lay, of a picture of four texels, too.
+TEST(Shape, TheLightOfASmallPictureIsShownTexelByTexel) {
+    const ShapePtr chequered = makeShape("chequered", 2, 2, {1, 0, 0, 1});
+    EXPECT_NEAR(shapeLight(*chequered, -0.5f, -0.5f), 1, 1e-6);
+    EXPECT_NEAR(shapeLight(*chequered, 0.5f, -0.5f), 0, 1e-6);
+    EXPECT_NEAR(shapeLight(*chequered, -0.5f, 0.5f), 0, 1e-6);
+    EXPECT_NEAR(shapeLight(*chequered, 0.5f, 0.5f), 1, 1e-6);
+    EXPECT_NEAR(shapeLight(*corner(), 0.5f, -0.5f), 1, 1e-6);
+    EXPECT_NEAR(shapeLight(*corner(), -0.5f, -0.5f), 0, 1e-6);
+    std::vector<float> fine(512 * 512);
+    for (size_t i = 0; i < fine.size(); ++i) fine[i] = static_cast<float>(i % 2);
+    EXPECT_NEAR(shapeLight(*makeShape("fine", 512, 512, fine), 0.1f, 0.3f), 0.5f, 1e-3) << "of a fine one the mean";
+}
+
 TEST(Shape, AWidePictureKeepsItsProportions) {
     const Map map = stamped(turned(0), makeShape("bar", 40, 10, std::vector<float>(400, 1.0f)));
     EXPECT_NEAR(map.at(65, 100), 1, 1e-5);

@@ -160,9 +160,9 @@ constexpr const char* kHeights = "ground.Terrain.height";
 TEST(LayerEdits, OverHeightsBeginGently) {
     Fixture f;
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
-    EXPECT_TRUE(liesOverHeights(f.doc, kHeights));
-    EXPECT_TRUE(liesOverHeights(f.doc, "ground.MapLayers.layers[painted].amounts"));
-    EXPECT_FALSE(liesOverHeights(f.doc, kDensity));
+    EXPECT_EQ(kindUnder(f.doc, kHeights), MapKind::Heights);
+    EXPECT_EQ(kindUnder(f.doc, "ground.MapLayers.layers[painted].amounts"), MapKind::Heights);
+    EXPECT_EQ(kindUnder(f.doc, kDensity), MapKind::Amounts);
     const MapLayer& bumps = *layersOver(f.doc.project(), kHeights)[0].layer;
     EXPECT_EQ(bumps.operation, LayerOperation::Add);
     EXPECT_EQ(bumps.masks.at(0).by, MaskBy::Noise);
@@ -178,6 +178,34 @@ TEST(LayerEdits, OverHeightsBeginGently) {
     EXPECT_FALSE(painted.height.present()) << "nothing was sculpted";
     EXPECT_TRUE(f.doc.undo() && f.doc.undo());
     EXPECT_EQ(&f.doc.standing(), &f.doc.project());
+}
+
+TEST(LayerEdits, WhoSculptsIsToldHowManyLayersLieAbove) {
+    Fixture f;
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "");
+    for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 2 layers");
+    EXPECT_EQ(sculptsBelow(f.doc, "ground.MapLayers.layers[painted].amounts"), "") << "on a layer nothing is below";
+    ASSERT_TRUE(f.doc.setField("ground.MapLayers.layers[rule].muted", "true"));
+    EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 1 layer");
+    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    EXPECT_EQ(sculptsBelow(f.doc, kDensity), "") << "what is painted there is not seen as a height";
+}
+
+TEST(LayerEdits, OverColoursBeginOnWhatIsSteep) {
+    Fixture f;
+    const std::string colours = "ground.Terrain.terrainMap";
+    for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, colours, kind));
+    EXPECT_EQ(kindUnder(f.doc, colours), MapKind::Colours);
+    const MapLayer& steep = *layersOver(f.doc.project(), colours)[0].layer;
+    EXPECT_EQ(steep.operation, LayerOperation::Replace);
+    EXPECT_EQ(steep.masks.at(0).by, MaskBy::Slope);
+    EXPECT_EQ(steep.masks.at(0).from, 35);
+    MapStacks stacks;
+    const Map& shown = findGround(stacks.shown(f.doc.project(), tables().components)).terrain->terrainMap.map;
+    EXPECT_EQ(shown.mean(3), 0) << "a level project shows neither";
+    EXPECT_TRUE(f.doc.undo() && f.doc.undo());
+    EXPECT_FALSE(f.doc.dirty());
 }
 
 TEST(LayerEdits, APathsLayerTakesTheFirstPath) {

@@ -63,6 +63,17 @@ TEST_F(EditorTools, TheSwatchShowsForMapsOfColoursOnly) {
     ok(ui->key("escape"));
 }
 
+TEST_F(EditorUi, AToolOfHeightsSaysHowManyLayersLieOverThem) {
+    ok(ui->click("Tools/Flatten"));
+    EXPECT_FALSE(ui->exists("Brush/Below"));
+    ok(ui->click("Layers/Add rule"));
+    EXPECT_EQ(get("Brush/Below"), "below 1 layer");
+    ok(ui->click("Layers/Add painted"));
+    ok(ui->click("Layers/ground.MapLayers.layers[painted]/Paint"));
+    ok(ui->wait(2));
+    EXPECT_FALSE(ui->exists("Brush/Below")) << "the brush is on the topmost";
+}
+
 TEST_F(EditorUi, ThePathToolSaysWhatClicksDoAndHasNoSteps) {
     ok(ui->key("p"));
     EXPECT_EQ(get("Brush/Mode"), "Path");

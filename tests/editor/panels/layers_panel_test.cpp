@@ -94,10 +94,10 @@ TEST_F(LayersPanel, PreviewsALayerOverTheScene) {
 }
 
 TEST_F(LayersPanel, SaysInWordsOverWhichMapsNoLayersLie) {
-    selectMap(doc, brushes, "ground.Terrain.terrainMap");
+    selectMap(doc, brushes, "lawn.GrassField.orientation");
     frames(2);
     EXPECT_EQ(value("Layers/Note"),
-              "Ground \u203a terrain map holds directions or colours: layers lie over amounts and heights.");
+              "Lawn \u203a orientation holds directions or pushes: layers lie over amounts, colours and heights.");
     EXPECT_FALSE(shown("Layers/Add rule"));
     selectMap(doc, brushes, kDensity);
     frames(2);
@@ -156,6 +156,22 @@ TEST_F(LayersPanel, OverHeightsItSaysThatBrushesSculptBelow) {
     EXPECT_FALSE(shown("Layers/Below")) << "the brush is on the layer";
     click("Layers/Paint the map itself");
     EXPECT_TRUE(shown("Layers/Below"));
+}
+
+TEST_F(LayersPanel, OverColoursALayerHasTheColourThatItLays) {
+    click("Layers/Add rule");
+    EXPECT_FALSE(shown("Layers/" + kRule + ".color")) << "a density has none";
+    selectMap(doc, brushes, "ground.Terrain.terrainMap");
+    frames(2);
+    click("Layers/Add rule");
+    const std::string sand = "ground.MapLayers.layers[rule]";
+    ASSERT_TRUE(shown("Layers/" + sand + ".color"));
+    EXPECT_EQ(field(sand + ".operation"), "replace");
+    EXPECT_FALSE(shown("Layers/" + sand + ".low")) << "metres are for heights";
+    EXPECT_NE(value("Layers/" + sand + "/Note").find("changes nothing"), std::string::npos) << "nothing is steep yet";
+    ASSERT_TRUE(doc.setField(sand + ".operation", "multiply"));
+    frames(2);
+    EXPECT_FALSE(shown("Layers/" + sand + ".color")) << "it takes away";
 }
 
 TEST_F(LayersPanel, OfManyLayersOnlyThoseInSightAreBuilt) {

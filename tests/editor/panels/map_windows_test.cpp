@@ -3,6 +3,7 @@
 
 #include "editor/panels/panel_stage.h"
 #include "maps/map_io.h"
+#include "model/layer_edits.h"
 #include "tools/camera_control.h"
 #include "world/ground.h"
 
@@ -78,6 +79,33 @@ TEST_F(MapWindows, HeightsAreTakenByAcceptAndDroppedByCancel) {
     click("Place heights/Accept");
     frames(2);
     EXPECT_NE(value("Place heights/Error").find("beside the terrain"), std::string::npos);
+}
+
+TEST_F(MapWindows, PlacedHeightsSayThatTheyGoBelowLayers) {
+    name = "Place heights";
+    draw = [this] { drawHeightPlacing(placing, doc, edits, messages); };
+    ASSERT_TRUE(beginPlacing(placing, doc, slope(), false, false));
+    frames(2);
+    EXPECT_FALSE(shown("Place heights/Below"));
+    ASSERT_TRUE(addLayer(doc, "ground.Terrain.height", LayerKind::Rule));
+    frames(2);
+    EXPECT_EQ(value("Place heights/Below"), "below 1 layer");
+}
+
+TEST_F(MapWindows, TheListOfFindingsLiesWithinASmallWindow) {
+    name = "Map health";
+    float right = 1e9f, low = 1e9f;
+    draw = [&] {
+        drawMapHealth(health, doc, camera, edits);
+        ImGui::Begin("Map health");  // the same window once more
+        right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
+        low = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+        ImGui::End();
+    };
+    checkMaps(health, doc);
+    frames(3);
+    EXPECT_LE(right, 800);
+    EXPECT_LE(low, 600);
 }
 
 }  // namespace

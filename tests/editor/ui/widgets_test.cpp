@@ -21,6 +21,25 @@ TEST_F(Widgets, PathsJoinScopesAndTellWhatIsGreyed) {
     EXPECT_FALSE(book.widgets.at("Panel/Inner/Greyed").enabled) << "what is around counts";
 }
 
+TEST_F(Widgets, WhatFindsNoRoomBesideGoesBelowInAColumnToo) {
+    draw = [] {
+        if (!ImGui::BeginTable("two", 2, ImGuiTableFlags_SizingFixedFit)) return;
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 200);
+        ImGui::TableNextColumn();
+        ui::button("First", 100);
+        ui::beside(80);
+        ui::button("Beside", 80);
+        ui::beside(80);
+        ui::button("Below", 80);
+        ImGui::EndTable();
+    };
+    frames(2);
+    const auto at = [&](const char* path) { return book.widgets.at(path); };
+    EXPECT_EQ(at("Panel/Beside").y0, at("Panel/First").y0);
+    EXPECT_GT(at("Panel/Below").y0, at("Panel/First").y1);
+    EXPECT_EQ(at("Panel/Below").x0, at("Panel/First").x0);
+}
+
 TEST_F(Widgets, AComboHandsBackAnotherChoiceAlone) {
     const std::vector<std::string> items{"one", "two"};
     int chosen = 0, changes = 0;
