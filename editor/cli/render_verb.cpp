@@ -7,6 +7,7 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "techniques.h"
+#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -82,6 +83,8 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
     s.measure = true;
     if (Status st = shot.renderer.draw(shot.project, shot.view, s); !st) return st.error();
     record.stats = shot.renderer.stats();
+    DrawnProject drawn;
+    record.forests = countForests(drawn.of(shot.project, tables().components));
     record.stats.bladesVisible = visibleBlades(shot.project, tables(), shot.view, s.width, s.height);
     return record;
 }

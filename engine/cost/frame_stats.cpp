@@ -66,6 +66,18 @@ Json bladesJson(const FrameStats& s) {
     return j;
 }
 
+// There only where a scene has forests.
+void addForests(Json& all, const std::vector<ForestCount>& forests) {
+    for (const ForestCount& f : forests) {
+        Json j;
+        j["name"] = f.entity;
+        j["trees"] = f.trees;
+        j["tiles"] = f.tiles;
+        j["cliffs"] = f.cliffs;
+        all["forests"].push(std::move(j));
+    }
+}
+
 Json memoryJson(const FrameStats& s) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -92,6 +104,7 @@ Json recordJson(const FrameRecord& r, const Project& project, const Gpu& gpu, in
     j["passes"] = Json::makeArray();
     for (const PassStats& p : r.stats.passes) j["passes"].push(passJson(p));
     j["blades"] = bladesJson(r.stats);
+    addForests(j, r.forests);
     j["memory"] = memoryJson(r.stats);
     j["features"] = names(r.stats.features);
     j["programs"] = names(r.stats.programs);

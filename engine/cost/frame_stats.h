@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/renderer.h"
+#include "world/forest_ground.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -13,6 +14,7 @@ struct FrameRecord {
     std::string camera;
     std::vector<double> frameMs;  // one a measured frame, each with one finish at its end
     FrameStats stats;             // of a separate frame with a timer around each pass
+    std::vector<ForestCount> forests;
 };
 
 // Blades whose opacity is above 0 and whose root is in view, counted on the CPU by the shaders' own rule.

@@ -11,7 +11,9 @@
 namespace sward {
 namespace {
 
-constexpr double kPart = 0.5;           // metres of a tree's air
+constexpr double kPart = 0.25;          // metres of a tree's air: of a leaf's width, so that clumps are told from gaps
+constexpr double kMostParts = 256;      // along a tree: those of an enormous one are larger
+constexpr int kSkyCoarser = 2;          // the sky's shade is smooth
 constexpr double kLeastTexel = 0.5;     // metres of the map
 constexpr double kLowestSine = 0.1045;  // of 6 degrees
 constexpr float kMostDepth = 8;
@@ -24,9 +26,9 @@ glm::dvec3 raised(const glm::dvec3& light) {
                          : glm::dvec3(0, 1, 0);
 }
 
-// Optical depth from a place on level ground through a tree's air.
-double depthFrom(const TreeAir& air, const glm::dvec2& at, const glm::dvec3& way) {
-    const double step = 0.5 * air.part, half = 0.5 * air.side * air.part, end = air.height / way.y;
+// Optical depth from a place on level ground through a tree's air, in steps (m).
+double depthFrom(const TreeAir& air, const glm::dvec2& at, const glm::dvec3& way, double step) {
+    const double half = 0.5 * air.side * air.part, end = air.height / way.y;
     double depth = 0;
     for (double t = 0.5 * step; t < end; t += step) {
         const double x = (at.x + way.x * t + half) / air.part, z = (at.y + way.z * t + half) / air.part;
@@ -37,6 +39,9 @@ double depthFrom(const TreeAir& air, const glm::dvec2& at, const glm::dvec3& way
                             air.extinction[(layer * side + static_cast<size_t>(z)) * side + static_cast<size_t>(x)]);
     }
     return depth;
+}
+double seenAlong(const TreeAir& air, const glm::dvec3& way) {
+    return static_cast<double>(seenFrom(air.facing, static_cast<float>(way.y)));
 }
 
 // An image that holds the rectangle from low to high.
@@ -63,10 +68,11 @@ TreeAir treeAir(const Mesh& mesh) {
     if (mesh.parts.empty()) return air;
     const double reach = static_cast<double>(
         std::max({std::abs(mesh.low.x), std::abs(mesh.high.x), std::abs(mesh.low.z), std::abs(mesh.high.z)}));
-    air.part = std::max(kPart, std::max(2 * reach, static_cast<double>(mesh.high.y)) / 128);
+    air.part = std::max(kPart, std::max(2 * reach, static_cast<double>(mesh.high.y)) / kMostParts);
     air.height = std::max(static_cast<double>(mesh.high.y), air.part);
     air.side = 2 * std::max(static_cast<int>(std::ceil(reach / air.part)), 1);
     air.layers = std::max(static_cast<int>(std::ceil(air.height / air.part)), 1);
+    air.facing = facingOf(mesh);
     const size_t side = static_cast<size_t>(air.side);
     air.extinction.assign(side * side * static_cast<size_t>(air.layers), 0);
     const float volume = static_cast<float>(air.part * air.part * air.part);
@@ -101,24 +107,31 @@ TreeShade shadeTowards(const TreeAir& air, const glm::dvec3& light) {
     const double half = 0.5 * air.side * air.part;
     const glm::dvec2 thrown = -glm::dvec2(way.x, way.z) * (air.height / way.y);
     TreeShade s = imageOver(glm::min(glm::dvec2(0), thrown) - half, glm::max(glm::dvec2(0), thrown) + half, air.part);
-    fill(s, [&](const glm::dvec2& at) { return depthFrom(air, at, way); });
+    const double seen = seenAlong(air, way);
+    fill(s, [&](const glm::dvec2& at) { return seen * depthFrom(air, at, way, 0.5 * air.part); });
     return s;
 }
 
 TreeShade shadeOfSky(const TreeAir& air) {
     if (air.side == 0) return {};
     const double reach = 0.5 * air.side * air.part + air.height;
-    TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach), air.part);
+    const double texel = kSkyCoarser * air.part;
+    TreeShade s = imageOver(glm::dvec2(-reach), glm::dvec2(reach), texel);
+    struct Direction {
+        glm::dvec3 way;
+        double seen;
+    };
+    std::vector<Direction> directions;
+    for (int k = 0; k < kSkyDirections; ++k) {
+        // Level ground takes light by its sine: directions are spread so that each counts as much.
+        const double y = std::sqrt((k + 0.5) / kSkyDirections), turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
+        const glm::dvec3 way(r * std::cos(turn), y, r * std::sin(turn));
+        directions.push_back({way, seenAlong(air, way)});
+    }
     fill(s, [&](const glm::dvec2& at) {
-        double light = 0, all = 0;
-        for (int k = 0; k < kSkyDirections; ++k) {
-            // Level ground takes light by its sine: directions are spread so that each counts as much.
-            const double y = std::sqrt((k + 0.5) / kSkyDirections), turn = k * 2.399963229728653,
-                         r = std::sqrt(1 - y * y);
-            light += std::exp(-depthFrom(air, at, {r * std::cos(turn), y, r * std::sin(turn)}));
-            all += 1;
-        }
-        return -std::log(std::max(light / all, 1e-4));
+        double light = 0;
+        for (const Direction& d : directions) light += std::exp(-d.seen * depthFrom(air, at, d.way, 0.5 * texel));
+        return -std::log(std::max(light / kSkyDirections, 1e-4));
     });
     return s;
 }

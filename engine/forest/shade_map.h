@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "mesh/facing.h"
 #include "mesh/mesh.h"
 #include "scene/components.h"
 #include "world/forest_stand.h"
@@ -18,6 +19,7 @@ struct TreeAir {
     double part = 0.5;              // metres of a part's edge
     double height = 0;              // metres
     std::vector<float> extinction;  // x fastest, then z, then upwards; x and z from -side / 2 * part on
+    Facing facing = evenFacing();
 };
 TreeAir treeAir(const Mesh& mesh);
 
@@ -40,7 +42,7 @@ struct ShadeMap {
     glm::ivec2 size{0};
     std::vector<uint8_t> shares;  // two a texel
 };
-inline constexpr int kMostShadeSide = 1024;
+inline constexpr int kMostShadeSide = 960;
 // Adds the forests one by one, then makes bytes of it.
 class ShadeSum {
   public:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/numerics.h"
+#include "world/forest_ground.h"
 
 namespace sward {
 namespace {
@@ -12,9 +13,6 @@ constexpr double kSlabPixels = 0.9;  // of a slab's height, where it lies at its
 constexpr double kLeastSeen = 0.35;  // of a slab's height that counts, straight from above
 constexpr double kFadeDeg = 4;       // to both sides of Forest::silhouetteDeg
 constexpr double kLevelBand = 0.03;  // sine to both sides of the horizon within which two tilts are there
-
-// A triangle's corner k in its cell, in the order of the tile's.
-glm::ivec2 cornerOf(bool up, int k) { return up ? glm::ivec2(k == 1, k == 2) : glm::ivec2(k != 1, k != 2); }
 
 f64::vec3 upwards(const glm::dvec3& v) { return f64::vec3(v.x, v.z, v.y); }
 
@@ -25,14 +23,10 @@ std::vector<Prism> prismsOf(const ForestHere& here) {
     const StandingForest& f = *here.stand;
     for (const ForestTriangle& t : f.triangles) {
         Prism p;
-        for (size_t k = 0; k < 3; ++k) {
-            const glm::ivec2 at = t.cell + cornerOf(t.tile.up, static_cast<int>(k));
-            const f64::vec2 place = f64::fromLattice({at.x, at.y}, f.tiles.edge);
-            p.corner[k] = f.origin + glm::dvec3(place.x, terrainHeight(*here.terrain, place.x, place.y), place.y);
-        }
+        p.corner = groundUnder(f, t, *here.terrain);
         p.centre = (p.corner[0] + p.corner[1] + p.corner[2]) / 3.0;
         const glm::dvec3 o = p.corner[0];
-        p.usable = f64::groundUsable(upwards(p.corner[0] - o), upwards(p.corner[1] - o), upwards(p.corner[2] - o));
+        p.usable = mayStandOver(p.corner);
         const glm::dvec3 n = glm::cross(p.corner[2] - o, p.corner[1] - o);
         if (p.usable) p.normal = glm::normalize(n), p.slope = std::hypot(n.x, n.z) / std::abs(n.y);
         out.push_back(p);
@@ -70,6 +64,7 @@ Slicing tiltedSlices(const Prism& p, const Reach& r, const glm::dvec3& view, dou
     const f64::Tilt t = f64::tiltOf(upwards(p.corner[0] - o), upwards(p.corner[1] - o), upwards(p.corner[2] - o),
                                     upwards(view), slant * high, high, 1 / slab);
     Slicing s;
+    s.tilted = true;
     for (int k = 0; k < 3; ++k) s.begin[static_cast<size_t>(k)] = r.low + t.offset[k];
     s.reach = high + t.rise;
     s.count = f64::sliceCount(t.count, kMostSlices);

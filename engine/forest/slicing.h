@@ -35,6 +35,7 @@ struct Slicing {
     int count = 0;
     int below = 0;      // how many of them lie below the eye: those come downwards, the others upwards
     double weight = 1;  // share of the light's path that they stand for
+    bool tilted = false;
 };
 inline constexpr int kMostSlices = 512;  // of a tile
 

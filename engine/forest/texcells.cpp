@@ -22,6 +22,9 @@ constexpr float kNoTree = 1e30f;                // as high as a foot may lie
 constexpr size_t kBatches = 14;                 // of tiles, after each of which full pixels are closed
 constexpr VeilPrograms kVeilPrograms{1, 2, 3};  // in kPrograms
 constexpr double kLevelView = 1e-3;
+// Levels by which slices that face the eye show finer slabs than they lie apart: along the line of sight they follow
+// each other more closely, and slabs that are joined upwards hide less from the side than their trees do.
+constexpr int kTiltedFiner = 1;
 static_assert(kTreeSlots == FOREST_SLOTS);
 
 struct TexcellsState : EffectState {
@@ -44,7 +47,7 @@ struct Run {
 struct TexcellsView : EffectState {
     Buffer tileBuffer, feetBuffer, globals;
     std::vector<TileInView> inView;
-    std::vector<float> feet;  // FOREST_SLOTS of each tile in view
+    std::vector<TreeInView> feet;  // FOREST_SLOTS of each tile in view
     std::vector<Run> runs;
     size_t batch = 1;  // tiles of a run at most
     Buffer nodes;      // of the ground, as many as one draw has
@@ -53,12 +56,19 @@ struct TexcellsView : EffectState {
 
 // --- tiles ---------------------------------------------------------------------------------------------------------
 
-// Feet of those trees that are drawn as volumes, relative to the eye; and what they reach.
-Reach feetOf(const DrawContext& ctx, const ForestHere& here, const ForestTriangle& t, const Prism& p, bool near,
-             std::vector<float>& out) {
+// How a tree looks from the eye.
+TreeInView lookOf(const Volume& v, const StandingTree& tree, const glm::dvec3& eye) {
+    const glm::dvec3 way = eye - tree.at;
+    const FoliageLook look = v.foliage[tree.species].from(glm::vec3(way / std::max(glm::length(way), 1e-6)));
+    return {static_cast<float>(-way.y), look.seen, look.sun, look.sky};
+}
+
+// Feet of those trees that are drawn as volumes, relative to the eye, and their looks; and what they reach.
+Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, const ForestTriangle& t, const Prism& p,
+             bool near, std::vector<TreeInView>& out) {
     Reach r;
     for (const int32_t number : t.trees) {
-        out.push_back(kNoTree);
+        out.push_back({kNoTree, 1, 0, 1});
         if (number < 0) continue;
         const StandingTree& tree = here.stand->trees[static_cast<size_t>(number)];
         if (near && isMesh(here.rule, tree, glm::distance(tree.at, ctx.camera.eye))) continue;
@@ -66,7 +76,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const ForestTriangl
         r.low = std::min(r.low, foot - aside);
         r.high =
             std::max(r.high, foot + aside + static_cast<double>(here.rule.species[tree.species].height * tree.size));
-        out.back() = static_cast<float>(tree.at.y - ctx.camera.eye.y);
+        out.back() = lookOf(v, tree, ctx.camera.eye);
     }
     return r;
 }
@@ -104,14 +114,15 @@ float pixelAt1m(const DrawContext& ctx) {
 
 void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here, const Volume& v,
                const ForestTriangle& t, const Prism& p, double level, const Slicing& s) {
-    const int whole = static_cast<int>(level), cells = v.images.cells;
+    const int apart = static_cast<int>(level), cells = v.images.cells;
+    const int whole = std::max(apart - (s.tilted ? kTiltedFiner : 0), 0);
     const double slab = v.images.height / v.images.layers * (1 << whole);
     TileInView tile{};
     for (size_t k = 0; k < 3; ++k)
         tile.corner[k] = glm::vec4(glm::vec3(p.corner[k] - eye), static_cast<float>(s.begin[k]));
     tile.spacing = static_cast<float>(s.reach / s.count);
     tile.path = static_cast<float>(s.weight * s.reach / s.count / slab);
-    tile.coarser = static_cast<float>(level - whole);
+    tile.coarser = static_cast<float>(level - apart);
     tile.canopy = p.canopy;
     tile.stored = {static_cast<float>(t.tile.cell % cells), static_cast<float>(t.tile.cell / cells)};
     tile.up = t.tile.up;
@@ -128,8 +139,8 @@ void addSlices(TexcellsView& view, const glm::dvec3& eye, const ForestHere& here
 void addTile(const DrawContext& ctx, TexcellsView& view, const ForestHere& here, const Volume& v, const Choice& c) {
     const ForestTriangle& t = here.stand->triangles[c.triangle];
     const Prism& p = v.prisms[c.triangle];
-    std::vector<float> feet;
-    const Reach reach = feetOf(ctx, here, t, p, c.distance < meshesEnd(here.rule) + here.stand->tiles.edge, feet);
+    std::vector<TreeInView> feet;
+    const Reach reach = feetOf(ctx, here, v, t, p, c.distance < meshesEnd(here.rule) + here.stand->tiles.edge, feet);
     if (!(reach.low < reach.high)) return;
     const glm::dvec3 way = (p.centre - ctx.camera.eye) / std::max(c.distance, 1e-6);
     const double finest = v.images.height / v.images.layers;
@@ -250,7 +261,7 @@ void place(DrawContext& ctx) {
     drawShadeMap(ctx, s, sun);
     publishShade(ctx);
     writeBuffer(ctx.gpu, view.tileBuffer, kOwner, view.inView.size() * sizeof(TileInView), view.inView.data());
-    writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(float), view.feet.data());
+    writeBuffer(ctx.gpu, view.feetBuffer, kOwner, view.feet.size() * sizeof(TreeInView), view.feet.data());
 }
 
 // --- drawing -------------------------------------------------------------------------------------------------------

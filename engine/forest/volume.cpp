@@ -97,6 +97,14 @@ class Stands {
     std::map<std::tuple<int, int, bool>, float> shares_;
 };
 
+// How much longer the sun's way through the forest around is than on level ground: on slopes that face away from it,
+// trees uphill stand higher in its way.
+double onSlope(const glm::dvec3& normal, const glm::dvec3& sun) {
+    constexpr double kMost = 6;
+    const double level = sun.y * normal.y, here = glm::dot(normal, sun);
+    return level > 1e-6 ? std::clamp(level / std::max(here, level / kMost), 1 / kMost, kMost) : 1;
+}
+
 }  // namespace
 
 void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const ForestHere& here) {
@@ -126,14 +134,16 @@ bool lightVolume(Volume& v, const glm::vec3& sun) {
     if (v.sun == sun) return false;
     v.sun = sun;
     const ForestAir& air = v.images.air;
-    const std::vector<float> seen = lightThrough(air, glm::dvec3(sun));
-    std::vector<uint8_t> bytes(4 * seen.size());
+    v.foliage.clear();
+    for (const TreeAir& tree : v.images.trees) v.foliage.emplace_back(tree.facing, sun);
+    const LightShares seen = lightThrough(air, glm::dvec3(sun));
+    std::vector<uint8_t> bytes(4 * seen.past.size());
     const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
-    for (size_t i = 0; i < seen.size(); ++i) {
-        bytes[4 * i] = byte(seen[i]);
+    for (size_t i = 0; i < seen.past.size(); ++i) {
+        bytes[4 * i] = byte(seen.past[i]);
         bytes[4 * i + 1] = byte(v.images.sky[0][i]);
         bytes[4 * i + 2] = byte(v.images.sky[1][i]);
-        bytes[4 * i + 3] = 255;
+        bytes[4 * i + 3] = byte(seen.pastOwn[i]);
     }
     glTextureSubImage3D(v.light.id(), 0, 0, 0, 0, air.side, air.side, air.layers, GL_RGBA, GL_UNSIGNED_BYTE,
                         bytes.data());
@@ -155,6 +165,7 @@ void fillCanopies(Volume& v, const StandingForest& f, const glm::dvec3& sun) {
             sum.y += stands.at(at + glm::dvec2(std::cos(turn), std::sin(turn)) * (height * out));
         }
         v.prisms[i].canopy = sum / static_cast<float>(kSteps);
+        v.prisms[i].canopy.x *= static_cast<float>(onSlope(v.prisms[i].normal, sun));
     });
 }
 

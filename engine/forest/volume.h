@@ -1,6 +1,7 @@
 // A forest's volume on the GPU: made beside the pictures where one may wait for it, with a draft shown meanwhile, and
 // lit anew where the sun has moved. Does not: say how it is drawn (forest/texcells.h).
 #pragma once
+#include "forest/foliage.h"
 #include "forest/slicing.h"
 #include "forest/stand.h"
 #include "forest/volume_images.h"
@@ -17,9 +18,10 @@ struct Volume {
     VolumeImages images;  // its levels are dropped once they are a texture
     int levels = 0;       // of the pyramid
     Texture slabs, slots, light;
-    glm::vec3 sun{0};           // that the light is of
-    std::vector<Prism> prisms;  // of StandingForest::triangles
-    Buffer globals;             // of its light, for meshes
+    glm::vec3 sun{0};                   // that the light is of
+    std::vector<FoliageTable> foliage;  // under it, by species
+    std::vector<Prism> prisms;          // of StandingForest::triangles
+    Buffer globals;                     // of its light, for meshes
 };
 
 // Has the textures show what the forest is, or a draft of it. owner: charged for their bytes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 
 #include "core/numerics.h"
 
@@ -130,8 +131,19 @@ void fillLevels(ForestVolume& v, const std::vector<glm::vec4>& sums) {
     }
 }
 
-// What a coarse part takes of light from above is the mean over its columns, which leaves in clumps make less than
-// leaves that are spread.
+// Where the tree of a slot of the tile at lattice coordinates uv has its foot, in metres.
+glm::dvec2 storedFoot(const ForestTiles& tiles, const glm::dvec2& uv, int slot) {
+    const int x = static_cast<int>(uv.x), y = static_cast<int>(uv.y);
+    const bool up = uv.x - x + uv.y - y <= 1;
+    const glm::dvec2 corner = metres(x, y, tiles.edge);
+    if (slot < kMostInside) return corner + tiles.within(x + tiles.colors * y, up)[static_cast<size_t>(slot)].at;
+    const int family = (slot - kMostInside) / kMostOnEdge, number = (slot - kMostInside) % kMostOnEdge;
+    const EdgeFamily f = static_cast<EdgeFamily>(family);
+    const int color = storedTile(x + tiles.colors * y, up, tiles.colors).colors[static_cast<size_t>(family)];
+    const glm::ivec2 owner = edgeOwner(0, 0, up, f);
+    return corner + metres(owner.x, owner.y, tiles.edge) + tiles.across(f, color)[static_cast<size_t>(number)].at;
+}
+
 ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
     ForestAir a{
         std::max(v.side / kLightCoarser, 1), std::max(v.layers / kLightCoarser, 1), v.edge, v.height, {}, v.cells};
@@ -141,20 +153,57 @@ ForestAir airOf(const ForestVolume& v, const std::vector<glm::vec4>& sums) {
     for (int layer = 0; layer < a.layers; ++layer)
         for (int y = 0; y < a.side; ++y)
             for (int x = 0; x < a.side; ++x) {
-                double through = 0;
-                for (int column = 0; column < across * across; ++column) {
-                    const size_t texel = static_cast<size_t>(y * across + column / across) * side +
-                                         static_cast<size_t>(x * across + column % across);
-                    double depth = 0;
-                    for (int k = 0; k < up; ++k)
-                        depth +=
-                            static_cast<double>(sums[static_cast<size_t>(layer * up + k) * side * side + texel].w) /
-                            area;
-                    through += std::exp(-depth) / (across * across);
-                }
-                a.extinction.push_back(static_cast<float>(-std::log(std::max(through, 1e-9)) / part));
+                const double depth = clumpedDepth(across, up, [&](int i, int k, int l) {
+                    const size_t texel =
+                        static_cast<size_t>(y * across + k) * side + static_cast<size_t>(x * across + i);
+                    return static_cast<double>(sums[static_cast<size_t>(layer * up + l) * side * side + texel].w) /
+                           area;
+                });
+                a.extinction.push_back(static_cast<float>(depth / part));
             }
     return a;
+}
+
+// By u and v of the air: the number of the tree that its middle belongs to, by where that tree's foot lies.
+std::vector<uint16_t> ownersOf(const ForestVolume& v, const ForestTiles& tiles) {
+    std::map<std::pair<int64_t, int64_t>, uint16_t> numbers;
+    std::vector<uint16_t> out;
+    const int side = v.air.side, across = v.side / side;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const int tx = x * across + across / 2, ty = y * across + across / 2;
+            const uint8_t slot =
+                v.slots[static_cast<size_t>(ty) * static_cast<size_t>(v.side) + static_cast<size_t>(tx)];
+            const glm::dvec2 uv = (glm::dvec2(tx, ty) + 0.5) * (static_cast<double>(v.cells) / v.side);
+            std::pair<int64_t, int64_t> foot{0, 0};
+            if (slot < kTreeSlots) {
+                const glm::dvec2 at = storedFoot(tiles, uv, slot);
+                foot = {std::llround(at.x * 1000), std::llround(at.y * 1000)};
+            }
+            out.push_back(numbers.emplace(foot, static_cast<uint16_t>(numbers.size())).first->second);
+        }
+    return out;
+}
+
+// Of all trees of the tiles, by the area of their leaves.
+Facing facingOfAll(const ForestTiles& tiles, const std::vector<Mesh>& meshes) {
+    std::vector<double> areas(meshes.size());
+    for (size_t i = 0; i < meshes.size(); ++i)
+        spreadPoints(meshes[i], glm::dmat3(1), 1e9,
+                     [&](const glm::dvec3&, const glm::vec3&, double a) { areas[i] += a; });
+    std::vector<double> shares(meshes.size());
+    double all = 0;
+    eachStored(tiles, [&](const TileTree& t, const glm::dvec2&) {
+        const double area = areas[t.species] * static_cast<double>(t.size * t.size);
+        shares[t.species] += area, all += area;
+    });
+    if (!(all > 0)) return evenFacing();
+    Facing out{};
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        const Facing f = facingOf(meshes[i]);
+        for (size_t b = 0; b < f.size(); ++b) out[b] += static_cast<float>(shares[i] / all) * f[b];
+    }
+    return out;
 }
 
 }  // namespace
@@ -163,6 +212,7 @@ void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
                   const std::function<void(const glm::dvec3&, const glm::vec3&, double)>& point) {
     std::vector<glm::dvec3> at;
     for (const MeshVertex& v : mesh.vertices) at.push_back(turn * glm::dvec3(v.position));
+    const std::vector<float> shares = leafShares(mesh);
     for (const MeshPart& part : mesh.parts)
         for (uint32_t i = part.first; i + 2 < part.first + part.count; i += 3) {
             const uint32_t* t = &mesh.indices[i];
@@ -173,8 +223,9 @@ void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
                 color *= imageAt(mesh.images[static_cast<size_t>(part.image)], uv, alpha);
                 if (alpha < part.cutoff) continue;
             }
+            const double share = static_cast<double>(shares[i / 3]);
             spread(at[t[0]], at[t[1]], at[t[2]], spacing,
-                   [&](const glm::dvec3& p, double area) { point(p, color, area); });
+                   [&](const glm::dvec3& p, double area) { point(p, color, share * area); });
         }
 }
 
@@ -202,39 +253,48 @@ ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshe
     fillLevels(v, splat.sums);
     fillSlots(v, tiles);
     v.air = airOf(v, splat.sums);
+    v.air.owners = ownersOf(v, tiles);
+    v.air.facing = facingOfAll(tiles, meshes);
     return v;
 }
 
-std::vector<float> lightThrough(const ForestAir& air, const glm::dvec3& towards) {
+LightShares lightThrough(const ForestAir& air, const glm::dvec3& towards) {
     glm::dvec3 way = towards;
     if (std::abs(way.y) < 0.01) way.y = way.y < 0 ? -0.01 : 0.01;
     way = glm::normalize(way);
     const double part = air.height / air.layers, across = air.cells * air.edge / air.side;
     const double step = 0.5 * std::min(part, across);
     const f64::vec2 perMetre = f64::toLattice({way.x, way.z}, air.edge);
-    std::vector<float> out(air.extinction.size());
-    const auto at = [&](double u, double v, int layer) {
+    const double seen = static_cast<double>(seenFrom(air.facing, static_cast<float>(way.y)));
+    const size_t slab = static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
+    LightShares out{std::vector<float>(air.extinction.size()), std::vector<float>(air.extinction.size())};
+    const auto column = [&](double u, double v) {
         const auto wrap = [&](double x) {
             const int i = static_cast<int>(std::floor(x / air.cells * air.side));
             return static_cast<size_t>(((i % air.side) + air.side) % air.side);
         };
-        return air.extinction[(static_cast<size_t>(layer) * static_cast<size_t>(air.side) + wrap(v)) *
-                                  static_cast<size_t>(air.side) +
-                              wrap(u)];
+        return wrap(v) * static_cast<size_t>(air.side) + wrap(u);
     };
+    const auto owner = [&](size_t i) { return air.owners.empty() ? 0 : air.owners[i]; };
     parallelFor(static_cast<size_t>(air.layers), [&](size_t layer) {
-        size_t i = layer * static_cast<size_t>(air.side) * static_cast<size_t>(air.side);
+        size_t i = layer * slab;
         for (int y = 0; y < air.side; ++y)
             for (int x = 0; x < air.side; ++x, ++i) {
                 const double u = air.cells * (x + 0.5) / air.side, v = air.cells * (y + 0.5) / air.side;
                 const double h = (static_cast<double>(layer) + 0.5) * part;
-                double depth = 0;
+                const int mine = owner(i % slab);
+                double depth = 0, own = 0;
                 for (double t = 0.5 * step; depth < 7; t += step) {
                     const int l = static_cast<int>(std::floor((h + way.y * t) / part));
                     if (l < 0 || l >= air.layers) break;
-                    depth += step * static_cast<double>(at(u + perMetre.x * t, v + perMetre.y * t, l));
+                    const size_t c = column(u + perMetre.x * t, v + perMetre.y * t);
+                    const double d =
+                        seen * step * static_cast<double>(air.extinction[static_cast<size_t>(l) * slab + c]);
+                    depth += d;
+                    if (owner(c) == mine) own += d;
                 }
-                out[i] = static_cast<float>(std::exp(-depth));
+                out.past[i] = static_cast<float>(std::exp(-depth));
+                out.pastOwn[i] = static_cast<float>(std::exp(-own));
             }
     });
     return out;
@@ -248,7 +308,7 @@ std::array<std::vector<float>, 2> skyThrough(const ForestAir& air) {
         for (int k = 0; k < kDirections; ++k) {
             const double y = (k + 0.5) / kDirections, turn = k * 2.399963229728653, r = std::sqrt(1 - y * y);
             const std::vector<float> seen =
-                lightThrough(air, {r * std::cos(turn), half == 0 ? y : -y, r * std::sin(turn)});
+                lightThrough(air, {r * std::cos(turn), half == 0 ? y : -y, r * std::sin(turn)}).past;
             for (size_t i = 0; i < seen.size(); ++i) out[half][i] += seen[i] / kDirections;
         }
     }

@@ -4,12 +4,15 @@
 // as of leaves in all directions. A pyramid joins slabs by pairs, in float, each level from the one below (D-7). Does
 // not: touch GL or files. Cost: 1 us a leaf, 0.1 s for a million parts.
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
 #include "core/jobs.h"
+#include "mesh/facing.h"
 #include "mesh/mesh.h"
 #include "world/forest_stand.h"
 
@@ -20,10 +23,12 @@ inline constexpr int kLightCoarser = 4;  // parts of light are so many times lar
 
 // Opacity (1/m) over the cells that repeat, on a grid coarser than the volume's: what light goes through.
 struct ForestAir {
-    int side = 1, layers = 1;       // parts along u and v, and upwards
-    double edge = 1, height = 1;    // metres, of a cell and of all parts
-    std::vector<float> extinction;  // u fastest, then v, then upwards
-    int cells = 2;                  // along each side
+    int side = 1, layers = 1;        // parts along u and v, and upwards
+    double edge = 1, height = 1;     // metres, of a cell and of all parts
+    std::vector<float> extinction;   // u fastest, then v, then upwards; of leaves that lie in all directions
+    int cells = 2;                   // along each side
+    Facing facing = evenFacing();    // of all that it holds
+    std::vector<uint16_t> owners{};  // by u and v: another number for another tree; empty: one owns all
 };
 struct ForestVolume {
     int side = 0, layers = 0;                             // texels along u and v of all cells; slabs, a power of two
@@ -41,14 +46,33 @@ struct ForestVolume {
 ForestVolume bakeForest(const ForestTiles& tiles, const std::vector<Mesh>& meshes, double voxel,
                         JobControl* control = nullptr);
 
+// What a part of across x across columns of `up` texels takes of light along them, as an optical depth: the mean is
+// over what columns let through, which leaves in clumps make less than leaves that are spread. depth(i, k, l): a
+// texel's.
+template <class F>
+double clumpedDepth(int across, int up, F depth) {
+    double through = 0;
+    for (int k = 0; k < across; ++k)
+        for (int i = 0; i < across; ++i) {
+            double sum = 0;
+            for (int l = 0; l < up; ++l) sum += depth(i, k, l);
+            through += std::exp(-sum) / (across * across);
+        }
+    return -std::log(std::max(through, 1e-9));
+}
+
 // Calls point(place, reflectance, area) for points spread over a mesh's triangles, at most `spacing` metres apart, each
-// for its share of their area (m2); what an image's alpha cuts out is left out.
+// for its share of their area (m2), counted as of leaves (mesh/facing.h): of a trunk half of it; what an image's alpha
+// cuts out is left out.
 void spreadPoints(const Mesh& mesh, const glm::dmat3& turn, double spacing,
                   const std::function<void(const glm::dvec3&, const glm::vec3&, double)>& point);
 
-// Share of light from a direction (unit, y up, above the horizon or below) that reaches each part of the air; where the
-// direction is level it is taken to rise by a hundredth.
-std::vector<float> lightThrough(const ForestAir& air, const glm::dvec3& towards);
+// Shares of light that reach each part of the air: past all that it holds, and past the part's own tree alone.
+struct LightShares {
+    std::vector<float> past, pastOwn;
+};
+// From a direction (unit, y up, above the horizon or below); where it is level it is taken to rise by a hundredth.
+LightShares lightThrough(const ForestAir& air, const glm::dvec3& towards);
 // Shares of the sky's light, and of the ground's, that reach each part: means over directions above and below.
 std::array<std::vector<float>, 2> skyThrough(const ForestAir& air);
 

@@ -11,7 +11,7 @@
 namespace sward {
 namespace {
 
-constexpr uint64_t kVersion = 2;     // of what is baked from the same trees
+constexpr uint64_t kVersion = 6;     // of what is baked from the same trees
 constexpr double kFilled = 0.6;      // of a bake's time, once the volume is there
 constexpr float kDraftKeep = 0.12f;  // of leaves
 constexpr double kDraftCoarser = 4;

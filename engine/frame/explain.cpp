@@ -5,6 +5,7 @@
 #include "core/json.h"
 #include "frame/draw_context.h"
 #include "scene/technique.h"
+#include "world/forest_ground.h"
 
 namespace sward {
 namespace {
@@ -125,8 +126,30 @@ void addLayers(Json& all, const std::vector<ShownLayer>& layers) {
     }
 }
 
+// The array is there only where a scene has forests.
+void addForests(Json& all, const std::vector<ForestCount>& forests) {
+    for (const ForestCount& f : forests) {
+        Json j;
+        j["name"] = f.entity;
+        j["technique"] = f.technique;
+        j["trees"] = f.trees;
+        j["tiles"] = f.tiles;
+        j["cliffs"] = f.cliffs;
+        all["forests"].push(std::move(j));
+    }
+}
+std::string forestsText(const std::vector<ForestCount>& forests) {
+    std::string out;
+    for (const ForestCount& f : forests)
+        out += fmt::format(
+            "{}  {} is drawn by {}: {} trees in {} tiles{}\n", out.empty() ? "\nForests\n" : "", f.entity, f.technique,
+            f.trees, f.tiles,
+            f.cliffs > 0 ? fmt::format(", {} of them on cliffs, where far trees are not drawn", f.cliffs) : "");
+    return out;
+}
+
 std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields,
-                   const std::vector<ShownLayer>& layers) {
+                   const std::vector<ForestCount>& forests, const std::vector<ShownLayer>& layers) {
     Json all;
     all["fields"] = Json::makeArray();
     for (const DrawnField& field : fields) {
@@ -135,6 +158,7 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, c
         j["technique"] = field.technique->name;
         all["fields"].push(std::move(j));
     }
+    addForests(all, forests);
     all["features"] = Json::makeArray();
     all["absent"] = Json::makeArray();
     for (size_t i = 0; i < plan.features.size(); ++i) {
@@ -159,11 +183,12 @@ std::string asJson(const std::map<Feature, Made>& made, const FramePlan& plan, c
 }
 
 std::string asText(const std::map<Feature, Made>& made, const FramePlan& plan, const std::vector<DrawnField>& fields,
-                   const std::vector<ShownLayer>& layers) {
+                   const std::vector<ForestCount>& forests, const std::vector<ShownLayer>& layers) {
     std::string out = "What this scene makes run, and why\n";
     for (const DrawnField& field : fields)
         out += fmt::format("{}  {} is drawn by {}: {}\n", &field == &fields.front() ? "\nGrass\n" : "", field.name,
                            field.technique->name, field.technique->help);
+    out += forestsText(forests);
     for (const ShownLayer& l : layers)
         out += fmt::format("{}  {} ({}, {}) over {}{}\n", &l == &layers.front() ? "\nLayers\n" : "", l.path,
                            kLayerKinds[l.layer->kind], kLayerOperations[l.layer->operation], l.map,
@@ -193,7 +218,8 @@ std::string explainPlan(const Explained& what, const Tables& tables, const Gpu& 
             made[static_cast<Feature>(i)] = madeBy(static_cast<Feature>(i), plan, project, tables, gpu, programs);
     const std::vector<DrawnField> fields = drawnFields(project, tables);
     const std::vector<ShownLayer> layers = shownLayers(project, notes);
-    return json ? asJson(made, plan, fields, layers) : asText(made, plan, fields, layers);
+    const std::vector<ForestCount> forests = countForests(project);
+    return json ? asJson(made, plan, fields, forests, layers) : asText(made, plan, fields, forests, layers);
 }
 
 }  // namespace sward

@@ -7,11 +7,12 @@
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
-layout(std430, binding = SSBO_FOREST_FEET) readonly buffer FeetBlock { float feet[]; };
+layout(std430, binding = SSBO_FOREST_FEET) readonly buffer FeetBlock { TreeInView feet[]; };
 layout(binding = TEX_FOREST_SLABS) uniform sampler2DArray slabs;  // of all levels, one after the other
 layout(binding = TEX_FOREST_SLOTS) uniform usampler2D slots;
 
-const float kSharper = 0.75;  // of a pixel: half a step between what is blurred and what flickers
+// Of a pixel: texels of this size, filtered linearly, spread light as far as a pixel's square does (variance 1/12).
+const float kSharper = 0.577;
 
 in vec3 position;
 in vec2 stored;
@@ -19,7 +20,6 @@ flat in int number;
 flat in vec2 blend;
 flat in vec3 facing;
 in float path;
-in vec3 sun;
 in vec4 haze;
 flat in vec2 canopy;
 flat in int level;
@@ -31,7 +31,8 @@ void main() {
     ivec2 side = textureSize(slots, 0);
     uint slot = texelFetch(slots, ivec2(fract(uv) * vec2(side)), 0).r;
     if (slot >= uint(FOREST_SLOTS)) discard;
-    float at = (position.y - feet[number * FOREST_SLOTS + int(slot)]) / forest.height;
+    TreeInView tree = feet[number * FOREST_SLOTS + int(slot)];
+    float at = (position.y - tree.foot) / forest.height;
     if (!(at > 0.0 && at < 1.0)) discard;  // no tree stands there, or the slice passes over or under it
     float distance = length(position);
     float mip = log2(max(kSharper * distance * forest.pixel / forest.voxel, 1.0));
@@ -40,14 +41,16 @@ void main() {
     if (blend.y > 0.0) leaves += blend.y * textureLod(slabs, vec3(uv, first + fine + floor(0.5 * at * fine)), mip);
     if (leaves.a < 1.0 / 512.0) discard;
     depth = gl_FragCoord.z;
-    leaves = colorCorrected(leaves, path);
+    leaves = colorCorrected(leaves, path * tree.seen);
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
-    vec3 shares = pow(max(lightShares(uv, at), vec3(LEAST_LIGHT)), canopy.xyy);
-    vec3 light = 0.5 * (frame.skyLight * shares.g + frame.groundLight * shares.b);
+    vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
+    vec2 around = pow(shares.gb, canopy.yy);
+    vec3 light = mix(frame.groundLight * around.y, frame.skyLight * around.x, tree.sky);
     if (SUN) {
-        float visible = shares.r;
+        // What its own crown takes is taken wherever the tree stands.
+        float visible = shares.a * pow(min(shares.r / shares.a, 1.0), canopy.x);
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
-        light += sun * visible;
+        light += frame.sunLight * (tree.sun * visible);
     }
     color = vec4(mix(leaves.rgb * light, leaves.a * haze.rgb, haze.a), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);

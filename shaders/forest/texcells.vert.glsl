@@ -19,7 +19,6 @@ flat out int number;   // of the tile
 flat out vec2 blend;   // shares of the finer and of the coarser level
 flat out vec3 facing;  // unit normal of the slice
 out float path;        // slabs' heights that lie between two slices along the line of sight
-out vec3 sun;          // its light that leaves send to the eye
 out vec4 haze;         // its colour; share of the light that it takes
 flat out vec2 canopy;  // TileInView::canopy
 flat out int level;    // TileInView::level
@@ -61,7 +60,6 @@ void main() {
     float distance = length(position);
     vec3 way = position / distance;
     path = t.path * slantFactor(facing.xzy, way.xzy);
-    sun = SUN ? frame.sunLight * foliagePhase(-dot(way, frame.sunDirection)) : vec3(0.0);
     haze = vec4(hazeColor(position), hazeShare(distance));
     canopy = t.canopy;
     level = t.level;

@@ -22,8 +22,8 @@ out vec4 color;
 
 vec3 skyAt(vec3 n) {
     if (!FOREST_VOLUMES) return ambientLight(n);
-    vec3 shares = pow(max(lightShares(air.xy / forest.cells, air.z), vec3(LEAST_LIGHT)), vec3(around));
-    return halvesLight(frame.groundLight * shares.b, frame.skyLight * shares.g, n.y);
+    vec2 shares = pow(max(lightShares(air.xy / forest.cells, air.z).gb, vec2(LEAST_LIGHT)), vec2(around));
+    return halvesLight(frame.groundLight * shares.y, frame.skyLight * shares.x, n.y);
 }
 
 void main() {

@@ -6,5 +6,6 @@
 layout(std140, binding = UBO_FOREST) uniform ForestBlock { ForestGlobals forest; };
 layout(binding = TEX_FOREST_LIGHT) uniform sampler3D lightImage;
 
-// uv: lattice coordinates as stored, a share of the cells that repeat; at: share of the forest's height.
-vec3 lightShares(vec2 uv, float at) { return textureLod(lightImage, vec3(uv, at), 0.0).rgb; }
+// uv: lattice coordinates as stored, a share of the cells that repeat; at: share of the forest's height. Of the sun, of
+// the sky, of the ground; and of the sun past the crown's own leaves alone.
+vec4 lightShares(vec2 uv, float at) { return textureLod(lightImage, vec3(uv, at), 0.0); }

@@ -60,8 +60,13 @@ float sunPastMeshes(vec3 position, vec3 normal) {
 // What trees leave where they are not meshes, which are in shadow maps.
 float sunPastTrees(vec3 position) {
     vec2 at = (position.xz + frame.eye.xz) * frame.terrainShare;
-    float left = textureLod(forestShade, at, 0.0).r;
-    return mix(1.0, left, smoothstep(frame.treesShadeFrom, frame.treesShadeTo, length(position)));
+    // Texels that a pixel covers there; the way up the picture is what the projection's second row measures.
+    float distance = length(position);
+    vec3 up = vec3(frame.viewProj[0].y, frame.viewProj[1].y, frame.viewProj[2].y);
+    vec2 texels =
+        distance * 2.0 * frame.pixelShare.y / length(up) * frame.terrainShare * vec2(textureSize(forestShade, 0));
+    float left = textureLod(forestShade, at, log2(max(max(texels.x, texels.y), 1.0))).r;
+    return mix(1.0, left, smoothstep(frame.treesShadeFrom, frame.treesShadeTo, distance));
 }
 float sunVisible(vec3 position, vec3 normal) {
     if (frame.sunIsUp <= 0.0) return 1.0;

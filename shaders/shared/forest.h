@@ -18,6 +18,14 @@ struct STD140 ForestGlobals {
     float padding;  // to 16 bytes
 };
 
+// A tree that is drawn as a volume, in a view: one for each slot of each tile.
+struct TreeInView {
+    float foot;  // its height relative to the eye
+    float seen;  // factor of the path through its leaves, as they are seen from the eye
+    float sun;   // share of the sun's light that they send to the eye
+    float sky;   // share of the light from all around that they take from above
+};
+
 // A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.
 struct TileInView {
     vec4 corner[3];  // x, y, z; w: metres from the ground there up to where slices begin

@@ -21,14 +21,15 @@ std::vector<Mesh> meshesOf(const Forest& f) {
 }
 double areaOf(const Mesh& m) {
     double sum = 0;
+    const std::vector<float> shares = leafShares(m);
     for (size_t i = 0; i < m.indices.size(); i += 3) {
         const auto at = [&](size_t n) { return glm::dvec3(m.vertices[m.indices[i + n]].position); };
-        sum += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+        sum += 0.5 * static_cast<double>(shares[i / 3]) * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
     }
     return sum;
 }
 
-TEST(ForestVolume, HoldsHalfTheAreaOfAllLeavesAndTrunks) {
+TEST(ForestVolume, HoldsHalfTheAreaOfAllLeavesAndAQuarterOfTrunks) {
     const Forest f = pines();
     const ForestTiles tiles = forestTiles(f);
     const std::vector<Mesh> meshes = meshesOf(f);
@@ -118,23 +119,52 @@ TEST(ForestVolume, LightThroughEvenAirFollowsBeersLaw) {
     air.extinction.assign(16 * 16 * 32, 0.3f);
     for (const double elevation : {90.0, 45.0, 20.0}) {
         const double s = std::sin(glm::radians(elevation)), c = std::cos(glm::radians(elevation));
-        const std::vector<float> light = lightThrough(air, {c * 0.6, s, c * 0.8});
+        const std::vector<float> light = lightThrough(air, {c * 0.6, s, c * 0.8}).past;
         for (const int layer : {0, 16, 31}) {
             const double above = 8 - (layer + 0.5) * 0.25;
             EXPECT_NEAR(light[static_cast<size_t>(layer) * 256 + 37], std::exp(-0.3 * above / s), 0.02) << elevation;
         }
     }
-    EXPECT_NEAR(lightThrough(air, {0, -1, 0})[37], std::exp(-0.3 * 0.125), 0.02) << "from below";
+    EXPECT_NEAR(lightThrough(air, {0, -1, 0}).past[37], std::exp(-0.3 * 0.125), 0.02) << "from below";
     const auto sky = skyThrough(air);
     EXPECT_GT(sky[0][31 * 256], 0.8f);
     EXPECT_LT(sky[0][0], 0.15f);
     EXPECT_GT(sky[1][0], 0.8f);
 }
 
+TEST(ForestVolume, PastItsOwnTreeAloneMoreLightComes) {
+    ForestAir air{16, 32, 10, 8, {}};
+    air.extinction.assign(16 * 16 * 32, 0.3f);
+    for (int i = 0; i < 256; ++i) air.owners.push_back(static_cast<uint16_t>(i % 16 / 8));
+    const glm::dvec3 low(0.8, 0.6, 0);
+    const LightShares both = lightThrough(air, low);
+    double least = 1, most = 0;
+    for (size_t i = 0; i < both.past.size(); ++i) {
+        EXPECT_GE(both.pastOwn[i], both.past[i]);
+        least = std::min(least, double(both.pastOwn[i] - both.past[i]));
+        most = std::max(most, double(both.pastOwn[i] - both.past[i]));
+    }
+    EXPECT_NEAR(least, 0, 1e-6) << "under its top nothing else is in the way";
+    EXPECT_GT(most, 0.1);
+    air.owners.clear();
+    const LightShares one = lightThrough(air, low);
+    EXPECT_EQ(one.past, one.pastOwn);
+    EXPECT_EQ(one.past, both.past);
+}
+
+TEST(ForestVolume, LevelLeavesTakeMoreLightFromAboveThanFromTheSide) {
+    ForestAir air{16, 32, 10, 8, {}};
+    air.extinction.assign(16 * 16 * 32, 0.1f);
+    const float even = lightThrough(air, {0, 1, 0}).past[37];
+    air.facing.fill(0), air.facing.back() = 1;
+    EXPECT_NEAR(std::log(lightThrough(air, {0, 1, 0}).past[37]) / std::log(even), 2, 0.1);
+    EXPECT_GT(lightThrough(air, {0.99, 0.141, 0}).past[37], 0.1f);
+}
+
 TEST(ForestVolume, EmptyAirTakesNothing) {
     ForestAir air{8, 8, 10, 8, std::vector<float>(8 * 8 * 8, 0)};
     for (const glm::dvec3 way : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0.6, -0.8, 0)})
-        for (const float s : lightThrough(air, way)) EXPECT_EQ(s, 1);
+        for (const float s : lightThrough(air, way).past) EXPECT_EQ(s, 1);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+#include "forest/foliage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sward {
+namespace {
+
+constexpr float kHalfTurn = 3.1415927f;
+
+// Where x in [0, 1] lies among n places: the lower one, and the share of the next.
+struct Between {
+    size_t low;
+    float share;
+    Between(float x, int n) {
+        const float at = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(n - 1);
+        low = static_cast<size_t>(std::min(static_cast<int>(at), n - 2));
+        share = at - static_cast<float>(low);
+    }
+    template <class Row>
+    float in(const Row& row) const {
+        return glm::mix(row[low], row[low + 1], share);
+    }
+};
+
+}  // namespace
+
+FoliageTable::FoliageTable(const Facing& facing, const glm::vec3& sun) {
+    const float across = glm::length(glm::vec2(sun.x, sun.z));
+    if (across > 1e-6f) sunSide_ = glm::vec2(sun.x, sun.z) / across;
+    for (size_t i = 0; i < kRises; ++i) {
+        const float y = 2 * static_cast<float>(i) / (kRises - 1) - 1, level = std::sqrt(std::max(1 - y * y, 0.0f));
+        seen_[i] = seenFrom(facing, y);
+        sky_[i] = 0.5f + 0.5f * seenRise(facing, y);
+        for (size_t k = 0; k < kTurns; ++k) {
+            const float turn = kHalfTurn * static_cast<float>(k) / (kTurns - 1);
+            sun_[i][k] = sentTo(facing, sun.y, y, y * sun.y + level * across * std::cos(turn));
+        }
+    }
+}
+
+FoliageLook FoliageTable::from(const glm::vec3& way) const {
+    const float level = glm::length(glm::vec2(way.x, way.z));
+    const float cosine = level > 1e-6f ? glm::dot(glm::vec2(way.x, way.z), sunSide_) / level : 1;
+    const Between rise(0.5f + 0.5f * way.y, kRises),
+        turn(std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kHalfTurn, kTurns);
+    return {rise.in(seen_), glm::mix(turn.in(sun_[rise.low]), turn.in(sun_[rise.low + 1]), rise.share), rise.in(sky_)};
+}
+
+}  // namespace sward

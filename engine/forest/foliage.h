@@ -1,0 +1,30 @@
+// What leaves of a species send to the eye from the side that they are seen from, under one sun: tables over the ways
+// to the eye, made anew when the sun moves. Does not: know what hides the light. Cost: 2 ms to make, 30 ns to ask.
+#pragma once
+#include <array>
+#include <glm/glm.hpp>
+
+#include "mesh/facing.h"
+
+namespace sward {
+
+struct FoliageLook {
+    float seen = 1;  // area that is seen, against leaves in all directions: factor of the path through them
+    float sun = 0;   // share of the sun's light that they send there (facing.h, sentTo)
+    float sky = 1;   // share of the light from all around that they take from above; from below the rest
+};
+class FoliageTable {
+  public:
+    // sun: unit, towards it.
+    FoliageTable(const Facing& facing, const glm::vec3& sun);
+    // way: unit, towards the eye.
+    FoliageLook from(const glm::vec3& way) const;
+
+  private:
+    static constexpr int kRises = 33, kTurns = 17;  // of the way to the eye; away from the sun's side
+    glm::vec2 sunSide_{1, 0};
+    std::array<float, kRises> seen_{}, sky_{};
+    std::array<std::array<float, kTurns>, kRises> sun_{};
+};
+
+}  // namespace sward

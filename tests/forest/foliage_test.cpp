@@ -1,0 +1,37 @@
+// Tables of what leaves send to the eye give what the formulas behind them do, from every side.
+#include "forest/foliage.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/tree_shapes.h"
+
+namespace sward {
+namespace {
+
+glm::vec3 towards(float elevation, float azimuth) {
+    const float e = glm::radians(elevation), a = glm::radians(azimuth);
+    return {std::cos(e) * std::cos(a), std::sin(e), std::cos(e) * std::sin(a)};
+}
+
+TEST(Foliage, TablesGiveWhatTheFormulasDo) {
+    const Facing spruce = facingOf(growTree({.kind = TreeKind::Conifer}));
+    EXPECT_GT(seenFrom(spruce, 1), 1.15f) << "its twigs lie rather level, or nothing was tested";
+    for (const float height : {90.0f, 38.0f, 5.0f}) {
+        const glm::vec3 sun = towards(height, 130);
+        const FoliageTable table(spruce, sun);
+        for (float elevation = -85; elevation < 90; elevation += 17)
+            for (float azimuth = 0; azimuth < 360; azimuth += 23) {
+                const glm::vec3 way = towards(elevation, azimuth);
+                const FoliageLook look = table.from(way);
+                EXPECT_NEAR(look.seen, seenFrom(spruce, way.y), 0.01f);
+                EXPECT_NEAR(look.sky, 0.5f + 0.5f * seenRise(spruce, way.y), 0.01f);
+                EXPECT_NEAR(look.sun, sentTo(spruce, sun.y, way.y, glm::dot(sun, way)), 0.02f)
+                    << elevation << " " << azimuth;
+            }
+    }
+}
+
+}  // namespace
+}  // namespace sward
