@@ -1,0 +1,105 @@
+#include "grass/slice_gains.h"
+
+#include "core/hash.h"
+#include "grass/field.h"
+#include "grass/grass_fields.h"
+#include "world/lights.h"
+#include "world/wind.h"
+
+namespace sward {
+namespace {
+
+FieldLight fieldLight(const DrawContext& ctx, const GrownField& f, size_t index) {
+    const Species& s = f.grows().species[index];
+    const FeatureSet& features = f.features;
+    const FrameGlobals& g = ctx.globals;
+    FieldLight l;
+    l.sky = g.skyLight, l.ground = g.groundLight;
+    if (has(features, Feature::Sun) && g.sunIsUp > 0) l.suns.push_back({g.sunDirection, g.sunLight});
+    l.weighting = weightingOf(f.of->settings<GrassSlices>());
+    l.translucency = s.translucency, l.gloss = s.gloss, l.roughness = s.roughness;
+    if (g.sunCasts > 0 && f.species[index]->shade.texture) l.shade = &f.species[index]->shade;
+    l.lean = has(features, Feature::GrassOrientation) ? leanAtFull(s) : 0.0f;
+    if (s.clumpSize > 0) l.lean = std::max(l.lean, clumpStrengths(s).x);
+    if (has(features, Feature::Wind))
+        l.lean = std::max(l.lean, std::clamp(windStrength(*firstOf<Wind>(ctx.project), s), 0.25f, 0.6f));
+    l.pressed = has(features, Feature::Forces) || has(features, Feature::ForceMap);
+    return l;
+}
+
+bool lampsCast(const Project& project) {
+    const Light* sun = sunLight(project);
+    bool casts = false;
+    for (const auto& [name, entity] : project.entities)
+        if (const Light* light = project.registry.get<Light>(entity)) casts |= light != sun && light->castShadows;
+    return casts;
+}
+// Gains of lamps' light, where there are lamps.
+void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& s, FieldLight l) {
+    if (!has(f.features, Feature::Lamps)) {
+        s.lampGains = {}, s.lampGainKey = 0;
+        return;
+    }
+    l.shade = s.shade.texture && lampsCast(ctx.project) ? &s.shade : nullptr;
+    std::vector<float> read{l.translucency, l.gloss, l.roughness};
+    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    if (s.lampGains.id() && s.lampGainKey == key) return;
+    s.lampGainKey = key;
+    const LampGains gains = lampGainsOf(s.look, l);
+    if (!s.lampGains.id())
+        s.lampGains = makeTexture3D(ctx.gpu, "grass/far", GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
+    glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,
+                        gains.data());
+}
+
+void updateGains(GrownSpecies& s, const FieldLight& l) {
+    std::vector<float> read{l.sky.x,
+                            l.sky.y,
+                            l.sky.z,
+                            l.ground.x,
+                            l.ground.y,
+                            l.ground.z,
+                            static_cast<float>(l.weighting),
+                            l.lean,
+                            l.translucency,
+                            l.gloss,
+                            l.roughness,
+                            l.pressed ? 1.0f : 0.0f};
+    if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
+    for (const auto& [d, c] : l.suns) read.insert(read.end(), {d.x, d.y, d.z, c.x, c.y, c.z});
+    const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
+    if (s.gainKey == key) return;
+    s.gainKey = key;
+    s.gains = gainsOf(s.look, l);
+}
+
+float greatest(const std::array<glm::vec4, LOOK_VIEWS>& factors) {
+    float most = 1e-6f;
+    for (const glm::vec4& f : factors) most = std::max({most, f.x, f.y, f.z});
+    return most;
+}
+
+}  // namespace
+
+uint32_t packedGain(const glm::vec4& factor, float scale) {
+    const glm::uvec3 share(glm::round(glm::clamp(glm::vec3(factor) / scale, 0.0f, 1.0f) * 1023.0f));
+    return share.x | share.y << 10 | share.z << 20;
+}
+
+void setGains(SliceGlobals& g, bool conserving, Gains gains) {
+    if (!conserving)
+        for (auto* factors : {&gains.slices, &gains.far, &gains.laid}) factors->fill({1, 1, 1, 0});
+    g.gainScale = {greatest(gains.slices), greatest(gains.far), greatest(gains.laid), 0};
+    for (size_t i = 0; i < LOOK_VIEWS; ++i)
+        g.gains[i] = {packedGain(gains.slices[i], g.gainScale.x), packedGain(gains.far[i], g.gainScale.y),
+                      packedGain(gains.laid[i], g.gainScale.z), glm::packHalf2x16({gains.slices[i].w, gains.far[i].w})};
+}
+
+void makeGains(DrawContext& ctx, const GrownField& field, size_t species) {
+    const FieldLight light = fieldLight(ctx, field, species);
+    updateGains(*field.species[species], light);
+    updateLampGains(ctx, field, *field.species[species], light);
+}
+
+}  // namespace sward

@@ -1,0 +1,51 @@
+#include "grass/slice_gains.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/packing.hpp>
+
+namespace sward::test {
+namespace {
+
+// As lib/slices.glsl unpacks it.
+glm::vec3 unpacked(uint32_t bits, float scale) {
+    return glm::vec3(bits & 1023u, bits >> 10 & 1023u, bits >> 20) * (scale / 1023.0f);
+}
+
+TEST(SliceGains, PackedFactorsAreWithinHalfAStepOfTheGreatest) {
+    SliceGlobals g{};
+    Gains gains{};
+    for (int i = 0; i < LOOK_VIEWS; ++i) {
+        const float f = static_cast<float>(i) / LOOK_VIEWS;
+        gains.slices[static_cast<size_t>(i)] = {0.3f + f, 1.7f - f, f * f, -0.25f};
+        gains.far[static_cast<size_t>(i)] = {5 * f, 0, 0.01f, 0.5f};
+        gains.laid[static_cast<size_t>(i)] = {0.2f, 0.1f, 0.05f * f, 0};
+    }
+    setGains(g, true, gains);
+    EXPECT_FLOAT_EQ(g.gainScale.x, 1.7f);
+    for (size_t i = 0; i < LOOK_VIEWS; ++i) {
+        const glm::vec3 off[] = {unpacked(g.gains[i].across, g.gainScale.x) - glm::vec3(gains.slices[i]),
+                                 unpacked(g.gains[i].above, g.gainScale.y) - glm::vec3(gains.far[i]),
+                                 unpacked(g.gains[i].laid, g.gainScale.z) - glm::vec3(gains.laid[i])};
+        for (int k = 0; k < 3; ++k)
+            for (int c = 0; c < 3; ++c) EXPECT_LE(std::abs(off[k][c]), 0.501f * g.gainScale[k] / 1023) << i << k << c;
+        EXPECT_EQ(glm::unpackHalf2x16(g.gains[i].lean), glm::vec2(-0.25f, 0.5f));
+    }
+}
+
+TEST(SliceGains, WhatIsOutOfRangeIsClampedAndDoesNotSpillIntoTheNextColour) {
+    EXPECT_EQ(packedGain({2, -1, 1, 0}, 1), 1023u | 1023u << 20);
+}
+
+TEST(SliceGains, AsPublishedAreOneFromEveryView) {
+    SliceGlobals g{};
+    setGains(g, false, {});
+    for (const LookGain& gain : g.gains) {
+        for (const uint32_t bits : {gain.across, gain.above, gain.laid})
+            EXPECT_EQ(unpacked(bits, g.gainScale.x), glm::vec3(1));
+        EXPECT_EQ(gain.lean, 0u);
+    }
+}
+
+}  // namespace
+}  // namespace sward::test
