@@ -13,7 +13,7 @@
 #include "shared/tess.h"
 
 const uint kVector = 8u;  // invocations that a software rasteriser runs at once: they take pieces that are neighbours
-const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex
+const float kSnap = 1.0 / 200.0;  // pixels by which a rasteriser may move a vertex: half of 1/256, and rounding
 layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
 layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
@@ -51,9 +51,36 @@ void look(uint vertex, TessBlade t, BladeLight l, vec3 fromRoot, vec3 strip) {
     words[w + 6u] = packHalf2x16(maskOf(t, fromRoot));
 }
 
+// Whether a span of the picture, in pixels times samples, holds the middle of a row or column of samples. Samples of
+// each pixel lie one in each of as many rows and columns by convention; other numbers of them have none to count on.
+bool holdsSample(float low, float high) { return floor(high - 0.5) >= ceil(low - 0.5); }
+bool samplesAreRegular(float n) { return n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0; }
+
+// Whether any sample may lie within a triangle with these corners (pixels times samples): row by row. margin: by which
+// a rasteriser may move a corner. Of one sample a pixel it is exact but for that.
+const float kMostRows = 24.0;
+bool coversTriangle(vec2 a, vec2 b, vec2 c, float margin) {
+    float low = min(min(a.y, b.y), c.y), high = max(max(a.y, b.y), c.y);
+    float first = ceil(low - margin - 0.5), last = floor(high + margin - 0.5);
+    if (last - first >= kMostRows) return true;
+    vec2 from[3] = vec2[3](a, b, c), to[3] = vec2[3](b, c, a);
+    for (float row = first; row <= last; row += 1.0) {
+        float y = clamp(row + 0.5, low, high), left = 1e9, right = -1e9;
+        for (int i = 0; i < 3; ++i) {
+            vec2 p = from[i], end = to[i], way = end - p;
+            if ((y - p.y) * (y - end.y) > 0.0) continue;
+            float share = abs(way.y) > 1e-6 ? (y - p.y) / way.y : 0.5, aside = margin * (1.0 + abs(way.x) / max(abs(way.y), 1e-6));
+            float x = p.x + share * way.x;
+            left = min(left, max(x - aside, min(p.x, end.x) - margin));
+            right = max(right, min(x + aside, max(p.x, end.x) + margin));
+        }
+        if (holdsSample(left, right)) return true;
+    }
+    return false;
+}
+
 // Whether any sample of the picture may lie within the blade: its box on screen, widened by half its width, holds a row
-// and a column of samples. Rows and columns are where samples of each pixel are by convention; other numbers of them
-// have none to count on.
+// and a column of samples, and a plain triangle holds one itself.
 bool covers(TessBlade t) {
     vec4 root = frame.viewProj * vec4(t.root, 1.0), tip = frame.viewProj * vec4(t.root + t.pose.tip, 1.0);
     vec4 control = t.plain ? root : frame.viewProj * vec4(t.root + t.pose.control, 1.0);
@@ -65,8 +92,14 @@ bool covers(TessBlade t) {
          high = (max(max(a, b), c) * 0.5 + 0.5) * frame.pixels + margin;
     if (any(lessThan(high, vec2(0.0))) || any(greaterThan(low, frame.pixels))) return false;
     float n = float(frame.samples);
-    bool regular = n == 1.0 || n == 2.0 || n == 4.0 || n == 8.0;
-    return !regular || all(greaterThanEqual(floor(high * n - 0.5), ceil(low * n - 0.5)));
+    if (!samplesAreRegular(n)) return true;
+    if (!holdsSample(n * low.x, n * high.x) || !holdsSample(n * low.y, n * high.y)) return false;
+    if (!t.plain) return true;
+    vec4 aside = frame.viewProj * vec4(vec3(-t.pose.facing.y, 0.0, t.pose.facing.x) * (0.5 * t.width), 0.0);
+    vec4 one = root - aside, other = root + aside;
+    if (!(min(one.w, other.w) > tess.near)) return true;
+    vec2 size = 0.5 * n * frame.pixels;
+    return coversTriangle(size * (one.xy / one.w + 1.0), size * (other.xy / other.w + 1.0), size * (b + 1.0), n * kSnap);
 }
 
 // middle: relative to the root.

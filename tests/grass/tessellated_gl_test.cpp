@@ -1,7 +1,10 @@
 // The tessellated field: the same blades as geometry's, by stages or strips; levels, thinning, extreme settings.
+#include "bare_triangles.h"
 #include "cost/frame_stats.h"
 #include "fields.h"
+#include "gl_counts.h"
 #include "grass/comparison.h"
+#include "project/project_files.h"
 #include "scenes.h"
 #include "techniques.h"
 #include "world/view_camera.h"
@@ -255,6 +258,31 @@ TEST(Tessellated, IsTheSameNinetyThousandUnitsFromTheOrigin) {
     int worst = 0;
     for (size_t i = 0; i < here.size(); ++i) worst = std::max(worst, std::abs(here[i] - there[i]));
     EXPECT_LE(worst, 1);
+}
+
+// Of 416,025 blades that are thinner than a pixel most meet none of its samples, and half meet one's row and column
+// only.
+TEST(Tessellated, OnlyTrianglesThatMeetASampleAreSubmitted) {
+    NoGlErrors errors;
+    auto p = loadProject(std::filesystem::path(SWARD_SOURCE_DIR) / "tests/scenes/plain", tables().components);
+    ASSERT_TRUE(p) << p.error().text();
+    const ViewCamera eye = viewOf(*findCamera(*p, "eye"));
+    const ViewSettings s = sized(640, 480, 1);
+    Renderer r(gpu(), tables());
+    const auto submitted = [&] {
+        EXPECT_TRUE(r.draw(*p, eye, s));  // compiles
+        return counted(GL_CLIPPING_INPUT_PRIMITIVES_ARB, [&] { EXPECT_TRUE(r.draw(*p, eye, s)); });
+    };
+    const BareTriangles bare = bareTriangles(*p, eye, {s.width, s.height}, 0);
+    const uint64_t all = submitted();
+    EXPECT_EQ(bare.blades, 416025u);
+    EXPECT_GT(r.stats().bladesGeometry, 390000u);
+    removeEntity(*p, "grass");
+    const uint64_t blades = all - submitted();
+    std::printf("%zu triangles, the boxes of %zu meet a sample, %zu do so themselves; submitted: %zu\n",
+                bare.of[kAll].size(), bare.of[kBoxes].size(), bare.of[kExact].size(), size_t{blades});
+    EXPECT_GE(static_cast<double>(blades), 0.97 * static_cast<double>(bare.of[kExact].size()));
+    EXPECT_LE(static_cast<double>(blades), 1.25 * static_cast<double>(bare.of[kExact].size()));
 }
 
 // Bare ground lies beyond the last blade as published; else the horizontal slice takes over while blades get lower.
