@@ -7,7 +7,7 @@
 #include "forest/stand.h"
 #include "frame/color_image.h"
 #include "frame/gpu_mesh.h"
-#include "world/wind.h"
+#include "world/forest_sway.h"
 
 namespace sward {
 namespace {
@@ -32,23 +32,12 @@ struct Group {
     const GpuMesh* mesh;
     size_t first, seen;
 };
-// What wind does to trees.
-struct Sway {
-    const Wind* wind = nullptr;
-    const Map* gusts = nullptr;
-    Map made;
-    WindGlobals globals{};
-    glm::dmat3 lean(const Forest& f, const glm::dvec3& at) const {
-        if (!wind) return glm::dmat3(1);
-        return leaning(glm::dvec2(windLeanAt(globals, *gusts, {at.x, at.z}, -1)) / static_cast<double>(f.stiffness));
-    }
-};
 struct TreesView : EffectState {
     Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
     std::vector<glm::vec3> places;  // of each row: lattice coordinates as stored, and the share of trees around
     std::vector<Group> groups;
-    Sway sway;
+    TreeSway sway;
 };
 
 constexpr GLuint kPlace = 6, kPlaceBinding = 2;
@@ -91,7 +80,7 @@ void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const G
         if (casts)
             addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
                       (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
-        view.rows.push_back(instanceAt(at, view.sway.lean(here.rule, at) * turnOf(t)));
+        view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
         const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
         view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
     };
@@ -151,11 +140,8 @@ void place(DrawContext& ctx) {
         return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
                             [&](const auto& h) { return h->entity == f.first && drawsMeshes(*h); });
     });
-    view.sway.wind = has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr;
-    if (view.sway.wind) {
-        view.sway.gusts = &gustsOf(*view.sway.wind, view.sway.made);
-        view.sway.globals = windGlobals(*view.sway.wind, {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
-    }
+    view.sway.follow(has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr, {ctx.eye.x, ctx.eye.z},
+                     ctx.settings.time);
     bool casts = false;
     for (const auto& here : ctx.shared.forests->all) {
         if (!drawsMeshes(*here)) continue;

@@ -447,7 +447,7 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     impl->project = snapshot(drawn.of(p, tables.components), tables.components);
     impl->features = sceneFeatures(impl->project.registry, tables);
     impl->time = time;
-    auto solids = Solids::make(impl->project, control);
+    auto solids = Solids::make(impl->project, time, control);
     if (!solids) return solids.error();
     impl->solids.emplace(std::move(*solids));
     auto grass = GrassRays::make(impl->project, time, control);

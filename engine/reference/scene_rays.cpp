@@ -5,6 +5,7 @@
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
 #include "world/forest_stand.h"
+#include "world/forest_sway.h"
 #include "world/ground.h"
 #include "world/placement.h"
 #include "world/scatter.h"
@@ -40,7 +41,9 @@ uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file) {
 }
 
 Status addForests(ScatteredTriangles& out, const Project& p, const Ground& ground, const glm::dvec3& origin,
-                  bool castersAlone) {
+                  bool castersAlone, std::optional<double> time) {
+    TreeSway sway;
+    sway.follow(time ? windOf(p) : nullptr, {0, 0}, time.value_or(0));
     for (const auto& [entity, forest] : forestsOf(p)) {
         if (castersAlone && !forest->castShadows) continue;
         std::vector<uint32_t> meshOf(forest->species.size());
@@ -51,7 +54,10 @@ Status addForests(ScatteredTriangles& out, const Project& p, const Ground& groun
             meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file);
         }
         for (const StandingTree& t : standingForest(*forest, ground).trees) {
-            out.instances.placed.push_back({meshOf[t.species], glm::vec3(t.at - origin), glm::mat3(turnOf(t))});
+            const glm::dvec3 from = t.at - ground.origin;
+            glm::dmat3 turn = turnOf(t);
+            if (sway.blows()) turn = sway.at(*forest, {from.x, from.z}) * turn;
+            out.instances.placed.push_back({meshOf[t.species], glm::vec3(t.at - origin), glm::mat3(turn)});
             out.casts.push_back(forest->castShadows);
         }
     }
@@ -114,7 +120,8 @@ Triangles TerrainSurface::triangles() const {
     return t;
 }
 
-Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone) {
+Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone,
+                                              std::optional<double> time) {
     ScatteredTriangles out;
     const Ground ground = findGround(p);
     for (const auto& [entity, scatter] : scattersOf(p)) {
@@ -132,7 +139,7 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
         }
     }
     out.firstTree = out.instances.placed.size();
-    if (Status s = addForests(out, p, ground, origin, castersAlone); !s) return s.error();
+    if (Status s = addForests(out, p, ground, origin, castersAlone, time); !s) return s.error();
     return out;
 }
 
