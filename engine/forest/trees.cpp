@@ -7,6 +7,7 @@
 #include "forest/stand.h"
 #include "frame/color_image.h"
 #include "frame/gpu_mesh.h"
+#include "mesh/facing.h"
 #include "world/forest_sway.h"
 
 namespace sward {
@@ -30,7 +31,7 @@ struct TreesState : EffectState {
 struct Group {
     const ForestHere* here;
     const GpuMesh* mesh;
-    size_t first, seen;
+    size_t species, first, seen;
 };
 struct TreesView : EffectState {
     Buffer instances, placesBuffer;
@@ -44,6 +45,7 @@ constexpr GLuint kPlace = 6, kPlaceBinding = 2;
 
 GpuMesh uploadTree(Gpu& gpu, const Mesh& mesh) {
     GpuMesh out = uploadMesh(gpu, kOwner, mesh);
+    out.leaves = leafParts(mesh);
     const GLuint id = out.mesh.id();
     glEnableVertexArrayAttrib(id, kPlace);
     glVertexArrayAttribBinding(id, kPlace, kPlaceBinding);
@@ -73,7 +75,8 @@ struct Chosen {
     std::vector<const StandingTree*> seen, unseen;
 };
 
-void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const GpuMesh& m, const Chosen& chosen) {
+void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, size_t species, const GpuMesh& m,
+              const Chosen& chosen) {
     const bool casts = here.rule.castShadows;
     const auto add = [&](const StandingTree& t) {
         const glm::dvec3 at = t.at - ctx.camera.eye;
@@ -84,7 +87,7 @@ void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const G
         const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
         view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
     };
-    view.groups.push_back({&here, &m, view.rows.size(), chosen.seen.size()});
+    view.groups.push_back({&here, &m, species, view.rows.size(), chosen.seen.size()});
     for (const StandingTree* t : chosen.seen) add(*t);
     for (const StandingTree* t : chosen.unseen) add(*t);
 }
@@ -110,7 +113,7 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
     for (size_t s = 0; s < chosen.size(); ++s)
         for (size_t l = 0; l < kTreeLevels; ++l)
             if (!chosen[s][l].seen.empty() || !chosen[s][l].unseen.empty())
-                addGroup(ctx, view, here, u.species[s][l], chosen[s][l]);
+                addGroup(ctx, view, here, s, u.species[s][l], chosen[s][l]);
 }
 
 // Which trees cast, at which level and how they lean: what shadow maps are kept by.
@@ -166,6 +169,7 @@ void draw(DrawContext& ctx) {
         if (g.seen == 0) continue;
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, g.here->lightGlobals);
         glBindTextureUnit(TEX_FOREST_LIGHT, g.here->light);
+        glUniform1f(3, g.here->rule.species[g.species].translucency);
         drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "core/save_folder.h"
+#include "mesh/facing.h"
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
 #include "world/forest_stand.h"
@@ -31,11 +32,12 @@ Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm:
 }
 
 // Adds a mesh that is shown by instances; returns its number.
-uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file) {
+uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file, std::vector<float> through = {}) {
     Triangles& shown = out.instances.meshes.emplace_back();
     for (const MeshVertex& v : mesh.vertices) shown.positions.push_back(v.position);
     shown.indices = mesh.indices;
     out.files.push_back(file);
+    out.through.push_back(std::move(through));
     out.meshes.push_back(std::move(mesh));
     return static_cast<uint32_t>(out.meshes.size()) - 1;
 }
@@ -51,7 +53,9 @@ Status addForests(ScatteredTriangles& out, const Project& p, const Ground& groun
             if (!stands(forest->species[i])) continue;
             Result<Mesh> mesh = treeMesh(p.dir, forest->species[i]);
             if (!mesh) return mesh.error();
-            meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file);
+            std::vector<float> through = leafParts(*mesh);
+            for (float& part : through) part *= forest->species[i].translucency;
+            meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file, std::move(through));
         }
         for (const StandingTree& t : standingForest(*forest, ground).trees) {
             const glm::dvec3 from = t.at - ground.origin;

@@ -118,7 +118,7 @@ Status Solids::addScattered(const Project& p, double time) {
         const bool isTree = i >= scattered_.firstTree;
         const glm::dmat3 turn(at.turn), normals = isTree && leans ? glm::transpose(glm::inverse(turn)) : turn;
         objects_.push_back({&scattered_.meshes[at.mesh], glm::dvec3(at.at), turn, normals, scattered_.casts[i], true,
-                            isTree});
+                            isTree, isTree ? &scattered_.through[at.mesh] : nullptr});
         imagesOf_.push_back(&scatteredImages_[at.mesh]);
     }
     return {};
@@ -225,6 +225,7 @@ Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
     const glm::vec3 smooth = glm::normalize(glm::vec3(o.normals * glm::dvec3(across(*o.mesh, h, &MeshVertex::normal))));
     s.normal = glm::dot(smooth, s.face) < 0 ? -smooth : smooth;
     s.color = part.color;
+    if (o.through) s.looks.x = (*o.through)[static_cast<size_t>(&part - o.mesh->parts.data())];
     if (part.image >= 0) {
         const glm::vec2 uv = across(*o.mesh, h, &MeshVertex::uv);
         s.color *= glm::vec3((*imagesOf_[h.mesh - 1])[static_cast<size_t>(part.image)].at(uv.x, uv.y, true));

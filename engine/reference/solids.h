@@ -15,8 +15,8 @@ namespace sward {
 
 class Solids {
   public:
-    // At a scene time (s), at which wind leans trees. `p` must outlive it. Errors: an object's file that cannot be read;
-    // Failed without memory or when cancelled.
+    // At a scene time (s), at which wind leans trees. `p` must outlive it. Errors: an object's file that cannot be
+    // read; Failed without memory or when cancelled.
     static Result<Solids> make(const Project& p, double time, const JobControl& control);
     // The first surface on the ray.
     std::optional<Surface> closest(const Ray& ray) const;
@@ -33,8 +33,9 @@ class Solids {
         glm::dvec3 at;
         glm::dmat3 turn, normals;  // of its places; of its normals, which leaning turns otherwise
         bool casts;
-        bool instanced = false;    // its triangles' normals are not turned
-        bool isTree = false;       // of a forest
+        bool instanced = false;                       // its triangles' normals are not turned
+        bool isTree = false;                          // of a forest
+        const std::vector<float>* through = nullptr;  // by part, of a tree
     };
     Solids() = default;
     Status addScattered(const Project& p, double time);

@@ -71,6 +71,32 @@ TEST(Texcells, AreAsBrightAsTheTruth) {
     }
 }
 
+// Low suns behind the trees: what is seen of leaves is lit by what shines through them.
+TEST(Texcells, GlowAgainstTheSunAsTheTruthDoesByVolumesAndByMeshes) {
+    NoGlErrors errors;
+    const ViewCamera eye{{80, 10, 215}, {80, 6, 80}, 40, 0};
+    const auto scene = [](TreeKind kind, float meshesTo, float translucency) {
+        Project p = wood(kind, meshesTo);
+        p.registry.get<Forest>(findEntity(p, "trees"))->species[0].translucency = translucency;
+        Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
+        sun.azimuthDeg = 0, sun.elevationDeg = 22;
+        return p;
+    };
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch}) {
+        const double truth = meanOf(traced(scene(kind, 0, 0.8f), eye)).y,
+                     dull = meanOf(traced(scene(kind, 0, 0), eye)).y;
+        const double volumes = meanOf(drawn(scene(kind, 0, 0.8f), eye)).y,
+                     meshes = meanOf(drawn(scene(kind, 400, 0.8f), eye)).y,
+                     without = meanOf(drawn(scene(kind, 0, 0), eye)).y;
+        std::printf(
+            "kind %d: truth %.4f, volumes %.4f, meshes %.4f; of leaves that let nothing through %.4f and %.4f\n",
+            static_cast<int>(kind), truth, volumes, meshes, dull, without);
+        EXPECT_GT(truth, 1.1 * dull) << "or nothing was tested";
+        EXPECT_NEAR(volumes / truth, 1, 0.1);
+        EXPECT_NEAR(meshes / truth, 1, 0.1);
+    }
+}
+
 TEST(Texcells, AreThereWhereMeshesEndAndNowhereElse) {
     NoGlErrors errors;
     const float inf = std::numeric_limits<float>::infinity();
