@@ -3,6 +3,7 @@
 #include "forest/texcells.h"
 
 #include "core/log.h"
+#include "forest/flight.h"
 #include "missed.h"
 #include "objects.h"
 #include "reference/reference.h"
@@ -160,6 +161,29 @@ TEST(Texcells, OddPlacesOfTheEyeGiveFinitePictures) {
          {ViewCamera{{80, 6, 80}, {80, 6, 0}, 55, 0}, ViewCamera{{80, 200, 80}, {80, 0, 80.001}, 55, 0},
           ViewCamera{{-50, 0.001, 80}, {80, 0.001, 80}, 55, 0}, ViewCamera{{80, 1, 80}, {80, 300, 80.5}, 55, 0}})
         for (const float x : drawn(p, c)) ASSERT_TRUE(std::isfinite(x) && x >= 0 && x < 100);
+}
+
+TEST(Texcells, WhereMeshesEndPicturesChangeNoMoreAndNoLessThanOfMeshesAlone) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    const Restless seen = flightToVolumes(r, 6);
+    std::printf("pixels %.2f means %.2f, in all %.2f and %.2f times\n", seen.pixels, seen.means, seen.pixelsTimes,
+                seen.meansTimes);
+    EXPECT_TRUE(seen.isLikeBlades());
+}
+
+TEST(Texcells, FlownOverTheyChangeAsTheTruthDoes) {
+    NoGlErrors errors;
+    Renderer r(gpu(), tables());
+    for (const Flight& f : kFlights) {
+        const auto t = flight(r, tables(), f, 9);
+        ASSERT_TRUE(t) << t.error().text();
+        const double seen = Flown::popping(t->seen), frozen = Flown::popping(t->frozen);
+        std::printf("%s: popping %.2f of other trees', one that stands still %.2f; change %.2f\n", f.name, seen, frozen,
+                    t->seen.drawn.change);
+        EXPECT_LT(seen, 1.25) << f.name;
+        EXPECT_GT(frozen, 1.25) << "the measure would accept a flight that stands still";
+    }
 }
 
 // Slices have one sample a pixel; what stands before them keeps the smooth edges of its own samples.
