@@ -1,14 +1,17 @@
 // What a forest's volumes cost against the same trees as meshes, how that follows pixels, and what they take to make
 // and to keep. Limits are those that were asked for before there was anything to measure.
 #include <algorithm>
+#include <ctime>
 
 #include "bench/limits.h"
 #include "forest/volume_images.h"
 #include "frame/renderer.h"
 #include "project/project_files.h"
 #include "techniques.h"
+#include "tests/forest/flight.h"
 #include "tests/grass/comparison.h"
 #include "world/forest_stand.h"
+#include "world/ground.h"
 #include "world/view_camera.h"
 
 namespace {
@@ -18,6 +21,7 @@ using namespace sward::test;
 // Of the passes that draw trees, in one frame.
 struct TreesCost {
     double ms = 0, fragments = 0, vertices = 0;
+    double cpuMs = 0;  // of the whole frame, on all cores together: other programs change it little
 };
 struct Woods {
     Renderer renderer{*gpu(), tables()};
@@ -34,7 +38,10 @@ struct Woods {
     TreesCost frame(const std::string& camera, ViewSettings s) {
         s.measure = true;
         TreesCost c;
-        if (!renderer.draw(project, viewOf(*findCamera(project, camera)), s)) return {NAN, NAN, NAN};
+        const std::clock_t begun = std::clock();
+        if (!renderer.draw(project, viewOf(*findCamera(project, camera)), s)) return {NAN, NAN, NAN, NAN};
+        renderer.finish();
+        c.cpuMs = 1000.0 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
         for (const PassStats& p : renderer.stats().passes)
             if (p.name.starts_with("forest/"))
                 c.ms += p.ms, c.fragments += static_cast<double>(p.fragments),
@@ -43,23 +50,49 @@ struct Woods {
     }
 };
 
-// The same trees by both in turn; times are medians.
-void race(const char* name, float detail, double times, int frames) {
+size_t standing(const Woods& w) {
+    return standingForest(*w.project.registry.get<Forest>(findEntity(w.project, "trees")), findGround(w.project))
+        .trees.size();
+}
+// Leaves about so many of all trees, chosen by their own hashes, wherever they stand; how many times as many there
+// were.
+double thin(Woods& w, float share) {
+    const size_t all = standing(w);
+    if (share < 1) {
+        Map& density = w.forest().density.map;
+        const MapInfo info = density.info();
+        for (int y = 0; y < info.height; ++y)
+            for (int x = 0; x < info.width; ++x) density.set(x, y, 0, share * density.at(x, y));
+    }
+    return static_cast<double>(all) / static_cast<double>(standing(w));
+}
+
+// The same trees by both in turn; times are medians. Of meshes that take minutes a share of the trees is drawn, and
+// their time taken as many times as there are more: what meshes take follows their vertices.
+void race(const char* name, float detail, double times, int frames, float share = 1) {
     const ViewSettings s = sized(480, 320);
     Woods volumes(ForestTechnique::Texcells), meshes(ForestTechnique::Trees, detail);
+    const double more = thin(meshes, share);
     for (const char* camera : {"valley", "whole"}) {
         volumes.frame(camera, s), meshes.frame(camera, s);  // compiles, bakes
-        std::vector<double> ours, theirs;
+        std::vector<double> ours, theirs, ourCpu, theirCpu;
         TreesCost last{};
+        const auto volumesOnce = [&] {
+            const TreesCost c = volumes.frame(camera, s);
+            ours.push_back(c.ms), ourCpu.push_back(c.cpuMs);
+        };
         for (int i = 0; i < frames; ++i) {
-            ours.push_back(volumes.frame(camera, s).ms);
-            theirs.push_back((last = meshes.frame(camera, s)).ms);
-            ours.push_back(volumes.frame(camera, s).ms);
+            volumesOnce();
+            last = meshes.frame(camera, s);
+            theirs.push_back(last.ms), theirCpu.push_back(last.cpuMs);
+            volumesOnce();
         }
-        std::fprintf(stderr, "%s: volumes %.0f ms, meshes %.0f ms of %.1f million vertices\n", camera, median(ours),
-                     median(theirs), last.vertices / 1e6);
+        std::fprintf(stderr, "%s: volumes %.0f ms; meshes of a tree in %.1f, %.0f ms of %.1f million vertices\n",
+                     camera, median(ours), more, median(theirs), last.vertices / 1e6);
+        std::fprintf(stderr, "%s: whole frames, CPU time of all cores: %.0f and %.0f ms, a share of %.4f\n", camera,
+                     median(ourCpu), median(theirCpu), median(ourCpu) / (more * median(theirCpu)));
         reportLimit(fmt::format("volumes as a share of {}, forest at {}", name, camera).c_str(),
-                    median(ours) / median(theirs), 1 / times, "x");
+                    median(ours) / (more * median(theirs)), 1 / times, "x");
     }
 }
 
@@ -69,7 +102,29 @@ SWARD_LIMITS("forest-levels", [] {
 });
 SWARD_LIMITS("forest-whole-meshes", [] {
     if (!gpu()) return reportLimit("volumes as a share of meshes with all leaves", NAN, 0.02, "x");
-    race("meshes with all leaves", 1e6f, 50, 1);
+    race("meshes with all leaves", 1e6f, 50, 1, 0.1f);
+});
+
+// Over a small wood across each transition: what pops, against what other trees of the same forest would.
+SWARD_LIMITS("forest-flight", [] {
+    if (!gpu()) return reportLimit("popping over a flight as a share of other trees'", NAN, 1.25, "x");
+    Renderer renderer(*gpu(), tables());
+    const Restless first = flightToVolumes(renderer, 300);
+    reportLimit("change at a step as a share of meshes', meshes to volumes", std::max(first.pixels, first.means), 1.25,
+                "x");
+    reportLimit("how much more or less pictures change than meshes', meshes to volumes",
+                std::max(first.pixelsTimes, first.meansTimes), 1.25, "x");
+    for (const Flight& f : kFlights) {
+        const auto t = flight(renderer, tables(), f, 300);
+        if (!t) {
+            reportLimit(f.name, NAN, 1.25, "x");
+            continue;
+        }
+        std::fprintf(stderr, "%s: %s; one that stands still %.2f of other trees'\n", f.name,
+                     transitionsText(t->seen).c_str(), Flown::popping(t->frozen));
+        reportLimit(fmt::format("popping over a flight as a share of other trees', {}", f.name).c_str(),
+                    Flown::popping(t->seen), 1.25, "x");
+    }
 });
 
 // The paper's claim: time follows the pixels.
@@ -80,10 +135,14 @@ SWARD_LIMITS("forest-pixels", [] {
     std::vector<double> each;
     for (const glm::ivec2 size : {glm::ivec2(240, 160), {480, 320}, {960, 640}}) {
         w.frame("valley", sized(size.x, size.y));
-        std::vector<double> ms;
-        for (int i = 0; i < 5; ++i) ms.push_back(w.frame("valley", sized(size.x, size.y)).ms);
+        std::vector<double> ms, cpu;
+        for (int i = 0; i < 5; ++i) {
+            const TreesCost c = w.frame("valley", sized(size.x, size.y));
+            ms.push_back(c.ms), cpu.push_back(c.cpuMs);
+        }
         each.push_back(median(ms) / (size.x * size.y));
-        std::fprintf(stderr, "%d x %d: %.0f ms, %.2f us a pixel\n", size.x, size.y, median(ms), 1000 * each.back());
+        std::fprintf(stderr, "%d x %d: %.0f ms, %.2f us a pixel; CPU time of the frame, all cores: %.2f us\n", size.x,
+                     size.y, median(ms), 1000 * each.back(), 1000 * median(cpu) / (size.x * size.y));
     }
     reportLimit(kRow, *std::max_element(each.begin(), each.end()) / *std::min_element(each.begin(), each.end()), 1.15,
                 "x");

@@ -43,7 +43,7 @@ TEST(AddedTechnique, IsInEveryTableWhileItLives) {
         EXPECT_TRUE(takes("stubble"));
         EXPECT_EQ(techniqueColor(tables().techniques, "stubble"), "#123456");
         EXPECT_NE(techniqueNames(tables().techniques).find("stubble"), std::string::npos);
-        const std::vector<std::string> names = comparisonNames({}, tables().techniques);
+        const std::vector<std::string> names = comparisonNames({}, comparedTechniques(lawn(), tables()));
         EXPECT_NE(std::find(names.begin(), names.end(), "stubble"), names.end());
         const auto swept = costSettings(lawn(), tables(), "stubble");
         ASSERT_TRUE(swept) << swept.error().text();

@@ -12,6 +12,7 @@
 #include "app/viewport.h"
 #include "metrics/heatmap.h"
 #include "model/document.h"
+#include "scene/forest_technique.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -316,24 +317,32 @@ void compareWith(Comparison& c, double now, Against against, const std::string& 
     c.key = {};
 }
 
-std::vector<std::string> comparisonNames(const Comparison& c, std::span<const TechniqueRow> techniques) {
+std::vector<std::string> comparedTechniques(const Project& project, const Tables& tables) {
+    std::vector<std::string> names;
+    for (const TechniqueRow& row : tables.techniques) names.push_back(row.name);
+    if (growingForests(project).empty()) return names;
+    for (const ForestTechniqueRow& row : forestTechniques()) names.push_back(row.name);
+    return names;
+}
+
+std::vector<std::string> comparisonNames(const Comparison& c, std::span<const std::string> techniques) {
     std::vector<std::string> names{"off", "reference"};
-    for (const TechniqueRow& row : techniques) names.push_back(row.name);
+    names.insert(names.end(), techniques.begin(), techniques.end());
     if (c.preview) names.push_back("preview");
     return names;
 }
 
-int comparisonChosen(const Comparison& c, std::span<const TechniqueRow> techniques) {
+int comparisonChosen(const Comparison& c, std::span<const std::string> techniques) {
     if (c.against == Against::Off || c.against == Against::Reference) return static_cast<int>(c.against);
     const std::vector<std::string> names = comparisonNames(c, techniques);
     const std::string& shown = c.against == Against::Settings ? names.back() : c.technique;
     return static_cast<int>(std::find(names.begin(), names.end(), shown) - names.begin());
 }
 
-void chooseComparison(Comparison& c, double now, std::span<const TechniqueRow> techniques, int chosen) {
+void chooseComparison(Comparison& c, double now, std::span<const std::string> techniques, int chosen) {
     if (chosen < 2) return compareWith(c, now, chosen == 0 ? Against::Off : Against::Reference);
     const auto row = static_cast<size_t>(chosen - 2);
-    if (row < techniques.size()) return compareWith(c, now, Against::Technique, techniques[row].name);
+    if (row < techniques.size()) return compareWith(c, now, Against::Technique, techniques[row]);
     compareWith(c, now, Against::Settings);
 }
 

@@ -96,11 +96,13 @@ struct Comparison {
 };
 // Another choice drops what was made for the last one; Off all of it. `now`: seconds, as frames count them.
 void compareWith(Comparison& c, double now, Against against, const std::string& technique = {});
-// What a person may compare with: "off", "reference", each technique of the table, and "preview" where there is one.
-std::vector<std::string> comparisonNames(const Comparison& c, std::span<const TechniqueRow> techniques);
+// Techniques by which the project can be drawn: those of the table, and those of forests where it has one.
+std::vector<std::string> comparedTechniques(const Project& project, const Tables& tables);
+// What a person may compare with: "off", "reference", each technique, and "preview" where there is one.
+std::vector<std::string> comparisonNames(const Comparison& c, std::span<const std::string> techniques);
 // The place of what is compared with among them, and the choice of another by its place.
-int comparisonChosen(const Comparison& c, std::span<const TechniqueRow> techniques);
-void chooseComparison(Comparison& c, double now, std::span<const TechniqueRow> techniques, int chosen);
+int comparisonChosen(const Comparison& c, std::span<const std::string> techniques);
+void chooseComparison(Comparison& c, double now, std::span<const std::string> techniques, int chosen);
 // Compares with the project under these settings, which it does not take on.
 void previewSettings(Comparison& c, double now, const CostSetting& setting);
 // The measure that the map of errors shows.
@@ -152,6 +154,7 @@ struct FitShown {
 struct Fit : SideRun {
     float budget = 16;               // ms
     float minutes = 2;               // that it may search
+    bool forests = false;            // turns those of a project that has grass, too
     std::optional<FitShown> result;  // the best so far, while it runs
 };
 

@@ -15,6 +15,7 @@
 #include "core/hash.h"
 #include "cost/cost_files.h"
 #include "model/document.h"
+#include "scene/forest_technique.h"
 #include "tools/camera_control.h"
 #include "world/view_camera.h"
 
@@ -128,9 +129,14 @@ void startFit(Fit& f, const MeasureParts& parts) {
     if (parts.doc.isOpen()) f.folder = sideFolder(parts.doc);
     std::error_code ignored;
     fs::remove(soFarFile(f), ignored);
-    accept(parts.messages, launch(f, parts, "fit",
-                                  {"--budget-ms", budget, "--candidates", "40", "--seconds",
-                                   fmt::format("{:g}", 60 * f.minutes), "--so-far", soFarFile(f).string(), "--json"}));
+    std::vector<std::string> more{"--budget-ms",  budget,
+                                  "--candidates", "40",
+                                  "--seconds",    fmt::format("{:g}", 60 * f.minutes),
+                                  "--so-far",     soFarFile(f).string(),
+                                  "--json"};
+    if (f.forests && !growingForests(parts.doc.project()).empty())
+        more.insert(more.end(), {"--technique", kEveryForestTechnique});
+    accept(parts.messages, launch(f, parts, "fit", more));
 }
 
 void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {

@@ -147,6 +147,9 @@ struct Verbs {
                            [this] { return fitVerb(fit); });
         addTruth(f, fit);
         f->add_option("--budget-ms", fit.budgetMs, "milliseconds a frame may take, at the slowest camera")->required();
+        f->add_option(
+            "--technique", fit.technique,
+            "turn one alone: " + sweptNames(tables()) + " (default: those of grass; of forests without grass)");
         f->add_option("--candidates", fit.candidates,
                       "settings that the search may try beside the grid's 27 (default: 40)");
         f->add_option("--seconds", fit.seconds, "that it may take in all, or little more (default: no limit)");

@@ -90,7 +90,9 @@ int fitVerb(const FitOptions& o) {
     if (!(o.budgetMs > 0)) return report(usage("--budget-ms takes a number above 0"));
     if (!(o.seconds > 0)) return report(usage("--seconds takes a number above 0"));
     if (o.candidates < 1 || o.candidates > 10000) return report(usage("--candidates takes 1 to 10000"));
-    auto project = openForRendering(o);
+    RenderOptions asItIs = o;  // --technique says what to turn, not how the project is drawn
+    asItIs.technique.clear();
+    auto project = openForRendering(asItIs);
     if (!project) return report(project.error());
     auto cost = costRequest(o, *project);
     if (!cost) return report(cost.error());
@@ -98,7 +100,7 @@ int fitVerb(const FitOptions& o) {
     auto gpu = makeHeadlessGpu();
     if (!gpu) return report(gpu.error());
     const Interruptible here;
-    FitRequest request{o.budgetMs, o.candidates, o.seconds, {}, std::move(*cost)};
+    FitRequest request{o.budgetMs, o.candidates, o.seconds, o.technique, {}, std::move(*cost)};
     if (!o.soFar.empty())
         request.betterFound = [&](const FitResult& best) {
             if (Status s = writeFileAtomic(o.soFar, writeJson(fitJson(best, o.budgetMs))); !s) report(s.error());

@@ -11,13 +11,14 @@
 #include "panels/accuracy_plot.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
+#include "scene/forest_technique.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
 namespace sward {
 namespace {
 
-void choices(Comparison& c, std::span<const TechniqueRow> techniques, double now) {
+void choices(Comparison& c, std::span<const std::string> techniques, double now) {
     if (!ImGui::BeginTable("choices", 2)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * 4.2f);
     ImGui::TableSetupColumn("value");
@@ -25,7 +26,7 @@ void choices(Comparison& c, std::span<const TechniqueRow> techniques, double now
     int chosen = comparisonChosen(c, techniques);
     caption("Against",
             "What is shown right of the line in the viewport: the ray-traced truth, or another way of drawing the same "
-            "grass.");
+            "grass or trees.");
     if (ui::combo("Against", against, chosen)) chooseComparison(c, now, techniques, chosen);
     const ui::Disabled off(c.against == Against::Off);
     const std::vector<std::string> shows(std::begin(kCompareShows), std::end(kCompareShows));
@@ -158,6 +159,13 @@ void searchTime(Fit& f) {
     ui::tooltip("How long it may take, or little more. The best so far is shown meanwhile.");
 }
 
+// Where there are both.
+void whatIsTurned(Fit& f, const Project& project) {
+    if (fieldsOf(project).empty() || growingForests(project).empty()) return;
+    ui::checkbox("Of the forest", f.forests);
+    ui::tooltip("Turns how the forest is drawn; else, how the grass is. The other stays as it is.");
+}
+
 void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     Fit& f = accuracy.fit;
     ImGui::AlignTextToFramePadding();
@@ -178,6 +186,7 @@ void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
         const ui::Disabled none(!parts.doc.isOpen());
         if (ui::button("Fit to budget")) startFit(f, parts);
         searchTime(f);
+        if (parts.doc.isOpen()) whatIsTurned(f, parts.doc.project());
     }
     fitResult(accuracy, parts, edits);
 }
@@ -194,7 +203,9 @@ void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, d
             if (columns == 3) ImGui::TableSetupColumn("", 0, share);
         ImGui::TableNextColumn();
         ImGui::PushTextWrapPos(0);
-        choices(c, parts.doc.tables().techniques, parts.clock.now);
+        const Project none;
+        choices(c, comparedTechniques(parts.doc.isOpen() ? parts.doc.project() : none, parts.doc.tables()),
+                parts.clock.now);
         scores(c, comparisonLabel(c, parts.doc, parts.clock));
         ImGui::PopTextWrapPos();
         ImGui::TableNextColumn();

@@ -8,6 +8,7 @@
 #include "project/project_files.h"
 #include "scene/forest_technique.h"
 #include "world/view_camera.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {
@@ -56,7 +57,10 @@ fs::path fileOf(const CostRequest& r, const Project& p, const Tables& tables, co
     const std::string of =
         fmt::format("{} {} {}x{} {} {} {} {} {}", hashHex(populationHash(p, tables)), view.name, s.width, s.height,
                     r.time + view.since, s.samples, s.seed, static_cast<int>(s.lighting), SWARD_VERSION) +
-        (s.shards > 1 ? " strips" : "") + (growingForests(p).empty() ? "" : " trees");
+        (s.shards > 1 ? " strips" : "") +
+        (growingForests(p).empty() ? ""
+         : windOf(p)               ? " swaying trees"
+                                   : " trees");
     return r.folder / ("truth-" + hashHex(hashText(of)) + ".exr");
 }
 

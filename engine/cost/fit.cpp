@@ -7,6 +7,7 @@
 
 #include "core/json.h"
 #include "cost/cost_truth.h"
+#include "cost/fit_technique.h"
 #include "cost/frame_stats.h"
 #include "world/view_camera.h"
 
@@ -163,16 +164,11 @@ bool better(const FitCandidate& a, const FitCandidate& b, double budget) {
     return fitsA ? a.appearance < b.appearance : a.ms < b.ms;
 }
 // As the field has it; or with the factors that may be halved.
-Knobs knobsOf(const TechniqueRow& t, bool halved) {
+Knobs knobsOf(const FitTechnique& t, bool halved) {
     Knobs k;
-    for (const KnobRow& row : t.knobs)
+    for (const KnobRow& row : t.knobs())
         k.push_back(halved && row.factor ? std::max(row.start / kStep, row.least) : row.start);
     return k;
-}
-CostSetting settingOf(const Search& s, const TechniqueRow& t, const Knobs& k) {
-    std::vector<std::pair<std::string, SettingValues>> each;
-    for (const auto& [name, field] : fieldsOf(s.project)) each.push_back({name, t.turned(field, k)});
-    return {t.name, mergedValues(each)};
 }
 FitResult soFar(const Search& s) {
     FitResult r;
@@ -183,8 +179,8 @@ FitResult soFar(const Search& s) {
     return r;
 }
 // Measured as one of the search's own.
-Result<FitCandidate> searched(Search& s, const TechniqueRow& t, const Knobs& k) {
-    const CostSetting setting = settingOf(s, t, k);
+Result<FitCandidate> searched(Search& s, const FitTechnique& t, const Knobs& k) {
+    const CostSetting setting = turnedSetting(s.project, t, k);
     const bool isNew = std::none_of(s.found.begin(), s.found.end(), [&](const FitCandidate& c) {
         return c.setting.technique == setting.technique && c.setting.values == setting.values;
     });
@@ -197,11 +193,11 @@ Result<FitCandidate> searched(Search& s, const TechniqueRow& t, const Knobs& k) 
     return c;
 }
 // The neighbours: each knob the step's factor up and down, then those that are added to.
-std::vector<Knobs> around(const TechniqueRow& t, const Knobs& k, double step) {
+std::vector<Knobs> around(const FitTechnique& t, const Knobs& k, double step) {
     std::vector<Knobs> out;
     for (const bool factors : {true, false})
         for (size_t i = 0; i < k.size(); ++i) {
-            const KnobRow& row = t.knobs[i];
+            const KnobRow& row = t.knobs()[i];
             if (row.factor != factors) continue;
             const double turned[] = {row.factor ? k[i] * step : k[i] - std::log2(step),
                                      row.factor ? k[i] / step : k[i] + std::log2(step)};
@@ -214,7 +210,7 @@ std::vector<Knobs> around(const TechniqueRow& t, const Knobs& k, double step) {
     return out;
 }
 // From a start: to the best neighbour as long as one is better, then with smaller steps.
-Status searchFrom(Search& s, const TechniqueRow& t, Knobs at, FitCandidate here) {
+Status searchFrom(Search& s, const FitTechnique& t, Knobs at, FitCandidate here) {
     for (double step = kStep; step >= kLeastStep && s.mayGoOn();) {
         std::optional<Knobs> next;
         for (const Knobs& k : around(t, at, step)) {
@@ -231,20 +227,17 @@ Status searchFrom(Search& s, const TechniqueRow& t, Knobs at, FitCandidate here)
     return {};
 }
 // Every technique once, the field's own first; then from the best of them, from the next best and so on.
-Status search(Search& s, const TechniqueRow& own) {
+Status search(Search& s, const std::vector<FitTechnique>& techniques) {
     struct Start {
-        const TechniqueRow* technique;
+        const FitTechnique* technique;
         FitCandidate candidate;
     };
-    std::vector<const TechniqueRow*> order{&own};
-    for (const TechniqueRow& t : s.tables.techniques)
-        if (!t.knobs.empty() && &t != &own) order.push_back(&t);
     std::vector<Start> starts;
-    for (const TechniqueRow* t : order) {
+    for (const FitTechnique& t : techniques) {
         if (!s.mayGoOn()) break;
-        auto c = searched(s, *t, knobsOf(*t, true));
+        auto c = searched(s, t, knobsOf(t, true));
         if (!c) return c.error();
-        starts.push_back({t, *c});
+        starts.push_back({&t, *c});
     }
     std::stable_sort(starts.begin(), starts.end(), [&](const Start& a, const Start& b) {
         return better(a.candidate, b.candidate, s.request.budgetMs);
@@ -258,25 +251,25 @@ Status search(Search& s, const TechniqueRow& own) {
 
 // --- the grid ----------------------------------------------------------------------------------------------------
 // All points with each of the knobs that stand in it at three values, the first knob's changing last.
-std::vector<Knobs> gridPoints(const TechniqueRow& t) {
+std::vector<Knobs> gridPoints(const FitTechnique& t) {
     std::vector<Knobs> points{knobsOf(t, false)};
-    for (size_t i = 0; i < t.knobs.size(); ++i) {
-        if (!t.knobs[i].inGrid) continue;
+    for (size_t i = 0; i < t.knobs().size(); ++i) {
+        if (!t.knobs()[i].inGrid) continue;
         std::vector<Knobs> more;
         for (const Knobs& at : points)
             for (const double step : {-1.0, 0.0, 1.0}) {
                 more.push_back(at);
-                more.back()[i] = t.knobs[i].factor ? at[i] * std::exp2(step) : at[i] + step;
+                more.back()[i] = t.knobs()[i].factor ? at[i] * std::exp2(step) : at[i] + step;
             }
         points = std::move(more);
     }
     return points;
 }
-Result<FitCandidate> gridBest(Search& s, const TechniqueRow& own) {
+Result<FitCandidate> gridBest(Search& s, const FitTechnique& own) {
     FitCandidate best;
     for (const Knobs& k : gridPoints(own)) {
         if (!s.inTime(kGridShare)) break;
-        auto c = measured(s, settingOf(s, own, k));
+        auto c = measured(s, turnedSetting(s.project, own, k));
         if (!c) return c;
         if (c->ms <= s.request.budgetMs && better(*c, best, s.request.budgetMs)) best = *c;
     }
@@ -391,33 +384,25 @@ ViewCamera heldOutCamera(ViewCamera c) {
     return c;
 }
 
-Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables) {
-    const auto fields = fieldsOf(project);
-    if (fields.empty()) return unsound("the project has no grass", "add a GrassField").at(project.dir);
-    const TechniqueRow* own = findTechnique(tables.techniques, fields.front().second.grows.technique);
-    if (own && !own->knobs.empty()) return own;
-    for (const TechniqueRow& row : tables.techniques)
-        if (!row.knobs.empty()) return &row;
-    return failed("no technique has anything to turn");
-}
-
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress) {
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
     if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
     Search s{.request = request, .project = project, .tables = tables, .gpu = gpu, .progress = progress};
-    const auto own = techniqueToFit(project, tables);
-    if (!own) return own.error();
+    const auto techniques = techniquesToFit(project, tables, request.technique);
+    if (!techniques) return techniques.error();
     if (Status st = traceTruths(s); !st) return st.error();
     FitResult r;
     auto shipped = measured(s, {}, true);
     if (!shipped) return shipped.error();
-    if (const uint64_t blades = s.renderer.stats().bladesGeometry; blades > 1000)
+    // What forests cost does not go by blades.
+    if (techniques->front().forest) s.msPerBlade = 0;
+    if (const uint64_t blades = s.renderer.stats().bladesGeometry; s.msPerBlade > 0 && blades > 1000)
         s.msPerBlade = shipped->ms / static_cast<double>(blades);
     s.shipped = *shipped;
-    if (Status st = search(s, **own); !st) return st.error();
-    auto grid = gridBest(s, **own);
+    if (Status st = search(s, *techniques); !st) return st.error();
+    auto grid = gridBest(s, techniques->front());
     if (!grid) return grid.error();
     choose(s, r);
     r.shipped = *shipped, r.gridBest = *grid;

@@ -1,16 +1,15 @@
 // The settings with the least appearance error within a budget of time, over a project's cameras, or moments of a path.
-// Search: every technique that has knobs (TechniqueRow::knobs) is drawn once with each factor at half of the field's
-// own, so that the settings that ship are no head start; then a pattern search (Hooke and Jeeves 1961) over the knobs
-// of the best of them, such as where blades and slices end, how sharp slices are, how they are filtered, and samples a
-// pixel; where it finds nothing better and may go on, from the next best. Each step is the double or the half, then
-// less; no model of cost is assumed, times are measured. A candidate fits if its slowest camera's median is within the
-// budget; of those that fit, the least mean appearance wins. One that takes half as much again from a camera, or surely
-// would by the number of its blades, is not drawn from the others.
-// Beside it stand the settings that ship and a grid (each of three knobs of the field's technique at three values on a
-// log scale), measured by the same rule; they are none of the search's, which may lose against either. All three are
-// drawn from cameras that none of them was chosen by, and what differs there by less than its standard error is even.
-// Does not: save the project (the caller does). The order of candidates is the same each time but for what times
-// decide.
+// Search: every technique that has knobs (fit_technique.h), of grass or of forests, is drawn once with each factor at
+// half of the field's own, so that the settings that ship are no head start; then a pattern search (Hooke and Jeeves
+// 1961) over the knobs of the best of them, such as where blades and slices end, how sharp slices are, how they are
+// filtered, and samples a pixel; where it finds nothing better and may go on, from the next best. Each step is the
+// double or the half, then less; no model of cost is assumed, times are measured. A candidate fits if its slowest
+// camera's median is within the budget; of those that fit, the least mean appearance wins. One that takes half as much
+// again from a camera, or surely would by the number of its blades, is not drawn from the others. Beside it stand the
+// settings that ship and a grid (each of three knobs of the field's technique at three values on a log scale), measured
+// by the same rule; they are none of the search's, which may lose against either. All three are drawn from cameras that
+// none of them was chosen by, and what differs there by less than its standard error is even. Does not: save the
+// project (the caller does). The order of candidates is the same each time but for what times decide.
 #pragma once
 #include <functional>
 #include <limits>
@@ -68,15 +67,15 @@ struct FitRequest {
     // them, the grid none after 0.8, and after all of them no further held-out camera is traced. What was begun is
     // ended, and the first candidate and the shipped settings are always measured.
     double seconds = std::numeric_limits<double>::infinity();
+    // One technique alone, or kEveryForestTechnique for those of forests; empty: of the project's grass, or of its
+    // forests if it has none. What is not turned is drawn as it is.
+    std::string technique = {};
     std::function<void(const FitResult&)> betterFound = {};  // each time that one fits and is better than all before
     CostRequest cost;  // views, size, truth, folder for truths; settings and shards are not read
 };
-// The technique whose knobs the grid turns (TechniqueRow::knobs): that of the project's first field, or, where it has
-// none, the first of the table that has some. Unsound: the project has no grass.
-Result<const TechniqueRow*> techniqueToFit(const Project& project, const Tables& tables);
-// Searches among at most `request.candidates` settings of the project's fields. Truths are traced first
-// and kept in cost.folder. Failed: the folder cannot be made. Unsound: the project has no grass. Interrupted:
-// `progress` said so.
+// Searches among at most `request.candidates` settings of the project's fields, or of its forests. Truths are traced
+// first and kept in cost.folder. Failed: the folder cannot be made. Errors as techniquesToFit. Interrupted: `progress`
+// said so.
 Result<FitResult> runFit(const FitRequest& request, const Project& project, const Tables& tables, Gpu& gpu,
                          const CostProgress& progress);
 

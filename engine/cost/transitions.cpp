@@ -7,6 +7,7 @@
 #include "core/json.h"
 #include "reference/reference.h"
 #include "scene/components.h"
+#include "scene/forest.h"
 #include "world/camera_path.h"
 
 namespace sward {
@@ -52,11 +53,13 @@ Status checkPlan(const TransitionPlan& plan, const Project& p) {
     return {};
 }
 
-// Other blades of the same fields.
+// Other blades of the same fields, other trees of the same forests.
 Project reseeded(const Project& project, const Tables& tables) {
     Project other = snapshot(project, tables.components);
-    for (const auto& [name, e] : other.entities)
+    for (const auto& [name, e] : other.entities) {
         if (GrassField* f = other.registry.get<GrassField>(e)) f->seed += f->seed < 1000000 ? 1 : -1;
+        if (Forest* f = other.registry.get<Forest>(e)) f->seed += f->seed < 1000000 ? 1 : -1;
+    }
     return other;
 }
 

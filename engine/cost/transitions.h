@@ -1,5 +1,6 @@
 // What pops along a camera's path: the same moments are drawn and ray-traced, and each step from one to the next is
-// judged by metrics/popping.h, beside the same of other blades of the field, which is the floor to hold it against.
+// judged by metrics/popping.h, beside the same of other blades of the field, and of other trees of a forest, which is
+// the floor to hold it against.
 // Time stands still: what changes is the camera alone, so that a step above the floor is a transition that shows.
 // Drawing needs a GPU, tracing does not: both go a picture at a time, so that others have their turn between. Does not:
 // follow blades, nor say which tier it was. Cost: a frame a picture, then some 0.1 to 1 s of rays each at the usual

@@ -34,7 +34,8 @@ FoliageTable::FoliageTable(const Facing& facing, const glm::vec3& sun) {
         sky_[i] = 0.5f + 0.5f * seenRise(facing, y);
         for (size_t k = 0; k < kTurns; ++k) {
             const float turn = kHalfTurn * static_cast<float>(k) / (kTurns - 1);
-            sun_[i][k] = sentTo(facing, sun.y, y, y * sun.y + level * across * std::cos(turn));
+            const float cosine = y * sun.y + level * across * std::cos(turn);
+            sun_[i][k] = sentTo(facing, sun.y, y, cosine), passed_[i][k] = passedTo(facing, sun.y, y, cosine);
         }
     }
 }
@@ -44,7 +45,10 @@ FoliageLook FoliageTable::from(const glm::vec3& way) const {
     const float cosine = level > 1e-6f ? glm::dot(glm::vec2(way.x, way.z), sunSide_) / level : 1;
     const Between rise(0.5f + 0.5f * way.y, kRises),
         turn(std::acos(std::clamp(cosine, -1.0f, 1.0f)) / kHalfTurn, kTurns);
-    return {rise.in(seen_), glm::mix(turn.in(sun_[rise.low]), turn.in(sun_[rise.low + 1]), rise.share), rise.in(sky_)};
+    const auto both = [&](const auto& table) {
+        return glm::mix(turn.in(table[rise.low]), turn.in(table[rise.low + 1]), rise.share);
+    };
+    return {rise.in(seen_), both(sun_), both(passed_), rise.in(sky_)};
 }
 
 }  // namespace sward

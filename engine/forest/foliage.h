@@ -9,9 +9,10 @@
 namespace sward {
 
 struct FoliageLook {
-    float seen = 1;  // area that is seen, against leaves in all directions: factor of the path through them
-    float sun = 0;   // share of the sun's light that they send there (facing.h, sentTo)
-    float sky = 1;   // share of the light from all around that they take from above; from below the rest
+    float seen = 1;    // area that is seen, against leaves in all directions: factor of the path through them
+    float sun = 0;     // share of the sun's light that they send there (facing.h, sentTo)
+    float passed = 0;  // likewise of what falls on the sides that are not seen: what would shine through (passedTo)
+    float sky = 1;     // share of the light from all around that they take from above; from below the rest
 };
 class FoliageTable {
   public:
@@ -24,7 +25,7 @@ class FoliageTable {
     static constexpr int kRises = 33, kTurns = 17;  // of the way to the eye; away from the sun's side
     glm::vec2 sunSide_{1, 0};
     std::array<float, kRises> seen_{}, sky_{};
-    std::array<std::array<float, kTurns>, kRises> sun_{};
+    std::array<std::array<float, kTurns>, kRises> sun_{}, passed_{};
 };
 
 }  // namespace sward

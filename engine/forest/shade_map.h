@@ -42,7 +42,7 @@ struct ShadeMap {
     glm::ivec2 size{0};
     std::vector<uint8_t> shares;  // two a texel
 };
-inline constexpr int kMostShadeSide = 960;
+inline constexpr int kMostShadeSide = 928;
 // Adds the forests one by one, then makes bytes of it.
 class ShadeSum {
   public:

@@ -57,10 +57,11 @@ struct TexcellsView : EffectState {
 // --- tiles ---------------------------------------------------------------------------------------------------------
 
 // How a tree looks from the eye.
-TreeInView lookOf(const Volume& v, const StandingTree& tree, const glm::dvec3& eye) {
+TreeInView lookOf(const Volume& v, const Forest& rule, const StandingTree& tree, const glm::dvec3& eye) {
     const glm::dvec3 way = eye - tree.at;
     const FoliageLook look = v.foliage[tree.species].from(glm::vec3(way / std::max(glm::length(way), 1e-6)));
-    return {static_cast<float>(-way.y), look.seen, look.sun, look.sky};
+    const float through = v.leaves[tree.species] * rule.species[tree.species].translucency;
+    return {static_cast<float>(-way.y), look.seen, look.sun, through * look.passed, look.sky, through};
 }
 
 // Feet of those trees that are drawn as volumes, relative to the eye, and their looks; and what they reach.
@@ -68,7 +69,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, co
              bool near, std::vector<TreeInView>& out) {
     Reach r;
     for (const int32_t number : t.trees) {
-        out.push_back({kNoTree, 1, 0, 1});
+        out.push_back({kNoTree, 1, 0, 0, 1, 0});
         if (number < 0) continue;
         const StandingTree& tree = here.stand->trees[static_cast<size_t>(number)];
         if (near && isMesh(here.rule, tree, glm::distance(tree.at, ctx.camera.eye))) continue;
@@ -76,7 +77,7 @@ Reach feetOf(const DrawContext& ctx, const ForestHere& here, const Volume& v, co
         r.low = std::min(r.low, foot - aside);
         r.high =
             std::max(r.high, foot + aside + static_cast<double>(here.rule.species[tree.species].height * tree.size));
-        out.back() = lookOf(v, tree, ctx.camera.eye);
+        out.back() = lookOf(v, here.rule, tree, ctx.camera.eye);
     }
     return r;
 }

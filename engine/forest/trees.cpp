@@ -7,7 +7,8 @@
 #include "forest/stand.h"
 #include "frame/color_image.h"
 #include "frame/gpu_mesh.h"
-#include "world/wind.h"
+#include "mesh/facing.h"
+#include "world/forest_sway.h"
 
 namespace sward {
 namespace {
@@ -30,31 +31,21 @@ struct TreesState : EffectState {
 struct Group {
     const ForestHere* here;
     const GpuMesh* mesh;
-    size_t first, seen;
-};
-// What wind does to trees.
-struct Sway {
-    const Wind* wind = nullptr;
-    const Map* gusts = nullptr;
-    Map made;
-    WindGlobals globals{};
-    glm::dmat3 lean(const Forest& f, const glm::dvec3& at) const {
-        if (!wind) return glm::dmat3(1);
-        return leaning(glm::dvec2(windLeanAt(globals, *gusts, {at.x, at.z}, -1)) / static_cast<double>(f.stiffness));
-    }
+    size_t species, first, seen;
 };
 struct TreesView : EffectState {
     Buffer instances, placesBuffer;
     std::vector<ObjectInstance> rows;
     std::vector<glm::vec3> places;  // of each row: lattice coordinates as stored, and the share of trees around
     std::vector<Group> groups;
-    Sway sway;
+    TreeSway sway;
 };
 
 constexpr GLuint kPlace = 6, kPlaceBinding = 2;
 
 GpuMesh uploadTree(Gpu& gpu, const Mesh& mesh) {
     GpuMesh out = uploadMesh(gpu, kOwner, mesh);
+    out.leaves = leafParts(mesh);
     const GLuint id = out.mesh.id();
     glEnableVertexArrayAttrib(id, kPlace);
     glVertexArrayAttribBinding(id, kPlace, kPlaceBinding);
@@ -84,18 +75,19 @@ struct Chosen {
     std::vector<const StandingTree*> seen, unseen;
 };
 
-void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, const GpuMesh& m, const Chosen& chosen) {
+void addGroup(DrawContext& ctx, TreesView& view, const ForestHere& here, size_t species, const GpuMesh& m,
+              const Chosen& chosen) {
     const bool casts = here.rule.castShadows;
     const auto add = [&](const StandingTree& t) {
         const glm::dvec3 at = t.at - ctx.camera.eye;
         if (casts)
             addCaster(ctx, m, view.rows.size(), 1, glm::vec3(at) + m.centre * t.size,
                       (m.radius + glm::length(glm::vec2(m.centre.x, m.centre.z))) * t.size);
-        view.rows.push_back(instanceAt(at, view.sway.lean(here.rule, at) * turnOf(t)));
+        view.rows.push_back(instanceAt(at, view.sway.at(here.rule, {at.x, at.z}) * turnOf(t)));
         const size_t number = static_cast<size_t>(&t - here.stand->trees.data());
         view.places.emplace_back(t.stored, here.light ? here.around[number] : 0);
     };
-    view.groups.push_back({&here, &m, view.rows.size(), chosen.seen.size()});
+    view.groups.push_back({&here, &m, species, view.rows.size(), chosen.seen.size()});
     for (const StandingTree* t : chosen.seen) add(*t);
     for (const StandingTree* t : chosen.unseen) add(*t);
 }
@@ -121,7 +113,7 @@ void choose(DrawContext& ctx, TreesView& view, const ForestHere& here, const Upl
     for (size_t s = 0; s < chosen.size(); ++s)
         for (size_t l = 0; l < kTreeLevels; ++l)
             if (!chosen[s][l].seen.empty() || !chosen[s][l].unseen.empty())
-                addGroup(ctx, view, here, u.species[s][l], chosen[s][l]);
+                addGroup(ctx, view, here, s, u.species[s][l], chosen[s][l]);
 }
 
 // Which trees cast, at which level and how they lean: what shadow maps are kept by.
@@ -151,11 +143,8 @@ void place(DrawContext& ctx) {
         return std::none_of(ctx.shared.forests->all.begin(), ctx.shared.forests->all.end(),
                             [&](const auto& h) { return h->entity == f.first && drawsMeshes(*h); });
     });
-    view.sway.wind = has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr;
-    if (view.sway.wind) {
-        view.sway.gusts = &gustsOf(*view.sway.wind, view.sway.made);
-        view.sway.globals = windGlobals(*view.sway.wind, {ctx.eye.x, ctx.eye.z}, ctx.settings.time);
-    }
+    view.sway.follow(has(ctx.plan.features, Feature::Wind) ? windOf(ctx.project) : nullptr, {ctx.eye.x, ctx.eye.z},
+                     ctx.settings.time);
     bool casts = false;
     for (const auto& here : ctx.shared.forests->all) {
         if (!drawsMeshes(*here)) continue;
@@ -180,6 +169,7 @@ void draw(DrawContext& ctx) {
         if (g.seen == 0) continue;
         glBindBufferBase(GL_UNIFORM_BUFFER, UBO_FOREST, g.here->lightGlobals);
         glBindTextureUnit(TEX_FOREST_LIGHT, g.here->light);
+        glUniform1f(3, g.here->rule.species[g.species].translucency);
         drawMesh(ctx, *g.mesh, s.white, g.first, g.seen);
     }
 }

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/log.h"
 #include "core/numerics.h"
+#include "mesh/facing.h"
 
 namespace sward {
 namespace {
@@ -113,6 +114,8 @@ void ensureVolume(DrawContext& ctx, const std::string& owner, Volume& v, const F
         v.spec = {here.stand->tiles, std::make_shared<const std::vector<Mesh>>(here.meshes),
                   static_cast<double>(here.rule.voxel), here.rule.storage == VolumeStorage::Compressed};
         v.key = volumeKey(v.spec);
+        v.leaves.clear();
+        for (const Mesh& m : here.meshes) v.leaves.push_back(leafPart(m));
         v.bake = {};
         v.stood = 0;
     }

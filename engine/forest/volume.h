@@ -20,6 +20,7 @@ struct Volume {
     Texture slabs, slots, light;
     glm::vec3 sun{0};                   // that the light is of
     std::vector<FoliageTable> foliage;  // under it, by species
+    std::vector<float> leaves;          // by species: share of its area through which light shines
     std::vector<Prism> prisms;          // of StandingForest::triangles
     Buffer globals;                     // of its light, for meshes
 };

@@ -56,7 +56,9 @@ const GpuMesh& GpuMeshes::of(DrawContext& ctx, const std::string& file) {
 
 void drawMesh(DrawContext& ctx, const GpuMesh& mesh, const Texture& white, size_t first, size_t count) {
     glBindVertexArray(mesh.mesh.id());
-    for (const MeshPart& part : mesh.parts) {
+    for (size_t i = 0; i < mesh.parts.size(); ++i) {
+        const MeshPart& part = mesh.parts[i];
+        if (!mesh.leaves.empty()) glUniform1f(2, mesh.leaves[i]);
         glBindTextureUnit(TEX_OBJECT, part.image >= 0 ? mesh.images[static_cast<size_t>(part.image)].id() : white.id());
         glUniform3f(0, part.color.x, part.color.y, part.color.z);
         glUniform1f(1, part.cutoff);

@@ -17,6 +17,7 @@ struct GpuMesh {
     VertexArray mesh;
     std::vector<Texture> images;
     std::vector<MeshPart> parts;  // none: the file cannot be read
+    std::vector<float> leaves;    // by part: share through which light shines (mesh/facing.h); none: not asked for
     glm::vec3 centre{0};
     float radius = 0;
 };

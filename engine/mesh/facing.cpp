@@ -63,6 +63,31 @@ void eachNormal(const Facing& facing, const glm::vec3& light, const glm::vec3& e
 }
 glm::vec3 rising(float y) { return {std::sqrt(std::max(1 - y * y, 0.0f)), y, 0}; }
 
+// Light on the sides that are seen (1) or on those that are not (-1), as a share of what faces it.
+float litOn(float side, const Facing& facing, float light, float eye, float cosine) {
+    const glm::vec3 e = rising(eye);
+    glm::vec3 l(0, light, 0);
+    l.x = e.x > 1e-6f ? std::clamp((cosine - light * eye) / e.x, -1.0f, 1.0f) : 0;
+    l.z = std::sqrt(std::max(1 - l.x * l.x - l.y * l.y, 0.0f));
+    float sent = 0, all = 0;
+    eachNormal(facing, l, e, [&](float weight, const glm::vec3&, float seen, float lit) {
+        all += weight * std::abs(seen);
+        if (side * seen * lit > 0) sent += weight * std::abs(seen * lit);
+    });
+    return all > 0 ? sent / all : 0;
+}
+
+// Areas of triangles first to end that count, and those of leaves among them.
+glm::dvec2 leafArea(const Mesh& mesh, const std::vector<float>& shares, size_t first, size_t end) {
+    glm::dvec2 sum(0);
+    for (size_t i = first; i + 2 < end; i += 3) {
+        const double area = glm::length(areaNormal(mesh, i)), counts = static_cast<double>(shares[i / 3]);
+        sum += area * glm::dvec2(counts, std::max(2 * counts - 1, 0.0));
+    }
+    return sum;
+}
+float leafShare(const glm::dvec2& area) { return area.x > 0 ? static_cast<float>(area.y / area.x) : 0; }
+
 }  // namespace
 
 std::vector<float> leafShares(const Mesh& mesh) {
@@ -85,6 +110,14 @@ std::vector<float> leafShares(const Mesh& mesh) {
     }
     return out;
 }
+
+std::vector<float> leafParts(const Mesh& mesh) {
+    const std::vector<float> shares = leafShares(mesh);
+    std::vector<float> out;
+    for (const MeshPart& p : mesh.parts) out.push_back(leafShare(leafArea(mesh, shares, p.first, p.first + p.count)));
+    return out;
+}
+float leafPart(const Mesh& mesh) { return leafShare(leafArea(mesh, leafShares(mesh), 0, mesh.indices.size())); }
 
 Facing evenFacing() {
     Facing f;
@@ -119,16 +152,10 @@ float seenFrom(const Facing& facing, float y) {
 }
 
 float sentTo(const Facing& facing, float light, float eye, float cosine) {
-    const glm::vec3 e = rising(eye);
-    glm::vec3 l(0, light, 0);
-    l.x = e.x > 1e-6f ? std::clamp((cosine - light * eye) / e.x, -1.0f, 1.0f) : 0;
-    l.z = std::sqrt(std::max(1 - l.x * l.x - l.y * l.y, 0.0f));
-    float sent = 0, all = 0;
-    eachNormal(facing, l, e, [&](float weight, const glm::vec3&, float seen, float lit) {
-        all += weight * std::abs(seen);
-        if (seen * lit > 0) sent += weight * std::abs(seen * lit);
-    });
-    return all > 0 ? sent / all : 0;
+    return litOn(1, facing, light, eye, cosine);
+}
+float passedTo(const Facing& facing, float light, float eye, float cosine) {
+    return litOn(-1, facing, light, eye, cosine);
 }
 
 float seenRise(const Facing& facing, float eye) {

@@ -16,6 +16,12 @@ namespace sward {
 // one, in between by the length of the sum of its normals. A piece is what shares corners' places.
 std::vector<float> leafShares(const Mesh& mesh);
 
+// Of each part of a mesh, the share of its counted area that is leaves, through which light shines: 1 of flat pieces, 0
+// of closed ones.
+std::vector<float> leafParts(const Mesh& mesh);
+// The same of all parts together; 0 of a mesh without area.
+float leafPart(const Mesh& mesh);
+
 // How areas share out among normals: bin k holds those that rise (|y| of a unit normal) from k / kFacingBins on.
 inline constexpr int kFacingBins = 16;
 using Facing = std::array<float, kFacingBins>;  // sums to 1
@@ -30,6 +36,8 @@ float seenFrom(const Facing& facing, float y);
 // Share of the light from one side that it sends back to the eye, against a white surface that faces the light
 // (Lambert's law, the mean over what the eye sees of it). light, eye: rise of the ways to both; cosine: between them.
 float sentTo(const Facing& facing, float light, float eye, float cosine);
+// Likewise, of the light that falls on the sides that the eye does not see: what would shine through if all of it did.
+float passedTo(const Facing& facing, float light, float eye, float cosine);
 // The mean rise of the normals of what the eye sees of it, on the side that is seen; eye: rise of the way there.
 float seenRise(const Facing& facing, float eye);
 

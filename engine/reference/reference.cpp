@@ -248,7 +248,11 @@ glm::vec3 ambientLight(const View& v, const Surface& s) {
     float share = s.met == Met::Object ? 1 : s.open;
     if (s.met != Met::Object) share *= skyShare(v, s);
     if (s.met == Met::Ground && !s.beyond) share *= v.scene.grass->lightLeft(s.place, v.globals.sunDirection.y);
-    return s.color * s.tint * f32::halvesLight(v.globals.groundLight, v.globals.skyLight, s.normal.y) * share;
+    const auto from = [&](float up) { return f32::halvesLight(v.globals.groundLight, v.globals.skyLight, up); };
+    glm::vec3 sent = s.color * s.tint * from(s.normal.y);
+    // Blades have no light from all around through them, as shaders light them.
+    if (s.ofTree && s.looks.x > 0) sent += f32::leafThrough(s.color) * (s.looks.x * from(-s.normal.y));
+    return sent * share;
 }
 
 // The next direction of a path, and by how much it counts. A leaf sends part of it on from behind.
@@ -447,7 +451,7 @@ Result<ReferenceScene> ReferenceScene::make(const Project& p, const Tables& tabl
     impl->project = snapshot(drawn.of(p, tables.components), tables.components);
     impl->features = sceneFeatures(impl->project.registry, tables);
     impl->time = time;
-    auto solids = Solids::make(impl->project, control);
+    auto solids = Solids::make(impl->project, time, control);
     if (!solids) return solids.error();
     impl->solids.emplace(std::move(*solids));
     auto grass = GrassRays::make(impl->project, time, control);

@@ -2,9 +2,11 @@
 
 #include "core/hash.h"
 #include "core/save_folder.h"
+#include "mesh/facing.h"
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
 #include "world/forest_stand.h"
+#include "world/forest_sway.h"
 #include "world/ground.h"
 #include "world/placement.h"
 #include "world/scatter.h"
@@ -30,17 +32,20 @@ Triangles placedTriangles(const Mesh& mesh, const PlacedMesh& placed, const glm:
 }
 
 // Adds a mesh that is shown by instances; returns its number.
-uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file) {
+uint32_t addMesh(ScatteredTriangles& out, Mesh mesh, const std::string& file, std::vector<float> through = {}) {
     Triangles& shown = out.instances.meshes.emplace_back();
     for (const MeshVertex& v : mesh.vertices) shown.positions.push_back(v.position);
     shown.indices = mesh.indices;
     out.files.push_back(file);
+    out.through.push_back(std::move(through));
     out.meshes.push_back(std::move(mesh));
     return static_cast<uint32_t>(out.meshes.size()) - 1;
 }
 
 Status addForests(ScatteredTriangles& out, const Project& p, const Ground& ground, const glm::dvec3& origin,
-                  bool castersAlone) {
+                  bool castersAlone, std::optional<double> time) {
+    TreeSway sway;
+    sway.follow(time ? windOf(p) : nullptr, {0, 0}, time.value_or(0));
     for (const auto& [entity, forest] : forestsOf(p)) {
         if (castersAlone && !forest->castShadows) continue;
         std::vector<uint32_t> meshOf(forest->species.size());
@@ -48,10 +53,15 @@ Status addForests(ScatteredTriangles& out, const Project& p, const Ground& groun
             if (!stands(forest->species[i])) continue;
             Result<Mesh> mesh = treeMesh(p.dir, forest->species[i]);
             if (!mesh) return mesh.error();
-            meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file);
+            std::vector<float> through = leafParts(*mesh);
+            for (float& part : through) part *= forest->species[i].translucency;
+            meshOf[i] = addMesh(out, std::move(*mesh), forest->species[i].file, std::move(through));
         }
         for (const StandingTree& t : standingForest(*forest, ground).trees) {
-            out.instances.placed.push_back({meshOf[t.species], glm::vec3(t.at - origin), glm::mat3(turnOf(t))});
+            const glm::dvec3 from = t.at - ground.origin;
+            glm::dmat3 turn = turnOf(t);
+            if (sway.blows()) turn = sway.at(*forest, {from.x, from.z}) * turn;
+            out.instances.placed.push_back({meshOf[t.species], glm::vec3(t.at - origin), glm::mat3(turn)});
             out.casts.push_back(forest->castShadows);
         }
     }
@@ -114,7 +124,8 @@ Triangles TerrainSurface::triangles() const {
     return t;
 }
 
-Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone) {
+Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone,
+                                              std::optional<double> time) {
     ScatteredTriangles out;
     const Ground ground = findGround(p);
     for (const auto& [entity, scatter] : scattersOf(p)) {
@@ -132,7 +143,7 @@ Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3
         }
     }
     out.firstTree = out.instances.placed.size();
-    if (Status s = addForests(out, p, ground, origin, castersAlone); !s) return s.error();
+    if (Status s = addForests(out, p, ground, origin, castersAlone, time); !s) return s.error();
     return out;
 }
 

@@ -2,6 +2,8 @@
 // Does not: grass; what an image's alpha cuts out of an object counts as there.
 // Positions are relative to the terrain's corner (to the world's origin without a terrain).
 #pragma once
+#include <optional>
+
 #include "core/jobs.h"
 #include "mesh/mesh.h"
 #include "reference/ray_scene.h"
@@ -28,11 +30,15 @@ struct ScatteredTriangles {
     std::vector<std::string> files;  // of `instances.meshes`
     std::vector<Mesh> meshes;        // the same with their vertices' other parts
     TriangleInstances instances;
-    std::vector<bool> casts;  // by instance
-    size_t firstTree = 0;     // of the instances: from it on they are trees
+    std::vector<std::vector<float>> through;  // of each part of its meshes: light that shines through its leaves, as
+                                              // a share of what is reflected; none: no light does
+    std::vector<bool> casts;                  // by instance
+    size_t firstTree = 0;                     // of the instances: from it on they are trees
 };
-// Those that cast shadows alone, or all. origin: of the positions, in the world. Errors: a file that cannot be read.
-Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone);
+// Those that cast shadows alone, or all. origin: of the positions, in the world. time: scene time (s) at which wind
+// leans the trees; none: they stand upright. Errors: a file that cannot be read.
+Result<ScatteredTriangles> scatteredTriangles(const Project& p, const glm::dvec3& origin, bool castersAlone,
+                                              std::optional<double> time = std::nullopt);
 
 struct SceneTriangles {
     std::vector<Triangles> meshes;

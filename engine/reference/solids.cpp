@@ -6,6 +6,7 @@
 #include "mesh/mesh_io.h"
 #include "scene/tiling.h"
 #include "world/placement.h"
+#include "world/wind.h"
 
 namespace sward {
 namespace {
@@ -69,7 +70,7 @@ void addLand(Triangles& out, const Terrain& t, const Land& land) {
 
 }  // namespace
 
-Result<Solids> Solids::make(const Project& p, const JobControl& control) {
+Result<Solids> Solids::make(const Project& p, double time, const JobControl& control) {
     Solids s;
     s.ground_ = findGround(p);
     std::vector<Triangles> triangles(1);
@@ -91,31 +92,33 @@ Result<Solids> Solids::make(const Project& p, const JobControl& control) {
             s.meshes_[file] = std::move(*mesh);
         }
         const Mesh& mesh = s.meshes_[file];
-        s.objects_.push_back({&mesh, placedMesh.at - s.ground_.origin,
-                              placedMesh.turn * static_cast<double>(placedMesh.mesh->scale),
-                              placedMesh.mesh->castShadows});
+        const glm::dmat3 turn = placedMesh.turn * static_cast<double>(placedMesh.mesh->scale);
+        s.objects_.push_back({&mesh, placedMesh.at - s.ground_.origin, turn, turn, placedMesh.mesh->castShadows});
         s.imagesOf_.push_back(&s.images_[file]);
         triangles.push_back(placed(mesh, s.objects_.back().at, s.objects_.back().turn));
     }
-    if (Status done = s.addScattered(p); !done) return done.error();
+    if (Status done = s.addScattered(p, time); !done) return done.error();
     auto scene = RayScene::make(triangles, s.scattered_.instances);
     if (!scene) return scene.error();
     s.scene_ = std::move(*scene);
     return s;
 }
 
-Status Solids::addScattered(const Project& p) {
-    auto made = scatteredTriangles(p, ground_.origin, false);
+Status Solids::addScattered(const Project& p, double time) {
+    auto made = scatteredTriangles(p, ground_.origin, false, time);
     if (!made) return made.error();
     scattered_ = std::move(*made);
     for (const Mesh& mesh : scattered_.meshes) {
         std::vector<TexelGrid>& images = scatteredImages_.emplace_back();
         for (const MeshImage& i : mesh.images) images.push_back(texelGridOf({i.width, i.height, i.rgba}));
     }
+    const bool leans = windOf(p) != nullptr;
     for (size_t i = 0; i < scattered_.casts.size(); ++i) {
         const TriangleInstances::Placed& at = scattered_.instances.placed[i];
-        objects_.push_back({&scattered_.meshes[at.mesh], glm::dvec3(at.at), glm::dmat3(at.turn), scattered_.casts[i],
-                            true, i >= scattered_.firstTree});
+        const bool isTree = i >= scattered_.firstTree;
+        const glm::dmat3 turn(at.turn), normals = isTree && leans ? glm::transpose(glm::inverse(turn)) : turn;
+        objects_.push_back({&scattered_.meshes[at.mesh], glm::dvec3(at.at), turn, normals, scattered_.casts[i], true,
+                            isTree, isTree ? &scattered_.through[at.mesh] : nullptr});
         imagesOf_.push_back(&scatteredImages_[at.mesh]);
     }
     return {};
@@ -217,11 +220,12 @@ Surface Solids::objectAt(const Ray& ray, const TriangleHit& h) const {
     s.ofTree = o.isTree;
     s.t = static_cast<double>(h.t);
     s.at = ray.origin + ray.way * s.t;
-    const glm::vec3 flat = o.instanced ? glm::vec3(o.turn * glm::dvec3(h.normal)) : h.normal;
+    const glm::vec3 flat = o.instanced ? glm::vec3(o.normals * glm::dvec3(h.normal)) : h.normal;
     s.face = towards(glm::normalize(flat), ray.way);
-    const glm::vec3 smooth = glm::normalize(glm::vec3(o.turn * glm::dvec3(across(*o.mesh, h, &MeshVertex::normal))));
+    const glm::vec3 smooth = glm::normalize(glm::vec3(o.normals * glm::dvec3(across(*o.mesh, h, &MeshVertex::normal))));
     s.normal = glm::dot(smooth, s.face) < 0 ? -smooth : smooth;
     s.color = part.color;
+    if (o.through) s.looks.x = (*o.through)[static_cast<size_t>(&part - o.mesh->parts.data())];
     if (part.image >= 0) {
         const glm::vec2 uv = across(*o.mesh, h, &MeshVertex::uv);
         s.color *= glm::vec3((*imagesOf_[h.mesh - 1])[static_cast<size_t>(part.image)].at(uv.x, uv.y, true));

@@ -15,8 +15,9 @@ namespace sward {
 
 class Solids {
   public:
-    // `p` must outlive it. Errors: an object's file that cannot be read; Failed without memory or when cancelled.
-    static Result<Solids> make(const Project& p, const JobControl& control);
+    // At a scene time (s), at which wind leans trees. `p` must outlive it. Errors: an object's file that cannot be
+    // read; Failed without memory or when cancelled.
+    static Result<Solids> make(const Project& p, double time, const JobControl& control);
     // The first surface on the ray.
     std::optional<Surface> closest(const Ray& ray) const;
     // Whether a shadow falls: only what casts shadows counts.
@@ -30,13 +31,14 @@ class Solids {
     struct Object {
         const Mesh* mesh;
         glm::dvec3 at;
-        glm::dmat3 turn;
+        glm::dmat3 turn, normals;  // of its places; of its normals, which leaning turns otherwise
         bool casts;
-        bool instanced = false;  // its triangles' normals are not turned
-        bool isTree = false;     // of a forest
+        bool instanced = false;                       // its triangles' normals are not turned
+        bool isTree = false;                          // of a forest
+        const std::vector<float>* through = nullptr;  // by part, of a tree
     };
     Solids() = default;
-    Status addScattered(const Project& p);
+    Status addScattered(const Project& p, double time);
     Surface groundAt(const Ray& ray, double t) const;
     Surface objectAt(const Ray& ray, const TriangleHit& hit) const;
     glm::vec3 soilAt(double x, double z) const;

@@ -26,7 +26,7 @@ struct Surface {
     glm::vec3 normal{0, 1, 0};  // unit, on the side that the ray came from
     glm::vec3 face{0, 1, 0};    // normal of the surface as it is, which a smooth normal may differ from
     glm::vec3 color{0};         // reflectance
-    glm::vec3 looks{0};         // of a leaf: translucency, gloss, roughness
+    glm::vec3 looks{0};         // of a leaf, a blade's or a tree's: translucency, gloss, roughness
     glm::vec3 tint{1};          // of all that it sends: a blade's image
     float open = 1;             // of a blade or flower: ambient light left so near to its root, where nothing is traced
     uint32_t field = 0;         // of a blade: the number of its field (grass_rays.h)

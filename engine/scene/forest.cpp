@@ -27,6 +27,8 @@ constexpr FieldRow kSpeciesFields[] = {
                          "of a tree seen from near, two triangles each")),
     where(isGrown, color("leafColor", offsetof(TreeSpecies, leafColor), kReflectance, "of leaves: share of light")),
     where(isGrown, color("barkColor", offsetof(TreeSpecies, barkColor), kReflectance, "of bark: share of light")),
+    real("translucency", offsetof(TreeSpecies, translucency), "", {0, 1, 0, 1},
+         "light that shines through leaves, as a share of what is reflected; bark lets none through"),
     range("size", offsetof(TreeSpecies, size), "", {0.05, 10, 0.3, 2}, "factor of the height, from and to"),
     where(isGrown,
           whole("seed", offsetof(TreeSpecies, seed), "", {0, 2147483647, 0, 1000}, "another number: another tree")),

@@ -34,6 +34,7 @@ struct TreeSpecies {
     int leaves = 2400;                           // of a grown tree, at its nearest
     glm::vec3 leafColor{0.055f, 0.115f, 0.03f};  // reflectance
     glm::vec3 barkColor{0.11f, 0.085f, 0.065f};  // reflectance
+    float translucency = 0.5f;                   // light that shines through leaves, as a share of what is reflected
     glm::dvec2 size{0.75, 1.15};                 // factor of its height, from and to
     int seed = 1;                                // another number: another tree
 };

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/json.h"
 #include "scene/project.h"
 
 namespace sward {
@@ -27,10 +31,34 @@ Settings trees(const Forest& f) {
 }
 Settings flat(const Forest&) { return {{"msaa=4"}, {"msaa=1"}}; }
 
+// Factors of the forest's own: how far meshes go, below which angle slices face the eye, how many leaves meshes keep.
+constexpr KnobRow kMeshes{"meshesTo", true, 1, 0, 1e30, true};
+constexpr KnobRow kAngle{"silhouetteDeg", true, 1, 0, 1e30, true};
+constexpr KnobRow kDetail{"meshDetail", true, 1, 0, 1e30, true};
+constexpr KnobRow kTexcellsKnobs[] = {kMeshes, kAngle, kDetail, kSamplesKnob};
+constexpr KnobRow kTreesKnobs[] = {kDetail, kSamplesKnob};
+constexpr KnobRow kFlatKnobs[] = {kSamplesKnob};
+
+std::string turnedBy(const char* name, float own, double factor, double least, double most) {
+    const double turned = std::clamp(static_cast<double>(own) * factor, least, most);
+    return std::string(name) + "=" + shortestText(static_cast<float>(std::round(turned * 1000) / 1000));
+}
+std::string detailTurned(const Forest& f, double factor) {
+    return turnedBy("meshDetail", f.meshDetail, factor, 0.05, 1e6);
+}
+SettingValues texcellsTurned(const Forest& f, std::span<const double> k) {
+    return {turnedBy("meshesTo", f.meshesTo, k[0], 0, 1e6), turnedBy("silhouetteDeg", f.silhouetteDeg, k[1], 0, 90),
+            detailTurned(f, k[2]), samplesTurned(k[3])};
+}
+SettingValues treesTurned(const Forest& f, std::span<const double> k) {
+    return {detailTurned(f, k[0]), samplesTurned(k[1])};
+}
+SettingValues flatTurned(const Forest&, std::span<const double> k) { return {samplesTurned(k[0])}; }
+
 constexpr ForestTechniqueRow kForestRows[] = {
-    {"forest-texcells", ForestTechnique::Texcells, 0x1b6e3c, texcells},
-    {"forest-trees", ForestTechnique::Trees, 0x7a4b1e, trees},
-    {"forest-flat", ForestTechnique::Flat, 0x9fb8a4, flat},
+    {"forest-texcells", ForestTechnique::Texcells, 0x1b6e3c, texcells, kTexcellsKnobs, texcellsTurned},
+    {"forest-trees", ForestTechnique::Trees, 0x7a4b1e, trees, kTreesKnobs, treesTurned},
+    {"forest-flat", ForestTechnique::Flat, 0x9fb8a4, flat, kFlatKnobs, flatTurned},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/forest.h"
+#include "scene/technique.h"
 
 namespace sward {
 
@@ -19,6 +20,8 @@ struct ForestTechniqueRow {
     uint32_t color;             // in plots: 0xRRGGBB; of no technique of grass
     // Settings that `cost` tries, each a list of NAME=VALUE around the forest's own; as many for every forest.
     std::vector<std::vector<std::string>> (*sweep)(const Forest&);
+    std::span<const KnobRow> knobs;                                         // what `fit` turns
+    SettingValues (*turned)(const Forest&, std::span<const double> knobs);  // values that knobs stand for
 };
 
 std::span<const ForestTechniqueRow> forestTechniques();

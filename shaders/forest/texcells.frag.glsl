@@ -1,9 +1,10 @@
-// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, in the
-// haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, and by
+// what shines through them, in the haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/shadow.glsl"
 #include "numerics/correction.h"
+#include "numerics/leaf.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
 
@@ -45,14 +46,17 @@ void main() {
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
     vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
     vec2 around = pow(shares.gb, canopy.yy);
-    vec3 light = mix(frame.groundLight * around.y, frame.skyLight * around.x, tree.sky);
+    vec3 below = frame.groundLight * around.y, above = frame.skyLight * around.x;
+    vec3 light = mix(below, above, tree.sky), passed = tree.through * mix(above, below, tree.sky);
     if (SUN) {
         // What its own crown takes is taken wherever the tree stands.
         float visible = shares.a * pow(min(shares.r / shares.a, 1.0), canopy.x);
         if (TERRAIN_SHADOWS && frame.sunIsUp > 0.0) visible *= sunPastHills(position);
         light += frame.sunLight * (tree.sun * visible);
+        passed += frame.sunLight * (tree.passed * visible);
     }
-    color = vec4(mix(leaves.rgb * light, leaves.a * haze.rgb, haze.a), leaves.a);
+    vec3 sent = leaves.rgb * light + leafThrough(leaves.rgb) * passed;
+    color = vec4(mix(sent, leaves.a * haze.rgb, haze.a), leaves.a);
     if (viewMode() == VIEW_TIERS) color.rgb = leaves.a * vec3(0.1, 0.25, 0.5);
     if (viewMode() == VIEW_DENSITY) color.rgb = leaves.a * vec3(0.25);
     if (viewMode() == VIEW_NORMALS) color.rgb = leaves.a * (facing * 0.5 + 0.5);

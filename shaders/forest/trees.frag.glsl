@@ -1,10 +1,11 @@
-// A near tree's colour, diffuse, lit by sun and sky, in the haze. Light from the sky comes through the same air as the
-// volumes' does, where there are volumes; the sun's through the shadow maps.
+// A near tree's colour, diffuse, lit by sun and sky, and by what shines through its leaves, in the haze. Light from the
+// sky comes through the same air as the volumes' does, where there are volumes; the sun's through the shadow maps.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "lib/object_color.glsl"
 #include "lib/shadow.glsl"
+#include "numerics/leaf.h"
 #include "numerics/light.h"
 #include "shared/bindings.h"
 #include "shared/forest.h"
@@ -12,6 +13,8 @@
 layout(binding = TEX_OBJECT) uniform sampler2D image;
 layout(location = 0) uniform vec3 reflectance;  // factor of the image
 layout(location = 1) uniform float cutoff;      // of its alpha
+layout(location = 2) uniform float leaves;      // share of the part through which light shines at all
+layout(location = 3) uniform float translucency;
 
 in vec3 position;
 in vec3 normal;
@@ -30,6 +33,14 @@ void main() {
     vec4 texel = texture(image, uv);
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
-    vec3 light = (sunLight(n) * sunPastMeshes(position, n) + skyAt(n)) * texel.rgb * reflectance;
+    vec3 own = texel.rgb * reflectance;
+    float through = leaves * translucency;
+    vec3 light = own * skyAt(n) + leafThrough(own) * (through * skyAt(-n));
+    if (SUN) {
+        float facing = dot(n, frame.sunDirection);
+        vec3 lit = facing < 0.0 ? -n : n;
+        vec3 sent = facing < 0.0 ? leafThrough(own) * through : own;
+        light += frame.sunLight * sent * (abs(facing) * sunPastMeshes(position, lit));
+    }
     color = objectColor(light, n, position);
 }

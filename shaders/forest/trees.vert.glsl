@@ -1,4 +1,5 @@
-// A vertex of a tree that stands near the eye, and where in the forest's air it lies.
+// A vertex of a tree that stands near the eye, and where in the forest's air it lies. Needs: const bool WIND,
+// FOREST_VOLUMES.
 #include "lib/frame.glsl"
 #include "lib/mirror.glsl"
 #include "numerics/forest.h"
@@ -24,6 +25,10 @@ void main() {
     vec4 p = vec4(meshPosition, 1.0);
     position = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
     normal = vec3(dot(row0.xyz, meshNormal), dot(row1.xyz, meshNormal), dot(row2.xyz, meshNormal));
+    // One that leans is no longer turned alone: normals follow the planes, as the inverse's columns do.
+    if (WIND)
+        normal = vec3(dot(cross(row1.xyz, row2.xyz), meshNormal), dot(cross(row2.xyz, row0.xyz), meshNormal),
+                      dot(cross(row0.xyz, row1.xyz), meshNormal));
     uv = meshUv;
     air = vec3(0.0);
     around = 0.0;

@@ -20,10 +20,12 @@ struct STD140 ForestGlobals {
 
 // A tree that is drawn as a volume, in a view: one for each slot of each tile.
 struct TreeInView {
-    float foot;  // its height relative to the eye
-    float seen;  // factor of the path through its leaves, as they are seen from the eye
-    float sun;   // share of the sun's light that they send to the eye
-    float sky;   // share of the light from all around that they take from above
+    float foot;     // its height relative to the eye
+    float seen;     // factor of the path through its leaves, as they are seen from the eye
+    float sun;      // share of the sun's light that they send to the eye
+    float passed;   // share that shines through them to the eye, of what they would send back of it
+    float sky;      // share of the light from all around that they take from above
+    float through;  // of all light on their other sides, what shines through: a share of what is sent back
 };
 
 // A triangle of the lattice in a view: corners of its ground relative to the eye, in the order of the tile's.

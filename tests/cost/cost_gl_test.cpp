@@ -3,7 +3,7 @@
 #include "cost/cost_files.h"
 #include "cost/fit.h"
 #include "fields.h"
-#include "scene/forest.h"
+#include "scene/forest_technique.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -279,6 +279,30 @@ TEST(Fit, LosesWhereItSeesTooLittle) {
     EXPECT_GT(fit->fitted.appearance, fit->shipped.appearance);
     EXPECT_GT(fit->heldOut.fitted.appearance, fit->heldOut.shipped.appearance);
     EXPECT_NE(chosen(*fit).setting.text(), fit->fitted.setting.text()) << "what loses is not saved";
+}
+
+TEST(Fit, TurnsTheForestWhereThereIsNoGrass) {
+    NoGlErrors errors;
+    const TempDir dir;
+    Project p = small_();
+    removeEntity(p, "grass");
+    p.registry.get<Terrain>(findEntity(p, "ground"))->size = {40, 40};
+    put<Forest>(p, "trees", {.species = {{.leaves = 300}}, .meshesTo = 20, .voxel = 0.5f});
+    FitRequest r;
+    r.cost = request(p, dir, "fit");
+    r.cost.views[0].camera = {{20, 25, 60}, {20, 3, 20}, 45, 0};
+    r.candidates = 6;
+    r.budgetMs = 1e6;
+    const auto fit = runFit(r, p, tables(), gpu(), go);
+    ASSERT_TRUE(fit) << fit.error().text();
+    EXPECT_TRUE(fit->fits);
+    EXPECT_TRUE(findForestTechnique(fit->fitted.setting.technique)) << fit->fitted.setting.technique;
+    EXPECT_LT(fit->fitted.appearance, 0.2);
+    EXPECT_GE(fit->tried, 20) << "of the search and of the grid, each once";
+    ViewSettings view;
+    EXPECT_TRUE(applySetting(p, tables(), chosen(*fit).setting, view));
+    p.registry.get<Forest>(findEntity(p, "trees"))->perHectare = 0;
+    EXPECT_FALSE(runFit(r, p, tables(), gpu(), go)) << "nothing grows";
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ TEST(Foliage, TablesGiveWhatTheFormulasDo) {
                 EXPECT_NEAR(look.sky, 0.5f + 0.5f * seenRise(spruce, way.y), 0.01f);
                 EXPECT_NEAR(look.sun, sentTo(spruce, sun.y, way.y, glm::dot(sun, way)), 0.02f)
                     << elevation << " " << azimuth;
+                EXPECT_NEAR(look.passed, passedTo(spruce, sun.y, way.y, glm::dot(sun, way)), 0.02f)
+                    << elevation << " " << azimuth;
             }
     }
 }

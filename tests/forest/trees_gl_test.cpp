@@ -43,6 +43,67 @@ TEST(ForestTrees, AreDrawnWhereVolumesAreNot) {
     }
 }
 
+// Middle of a tree's crown along the picture, by the share of each pixel that it covers.
+double middleOf(const std::vector<float>& shares) {
+    double sum = 0, at = 0;
+    for (size_t y = 0; y < 60; ++y)
+        for (size_t x = 0; x < 160; ++x) {
+            const double share = static_cast<double>(shares[y * 160 + x]);
+            sum += share, at += share * (static_cast<double>(x) + 0.5);
+        }
+    EXPECT_GT(sum, 50) << "a crown in the picture's upper half";
+    return at / sum;
+}
+std::vector<float> tracedShares(const Project& p, const ViewCamera& c, double time) {
+    JobControl control;
+    const auto scene = ReferenceScene::make(p, tables(), time, control);
+    EXPECT_TRUE(scene);
+    ReferenceSettings s;
+    s.width = 160, s.height = 120, s.samples = 8;
+    s.lighting = ReferenceLighting::Direct;
+    return scene->trace(c, s, control)->grass;
+}
+std::vector<float> drawnShares(const Project& p, const ViewCamera& c, double time) {
+    Renderer renderer(gpu(), tables());
+    ViewSettings s = small();
+    s.time = time;
+    const auto picture = [&](const Project& shown) {
+        EXPECT_TRUE(renderer.draw(shown, c, s));
+        return renderer.readLinear();
+    };
+    Project bare = snapshot(p, tables().components);
+    bare.registry.get<Forest>(findEntity(bare, "trees"))->placed.clear();
+    const std::vector<float> with = picture(p), without = picture(bare);
+    std::vector<float> out;
+    for (size_t i = 0; i < with.size(); i += 3) out.push_back(std::abs(with[i] - without[i]) > 0.02f ? 1.0f : 0.0f);
+    return out;
+}
+
+TEST(ForestTrees, LeanInTheTruthAsTheyAreDrawn) {
+    NoGlErrors errors;
+    const ViewCamera side{{60, 6, 100}, {60, 6, 60}, 30, 0};
+    Project calm = wood(60);
+    Forest& f = *calm.registry.get<Forest>(findEntity(calm, "trees"));
+    f.perHectare = 0;
+    f.placed = {{.at = {60, 60}}};
+    const double upright = middleOf(tracedShares(calm, side, 0));
+    EXPECT_NEAR(middleOf(drawnShares(calm, side, 0)), upright, 1);
+    Project windy = snapshot(calm, tables().components);
+    put<Wind>(windy, "wind", {.strength = 8, .azimuthDeg = 90, .turbulence = 0.2f});
+    double farthest = 0;
+    for (const double time : {0.0, 3.0, 7.0}) {
+        const double drawn = middleOf(drawnShares(windy, side, time)),
+                     truth = middleOf(tracedShares(windy, side, time));
+        std::printf("at %.0f s: drawn %.2f, truth %.2f, upright %.2f\n", time, drawn, truth, upright);
+        EXPECT_NEAR(drawn, truth, 1);
+        farthest = std::max(farthest, std::abs(truth - upright));
+    }
+    EXPECT_GT(farthest, 6) << "or this shows nothing";
+    // In a calm rays meet what they met without Wind, to the last bit.
+    windy.registry.get<Wind>(findEntity(windy, "wind"))->strength = 0;
+    EXPECT_EQ(tracedShares(windy, side, 3), tracedShares(calm, side, 0));
+}
+
 double meanGreen(const std::vector<float>& pixels) {
     double sum = 0;
     for (size_t i = 1; i < pixels.size(); i += 3) sum += static_cast<double>(pixels[i]);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // Which struct a block holds, alone or in an array; "": words that are no struct.
 const std::map<std::string, std::string> kBlocks = {{"BladeBlock", "Blade"},
-                                                    {"FeetBlock", ""},
+                                                    {"FeetBlock", "TreeInView"},
                                                     {"ForestBlock", "ForestGlobals"},
                                                     {"TilesBlock", "TileInView"},
                                                     {"CellBlock", "CellInstance"},
@@ -53,8 +53,8 @@ size_t endOf(const SharedMember& m) { return m.offset + m.stride * m.count; }
 // Bytes from one struct to the next in an array of them: uniform blocks and structs with vectors of three or four begin
 // at multiples of 16, and all that are shared are as long as C++ has them.
 size_t sizeOf(const std::string& name) {
-    static const std::map<std::string, size_t> kPlain = {
-        {"CellInstance", 32}, {"ChosenCell", 16}, {"ChosenCounts", 8}, {"NodeOfCells", 16}, {"TessCell", 48}};
+    static const std::map<std::string, size_t> kPlain = {{"CellInstance", 32}, {"ChosenCell", 16}, {"ChosenCounts", 8},
+                                                         {"NodeOfCells", 16},  {"TessCell", 48},   {"TreeInView", 24}};
     if (const auto it = kPlain.find(name); it != kPlain.end()) return it->second;
     return (endOf(membersOf(name).back()) + 15) / 16 * 16;
 }

@@ -57,6 +57,33 @@ TEST(Facing, TrunksOfGrownTreesCountHalfAndTheirLeavesWhole) {
     }
 }
 
+TEST(Facing, LightShinesThroughLeavesAndThroughNothingThatIsClosed) {
+    EXPECT_NEAR(leafPart(leaf()), 1, 1e-6f);
+    EXPECT_NEAR(leafPart(box()), 0, 1e-6f);
+    EXPECT_EQ(leafPart(Mesh{}), 0);
+    for (const TreeKind kind : {TreeKind::Conifer, TreeKind::Broadleaf, TreeKind::Birch}) {
+        const Mesh tree = growTree({.kind = kind});
+        const std::vector<float> parts = leafParts(tree);
+        ASSERT_EQ(parts.size(), tree.parts.size());
+        EXPECT_LT(parts[0], 0.1f) << "bark";
+        for (size_t i = 1; i < parts.size(); ++i) EXPECT_GT(parts[i], 0.9f) << "leaves";
+        EXPECT_GT(leafPart(tree), parts[0]);
+        EXPECT_LT(leafPart(tree), parts[1]);
+    }
+}
+
+TEST(Facing, WhatShinesThroughIsWhatWouldBeSentBackFromTheOtherSide) {
+    for (const float eye : {-0.7f, 0.1f, 0.9f})
+        for (const float light : {0.2f, 0.8f})
+            for (const float turn : {-1.0f, 0.0f, 1.0f}) {
+                const float level = std::sqrt((1 - eye * eye) * (1 - light * light)),
+                            cosine = eye * light + turn * level;
+                const Facing even = evenFacing();
+                EXPECT_NEAR(passedTo(even, light, eye, cosine), f32::foliagePhase(-cosine), 0.012f);
+                EXPECT_NEAR(passedTo(even, light, eye, cosine), sentTo(even, -light, eye, -cosine), 1e-4f);
+            }
+}
+
 TEST(Facing, LeavesInAllDirectionsLookAlikeFromEverywhere) {
     const Facing even = evenFacing();
     for (int i = -8; i <= 8; ++i) {

@@ -77,7 +77,7 @@ TEST(ScatteredObjects, LookAsTheSameObjectsOneByOne) {
 TEST(ScatteredObjects, AreMetByRays) {
     const TempDir dir;
     const Project p = cubes(dir.path, rule());
-    const auto solids = Solids::make(p, JobControl{});
+    const auto solids = Solids::make(p, 0, JobControl{});
     ASSERT_TRUE(solids);
     for (const ScatteredObject& o : scatterOver(rule(), findGround(p)).objects) {
         Ray down{glm::dvec3(o.at.x, 10, o.at.z), {0, -1, 0}};
@@ -91,7 +91,7 @@ TEST(ScatteredObjects, AreMetByRays) {
     Scatter shadowless = rule();
     shadowless.castShadows = false;
     const Project other = cubes(dir.path, shadowless);
-    const auto light = Solids::make(other, JobControl{});
+    const auto light = Solids::make(other, 0, JobControl{});
     ASSERT_TRUE(light);
     const glm::dvec3 at = scatterOver(shadowless, findGround(other)).objects[0].at;
     EXPECT_FALSE(light->blocks({at + glm::dvec3(0, 10, 0), {0, -1, 0}}));
@@ -108,7 +108,7 @@ TEST(ScatteredObjects, AMissingFileIsToldAndTheRestIsDrawn) {
     const uint64_t drawn = passNamed(renderer, "objects/scatter")->instances;
     EXPECT_GT(drawn, 0u);
     EXPECT_LT(drawn, scatterOver(both, findGround(p)).objects.size());
-    EXPECT_FALSE(Solids::make(p, JobControl{})) << "the truth does not leave anything out";
+    EXPECT_FALSE(Solids::make(p, 0, JobControl{})) << "the truth does not leave anything out";
 }
 
 TEST(ScatteredObjects, LeaveNothingBehind) {

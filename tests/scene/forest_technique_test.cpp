@@ -36,6 +36,30 @@ TEST(ForestTechniques, SweepsBeginWithTheForestsOwnValues) {
     EXPECT_EQ(findForestTechnique("forest-trees")->sweep(f).front().front(), "meshDetail=3");
 }
 
+TEST(ForestTechniques, EveryTurnOfTheirKnobsIsASettingThatCanBeSet) {
+    for (const ForestTechniqueRow& row : forestTechniques())
+        for (const double turn : {-2.0, 0.0, 1.0}) {
+            Project p;
+            const Forest& f = *p.registry.add<Forest>(*addEntity(p, "wood"), {.meshDetail = 0.1f});
+            std::vector<double> knobs;
+            for (const KnobRow& k : row.knobs) {
+                EXPECT_LE(k.least, k.most) << row.name << ", " << k.name;
+                knobs.push_back(std::clamp(k.start * std::exp2(turn), k.least, k.most));
+            }
+            for (const std::string& value : row.turned(f, knobs)) {
+                const size_t equals = value.find('=');
+                if (value.starts_with("msaa=")) continue;
+                const auto field = findField(p, tables().components, "wood.Forest." + value.substr(0, equals));
+                ASSERT_TRUE(field) << row.name << ": " << value;
+                EXPECT_TRUE(setFieldText(*field, value.substr(equals + 1))) << row.name << ": " << value;
+            }
+        }
+    const Forest f{.meshesTo = 40, .silhouetteDeg = 60};
+    const std::vector<double> twice{2, 2, 1, 1};
+    EXPECT_EQ(findForestTechnique("forest-texcells")->turned(f, twice),
+              (SettingValues{"meshesTo=80", "silhouetteDeg=90", "meshDetail=1", "msaa=4"}));
+}
+
 TEST(ForestTechniques, ForestsWithoutTreesAreNone) {
     Project p;
     p.registry.add<Forest>(*addEntity(p, "wood"), {});
