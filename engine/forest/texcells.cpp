@@ -171,6 +171,10 @@ ForestGlobals globalsOf(const DrawContext& ctx, const Volume& v) {
     g.edge = static_cast<float>(v.images.edge);
     g.cells = static_cast<float>(v.images.cells);
     g.slabs = static_cast<float>(v.images.layers);
+    const auto green = [](const glm::vec3& light) { return light.y; };
+    const float sun = ctx.globals.sunIsUp > 0 ? green(ctx.globals.sunLight) * ctx.globals.sunDirection.y : 0;
+    const float sky = green(ctx.globals.skyLight), all = sun + sky;
+    g.floor = all > 0 ? (sun * v.floorSun + sky * v.floorSky) / all : 1;
     return g;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/file.h"
 #include "core/log.h"
@@ -140,6 +141,11 @@ bool lightVolume(Volume& v, const glm::vec3& sun) {
     v.foliage.clear();
     for (const TreeAir& tree : v.images.trees) v.foliage.emplace_back(tree.facing, sun);
     const LightShares seen = lightThrough(air, glm::dvec3(sun));
+    const auto lowest = [&](const std::vector<float>& shares) {
+        const auto end = shares.begin() + static_cast<ptrdiff_t>(shares.size() / static_cast<size_t>(air.layers));
+        return std::accumulate(shares.begin(), end, 0.0f) / static_cast<float>(end - shares.begin());
+    };
+    v.floorSun = lowest(seen.past), v.floorSky = lowest(v.images.sky[0]);
     std::vector<uint8_t> bytes(4 * seen.past.size());
     const auto byte = [](float x) { return static_cast<uint8_t>(std::lround(std::clamp(x, 0.0f, 1.0f) * 255)); };
     for (size_t i = 0; i < seen.past.size(); ++i) {

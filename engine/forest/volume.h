@@ -19,6 +19,7 @@ struct Volume {
     int levels = 0;       // of the pyramid
     Texture slabs, slots, light;
     glm::vec3 sun{0};                   // that the light is of
+    float floorSun = 1, floorSky = 1;   // shares of it, and of the sky's, that reach the lowest parts
     std::vector<FoliageTable> foliage;  // under it, by species
     std::vector<float> leaves;          // by species: share of its area through which light shines
     std::vector<Prism> prisms;          // of StandingForest::triangles

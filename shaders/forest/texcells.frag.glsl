@@ -46,7 +46,8 @@ void main() {
     // The stored air is full of trees; where fewer stand around, light comes through so much less of it.
     vec4 shares = max(lightShares(uv, at), vec4(LEAST_LIGHT));
     vec2 around = pow(shares.gb, canopy.yy);
-    vec3 below = frame.groundLight * around.y, above = frame.skyLight * around.x;
+    vec3 below = frame.groundLight * (around.y * pow(max(forest.floor, LEAST_LIGHT), canopy.y)),
+         above = frame.skyLight * around.x;
     vec3 light = mix(below, above, tree.sky), passed = tree.through * mix(above, below, tree.sky);
     if (SUN) {
         // What its own crown takes is taken wherever the tree stands.

@@ -26,7 +26,8 @@ out vec4 color;
 vec3 skyAt(vec3 n) {
     if (!FOREST_VOLUMES) return ambientLight(n);
     vec2 shares = pow(max(lightShares(air.xy / forest.cells, air.z).gb, vec2(LEAST_LIGHT)), vec2(around));
-    return halvesLight(frame.groundLight * shares.y, frame.skyLight * shares.x, n.y);
+    float onGround = pow(max(forest.floor, LEAST_LIGHT), around);
+    return halvesLight(frame.groundLight * (shares.y * onGround), frame.skyLight * shares.x, n.y);
 }
 
 void main() {

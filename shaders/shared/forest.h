@@ -8,14 +8,14 @@ namespace sward {
 #endif
 
 struct STD140 ForestGlobals {
-    float height;   // metres that all slabs reach
-    float voxel;    // metres of a texel of the finest image
-    float slabs;    // of the finest level; the next has half as many, and its images follow
-    float sway;     // lean (m per m) of a full gust of wind
-    float pixel;    // metres that a pixel covers at a distance of 1 m
-    float edge;     // metres of the lattice's edges
-    float cells;    // of the lattice along each side of what repeats
-    float padding;  // to 16 bytes
+    float height;  // metres that all slabs reach
+    float voxel;   // metres of a texel of the finest image
+    float slabs;   // of the finest level; the next has half as many, and its images follow
+    float sway;    // lean (m per m) of a full gust of wind
+    float pixel;   // metres that a pixel covers at a distance of 1 m
+    float edge;    // metres of the lattice's edges
+    float cells;   // of the lattice along each side of what repeats
+    float floor;   // share of the light from above that a full forest leaves of it on the ground
 };
 
 // A tree that is drawn as a volume, in a view: one for each slot of each tile.
