@@ -55,7 +55,7 @@ SWARD_LIMITS("pick", [] {
     reportLimit("pick among 50,000 entities with objects after one moved",
                 leastPick(objects, p, revision,
                           [&] { p.registry.get<Transform>(findEntity(p, "ball-7"))->position.x += 0.01; }),
-                10, "ms");
+                5, "ms");
 });
 
 }  // namespace

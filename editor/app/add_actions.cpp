@@ -79,7 +79,7 @@ void addForest(Document& doc, Selection& selection, BrushBook& brushes, Messages
     addPainted(doc, selection, brushes, messages, "forest", "Forest");
 }
 
-void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messages& messages) {
+void addPond(Document& doc, Waiting& waiting, const ViewCamera& view, Selection& selection, Messages& messages) {
     const auto at = pickGround(doc.standing(), view, 2, 2, 1, 1);
     if (!at) return showError(messages, failed("there is no ground in the middle of the view", "look at the ground"));
     const double base = doc.ground().origin.y, here = at->y - base;
@@ -87,15 +87,20 @@ void addPond(Document& doc, const ViewCamera& view, Selection& selection, Messag
     const double surface = own.empty() ? here - kBelowRim : level;
     const std::string name = own.empty() ? freeName(doc.project(), "pond") : own;
     Hollow hollow{{at->x, at->z}, kPondRadius, std::max(kPondDepth, here - surface + kPondDepth), surface};
-    const Status done = inOneStep(doc, own.empty() ? "add " + name : "dig into " + name, [&]() -> Status {
-        if (Status s = digHollow(doc, hollow); !s || !own.empty()) return s;
-        return addWater(doc, name, surface);
+    const bool fresh = own.empty();
+    const auto dig = [hollow, name, fresh, surface](Document& d, JobControl&) {
+        return inOneStep(d, fresh ? "add " + name : "dig into " + name, [&]() -> Status {
+            if (Status s = digHollow(d, hollow); !s || !fresh) return s;
+            return addWater(d, name, surface);
+        });
+    };
+    editBeside(waiting, doc, "Digging a pond", dig, [&doc, &selection, &messages, name, fresh](const Status& done) {
+        if (!accept(messages, done)) return;
+        choose(selection, name);
+        const std::string below = sculptsBelow(doc, heightsPath(doc.project()));
+        say(messages,
+            (fresh ? "new: " + name : "a hollow below the level of " + name) + (below.empty() ? "" : ", dug " + below));
     });
-    if (!accept(messages, done)) return;
-    choose(selection, name);
-    const std::string below = sculptsBelow(doc, heightsPath(doc.project()));
-    say(messages, (own.empty() ? "new: " + name : "a hollow below the level of " + name) +
-                      (below.empty() ? "" : ", dug " + below));
 }
 
 void paintNew(const Document& doc, BrushBook& brushes, const std::string& owner) {

@@ -5,6 +5,7 @@
 
 #include "app/messages.h"
 #include "app/selection.h"
+#include "app/waiting.h"
 #include "model/document.h"
 #include "tools/brush_book.h"
 #include "world/view_camera.h"
@@ -21,7 +22,7 @@ void addFlowers(Document& document, Selection& selection, BrushBook& brushes, Me
 void addForest(Document& document, Selection& selection, BrushBook& brushes, Messages& messages);
 // A hollow in the ground in the middle of the view, bare below the waterline, with water in it; where the scene has
 // water, the hollow reaches below its level. Without ground there, it says so.
-void addPond(Document& document, const ViewCamera& view, Selection& selection, Messages& messages);
+void addPond(Document& document, Waiting& waiting, const ViewCamera& view, Selection& selection, Messages& messages);
 
 // What has been added with a density is what the brush paints next. `owner`: PATH of a component or of an element.
 void paintNew(const Document& document, BrushBook& brushes, const std::string& owner);

@@ -124,9 +124,10 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
 
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
-    return app.background.occlusion || app.background.exporting || !app.background.making.empty() ||
-           makingThumbnails(app.thumbnails) || comparing(app.accuracy.comparison, app.doc, app.clock) ||
-           measuring(app.accuracy) || checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) ||
+    return waits(app.background.waiting) || app.background.occlusion || app.background.exporting ||
+           !app.background.making.empty() || makingThumbnails(app.thumbnails) ||
+           comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy) ||
+           checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) ||
            app.effects.child.running() || app.effects.showDue;
 }
 
@@ -185,6 +186,8 @@ void followWorld(EditorApp& app) {
     advanceTime(app.clock, *app.surface);
     if (takeLog(app.console.log)) app.messages.status = app.console.log.lines.back().text;
     followProject(app);
+    if (followWaiting(app.background.waiting)) app.clock.wanted = 4;
+    app.doc.followStanding();
     followBake(app);
     followExport(app.background.exporting, app.files, app.clock, app.messages);
     followFilm(app.background.film, app.clock, app.messages);
@@ -210,6 +213,8 @@ EditorApp::EditorApp(Document& d, Gpu& g, std::unique_ptr<ui::Surface> s, bool k
     ImGui_ImplOpenGL3_Init("#version 450");
     renderer = std::make_unique<Renderer>(gpu, doc.tables());
     clock.fixed = surface->fixedStep() > 0;
+    background.waiting.patient = images.patient = clock.fixed;
+    if (!clock.fixed) doc.standBeside();
     thumbnails.tables = &doc.tables();
     if (gpu.software)
         picture.resolution.movingScale = kMinScale,
@@ -235,6 +240,7 @@ EditorApp::~EditorApp() {
     ImGui::SetCurrentContext(imgui);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext(imgui);
+    cancelWaiting(background.waiting);
     stopRuns(accuracy);
     stopRun(effects);
     effects.picture = {};
@@ -260,8 +266,9 @@ void runFrame(EditorApp& app, double waitSeconds) {
     if (runEntered(app.console) > 0) app.clock.wanted = 4;
     const double asked = clockSeconds();
     app.surface->poll(app.queue, waitSeconds);
-    const double begun = clockSeconds() - (asked - entered);                       // without the wait for input
-    const bool closing = !app.queue.pending() && app.surface->takeCloseRequest();  // what was typed before comes first
+    const double begun = clockSeconds() - (asked - entered);                 // without the wait for input
+    const bool held = app.queue.pending() || waits(app.background.waiting);  // what was asked for before comes first
+    const bool closing = !held && app.surface->takeCloseRequest();
     if (closing) requestQuit(app);
     if (closing || app.queue.pending()) app.clock.wanted = 4;  // a dialog is seen from its second frame on
     --app.clock.wanted;
@@ -318,7 +325,7 @@ void runUntilQuit(EditorApp& app) {
             lastLook = clockSeconds();
             followShaders(*app.renderer, app.messages, app.picture);
             if (!playing(app.doc) && !app.doc.stroking() && app.edits.holding.empty() &&
-                askOutside(app.outside, app.doc, false))
+                !waits(app.background.waiting) && askOutside(app.outside, app.doc, false))
                 app.clock.wanted = 4;
         }
         if (tickAutosave(app.autosave, app.doc, !app.edits.holding.empty(), clockSeconds())) app.clock.wanted = 4;

@@ -40,6 +40,14 @@ void timeStrokes(StrokeTiming& timing, Messages& messages) {
     say(messages, timing.on ? "strokes are timed once all rests" : "strokes are not timed");
 }
 
+// On another thread, with a message in the end.
+void editAndSay(Document& doc, Waiting& waiting, Messages& messages, const std::string& label, const std::string& done,
+                WaitedEdit edit) {
+    editBeside(waiting, doc, label, std::move(edit), [&messages, done](const Status& ended) {
+        if (accept(messages, ended)) say(messages, done);
+    });
+}
+
 void bakeOcclusion(Document& doc, std::optional<OcclusionBake>& bake, Messages& messages) {
     Result<OcclusionBake> started = startOcclusion(doc, {});
     if (!started) return showError(messages, started.error());
@@ -48,26 +56,23 @@ void bakeOcclusion(Document& doc, std::optional<OcclusionBake>& bake, Messages& 
 }
 
 // Of the density that is painted, else of the first one.
-void makeBladeHeight(Document& doc, const std::string& painted, Messages& messages) {
+void makeBladeHeight(Document& doc, Waiting& waiting, const std::string& painted, Messages& messages) {
     std::string density;
     for (const ConstFieldRef& map : allMaps(doc.project(), doc.tables().components))
         if (map.row->map->role == MapRole::Density && (density.empty() || map.path == painted)) density = map.path;
     if (density.empty()) return say(messages, "Height from Density: no species has a density map");
-    if (Status s = heightFromDensity(doc, density); !s) return showError(messages, s.error());
-    say(messages, "blades are lower towards the edges of " + density);
+    editAndSay(doc, waiting, messages, "Height from density", "blades are lower towards the edges of " + density,
+               [density](Document& d, JobControl&) { return heightFromDensity(d, density); });
 }
 
 // What is done to the whole of the map that the brush paints.
-void wholeMap(Document& doc, BrushBook& brushes, Messages& messages, const char* done,
-              Status (*change)(Document&, const BrushSettings&)) {
-    BrushSettings brush = currentBrush(brushes);
-    brush.map = brushes.map;
-    brush.color = currentColor(brushes);
-    if (accept(messages, change(doc, brush))) say(messages, fmt::format("{} is {}", brush.map, done));
-}
-
-void makeFloatHeights(Document& doc, Messages& messages) {
-    if (accept(messages, heightsAsFloats(doc))) say(messages, "heights are floats in metres, without a range");
+void wholeMap(EditorApp& app, const char* doing, const char* done, Status (*change)(Document&, const BrushSettings&)) {
+    BrushSettings brush = currentBrush(app.brushes);
+    brush.map = app.brushes.map;
+    brush.color = currentColor(app.brushes);
+    editAndSay(app.doc, app.background.waiting, app.messages, doing + brush.map,
+               fmt::format("{} is {}", brush.map, done),
+               [brush, change](Document& d, JobControl&) { return change(d, brush); });
 }
 
 // --- adapters of the table's rows: each hands the parts of the editor out that its command uses
@@ -89,7 +94,8 @@ void lookOnly(EditorApp& app) { toggleLook(app.doc, app.brushes, app.messages); 
 void pick(EditorApp& app) { pickFromGround(app.doc, app.brushes, app.messages, app.hand.ground); }
 void flattenPath(EditorApp& app) {
     const std::string entity = pathMeant(app.doc, app.selection);
-    if (accept(app.messages, flattenAlong(app.doc, entity))) say(app.messages, "level across " + entity);
+    editAndSay(app.doc, app.background.waiting, app.messages, "Flattening along " + entity, "level across " + entity,
+               [entity](Document& d, JobControl&) { return flattenAlong(d, entity); });
 }
 // With the path tool the point that is chosen, else what is chosen.
 void remove(EditorApp& app) {
@@ -130,16 +136,24 @@ bool inMode(EditorApp& app) {
     return app.brushes.tool == kViewTool && app.objects.mode == Mode;
 }
 
-void fill(EditorApp& app) { wholeMap(app.doc, app.brushes, app.messages, "filled", fillMap); }
+void fill(EditorApp& app) { wholeMap(app, "Filling ", "filled", fillMap); }
 void clear(EditorApp& app) {
-    wholeMap(app.doc, app.brushes, app.messages, "cleared",
-             [](Document& d, const BrushSettings& b) { return clearMap(d, b.map); });
+    wholeMap(app, "Clearing ", "cleared", [](Document& d, const BrushSettings& b) { return clearMap(d, b.map); });
 }
 void invert(EditorApp& app) {
-    wholeMap(app.doc, app.brushes, app.messages, "inverted",
-             [](Document& d, const BrushSettings& b) { return invertMap(d, b.map); });
+    wholeMap(app, "Inverting ", "inverted", [](Document& d, const BrushSettings& b) { return invertMap(d, b.map); });
+}
+void floatHeights(EditorApp& app) {
+    editAndSay(app.doc, app.background.waiting, app.messages, "Heights as floats",
+               "heights are floats in metres, without a range",
+               [](Document& d, JobControl&) { return heightsAsFloats(d); });
+}
+void bladeHeight(EditorApp& app) { makeBladeHeight(app.doc, app.background.waiting, app.brushes.map, app.messages); }
+void pond(EditorApp& app) {
+    addPond(app.doc, app.background.waiting, viewOf(app.view.camera), app.selection, app.messages);
 }
 
+void save(EditorApp& app) { saveNow({app.doc, app.files, app.outside, app.messages, app.background.waiting}); }
 void importMapImage(EditorApp& app) { requestImage(app.images, app.doc, ImageTask::Map, app.brushes.map); }
 // The camera chosen last, else the one whose view is shown or the first.
 std::string cameraMeant(EditorApp& app) {
@@ -198,7 +212,7 @@ using App = EditorApp;
 constexpr Command kCommands[] = {
     {"File", "New...", "ctrl+n", "", task<FileTask::New>, always},
     {"File", "Open...", "ctrl+o", "", task<FileTask::Open>, always},
-    {"File", "Save", "ctrl+s", "", [](App& a) { saveNow(a.doc, a.files, a.outside, a.messages); }, opened},
+    {"File", "Save", "ctrl+s", "", save, opened},
     {"File", "Save As...", "ctrl+shift+s", "", task<FileTask::SaveAs>, opened},
     {"File", "Export...", "", "", task<FileTask::Export>, canExport},
     {"File", "Screenshot...", "", "", [](App& a) { askFilm(a.film, a.doc, false); }, canFilm},
@@ -209,7 +223,7 @@ constexpr Command kCommands[] = {
     {"Edit", "Start Recording", "", "", startRecording, canRecord, true, recording},
     {"Edit", "Stop and Save Recording...", "", "", saveRecording, recording},
     {"Edit", "Drop Recording", "", "", dropRecording, recording},
-    {"Edit", "Heights as Floats", "", "", [](App& a) { makeFloatHeights(a.doc, a.messages); }, opened},
+    {"Edit", "Heights as Floats", "", "", floatHeights, opened},
     {"Object", "Duplicate", "ctrl+d", "", duplicate, anyChosen},
     {"Object", "Rename...", "f2", "", [](App& a) { askName(a.rename, a.selection); }, anyChosen},
     {"Object", "Delete", "delete", "", remove, anyChosen},
@@ -238,7 +252,7 @@ constexpr Command kCommands[] = {
     {"Add", "Path on the Ground", "", "", newPath, opened},
     {"Add", "Lamp", "", "", [](App& a) { addLamp(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
     {"Add", "Camera", "", "", [](App& a) { addCamera(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
-    {"Add", "Pond", "", "", [](App& a) { addPond(a.doc, viewOf(a.view.camera), a.selection, a.messages); }, opened},
+    {"Add", "Pond", "", "", pond, opened},
     {"Add", "Flowers", "", "", [](App& a) { addFlowers(a.doc, a.selection, a.brushes, a.messages); }, opened},
     {"Add", "Forest", "", "", [](App& a) { addForest(a.doc, a.selection, a.brushes, a.messages); }, opened},
     {"Brush", "Larger", "]", "", size<1>, opened},
@@ -257,14 +271,14 @@ constexpr Command kCommands[] = {
      [](App& a) { return a.strokeTiming.on; }},
     {"Maps", "Import Image...", "", "", importMapImage, hasMap},
     {"Maps", "Place Heights...", "", "", [](App& a) { requestImage(a.images, a.doc, ImageTask::Heights); }, opened},
-    {"Maps", "Check Maps", "", "", [](App& a) { checkMaps(a.mapHealth, a.doc); }, opened},
+    {"Maps", "Check Maps", "", "", [](App& a) { checkMaps(a.mapHealth, a.doc, a.background.waiting); }, opened},
     {"Play", "Start or Stop", "f5", "", play, opened, true, [](App& a) { return playing(a.doc); }, true},
     {"Play", "Pause", "f6", "", [](App& a) { togglePause(playParts(a)); }, opened, true, nullptr, true},
     {"Play", "One Step", "f11", "", [](App& a) { stepOnce(playParts(a)); }, opened, true, nullptr, true},
     {"Play", "Walk Along Path", "", "", walk, hasPath, true, nullptr, true},
     {"Bake", "Ambient Occlusion", "", "", [](App& a) { bakeOcclusion(a.doc, a.background.occlusion, a.messages); },
      canBake},
-    {"Bake", "Height from Density", "", "", [](App& a) { makeBladeHeight(a.doc, a.brushes.map, a.messages); }, opened},
+    {"Bake", "Height from Density", "", "", bladeHeight, opened},
     {"Test", "Accept Picture of This Camera", "", "", acceptPictureOf, hasCamera},
     {"Test", "Check Pictures", "", "", checkPictures, opened},
     {"View", "Focus", "f", "", focusChosen, opened},
@@ -274,7 +288,8 @@ constexpr Command kCommands[] = {
 
 bool dialogOpen(const EditorApp& a) {
     return a.files.task != FileTask::None || a.unsaved.then || !a.autosave.found.empty() || !a.rename.entity.empty() ||
-           a.palette.open || a.keys.open || a.film.open || a.images.task != ImageTask::None || !a.outside.files.empty();
+           a.palette.open || a.keys.open || a.film.open || waits(a.background.waiting) ||
+           a.images.task != ImageTask::None || !a.outside.files.empty();
 }
 // A text line has the keyboard: only what no text line uses goes past it, such as Ctrl+S.
 bool hasKeyboard(const ui::WidgetBook& book) { return ImGui::GetIO().WantTextInput || !book.editing.empty(); }

@@ -84,6 +84,7 @@ void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<vo
     if (!document.isOpen() || !document.dirty()) return then();
     unsaved.then = std::move(then);
     unsaved.opening = true;
+    unsaved.error.clear();
 }
 
 void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& document, FileTask task) {
@@ -122,29 +123,34 @@ bool askOutside(OutsideDialog& outside, const Document& document, bool saving) {
 
 void keepOwn(OutsideDialog& outside) { outside.kept = std::exchange(outside.files, {}); }
 
-Status takeTheirs(OutsideDialog& outside, Document& document) {
-    const Status taken = document.takeFromDisk();
-    outside.error = taken ? "" : taken.error().text();
-    if (taken) outside.files.clear();
-    return taken;
+void takeTheirs(OutsideDialog& outside, Document& document, Waiting& waiting, std::function<void()> taken) {
+    readBeside(
+        waiting, document, document.project().dir, [&document](const Project& p) { return document.takeFromDisk(p); },
+        [&outside, taken = std::move(taken)](const Status& done) {
+            outside.error = done ? "" : done.error().text();
+            outside.opening = !done;
+            if (!done) return;
+            outside.files.clear();
+            taken();
+        });
 }
 
-bool saveNow(Document& document, FileDialog& files, OutsideDialog& outside, Messages& messages) {
-    if (document.project().dir.empty()) {
-        openDialog(files, document, FileTask::SaveAs);
+bool saveNow(const SaveParts& p) {
+    if (p.doc.project().dir.empty()) {
+        openDialog(p.files, p.doc, FileTask::SaveAs);
         return false;
     }
-    if (askOutside(outside, document, true)) return false;
-    const auto written = document.save();
-    if (!written) {
-        showError(messages, written.error());
-        return false;
-    }
-    messages.notice.clear();
-    say(messages, written->empty()
-                      ? "saved: nothing had changed"
-                      : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
-    return true;
+    if (askOutside(p.outside, p.doc, true)) return false;
+    const auto saved = std::make_shared<bool>(false);
+    saveBeside(p.waiting, p.doc, {}, [&messages = p.messages, saved](const Result<std::vector<std::string>>& written) {
+        if (!written) return showError(messages, written.error());
+        messages.notice.clear();
+        say(messages, written->empty()
+                          ? "saved: nothing had changed"
+                          : fmt::format("saved: {} file{} written", written->size(), written->size() == 1 ? "" : "s"));
+        *saved = true;
+    });
+    return *saved;
 }
 
 }  // namespace sward

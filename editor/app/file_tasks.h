@@ -10,6 +10,7 @@
 
 #include "app/messages.h"
 #include "app/templates.h"
+#include "app/waiting.h"
 #include "model/document.h"
 
 namespace sward {
@@ -58,8 +59,9 @@ bool othersOnDisk(const OutsideDialog& outside, const Document& document);
 bool askOutside(OutsideDialog& outside, const Document& document, bool saving);
 // What is open here counts: later saves replace what is on disk.
 void keepOwn(OutsideDialog& outside);
-// What is on disk takes the place of what is open here; undo goes back. Errors as Document::takeFromDisk.
-Status takeTheirs(OutsideDialog& outside, Document& document);
+// What is on disk takes the place of what is open here; undo goes back. `taken` runs once it has; errors, as
+// Document::takeFromDisk gives them, ask again.
+void takeTheirs(OutsideDialog& outside, Document& document, Waiting& waiting, std::function<void()> taken);
 
 // Runs `then` at once, or after the person has answered what to do with unsaved work.
 void askFirst(UnsavedDialog& unsaved, const Document& document, std::function<void()> then);
@@ -69,8 +71,16 @@ void requestTask(FileDialog& files, UnsavedDialog& unsaved, const Document& docu
 // An export that was refused is asked for again: the dialog is back with what was typed, and says why. Nothing while
 // another dialog of files is open: false.
 bool askAgain(FileDialog& files, const std::filesystem::path& file, const Error& why);
-// Saves, and says how many files were written. False if it failed, which is shown; or if the project was never saved:
-// then the dialog asks where; or if another program changed it: then the person is asked whose counts.
-bool saveNow(Document& document, FileDialog& files, OutsideDialog& outside, Messages& messages);
+struct SaveParts {
+    Document& doc;
+    FileDialog& files;
+    OutsideDialog& outside;
+    Messages& messages;
+    Waiting& waiting;
+};
+// Saves, and says how many files were written, or shows why it failed. A project that was never saved: the dialog asks
+// where; one that another program changed: the person is asked whose counts. True if it is saved when this returns, and
+// not later.
+bool saveNow(const SaveParts& parts);
 
 }  // namespace sward

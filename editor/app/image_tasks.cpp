@@ -1,6 +1,8 @@
 #include "app/image_tasks.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "model/document.h"
 
@@ -40,7 +42,9 @@ void requestImage(ImageDialog& d, const Document& document, ImageTask task, cons
     const fs::path folder = fs::is_directory(d.folder, error)  ? d.folder
                             : fs::is_directory(project, error) ? project
                                                                : fs::current_path(error);
+    const bool patient = d.patient;
     d = {};
+    d.patient = patient;
     d.task = task;
     d.opening = true;
     d.map = map;
@@ -48,8 +52,16 @@ void requestImage(ImageDialog& d, const Document& document, ImageTask task, cons
 }
 
 void lookAt(ImageDialog& d) {
-    if (d.path == d.preview.file) return;
-    d.preview = previewOf(d.path);
+    const bool known = d.path == d.preview.file, asked = d.reading.active() && d.path == d.readFile;
+    if (known && d.reading.active()) d.reading = {};
+    if (!known && !asked) {
+        d.readFile = d.path;
+        d.reading = Job<ImagePreview>(Lane::Waited, "a preview", 0,
+                                      [file = d.path](JobControl&) -> Result<ImagePreview> { return previewOf(file); });
+    }
+    while (d.patient && d.reading.active() && !d.reading.finished())
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (const auto read = d.reading.take(0); read && *read) d.preview = std::move(**read);
 }
 
 }  // namespace sward

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/jobs.h"
 #include "model/image_preview.h"
 
 namespace sward {
@@ -21,6 +22,9 @@ struct ImageDialog {
     std::string error;
     std::vector<std::pair<std::string, bool>> entries;  // name, is a folder
     ImagePreview preview;                               // of the file last looked at
+    Job<ImagePreview> reading;                          // of the one that is typed
+    std::string readFile;                               // that it reads
+    bool patient = true;                                // the preview is waited for: no person looks on
     // Of an import:
     std::string map;  // PATH of the map that it goes to
     bool flipX = false, flipZ = false;
@@ -31,7 +35,7 @@ struct ImageDialog {
 void requestImage(ImageDialog& dialog, const Document& document, ImageTask task, const std::string& map = {});
 // Goes to a folder and lists it: folders, and files that may be images by their extension.
 void enterFolder(ImageDialog& dialog, const std::filesystem::path& folder);
-// Reads the file that is typed for its preview, unless it is the one that is shown.
+// Has the file that is typed read for its preview, unless it is the one that is shown; takes it once it is there.
 void lookAt(ImageDialog& dialog);
 
 }  // namespace sward

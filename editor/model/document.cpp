@@ -1,158 +1,15 @@
-// The document: files · play · edits · undo and redo; its strokes: document_strokes.cpp.
+// The document: play · edits · undo and redo; its files: document_files.cpp, its strokes: document_strokes.cpp.
 #include "model/document.h"
 
-#include <set>
-
-#include "core/log.h"
-#include "core/utf8.h"
 #include "model/document_impl.h"
 #include "model/field_walk.h"
 #include "model/new_map.h"
 #include "scene/map_layers.h"
-#include "scene/unique.h"
-#include "world/drawn_project.h"
-
-namespace fs = std::filesystem;
 
 namespace sward {
-namespace {
 
-Error notWhilePlaying() {
-    return failed("the project is being played and cannot be changed, saved or left", "stop first: F5, or play.stop()");
-}
-Error notOpen() { return failed("no project is open", "open or create one first"); }
-
-std::string folderName(const fs::path& dir) {
-    const fs::path clean = fs::absolute(dir).lexically_normal();
-    return utf8Text((clean.has_filename() ? clean : clean.parent_path()).filename().string());
-}
-
-}  // namespace
-
-// --- files -------------------------------------------------------------------------------------------------------
-
-Status Document::Impl::ready() const {
-    if (!project) return notOpen();
-    if (play) return notWhilePlaying();
-    return {};
-}
-
-void Document::Impl::show(Project p) {
-    stroke.reset();
-    lastStroke = {};
-    groupDepth = 0;
-    group = {};
-    history.clear();
-    if (listener) listener->tookOther();
-    project = std::move(p);
-    noteSaved();
-    ++revision;
-}
-
-void Document::Impl::noteSaved() {
-    saved = snapshot(*project, rows());
-    savedAt = history.position();
-}
-
-// What was saved on a branch that could be redone is gone with it.
 Document::Document(const Tables& tables, size_t undoBytes) : impl_(std::make_unique<Impl>(tables, undoBytes)) {}
 Document::~Document() = default;
-
-Status Document::open(const fs::path& dir) {
-    if (impl_->play) return notWhilePlaying();
-    Result<Project> loaded = loadProject(dir, impl_->rows());
-    if (!loaded) return loaded.error();
-    impl_->show(std::move(*loaded));
-    return {};
-}
-
-Status Document::create(const fs::path& dir) {
-    if (impl_->play) return notWhilePlaying();
-    Result<Project> made = newProject(dir, impl_->rows());
-    if (!made) return made.error();
-    impl_->show(std::move(*made));
-    return {};
-}
-
-Result<std::vector<std::string>> Document::save() {
-    if (Status ready = impl_->ready(); !ready) return ready.error();
-    impl_->finishStroke();
-    Project& p = *impl_->project;
-    SaveWay way;
-    way.waitSeconds = impl_->saveWaitSeconds;
-    way.stamps = &p.stamps;
-    auto written = saveProject(p, impl_->rows(), &impl_->saved, way);
-    if (!written) return written;
-    p.repairedMaps.clear();
-    impl_->noteSaved();
-    ++impl_->revision;
-    if (Status s = checkUnique(DrawnProject().of(p, impl_->rows())); !s)
-        logWarning("saved, but it cannot be drawn: " + s.error().text());
-    return written;
-}
-
-// A project called after its folder is called after the new one.
-Result<std::vector<std::string>> Document::saveAs(const fs::path& dir) {
-    if (Status ready = impl_->ready(); !ready) return ready.error();
-    impl_->finishStroke();
-    Project& p = *impl_->project;
-    const fs::path oldDir = p.dir;
-    const std::string oldName = p.name;
-    std::error_code fault;
-    const bool existed = fs::exists(dir, fault);
-    if (!existed && !fs::create_directories(dir, fault))
-        return failed("cannot make the folder: " + fault.message(), "choose another place").at(dir);
-    p.dir = fs::absolute(dir).lexically_normal();
-    if (p.name == folderName(oldDir)) p.name = folderName(dir);
-    auto written = save();
-    if (!written) {
-        p.dir = oldDir;
-        p.name = oldName;
-        if (!existed) fs::remove(dir, fault);  // what another put there meanwhile stays
-    }
-    return written;
-}
-
-Status Document::takeOver(const fs::path& dir, const std::string& label) {
-    if (Status ready = impl_->ready(); !ready) return ready.error();
-    impl_->finishStroke();
-    const Result<Project> other = loadProject(dir, impl_->rows());
-    if (!other) return other.error();
-    impl_->become(*other, label);
-    return {};
-}
-
-Status Document::takeFromDisk() {
-    if (Status ready = impl_->ready(); !ready) return ready.error();
-    impl_->finishStroke();
-    Project& p = *impl_->project;
-    const Result<Project> other = loadProject(p.dir, impl_->rows());
-    if (!other) return other.error();
-    impl_->become(*other, "take what is on disk");
-    p.name = other->name, p.unknown = other->unknown, p.imports = other->imports;
-    p.stamps = other->stamps, p.repairedMaps = other->repairedMaps;
-    impl_->noteSaved();
-    return {};
-}
-
-void Document::Impl::become(const Project& other, const std::string& label) {
-    std::set<std::string> names;
-    for (const auto& [name, entity] : project->entities) names.insert(name);
-    for (const auto& [name, entity] : other.entities) names.insert(name);
-    std::vector<Change> changes;
-    const auto presence = [](bool there) { return there ? std::make_shared<bool>(true) : nullptr; };
-    for (const std::string& name : names) {
-        for (const ComponentRow& row : rows()) {
-            const void* after = componentOf(other, name, row);
-            changes.push_back({name, &row, stateOf(name, row), after ? row.clone(after) : nullptr});
-        }
-        const bool before = project->entities.contains(name), after = other.entities.contains(name);
-        if (before != after) changes.push_back({name, nullptr, presence(before), presence(after)});
-    }
-    dropEmptyChanges(changes);
-    applyChanges(*project, changes, true);
-    record(label, std::move(changes));
-}
 
 void Document::setSaveWait(double seconds) { impl_->saveWaitSeconds = seconds; }
 
@@ -177,13 +34,9 @@ const Project& Document::visibleProject() const {
     if (visible.revision != impl_->revision) visible = {impl_->revision, withoutHidden(project(), impl_->rows())};
     return visible.project ? *visible.project : project();
 }
-const Project& Document::standing() const {
-    auto& on = impl_->standing;
-    if (on.revision != impl_->revision || !on.known)
-        on.project = standingOnLayers(on.layers, project(), impl_->rows()), on.revision = impl_->revision,
-        on.known = true;
-    return on.project ? *on.project : project();
-}
+const Project& Document::standing() const { return impl_->standing.of(project(), impl_->revision, impl_->rows()); }
+void Document::standBeside() { impl_->standing.patient = false; }
+bool Document::followStanding() { return impl_->standing.follow(); }
 Ground Document::ground() const { return findGround(standing()); }
 const Tables& Document::tables() const { return impl_->tables; }
 uint64_t Document::revision() const { return impl_->revision; }
@@ -209,6 +62,7 @@ const Playtest* Document::play() const { return impl_->play.get(); }
 void Document::Impl::push(UndoStep step, const StrokeNews* of) {
     dropEmptyChanges(step.changes);
     if (step.changes.empty()) return;
+    // What was saved on a branch that could be redone is gone with it.
     if (savedAt && *savedAt > history.position()) savedAt.reset();
     if (listener) listener->madeStep(step, of);
     history.push(std::move(step));

@@ -29,9 +29,22 @@ struct UndoStep {
     std::string script;  // the call of a script that does it, where the changes do not say it (Document::describe)
 };
 
+class JobControl;
 class Playtest;
 struct DocumentListener;
 struct PlayStart;
+
+// A save under way: of the project as it was when it began.
+struct SaveWork {
+    Project project, saved;  // as it is to be on disk; as it was there last
+    std::span<const ComponentRow> rows;
+    double waitSeconds = 0;
+    uint32_t position = 0;  // of the history
+    Result<std::vector<std::string>> written = std::vector<std::string>();
+};
+// Writes it, on any thread; `written` says how it ended. `control`: told how far it is; cancelled it fails, with the
+// old project on disk, unless that was replaced already.
+void writeSave(SaveWork& work, JobControl* control);
 
 class Document {
   public:
@@ -54,6 +67,20 @@ class Document {
     // What another program saved in the project's folder since it was opened or saved here, taken over as one undo
     // step: the document then is what is on disk.
     Status takeFromDisk();
+
+    // --- the same in parts, so that what reads and writes runs on another thread meanwhile
+    // A loaded project in the place of the open one; and as takeOver and takeFromDisk do with it.
+    Status show(Project loaded);
+    Status takeOver(const Project& loaded, const std::string& label);
+    Status takeFromDisk(const Project& loaded);
+    // As save does, or saveAs if a folder is given: what is to be written, to be handed to writeSave and then to
+    // endSave, which takes note of what is on disk. What is edited in between stays unsaved.
+    Result<SaveWork> beginSave(const std::filesystem::path& as = {});
+    Result<std::vector<std::string>> endSave(SaveWork& work);
+    // A document of the same project as it is now, without its history, to be edited on another thread; and its steps
+    // in this one's history. Fails if anything was edited here meanwhile.
+    Result<std::unique_ptr<Document>> copyToWorkOn();
+    Status takeFrom(Document& worked);
     // A project is open: project() has one.
     bool isOpen() const;
     bool dirty() const;              // differs from what is on disk
@@ -65,6 +92,11 @@ class Document {
     const Project& standing() const;
     // The ground of that.
     Ground ground() const;
+    // From now on nobody waits long for layers over the heights: until they are there, standing() is the project on the
+    // heights that were there last. followStanding, to be called between frames, takes what is there; true if
+    // something was.
+    void standBeside();
+    bool followStanding();
     // Those that it was made with.
     const Tables& tables() const;
     uint64_t revision() const;  // grows with every change, undo and redo

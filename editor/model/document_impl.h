@@ -11,10 +11,10 @@
 #include "model/document_listener.h"
 #include "model/field_walk.h"
 #include "model/history.h"
+#include "model/standing.h"
 #include "playtest/playtest.h"
 #include "project/project_files.h"
 #include "tools/stroke.h"
-#include "world/height_layers.h"
 
 namespace sward {
 
@@ -34,13 +34,9 @@ struct Document::Impl {
         uint64_t revision = 0;
         std::optional<Project> project;  // none: nothing is hidden
     } visible;
-    struct {
-        uint64_t revision = 0;
-        bool known = false;
-        HeightLayers layers;
-        std::optional<Project> project;  // none: as project
-    } standing;
+    Standing standing;
 
+    uint64_t copyOf = 0;  // of a copy to work on: the revision that it was made of
     double saveWaitSeconds = kLockWaitSeconds;
     int groupDepth = 0;
     UndoStep group;
@@ -77,7 +73,8 @@ struct Document::Impl {
         const void* value = componentOf(*project, entity, row);
         return value ? row.clone(value) : nullptr;
     }
-    Status ready() const;
+    Status notPlayed() const;
+    Status ready() const;  // open, and not played
     void show(Project p);
     void noteSaved();  // the project is as on disk
     void push(UndoStep step);

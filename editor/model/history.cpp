@@ -76,6 +76,13 @@ void History::push(UndoStep step) {
     forgotten_ += static_cast<uint32_t>(gone);
 }
 
+std::vector<UndoStep> History::takeAll() {
+    std::vector<UndoStep> steps;
+    for (Entry& e : undo_) steps.push_back(std::move(e.step));
+    clear();
+    return steps;
+}
+
 void History::clear() { *this = History(budget_); }
 
 std::vector<std::string> History::labels() const {

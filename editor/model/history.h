@@ -19,6 +19,8 @@ class History {
     const UndoStep* next(bool forward) const;
     // The step was applied: it moves to the other stack.
     void moved(bool forward);
+    // All steps that can be undone, the oldest first, and forgets them.
+    std::vector<UndoStep> takeAll();
     // How many steps lie behind the present state, forgotten ones included: undo takes it back.
     uint32_t position() const { return static_cast<uint32_t>(undo_.size()) + forgotten_; }
     size_t bytes() const { return bytes_; }  // of the steps that can be undone

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "core/jobs.h"
 #include "maps/map_io.h"
 #include "model/assets.h"
 #include "model/one_step.h"
@@ -67,16 +69,18 @@ std::pair<int, int> covered(double at, double size, double metres, int texels) {
     return {static_cast<int>(std::floor(texel(at))), static_cast<int>(std::ceil(texel(at + size)))};
 }
 
-// Texels whose height does not fit the map's range.
-size_t setHeights(Map& map, const Terrain& t, const Map& source, const HeightPlace& place) {
+struct TexelBox {
+    int x0, y0, x1, y1;  // the latter beyond the last
+};
+
+// Of one tile; how many texels' height does not fit the map's range.
+size_t setHeights(Map& map, const Terrain& t, const Map& source, const HeightPlace& place, const TexelBox& box) {
     const MapInfo info = map.info();
     const auto [offset, scale] = heightScale(t);
     const double wide = t.size.x / info.width, deep = t.size.y / info.height;
-    const auto [x0, x1] = covered(place.at.x, place.size.x, t.size.x, info.width);
-    const auto [y0, y1] = covered(place.at.y, place.size.y, t.size.y, info.height);
     size_t beyond = 0;
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x) {
             const double before = offset + scale * static_cast<double>(map.at(x, y));
             const double after =
                 placedHeight(source, place, (x + 0.5) * wide, (y + 0.5) * deep, before, std::max(wide, deep));
@@ -85,6 +89,24 @@ size_t setHeights(Map& map, const Terrain& t, const Map& source, const HeightPla
             beyond += info.type != PixelType::F32 && (value < -1e-6 || value > 1 + 1e-6);
             map.set(x, y, 0, static_cast<float>(value));
         }
+    return beyond;
+}
+
+// Tile by tile, on all workers.
+size_t setHeights(Map& map, const Terrain& t, const Map& source, const HeightPlace& place, JobControl* control) {
+    const auto [x0, x1] = covered(place.at.x, place.size.x, t.size.x, map.info().width);
+    const auto [y0, y1] = covered(place.at.y, place.size.y, t.size.y, map.info().height);
+    std::vector<TexelBox> boxes;
+    for (int y = y0; y < y1; y = (y / kTileSize + 1) * kTileSize)
+        for (int x = x0; x < x1; x = (x / kTileSize + 1) * kTileSize)
+            boxes.push_back(
+                {x, y, std::min((x / kTileSize + 1) * kTileSize, x1), std::min((y / kTileSize + 1) * kTileSize, y1)});
+    std::atomic<size_t> beyond = 0, done = 0;
+    parallelFor(boxes.size(), [&](size_t i) {
+        if (control && control->cancelled()) return;
+        beyond += setHeights(map, t, source, place, boxes[i]);
+        if (control) control->setProgress(static_cast<double>(++done) / static_cast<double>(boxes.size()));
+    });
     return beyond;
 }
 
@@ -139,7 +161,7 @@ Result<Map> readHeights(const std::string& file) {
     return readMap(file, heights);
 }
 
-Status placeHeights(Document& doc, const Map& source, const HeightPlace& place, size_t* beyond) {
+Status placeHeights(Document& doc, const Map& source, const HeightPlace& place, size_t* beyond, JobControl* control) {
     const Ground ground = doc.isOpen() ? findGround(doc.project()) : Ground{};
     if (!ground.terrain) return usage("there is no terrain", "add an entity with a Terrain");
     if (source.empty()) return usage("there is no picture of heights", "choose a file");
@@ -156,7 +178,7 @@ Status placeHeights(Document& doc, const Map& source, const HeightPlace& place, 
         if (Status made = doc.createMap(path); !made) return made;
         const Terrain& t = *findGround(doc.project()).terrain;
         Map heights = t.height.map;
-        const size_t over = setHeights(heights, t, source, place);
+        const size_t over = setHeights(heights, t, source, place, control);
         if (beyond) *beyond = over;
         return doc.setMap(path, std::move(heights), "place heights");
     });

@@ -11,6 +11,8 @@
 
 namespace sward {
 
+class JobControl;
+
 // Reads an image into a map (findMap), and where its integers span a range that into the field beside it; remembered as
 // imports are. `flipX`: columns the other way round. Errors of readImport; then nothing has changed.
 Status importIntoMap(Document& document, const std::string& mapPath, const std::filesystem::path& file,
@@ -32,8 +34,9 @@ double placedHeight(const Map& source, const HeightPlace& place, double x, doubl
 // Reads a picture of heights: one channel, 16 bit or floats. Unsound errors as readMap.
 Result<Map> readHeights(const std::string& file);
 // Sets the ground below the rectangle, resampled; makes heights where there are none. `beyond`: gets how many texels
-// lay beyond the range of 16 bits and took its end. Usage if the rectangle is empty or beside the terrain, a number is
-// not finite, or the heights repeat.
-Status placeHeights(Document& document, const Map& source, const HeightPlace& place, size_t* beyond = nullptr);
+// lay beyond the range of 16 bits and took its end. `control`: told how far it is, and ends it early. Usage if the
+// rectangle is empty or beside the terrain, a number is not finite, or the heights repeat.
+Status placeHeights(Document& document, const Map& source, const HeightPlace& place, size_t* beyond = nullptr,
+                    JobControl* control = nullptr);
 
 }  // namespace sward

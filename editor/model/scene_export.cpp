@@ -1,5 +1,7 @@
 #include "model/scene_export.h"
 
+#include "scene/ground_path.h"
+#include "scene/map_layers.h"
 #include "script/script.h"
 #include "world/drawn_project.h"
 
@@ -11,9 +13,10 @@ Result<SceneExport> startExport(const Document& document, const GlbOptions& opti
     if (file.extension() != ".glb")
         return usage("a scene is written to a .glb", "end the name in .glb").at(file.string());
     const std::span<const ComponentRow> rows = document.tables().components;
-    DrawnProject drawn;
-    if (Status s = checkExport(drawn.of(document.project(), rows), options); !s) return s.error();
-    const auto copy = std::make_shared<Project>(snapshot(document.project(), rows));
+    const Project& p = document.project();
+    if (!hasLayers(p) && !firstOf<GroundPath>(p))  // else what is drawn takes its time, and is asked beside
+        if (Status s = checkExport(p, options); !s) return s.error();
+    const auto copy = std::make_shared<Project>(snapshot(p, rows));
     return SceneExport{file, Job<GlbCounts>("export", 0, [copy, rows, options, file](JobControl& control) {
                            return exportScene(DrawnProject().of(*copy, rows), options, file, control);
                        })};

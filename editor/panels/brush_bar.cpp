@@ -217,7 +217,7 @@ void steps(Rows& rows, ObjectTool& objects) {
 }  // namespace
 
 int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes, ObjectTool& objects, Edits& edits,
-                 Messages& messages, ImageDialog& images) {
+                 Messages& messages, ImageDialog& images, Waiting& waiting) {
     Rows rows{area.x + area.w};
     const ui::Disabled noProject(!doc.isOpen());
     modeCombo(doc, brushes, objects.mode, messages);
@@ -231,7 +231,7 @@ int drawBrushBar(const Rect& area, double yaw, Document& doc, BrushBook& brushes
         return rows.count;
     }
     if (map && !static_cast<const MapField*>(map->value)->present()) createButton(rows, doc, *map, edits, messages);
-    settings(rows, brushes, map, yaw, {doc, edits, messages, images});
+    settings(rows, brushes, map, yaw, {doc, edits, messages, images, waiting});
     if (map) belowLayers(rows, doc, map->path);
     speciesWidgets(rows, doc, brushes);
     mirrorWidget(rows, brushes);

@@ -7,6 +7,7 @@
 #include "app/edits.h"
 #include "app/image_tasks.h"
 #include "app/messages.h"
+#include "app/waiting.h"
 #include "tools/brush_target.h"
 
 namespace sward {
@@ -33,13 +34,20 @@ void turnWidgets(Rows& rows, BrushSettings& b) {
 
 }  // namespace
 
-Status takeShape(BrushBook& brushes, const std::string& file) {
-    Result<ShapePtr> shape = loadShape(file);
-    if (!shape) return shape.error();
-    currentBrush(brushes).shape = std::move(*shape);
-    std::erase(brushes.shapeFiles, file);
-    brushes.shapeFiles.insert(brushes.shapeFiles.begin(), file);
-    return {};
+void takeShape(Waiting& waiting, BrushBook& brushes, const std::string& file, WaitedEnd then) {
+    waitFor(
+        waiting, "Reading " + std::filesystem::path(file).filename().string(),
+        [&brushes, file](JobControl&) -> Result<Taking> {
+            const Result<ShapePtr> read = loadShape(file);
+            if (!read) return read.error();
+            return Taking([&brushes, file, shape = *read]() -> Status {
+                currentBrush(brushes).shape = shape;
+                std::erase(brushes.shapeFiles, file);
+                brushes.shapeFiles.insert(brushes.shapeFiles.begin(), file);
+                return {};
+            });
+        },
+        std::move(then));
 }
 
 void shapeWidgets(Rows& rows, BrushBook& brushes, const ShapeParts& parts) {
@@ -62,8 +70,9 @@ void shapeWidgets(Rows& rows, BrushBook& brushes, const ShapeParts& parts) {
         else if (file.empty())
             b.shape = builtInShape(name);
         else
-            parts.edits.deferred.push_back(
-                [&brushes, &messages = parts.messages, file] { accept(messages, takeShape(brushes, file)); });
+            parts.edits.deferred.push_back([&brushes, &messages = parts.messages, &waiting = parts.waiting, file] {
+                takeShape(waiting, brushes, file, [&messages](const Status& taken) { accept(messages, taken); });
+            });
     }
     ui::tooltip(
         "What a stamp weighs: round with a falloff, or the light of a grey picture, which fills the square "

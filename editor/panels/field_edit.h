@@ -15,6 +15,7 @@ struct BrushBook;
 struct FileDialog;
 struct ImageDialog;
 struct Thumbnails;
+struct Waiting;
 
 // What widgets change fields with; all must outlive the edits that they defer.
 struct FieldParts {
@@ -27,6 +28,7 @@ struct FieldParts {
     FileDialog* files = nullptr;
     ImageDialog* images = nullptr;
     BrushBook* brushes = nullptr;
+    Waiting* waiting = nullptr;
 };
 
 // Sets a field once this frame's widgets are built; what is wrong with the text stands at the widget's label

@@ -13,6 +13,7 @@
 #include "model/map_import.h"
 #include "panels/new_project.h"
 #include "panels/panels.h"
+#include "project/project_files.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -101,44 +102,73 @@ Status startExport(const Parts& parts, const fs::path& target) {
     return {};
 }
 
-Status perform(const Parts& parts, const fs::path& target) {
+// The project that the wish describes, made on another thread, and read from its folder.
+Result<Project> makeWished(const Tables& tables, const fs::path& target, const ProjectTemplate* from,
+                           const NewProject& wish, JobControl& control) {
+    if (!from) return newProject(target, tables.components);
+    const Status made = makeProject(tables, target, *from, wish);
+    return made ? loadProject(target, tables.components, control) : Result<Project>(made.error());
+}
+void create(const Parts& parts, const fs::path& target, WaitedEnd then) {
+    const ProjectTemplate* found = findTemplate(parts.files.templates, parts.files.wish.name);
+    const std::optional<ProjectTemplate> from = found ? std::optional(*found) : std::nullopt;
+    waitFor(
+        parts.work.waiting, "Making " + target.filename().string(),
+        [&doc = parts.doc, tables = parts.doc.tables(), target, from,
+         wish = parts.files.wish](JobControl& c) -> Result<Taking> {
+            Result<Project> made = makeWished(tables, target, from ? &*from : nullptr, wish, c);
+            if (!made) return made.error();
+            const auto project = std::make_shared<Project>(std::move(*made));
+            return Taking([&doc, project] { return doc.show(std::move(*project)); });
+        },
+        std::move(then));
+}
+
+// The map's file is written from a copy of the project.
+void writeMapFile(const Parts& parts, const fs::path& target, WaitedEnd then) {
+    const auto rows = parts.doc.tables().components;
+    const auto copy = std::make_shared<const Project>(snapshot(parts.doc.project(), rows));
+    waitFor(
+        parts.work.waiting, "Exporting " + target.filename().string(),
+        [copy, rows, field = parts.files.field, target](JobControl&) -> Result<Taking> {
+            const Status written = exportMap(*copy, rows, field, target);
+            return Taking([written] { return written; });
+        },
+        std::move(then));
+}
+
+void perform(const Parts& parts, const fs::path& target, const WaitedEnd& then) {
     Document& doc = parts.doc;
     switch (parts.files.task) {
         case FileTask::Open:
-            return doc.open(target);
-        case FileTask::New: {
-            const ProjectTemplate* from = findTemplate(parts.files.templates, parts.files.wish.name);
-            if (!from) return doc.create(target);
-            const Status made = makeProject(doc.tables(), target, *from, parts.files.wish);
-            return made ? doc.open(target) : made;
-        }
-        case FileTask::SaveAs: {
-            const auto written = doc.saveAs(target);
-            return written ? Status{} : Status{written.error()};
-        }
+            return openBeside(parts.work.waiting, doc, target, then);
+        case FileTask::New:
+            return create(parts, target, then);
+        case FileTask::SaveAs:
+            return saveBeside(parts.work.waiting, doc, target,
+                              [then](const auto& written) { then(written ? Status{} : Status{written.error()}); });
         case FileTask::Export:
-            return startExport(parts, target);
+            return then(startExport(parts, target));
         case FileTask::Recording:
-            return parts.files.write(target);
+            return then(parts.files.write(target));
         case FileTask::ExportMap:
-            return exportMap(doc.project(), doc.tables().components, parts.files.field, target);
+            return writeMapFile(parts, target, then);
         case FileTask::ChooseFile:
-            return chooseFile(doc, parts.files.field, target);
+            return editBeside(
+                parts.work.waiting, doc, "Reading " + target.filename().string(),
+                [field = parts.files.field, target](Document& d, JobControl&) { return chooseFile(d, field, target); },
+                then);
         case FileTask::None:
             break;
     }
-    return {};
 }
 
-void act(const Parts& parts) {
+// The dialog closes, or says what was wrong; it comes back for that if something was waited for.
+void acted(const Parts& parts, const fs::path& target, const Status& status) {
     FileDialog& d = parts.files;
-    std::error_code error;
-    const fs::path target = fs::absolute(d.path, error).lexically_normal();
-    const Status status = d.path.empty() ? Status{usage(namesFile(d.task) ? "no file is named" : "no folder is named",
-                                                        "type one or choose one above")}
-                                         : perform(parts, target);
     if (!status) {
         d.error = status.error().text();
+        d.opening = true;
         logWarning(d.error);
         return;
     }
@@ -146,6 +176,17 @@ void act(const Parts& parts) {
     if (d.task == FileTask::Open || d.task == FileTask::New) parts.adopt();
     parts.messages.notice.clear();
     d.task = FileTask::None;
+}
+
+void act(const Parts& parts) {
+    FileDialog& d = parts.files;
+    std::error_code error;
+    const fs::path target = fs::absolute(d.path, error).lexically_normal();
+    if (d.path.empty())
+        return acted(
+            parts, target,
+            usage(namesFile(d.task) ? "no file is named" : "no folder is named", "type one or choose one above"));
+    perform(parts, target, [parts, target](const Status& status) { acted(parts, target, status); });
 }
 
 // Those that the task can take, as pictures; a second click is the button below.
@@ -238,8 +279,7 @@ void body(const Parts& parts) {
 void drawFileDialog(FileDialog& d, Document& doc, Edits& edits, Messages& messages, BackgroundWork& work,
                     Thumbnails& thumbnails, const std::function<void()>& adopt) {
     if (d.task == FileTask::None) return;
-    if (d.opening) {
-        d.opening = false;
+    if (std::exchange(d.opening, false) && !ImGui::IsPopupOpen("###files")) {
         ImGui::OpenPopup("###files");
         std::error_code error;
         if (!fs::is_directory(d.folder, error)) d.folder = fs::current_path(error);

@@ -71,7 +71,10 @@ void look(ImageDialog& d) {
     const ImagePreview& p = d.preview;
     ImGui::BeginGroup();
     drawPreview(p, ImGui::GetFontSize() * 12, d.flipX, d.flipZ);
-    const std::string told = !p.error.empty() ? p.error : p.file.empty() ? "Choose an image." : describe(p);
+    const std::string told = d.reading.active() ? "Reading it..."
+                             : !p.error.empty() ? p.error
+                             : p.file.empty()   ? "Choose an image."
+                                                : describe(p);
     ImGui::PushTextWrapPos(0);
     ui::coloredText(p.error.empty() ? ui::kDimText : ui::kErrorText, told.c_str());
     for (const std::string& repaired : p.repaired) ImGui::TextUnformatted(repaired.c_str());
@@ -81,16 +84,21 @@ void look(ImageDialog& d) {
     ImGui::EndGroup();
 }
 
-void act(ImageDialog& d, const std::function<Status(const ImageDialog&)>& take) {
-    const Status done = d.path.empty() ? Status{usage("no file is named", "type one or choose one above")} : take(d);
-    d.error = done ? "" : done.error().text();
-    if (done)
-        d.task = ImageTask::None;
-    else
-        logWarning(d.error);
+// The dialog closes, or says what was wrong; it comes back for that if something was waited for.
+void act(ImageDialog& d, const TakeImage& take) {
+    const auto acted = [&d](const Status& done) {
+        d.error = done ? "" : done.error().text();
+        d.opening = !done;
+        if (done)
+            d.task = ImageTask::None;
+        else
+            logWarning(d.error);
+    };
+    if (d.path.empty()) return acted(usage("no file is named", "type one or choose one above"));
+    take(d, acted);
 }
 
-void body(ImageDialog& d, Edits& edits, const std::function<Status(const ImageDialog&)>& take) {
+void body(ImageDialog& d, Edits& edits, const TakeImage& take) {
     if (ui::button("Up")) edits.deferred.push_back([&d] { enterFolder(d, d.folder.parent_path()); });
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -101,7 +109,7 @@ void body(ImageDialog& d, Edits& edits, const std::function<Status(const ImageDi
     look(d);
     ImGui::SetNextItemWidth(-1);
     ui::input("Path", d.path, "the image's file");  // Enter looks at it; only the button takes it
-    if (d.path != d.preview.file) edits.deferred.push_back([&d] { lookAt(d); });
+    if (d.path != d.preview.file || d.reading.active()) edits.deferred.push_back([&d] { lookAt(d); });
     ui::coloredText(ui::kErrorText, d.error.empty() ? " " : d.error.c_str());
     if (!d.error.empty()) ui::record("Error", ui::Kind::Label, d.error);
     const float width = ImGui::GetFontSize() * 6;
@@ -143,9 +151,9 @@ void drawPreview(const ImagePreview& p, float side, bool flipX, bool flipZ) {
     ui::record("Preview", ui::Kind::Area, p.file);
 }
 
-void drawImageDialog(ImageDialog& d, Edits& edits, const std::function<Status(const ImageDialog&)>& take) {
+void drawImageDialog(ImageDialog& d, Edits& edits, const TakeImage& take) {
     if (d.task == ImageTask::None) return;
-    if (std::exchange(d.opening, false)) ImGui::OpenPopup("###image");
+    if (std::exchange(d.opening, false) && !ImGui::IsPopupOpen("###image")) ImGui::OpenPopup("###image");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, em * 44), std::min(screen.y * 0.85f, em * 30)});

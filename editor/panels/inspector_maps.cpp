@@ -6,6 +6,7 @@
 #include "app/file_tasks.h"
 #include "app/image_tasks.h"
 #include "app/thumbnails.h"
+#include "app/waiting.h"
 #include "model/layer_edits.h"
 #include "model/whole_map.h"
 #include "tools/brush_book.h"
@@ -45,7 +46,11 @@ void fill(const FieldParts& parts, const std::string& path) {
     BrushSettings brush = book.map == path ? currentBrush(*parts.brushes) : BrushSettings{};
     brush.map = path;
     if (const auto color = book.colors.find(path); color != book.colors.end()) brush.color = color->second;
-    deferEdit(parts, [&doc = parts.doc, brush] { return fillMap(doc, brush); });
+    parts.edits.deferred.push_back([&doc = parts.doc, &waiting = *parts.waiting, &messages = parts.messages, brush] {
+        editBeside(
+            waiting, doc, "Filling " + brush.map, [brush](Document& d, JobControl&) { return fillMap(d, brush); },
+            [&messages](const Status& done) { accept(messages, done); });
+    });
 }
 
 bool canFill(MapKind kind) { return kind != MapKind::Heights && kind != MapKind::Forces; }
@@ -85,7 +90,7 @@ void drawMapField(const FieldParts& parts, const ConstFieldRef& f) {
     ui::record(f.path, ui::Kind::Label, m.present() ? m.file : "");
     ui::record(f.path + "/Texels", ui::Kind::Label, text);
     if (m.present()) ui::tooltip(m.file);
-    if (parts.files && parts.images && parts.brushes) {
+    if (parts.files && parts.images && parts.brushes && parts.waiting) {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3, ImGui::GetStyle().FramePadding.y});
         mapButtons(parts, f, m.present());
         ImGui::PopStyleVar();

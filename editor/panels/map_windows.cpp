@@ -7,6 +7,8 @@
 
 #include "app/edits.h"
 #include "app/messages.h"
+#include "app/waiting.h"
+#include "core/log.h"
 #include "model/document.h"
 #include "model/layer_edits.h"
 #include "tools/camera_control.h"
@@ -62,29 +64,46 @@ void metres(const char* label, double& value, double low, double high) {
     if (error) ui::tooltip(*error);
 }
 
-void takePlaced(HeightPlacing& h, Document& doc, Messages& messages) {
-    size_t beyond = 0;
-    const Status done = placeHeights(doc, h.source, h.place, &beyond);
-    h.error = done ? "" : done.error().text();
-    if (!done) return;
-    const std::string lost =
-        beyond > 0 ? fmt::format("; {} texels lay beyond heightRange and took its end", beyond) : std::string();
-    say(messages, "heights placed from " + h.file + lost);
-    h = {};
+void takePlaced(HeightPlacing& h, Document& doc, Messages& messages, Waiting& waiting) {
+    const auto beyond = std::make_shared<size_t>(0);
+    editBeside(
+        waiting, doc, "Placing heights",
+        [source = h.source, place = h.place, beyond](Document& d, JobControl& c) {
+            return placeHeights(d, source, place, beyond.get(), &c);
+        },
+        [&h, &messages, beyond](const Status& done) {
+            h.error = done ? "" : done.error().text();
+            if (!done) return;
+            const std::string lost =
+                *beyond > 0 ? fmt::format("; {} texels lay beyond heightRange and took its end", *beyond) : "";
+            say(messages, "heights placed from " + h.file + lost);
+            h = {};
+        });
 }
 
 }  // namespace
 
-void checkMaps(MapHealthView& view, const Document& doc) {
-    view.open = true;
-    view.revision = doc.revision();
-    view.findings = mapFindings(doc.project(), doc.tables().components);
-    view.maps = allMaps(doc.project(), doc.tables().components).size();
-    std::stable_sort(view.findings.begin(), view.findings.end(),
-                     [](const MapFinding& a, const MapFinding& b) { return a.meant < b.meant; });
+void checkMaps(MapHealthView& view, const Document& doc, Waiting& waiting) {
+    const auto rows = doc.tables().components;
+    const auto copy = std::make_shared<const Project>(snapshot(doc.project(), rows));
+    waitFor(
+        waiting, "Looking through the maps",
+        [&view, copy, rows, revision = doc.revision()](JobControl& c) -> Result<Taking> {
+            MapHealthView found{true, revision, mapFindings(*copy, rows, &c), allMaps(*copy, rows).size()};
+            if (c.cancelled()) return failed("looking through the maps was cancelled");
+            std::stable_sort(found.findings.begin(), found.findings.end(),
+                             [](const MapFinding& a, const MapFinding& b) { return a.meant < b.meant; });
+            return Taking([&view, found = std::move(found)]() -> Status {
+                view = found;
+                return {};
+            });
+        },
+        [](const Status& done) {
+            if (!done) logInfo(done.error().text());
+        });
 }
 
-void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, Edits& edits) {
+void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, Edits& edits, Waiting& waiting) {
     if (!view.open) return;
     const float em = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -94,14 +113,16 @@ void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, 
     if (ImGui::Begin("Map health", &view.open, kWindow)) {
         const size_t faults = static_cast<size_t>(
             std::count_if(view.findings.begin(), view.findings.end(), [](const MapFinding& f) { return !f.meant; }));
-        const std::string told = fmt::format("{} maps: {} fault{}, {} that may be meant{}", view.maps, faults,
-                                             faults == 1 ? "" : "s", view.findings.size() - faults,
-                                             view.revision == doc.revision() ? "" : "; the project changed since");
+        const std::string told =
+            fmt::format("{} map{}: {} fault{}, {} that may be meant{}", view.maps, view.maps == 1 ? "" : "s", faults,
+                        faults == 1 ? "" : "s", view.findings.size() - faults,
+                        view.revision == doc.revision() ? "" : "; the project changed since");
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(told.c_str());
         ui::record("Told", ui::Kind::Label, told);
         ImGui::SameLine();
-        if (ui::button("Check again")) edits.deferred.push_back([&view, &doc] { checkMaps(view, doc); });
+        if (ui::button("Check again"))
+            edits.deferred.push_back([&view, &doc, &waiting] { checkMaps(view, doc, waiting); });
         ImGui::SameLine();
         if (ui::button("Close")) view.open = false;
         ImGui::BeginChild("findings");
@@ -111,20 +132,30 @@ void drawMapHealth(MapHealthView& view, const Document& doc, FlyCamera& camera, 
     ImGui::End();
 }
 
-Status beginPlacing(HeightPlacing& h, const Document& doc, const std::string& file, bool flipX, bool flipZ) {
+void beginPlacing(HeightPlacing& h, const Document& doc, Waiting& waiting, const std::string& file, bool flipX,
+                  bool flipZ, WaitedEnd then) {
     const Ground ground = doc.isOpen() ? doc.ground() : Ground{};
-    if (!ground.terrain) return usage("there is no terrain to place heights on", "add an entity with a Terrain");
-    Result<Map> source = readHeights(file);
-    if (!source) return source.error();
-    h = {};
-    h.file = file;
-    h.source = std::move(*source);
-    h.place.flipX = flipX, h.place.flipZ = flipZ;
-    h.place.at = ground.terrain->size / 4.0, h.place.size = ground.terrain->size / 2.0;
-    return {};
+    if (!ground.terrain) return then(usage("there is no terrain to place heights on", "add an entity with a Terrain"));
+    HeightPlacing placing;
+    placing.file = file;
+    placing.place.flipX = flipX, placing.place.flipZ = flipZ;
+    placing.place.at = ground.terrain->size / 4.0, placing.place.size = ground.terrain->size / 2.0;
+    waitFor(
+        waiting, "Reading " + std::filesystem::path(file).filename().string(),
+        [&h, placing](JobControl& c) -> Result<Taking> {
+            const Result<Map> source = readHeights(placing.file);
+            if (!source) return source.error();
+            if (c.cancelled()) return failed("reading the heights was cancelled");
+            return Taking([&h, placing, map = *source]() -> Status {
+                h = placing;
+                h.source = map;
+                return {};
+            });
+        },
+        std::move(then));
 }
 
-void drawHeightPlacing(HeightPlacing& h, Document& doc, Edits& edits, Messages& messages) {
+void drawHeightPlacing(HeightPlacing& h, Document& doc, Edits& edits, Messages& messages, Waiting& waiting) {
     if (h.file.empty()) return;
     const Ground ground = doc.isOpen() ? doc.ground() : Ground{};
     if (!ground.terrain) {
@@ -164,7 +195,7 @@ void drawHeightPlacing(HeightPlacing& h, Document& doc, Edits& edits, Messages& 
             ui::record("Error", ui::Kind::Label, h.error);
         }
         if (ui::button("Accept", em * 6, true))
-            edits.deferred.push_back([&h, &doc, &messages] { takePlaced(h, doc, messages); });
+            edits.deferred.push_back([&h, &doc, &messages, &waiting] { takePlaced(h, doc, messages, waiting); });
         ImGui::SameLine();
         if (ui::button("Cancel", em * 6)) h = {};
     }

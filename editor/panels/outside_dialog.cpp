@@ -26,8 +26,9 @@ std::string namesOf(const OutsideDialog& d) {
 
 }  // namespace
 
-void drawOutsideDialog(OutsideDialog& d, Document& doc, FileDialog& files, UnsavedDialog& unsaved, Edits& edits,
-                       Messages& messages) {
+void drawOutsideDialog(const SaveParts& parts, UnsavedDialog& unsaved, Edits& edits) {
+    OutsideDialog& d = parts.outside;
+    Document& doc = parts.doc;
     if (d.files.empty() || !doc.isOpen()) return;
     if (std::exchange(d.opening, false)) ImGui::OpenPopup("Changed on disk");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -54,18 +55,20 @@ void drawOutsideDialog(OutsideDialog& d, Document& doc, FileDialog& files, Unsav
     ImGui::SameLine(0, 8);
     const bool cancelled = ui::button(d.saving ? "Cancel" : "Later", width) || ui::escapePressed();
     if (theirs)
-        edits.deferred.push_back([&] {
-            if (takeTheirs(d, doc)) say(messages, "what was on disk is open now; undo brings back what was here");
+        edits.deferred.push_back([parts] {
+            takeTheirs(parts.outside, parts.doc, parts.waiting, [&messages = parts.messages] {
+                say(messages, "what was on disk is open now; undo brings back what was here");
+            });
         });
     if (mine)
-        edits.deferred.push_back([&, saves = d.saving] {
-            keepOwn(d);
-            if (saves) saveNow(doc, files, d, messages);
+        edits.deferred.push_back([parts, saves = d.saving] {
+            keepOwn(parts.outside);
+            if (saves) saveNow(parts);
         });
     if (copy)
-        edits.deferred.push_back([&] {
-            keepOwn(d);
-            requestTask(files, unsaved, doc, FileTask::SaveAs);
+        edits.deferred.push_back([parts, &unsaved] {
+            keepOwn(parts.outside);
+            requestTask(parts.files, unsaved, parts.doc, FileTask::SaveAs);
         });
     if (cancelled) d.files.clear();
     if (d.files.empty() || mine || copy) ImGui::CloseCurrentPopup();

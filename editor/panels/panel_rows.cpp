@@ -33,7 +33,8 @@ namespace sward {
 namespace {
 
 FieldParts fieldParts(EditorApp& a) {
-    return {a.doc, a.edits, a.book.errors, a.messages, &a.thumbnails, &a.files, &a.images, &a.brushes};
+    return {a.doc,    a.edits,   a.book.errors, a.messages,           &a.thumbnails,
+            &a.files, &a.images, &a.brushes,    &a.background.waiting};
 }
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
 RingParts ringParts(EditorApp& a) {
@@ -62,8 +63,8 @@ void playBar(EditorApp& a) {
 }
 
 void brushBar(EditorApp& a) {
-    const int rows =
-        drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages, a.images);
+    const int rows = drawBrushBar(a.areas.brushBar, a.view.camera.yaw, a.doc, a.brushes, a.objects, a.edits, a.messages,
+                                  a.images, a.background.waiting);
     if (a.hand.gesture != Gesture::Paint) a.brushBarRows = rows;  // the ground must not shift under the hand
 }
 
@@ -153,7 +154,8 @@ void viewport(EditorApp& a) {
         drawOverlayLegend(a.doc, a.brushes, a.view.camera.yaw, r);
         drawPlayFrame(a.doc, a.play.captured, r);
     } else {
-        drawStart({a.start, a.thumbnails, a.doc, a.files, a.unsaved, a.edits, a.messages, [&a] { adoptProject(a); }},
+        drawStart({a.start, a.thumbnails, a.doc, a.files, a.unsaved, a.edits, a.messages, a.background.waiting,
+                   [&a] { adoptProject(a); }},
                   r);
     }
     list.PopClipRect();
@@ -179,17 +181,25 @@ void fileDialog(EditorApp& a) {
     drawFileDialog(a.files, a.doc, a.edits, a.messages, a.background, a.thumbnails, [&a] { adoptProject(a); });
 }
 // What is done with an image that was chosen.
-Status takeImage(EditorApp& a, const ImageDialog& d) {
-    if (d.task == ImageTask::Shape) return takeShape(a.brushes, d.path);
-    if (d.task == ImageTask::Heights) return beginPlacing(a.placing, a.doc, d.path, d.flipX, d.flipZ);
+void takeImage(EditorApp& a, const ImageDialog& d, const WaitedEnd& then) {
+    Waiting& waiting = a.background.waiting;
+    if (d.task == ImageTask::Shape) return takeShape(waiting, a.brushes, d.path, then);
+    if (d.task == ImageTask::Heights) return beginPlacing(a.placing, a.doc, waiting, d.path, d.flipX, d.flipZ, then);
     const auto range = rangeOf(d.low, d.high);
-    if (!range) return range.error();
-    const Status done = importIntoMap(a.doc, d.map, d.path, {.flip = d.flipZ, .range = *range}, d.flipX);
-    if (done) say(a.messages, "imported " + d.path);
-    return done;
+    if (!range) return then(range.error());
+    const ImportOptions options{.flip = d.flipZ, .range = *range};
+    editBeside(
+        waiting, a.doc, "Importing " + std::filesystem::path(d.path).filename().string(),
+        [map = d.map, file = d.path, options, flipX = d.flipX](Document& doc, JobControl&) {
+            return importIntoMap(doc, map, file, options, flipX);
+        },
+        [&messages = a.messages, then, file = d.path](const Status& done) {
+            if (done) say(messages, "imported " + file);
+            then(done);
+        });
 }
 void imageDialog(EditorApp& a) {
-    drawImageDialog(a.images, a.edits, [&a](const ImageDialog& d) { return takeImage(a, d); });
+    drawImageDialog(a.images, a.edits, [&a](const ImageDialog& d, const WaitedEnd& then) { takeImage(a, d, then); });
 }
 void renameDialog(EditorApp& a) {
     drawRenameDialog(a.rename, a.doc, a.edits, [&a, from = a.rename.entity](const std::string& name) {
@@ -230,7 +240,7 @@ void filmDialog(EditorApp& a) {
     });
 }
 void recoveryDialog(EditorApp& a) {
-    if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages)) a.clock.wanted = 4;
+    if (drawRecoveryDialog(a.autosave, a.doc, a.edits, a.messages, a.background.waiting)) a.clock.wanted = 4;
 }
 
 using App = EditorApp;
@@ -275,17 +285,24 @@ constexpr PanelRow kPanels[] = {
     {"Status", Dock::StatusBar, statusBar, false},
     {"Files", Dock::Dialog, fileDialog, false},
     {"Image", Dock::Dialog, imageDialog, false},
-    {"Map health", Dock::Dialog, [](App& a) { drawMapHealth(a.mapHealth, a.doc, a.view.camera, a.edits); }, false},
-    {"Place heights", Dock::Dialog, [](App& a) { drawHeightPlacing(a.placing, a.doc, a.edits, a.messages); }, false},
-    {"Unsaved", Dock::Dialog, [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits); }, false},
+    {"Map health", Dock::Dialog,
+     [](App& a) { drawMapHealth(a.mapHealth, a.doc, a.view.camera, a.edits, a.background.waiting); }, false},
+    {"Place heights", Dock::Dialog,
+     [](App& a) { drawHeightPlacing(a.placing, a.doc, a.edits, a.messages, a.background.waiting); }, false},
+    {"Unsaved", Dock::Dialog,
+     [](App& a) { drawUnsavedDialog(a.unsaved, a.doc, a.outside, a.edits, a.background.waiting); }, false},
     {"Recovery", Dock::Dialog, recoveryDialog, false},
     {"Outside", Dock::Dialog,
-     [](App& a) { drawOutsideDialog(a.outside, a.doc, a.files, a.unsaved, a.edits, a.messages); }, false},
+     [](App& a) {
+         drawOutsideDialog({a.doc, a.files, a.outside, a.messages, a.background.waiting}, a.unsaved, a.edits);
+     },
+     false},
     {"Rename", Dock::Dialog, renameDialog, false},
     {"Context", Dock::Dialog, contextMenu, false},
     {"Palette", Dock::Dialog, palette, false},
     {"Keys", Dock::Dialog, keysDialog, false},
     {"Film", Dock::Dialog, filmDialog, false},
+    {"Waiting", Dock::Dialog, [](App& a) { drawWaiting(a.background.waiting); }, false},
 };
 
 }  // namespace

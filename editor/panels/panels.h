@@ -43,6 +43,7 @@ struct Palette;
 struct PaletteLine;
 struct PictureRun;
 struct RenameDialog;
+struct SaveParts;
 struct Selection;
 struct Thumbnails;
 struct SpeciesPalette;
@@ -51,6 +52,7 @@ struct TierView;
 struct UnsavedDialog;
 struct ViewCounts;
 struct ViewState;
+struct Waiting;
 
 enum class GizmoMode;
 enum class Dock { Menu, BrushBar, Tools, Viewport, Outliner, Inspector, Bottom, StatusBar, Dialog };
@@ -80,7 +82,7 @@ PlayAction drawPlayBar(const Document& document);
 // What the brush paints on and how. `yaw` of the view, for directions as they are seen. Returns the rows that it took.
 // With the select tool: the steps to which it snaps; with the path tool: what clicks do.
 int drawBrushBar(const Rect& area, double yaw, Document& document, BrushBook& brushes, ObjectTool& objects,
-                 Edits& edits, Messages& messages, ImageDialog& images);
+                 Edits& edits, Messages& messages, ImageDialog& images, Waiting& waiting);
 // Buttons for choosing, moving, turning and scaling objects, and one a brush; choosing one may choose another map.
 void drawToolStrip(const Document& document, BrushBook& brushes, GizmoMode& mode, Messages& messages);
 // The entities: searched for, chosen, added by a typed name, removed. `menu`: set where a right click asks for the
@@ -133,10 +135,10 @@ void drawStatusBar(const Document& document, const ViewCounts& counts, double dr
 void drawFileDialog(FileDialog& files, Document& document, Edits& edits, Messages& messages, BackgroundWork& work,
                     Thumbnails& thumbnails, const std::function<void()>& adopt);
 // Asks for as long as unsaved.then is set; the answer runs it with the edits, or drops it.
-void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, const OutsideDialog& outside, Edits& edits);
+void drawUnsavedDialog(UnsavedDialog& unsaved, Document& document, const OutsideDialog& outside, Edits& edits,
+                       Waiting& waiting);
 // Asks for as long as there are files in it: whose counts, or a copy elsewhere.
-void drawOutsideDialog(OutsideDialog& outside, Document& document, FileDialog& files, UnsavedDialog& unsaved,
-                       Edits& edits, Messages& messages);
+void drawOutsideDialog(const SaveParts& parts, UnsavedDialog& unsaved, Edits& edits);
 // Asks for as long as there is an entity in it; `renamed` runs when it has its new name.
 void drawRenameDialog(RenameDialog& dialog, Document& document, Edits& edits,
                       const std::function<void(const std::string& name)>& renamed);
@@ -151,7 +153,9 @@ bool drawKeysDialog(KeysDialog& dialog, Bindings& bindings, const FrameInput& in
 // While it is open: asks for a screenshot or a film. True where it was asked to start, with the plan as typed.
 bool drawFilmDialog(FilmDialog& dialog, const Document& document);
 // True while it waits for the editor's first frames, which must then come.
-bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages);
+bool drawRecoveryDialog(Autosave& autosave, Document& document, Edits& edits, Messages& messages, Waiting& waiting);
+// What the person waits for: how far it is, and a button that cancels it.
+void drawWaiting(Waiting& waiting);
 
 // 627 M, 12.3 k
 std::string counted(uint64_t n);

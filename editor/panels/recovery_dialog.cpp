@@ -3,8 +3,11 @@
 #include <imgui.h>
 #include <sys/stat.h>
 
+#include <memory>
+
 #include "app/edits.h"
 #include "app/messages.h"
+#include "app/waiting.h"
 #include "core/log.h"
 #include "model/autosave.h"
 #include "model/document.h"
@@ -30,29 +33,32 @@ void close(Autosave& autosave) {
     ImGui::CloseCurrentPopup();
 }
 
-// From the newest copy that can be read.
-void recover(Autosave& autosave, Document& doc, Edits& edits, Messages& messages) {
-    edits.deferred.push_back([&, copies = autosave.found] {
-        Status first;
-        for (const std::filesystem::path& copy : copies) {
-            const Status taken = doc.takeOver(copy, "recover unsaved work");
-            if (!taken) {
-                if (first) first = taken;
-                continue;
-            }
-            adoptAutosave(autosave, copy);
-            if (!first) logWarning(first.error().text());
-            return say(messages, first ? "unsaved work is back; undo shows what was saved"
-                                       : "the newest copy is damaged: unsaved work of an older one is back");
-        }
-        if (!first) showError(messages, first.error());
+struct Recovery {
+    Autosave& autosave;
+    Document& doc;
+    Messages& messages;
+    Waiting& waiting;
+    std::vector<std::filesystem::path> copies;  // the newest first
+};
+
+// From the newest copy that can be read; `at`: those before it cannot, as `first` says.
+void recoverFrom(const std::shared_ptr<const Recovery>& r, size_t at, const Status& first) {
+    const std::filesystem::path copy = r->copies[at];
+    const auto take = [r](Project& p) { return r->doc.takeOver(p, "recover unsaved work"); };
+    readBeside(r->waiting, r->doc, copy, take, [r, at, first, copy](const Status& taken) {
+        const Status& told = first ? taken : first;
+        if (!taken && at + 1 < r->copies.size()) return recoverFrom(r, at + 1, told);
+        if (!taken) return showError(r->messages, told.error());
+        adoptAutosave(r->autosave, copy);
+        if (!first) logWarning(first.error().text());
+        say(r->messages, first ? "unsaved work is back; undo shows what was saved"
+                               : "the newest copy is damaged: unsaved work of an older one is back");
     });
-    close(autosave);
 }
 
 }  // namespace
 
-bool drawRecoveryDialog(Autosave& a, Document& doc, Edits& edits, Messages& messages) {
+bool drawRecoveryDialog(Autosave& a, Document& doc, Edits& edits, Messages& messages, Waiting& waiting) {
     if (a.found.empty() || !doc.isOpen()) return false;
     if (a.opening && ImGui::GetFrameCount() < kFirstFrame) return true;
     if (std::exchange(a.opening, false)) ImGui::OpenPopup("Recovery");
@@ -72,7 +78,9 @@ bool drawRecoveryDialog(Autosave& a, Document& doc, Edits& edits, Messages& mess
     ImGui::SameLine(0, 8);
     const bool later = ui::button("Ask again later", width) || ui::escapePressed();
     if (taken) {
-        recover(a, doc, edits, messages);
+        const auto recovery = std::make_shared<const Recovery>(Recovery{a, doc, messages, waiting, a.found});
+        edits.deferred.push_back([recovery] { recoverFrom(recovery, 0, Status()); });
+        close(a);
     } else if (thrown || later) {
         if (thrown) forgetAutosaves(a.of);
         close(a);

@@ -18,8 +18,10 @@ constexpr const char* kPicture = "picture.png";  // of a sample, in its folder
 ui::TileSize tileSize() { return {ImGui::GetFontSize() * 10, ImGui::GetFontSize() * 6.25f}; }
 
 void open(const StartParts& p, const fs::path& project) {
-    p.edits.deferred.push_back([&doc = p.doc, &messages = p.messages, adopt = p.adopt, project] {
-        if (accept(messages, doc.open(project))) adopt();
+    p.edits.deferred.push_back([&doc = p.doc, &waiting = p.waiting, &messages = p.messages, adopt = p.adopt, project] {
+        openBeside(waiting, doc, project, [&messages, adopt](const Status& opened) {
+            if (accept(messages, opened)) adopt();
+        });
     });
 }
 

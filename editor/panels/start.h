@@ -18,6 +18,7 @@ struct StartParts {
     UnsavedDialog& unsaved;
     Edits& edits;
     Messages& messages;
+    Waiting& waiting;
     std::function<void()> adopt;  // after the document holds a project
 };
 // Buttons for a new project and for opening one, the last projects, the samples. Paths: "Viewport/Start/Open...",

@@ -21,25 +21,28 @@ void answer(UnsavedDialog& d, Edits& edits, bool goOn) {
     ImGui::CloseCurrentPopup();
 }
 
-void save(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits) {
+// The question closes while it is saved, and is back if that fails.
+void save(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits, Waiting& waiting) {
     if (othersOnDisk(outside, doc)) {
         d.error = "Another program changed the project on disk: cancel, then save, to choose whose counts.";
         return;
     }
-    const auto written = doc.save();
-    if (written) return answer(d, edits, true);
-    d.error = written.error().text();
-    logWarning(d.error);
+    const auto saved = [&d, then = std::exchange(d.then, nullptr)](const Result<std::vector<std::string>>& written) {
+        if (written) return then();
+        d.then = then;
+        d.opening = true;
+        d.error = written.error().text();
+        logWarning(d.error);
+    };
+    edits.deferred.push_back([&doc, &waiting, saved] { saveBeside(waiting, doc, {}, saved); });
+    ImGui::CloseCurrentPopup();
 }
 
 }  // namespace
 
-void drawUnsavedDialog(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits) {
+void drawUnsavedDialog(UnsavedDialog& d, Document& doc, const OutsideDialog& outside, Edits& edits, Waiting& waiting) {
     if (!d.then) return;
-    if (std::exchange(d.opening, false)) {
-        d.error.clear();
-        ImGui::OpenPopup("Unsaved work");
-    }
+    if (std::exchange(d.opening, false)) ImGui::OpenPopup("Unsaved work");
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     const int flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
@@ -60,7 +63,7 @@ void drawUnsavedDialog(UnsavedDialog& d, Document& doc, const OutsideDialog& out
     ImGui::SameLine(0, 8);
     const bool cancelled = ui::button("Cancel", width) || ui::escapePressed();
     if (saved)
-        save(d, doc, outside, edits);
+        save(d, doc, outside, edits, waiting);
     else if (discarded || cancelled)
         answer(d, edits, discarded);
     ImGui::EndPopup();

@@ -66,20 +66,46 @@ std::optional<double> entry(const Box& box, const glm::dvec3& origin, const glm:
     return from <= to ? std::optional(from) : std::nullopt;
 }
 
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) { make(); }
+
+void BoxTree::make() {
+    nodes_.clear();
+    moved_ = 0;
     if (boxes_.empty()) return;
     order_ = inOrder(codesOf(boxes_));
     nodes_.reserve(boxes_.size());
     build(0, boxes_.size());
 }
 
+Box BoxTree::around(const Node& leaf) const {
+    Box all;
+    for (size_t i = leaf.first; i < leaf.first + leaf.count; ++i) all.add(boxes_[order_[i]]);
+    return all;
+}
+
+void BoxTree::follow(const std::vector<std::pair<uint32_t, Box>>& moved) {
+    if (moved.empty()) return;
+    for (const auto& [i, box] : moved) boxes_[i] = box;
+    moved_ += moved.size();
+    if (8 * moved_ > boxes_.size()) return make();
+    for (size_t n = nodes_.size(); n-- > 0;) {  // children come after their node
+        Node& node = nodes_[n];
+        if (node.count > 0) {
+            node.box = around(node);
+            continue;
+        }
+        node.box = nodes_[n + 1].box;
+        node.box.add(nodes_[node.first].box);
+    }
+}
+
 uint32_t BoxTree::build(size_t from, size_t to) {
     const uint32_t node = static_cast<uint32_t>(nodes_.size());
     nodes_.emplace_back();
     if (to - from <= kLeaf) {
-        Box all;
-        for (size_t i = from; i < to; ++i) all.add(boxes_[order_[i]]);
-        nodes_[node] = {all, static_cast<uint32_t>(from), static_cast<uint32_t>(to - from)};
+        Node leaf{{}, static_cast<uint32_t>(from), static_cast<uint32_t>(to - from)};
+        leaf.box = around(leaf);
+        nodes_[node] = leaf;
         return node;
     }
     const size_t half = (from + to) / 2;

@@ -49,7 +49,8 @@ glm::dmat3 scaledTurn(const PlacedMesh& placed) { return placed.turn * static_ca
 }  // namespace
 
 const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& file) {
-    if (dir_ != p.dir) shapes_.clear(), own_ = {}, rules_.clear(), groves_.clear(), revision_ = 0, dir_ = p.dir;
+    if (dir_ != p.dir)
+        shapes_.clear(), own_ = {}, sources_.clear(), rules_.clear(), groves_.clear(), revision_ = 0, dir_ = p.dir;
     const auto known = shapes_.find(file);
     if (known != shapes_.end()) return known->second;
     ObjectShape& shape = shapes_[file] = shapeOfMesh(readMesh(p.dir, file));
@@ -59,22 +60,49 @@ const ObjectShape& SceneObjects::shapeOf(const Project& p, const std::string& fi
 
 void SceneObjects::forgetChangedFiles(const Project& p) {
     const auto changed = [&](const auto& s) { return s.second.version != fileVersion(p.dir, s.first); };
-    if (std::erase_if(shapes_, changed) > 0) rules_.clear();  // their objects point at shapes
+    if (std::erase_if(shapes_, changed) > 0) rules_.clear(), own_ = {}, sources_.clear();  // objects point at shapes
 }
 
+// Takes note of the ground; whether it is another than at the last call.
+bool SceneObjects::groundMoved(const Ground& ground) {
+    const bool same = ownGround_.has_value() == (ground.terrain != nullptr) && ownOrigin_ == ground.origin &&
+                      (!ground.terrain || sameGround(*ownGround_, *ground.terrain));
+    ownGround_ = ground.terrain ? std::optional(*ground.terrain) : std::nullopt;
+    ownOrigin_ = ground.origin;
+    return !same;
+}
+
+// Who stands where it stood is passed over; the hierarchy is made anew only when there are others than before.
 void SceneObjects::followOwn(const Project& p, const Ground& ground) {
-    own_ = {};
-    std::vector<Box> boxes;
+    const bool otherGround = groundMoved(ground);
+    std::vector<std::pair<uint32_t, Box>> moved;
+    size_t n = 0;
+    bool others = false;
+    const ObjectShape* shape = nullptr;
+    const std::string* file = nullptr;  // of the shape
     for (const auto& [name, e] : p.entities) {
         const StaticMesh* mesh = p.registry.get<StaticMesh>(e);
         if (!mesh || mesh->file.empty() || p.registry.get<Hidden>(e) || p.registry.get<Locked>(e)) continue;
-        const ObjectShape& shape = shapeOf(p, mesh->file);
-        if (!shape.triangles) continue;
+        if (!file || *file != mesh->file) shape = &shapeOf(p, mesh->file), file = &mesh->file;
+        if (!shape->triangles) continue;
+        const Transform* at = p.registry.get<Transform>(e);
+        const Source source{at ? at->position : glm::dvec3(0), mesh->rotationDeg, mesh->scale, mesh->onGround, shape};
+        const size_t i = n++;
+        const bool known = i < sources_.size() && own_.entities[i] == name;
+        if (known && sources_[i] == source && !(otherGround && mesh->onGround)) continue;
+        others |= !known;
+        if (i >= sources_.size()) sources_.resize(i + 1), own_.entities.resize(i + 1), own_.placed.resize(i + 1);
         const PlacedMesh placed = placeMesh(p, ground, e);
-        own_.entities.push_back(name);
-        own_.placed.push_back({placed.at, scaledTurn(placed), &shape});
-        boxes.push_back(boxAround(shape.bounds, placed.at, own_.placed.back().turn));
+        sources_[i] = source;
+        own_.entities[i] = name;
+        own_.placed[i] = {placed.at, scaledTurn(placed), shape};
+        moved.emplace_back(static_cast<uint32_t>(i), boxAround(shape->bounds, placed.at, own_.placed[i].turn));
     }
+    others |= n < sources_.size();
+    sources_.resize(n), own_.entities.resize(n), own_.placed.resize(n);
+    if (!others) return own_.tree.follow(moved);
+    std::vector<Box> boxes;
+    for (const Placed& o : own_.placed) boxes.push_back(boxAround(o.shape->bounds, o.at, o.turn));
     own_.tree = BoxTree(std::move(boxes));
 }
 

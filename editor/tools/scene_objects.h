@@ -1,7 +1,8 @@
 // The project's objects as a ray from the eye meets them, and their boxes.
 // Triangles are those of the reference tracer's Embree scenes (reference/ray_scene.h), one a file however many entities
-// show it; above them hierarchies of the objects' boxes (tools/box_tree.h), one for the entities' own, made anew after
-// a change when it is next asked, and one for each Scatter and each Forest, made anew when its objects are others.
+// show it; above them hierarchies of the objects' boxes (tools/box_tree.h), one for the entities' own, which follows
+// those that moved when it is next asked, and one for each Scatter and each Forest, made anew when its objects are
+// others.
 // Cost: a file is read once for each time it was written; for times see bench --limits --filter=pick. Does not: know
 // the ground, or what is selected.
 #pragma once
@@ -60,6 +61,14 @@ class SceneObjects {
         glm::dmat3 turn;  // with the scale
         const ObjectShape* shape;
     };
+    // What an entity's own object is placed by.
+    struct Source {
+        glm::dvec3 at, rotationDeg;
+        float scale;
+        bool onGround;
+        const ObjectShape* shape;
+        bool operator==(const Source&) const = default;
+    };
     // Objects under one hierarchy.
     struct Group {
         std::vector<std::string> entities;  // of each, or one for all
@@ -80,6 +89,7 @@ class SceneObjects {
     const ObjectShape& shapeOf(const Project& p, const std::string& file);
     void forgetChangedFiles(const Project& p);
     void followOwn(const Project& p, const Ground& ground);
+    bool groundMoved(const Ground& ground);
     void followScattered(const Project& p, const Ground& ground);
     void followForests(const Project& p, const Ground& ground);
     void follow(const Project& p, uint64_t revision);
@@ -87,8 +97,11 @@ class SceneObjects {
 
     std::map<std::string, ObjectShape> shapes_;  // by file
     Group own_;                                  // of StaticMesh
-    std::map<std::string, Group> rules_;         // of Scatter, by entity
-    std::map<std::string, Grove> groves_;        // of Forest, by entity
+    std::vector<Source> sources_;                // of each in it
+    std::optional<Terrain> ownGround_;           // that they stand on
+    glm::dvec3 ownOrigin_{0};
+    std::map<std::string, Group> rules_;   // of Scatter, by entity
+    std::map<std::string, Grove> groves_;  // of Forest, by entity
     std::filesystem::path dir_;
     uint64_t revision_ = 0;
     ScatterMemory scattered_;

@@ -88,7 +88,7 @@ Threads& pool() {
     return instance;
 }
 
-// The background thread, and the job that it runs: cancelled at exit, so that the program need not wait for its end.
+// A lane's thread, and the job that it runs: cancelled at exit, so that the program need not wait for its end.
 struct Background {
     std::mutex mutex;
     std::shared_ptr<JobControl> running;
@@ -101,10 +101,10 @@ struct Background {
         thread.stop();
     }
 };
-Background& background() {
-    pool();  // made first, so that it outlives the background thread, whose jobs use it
-    static Background instance;
-    return instance;
+Background& background(Lane lane) {
+    pool();  // made first, so that it outlives the lanes, whose jobs use it
+    static Background lanes[2];
+    return lanes[static_cast<size_t>(lane)];
 }
 
 }  // namespace
@@ -126,7 +126,11 @@ void parallelFor(size_t count, const std::function<void(size_t)>& body) {
 }
 
 void runInBackground(std::shared_ptr<JobControl> control, std::function<void()> work) {
-    Background& b = background();
+    runInLane(Lane::Beside, std::move(control), std::move(work));
+}
+
+void runInLane(Lane lane, std::shared_ptr<JobControl> control, std::function<void()> work) {
+    Background& b = background(lane);
     b.thread.add([&b, control = std::move(control), work = std::move(work)] {
         {
             std::lock_guard lock(b.mutex);

@@ -1,7 +1,7 @@
 // CPU work on other threads: a small persistent pool for loops, and background jobs with progress and cancel.
 // A job works on a snapshot that it was given; its result carries the content hash of its inputs and is dropped if
-// stale. Does not: touch GL, nor order jobs among each other (they run one at a time, in the order in which they were
-// started). Cost: a parallelFor over nothing much is 5-20 us.
+// stale. Does not: touch GL, nor order jobs among each other (each lane runs its own one at a time, in the order in
+// which they were started). Cost: a parallelFor over nothing much is 5-20 us.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -25,6 +25,10 @@ int workerCount();
 // May be nested and called from several threads. The first exception a body throws is rethrown here after the loop.
 void parallelFor(size_t count, const std::function<void(size_t)>& body);
 
+// Which thread runs a job; each runs its own one at a time. Waited: what a person waits for, however much is being made
+// beside.
+enum class Lane { Beside, Waited };
+
 // What a job and its owner share. All members may be called from any thread.
 class JobControl {
   public:
@@ -39,13 +43,15 @@ class JobControl {
     bool finished() const { return finished_.load(); }
 
   private:
-    friend void runInBackground(std::shared_ptr<JobControl>, std::function<void()>);
+    friend void runInLane(Lane, std::shared_ptr<JobControl>, std::function<void()>);
     std::atomic<double> progress_{0};
     std::atomic<bool> cancelled_{false}, finished_{false};
 };
 
-// Queues work for the background thread. A control cancelled before its turn is not run. Programs end cleanly: at exit
+// Queues work for a lane's thread. A control cancelled before its turn is not run. Programs end cleanly: at exit
 // the running job is cancelled and waited for, those that wait are dropped.
+void runInLane(Lane lane, std::shared_ptr<JobControl> control, std::function<void()> work);
+// The same for the lane Beside.
 void runInBackground(std::shared_ptr<JobControl> control, std::function<void()> work);
 
 // What a person waits for, or need not: a job that runs beside.
@@ -62,8 +68,10 @@ class Job {
     Job() = default;
     // work runs once in the background, on what it captured by value. inputHash names the content it was given.
     Job(std::string label, uint64_t inputHash, std::function<Result<T>(JobControl&)> work)
+        : Job(Lane::Beside, std::move(label), inputHash, std::move(work)) {}
+    Job(Lane lane, std::string label, uint64_t inputHash, std::function<Result<T>(JobControl&)> work)
         : label_(std::move(label)), inputHash_(inputHash), slot_(std::make_shared<Slot>()) {
-        runInBackground(slot_, [slot = slot_, work = std::move(work)] {
+        runInLane(lane, slot_, [slot = slot_, work = std::move(work)] {
             Result<T> value = guarded(*slot, work);
             std::lock_guard lock(slot->mutex);
             slot->value.emplace(std::move(value));

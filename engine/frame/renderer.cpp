@@ -4,11 +4,11 @@
 
 #include "core/log.h"
 #include "frame/draw_context.h"
+#include "frame/drawn_beside.h"
 #include "frame/explain.h"
 #include "gpu/timer.h"
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
-#include "world/drawn_project.h"
 #include "world/view_camera.h"
 
 namespace sward {
@@ -245,9 +245,14 @@ struct Renderer::Impl {
     FrameStats stats;
     GpuTimer timer{gpu};
     PopulationCount population;
-    DrawnProject drawn;
+    DrawnBeside drawn;
+    bool beside = false;  // as the last draw was asked for
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
+
+    const Project& asDrawn(const Project& p) {
+        return beside ? drawn.soon(p, tables.components) : drawn.now(p, tables.components);
+    }
 
     void replan(const Project& project) {
         const FeatureSet features = sceneFeatures(project.registry, tables),
@@ -408,7 +413,8 @@ ViewSettings overDrawn(const ViewSettings& wanted, const Project& drawn, const T
 Status Renderer::draw(const Project& painted, const ViewCamera& camera, const ViewSettings& wanted) {
     Impl& r = *impl_;
     const auto start = std::chrono::steady_clock::now();
-    const Project& project = r.drawn.of(painted, r.tables.components);
+    r.beside = wanted.background;
+    const Project& project = r.asDrawn(painted);
     const ViewSettings settings = &project == &painted ? wanted : overDrawn(wanted, project, r.tables);
     r.stats = {};
     r.replan(project);
@@ -443,10 +449,11 @@ std::vector<JobNews> Renderer::jobs() const {
     add(impl_->states);
     add(impl_->main.states);
     for (const auto& [row, view] : impl_->within) add(view.states);
+    impl_->drawn.news(out);
     return out;
 }
 
-const Project& Renderer::asDrawn(const Project& project) { return impl_->drawn.of(project, impl_->tables.components); }
+const Project& Renderer::asDrawn(const Project& project) { return impl_->asDrawn(project); }
 
 const std::vector<LayerNote>& Renderer::layerNotes() const { return impl_->drawn.layerNotes(); }
 void Renderer::finish() { glFinish(); }
@@ -459,7 +466,7 @@ Reload Renderer::reloadPrograms() {
 }
 
 std::string Renderer::explain(const Project& painted, bool json) {
-    const Project& project = impl_->drawn.of(painted, impl_->tables.components);
+    const Project& project = impl_->drawn.now(painted, impl_->tables.components);
     impl_->replan(project);
     return explainPlan({impl_->main.plan, project, layerNotes()}, impl_->tables, impl_->gpu, impl_->programs, json);
 }

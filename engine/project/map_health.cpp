@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/jobs.h"
 #include "scene/map_fields.h"
 #include "scene/tiling.h"
 #include "world/ground.h"
@@ -191,9 +192,12 @@ TexelHealth healthOf(const Map& map) {
     return h;
 }
 
-std::vector<MapFinding> mapFindings(const Project& p, std::span<const ComponentRow> rows) {
+std::vector<MapFinding> mapFindings(const Project& p, std::span<const ComponentRow> rows, JobControl* control) {
     std::vector<MapFinding> out;
-    for (const ConstFieldRef& field : allMaps(p, rows)) {
+    const std::vector<ConstFieldRef> maps = allMaps(p, rows);
+    for (size_t i = 0; i < maps.size() && !(control && control->cancelled()); ++i) {
+        const ConstFieldRef& field = maps[i];
+        if (control) control->setProgress(static_cast<double>(i) / static_cast<double>(maps.size()));
         const Map& map = static_cast<const MapField*>(field.value)->map;
         if (map.empty()) continue;
         const TexelHealth health = healthOf(map);

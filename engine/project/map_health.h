@@ -14,6 +14,8 @@
 
 namespace sward {
 
+class JobControl;
+
 // How many texels of a map share a fault, and the middle of them in the tile of 128 x 128 that has most: in [0,1] of
 // the map.
 struct TexelFault {
@@ -43,6 +45,8 @@ struct MapFinding {
     glm::dvec2 worst{0};  // metres on the terrain, of the map's first repeat
 };
 // Of all maps that are there, by PATH.
-std::vector<MapFinding> mapFindings(const Project& p, std::span<const ComponentRow> rows);
+// `control`: told how far it is, and ends it early.
+std::vector<MapFinding> mapFindings(const Project& p, std::span<const ComponentRow> rows,
+                                    JobControl* control = nullptr);
 
 }  // namespace sward

@@ -12,6 +12,8 @@
 
 namespace sward {
 
+class JobControl;
+
 // A fault that load repaired or that check found. Refusals are Errors.
 struct Fault {
     std::string where;    // "file:line", or PATH and texel
@@ -25,6 +27,8 @@ struct LoadReport {
 // Reads the whole project: refuses (ExitCode::Unsound, with file and line, or map and texel) or repairs and reports.
 Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows,
                             LoadReport* report = nullptr);
+// The same for who wants to know how far it is, and may end it early with an error.
+Result<Project> loadProject(const std::filesystem::path& dir, std::span<const ComponentRow> rows, JobControl& control);
 // Loads everything and goes on after a refusal where it can: all faults, refusals first.
 struct CheckReport {
     std::vector<Error> refused;
@@ -50,6 +54,9 @@ struct SaveWay {
 // of images and objects that are named anew; one that is not there is only warned of.
 Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows,
                                              const Project* saved = nullptr, const SaveWay& way = {});
+// The same for who wants to know how far it is, and may cancel it until all files are written beside the old ones.
+Result<std::vector<std::string>> saveProject(const Project& p, std::span<const ComponentRow> rows, const Project* saved,
+                                             const SaveWay& way, JobControl* control);
 // Of project.json and the map files that p was loaded from or saved to: those that another program changed since, as
 // they are now; not those that are gone, which a save brings back.
 std::map<std::string, FileStamp> changedOutside(const Project& p);

@@ -1,3 +1,5 @@
+#include <atomic>
+
 #include "core/file.h"
 #include "core/jobs.h"
 #include "core/log.h"
@@ -30,6 +32,9 @@ struct Loading {
     ProjectReader reader;
     Json root;
     bool soundJson = false;
+    JobControl* control = nullptr;
+
+    bool cancelled() const { return control && control->cancelled(); }
 };
 
 // The folder may also be named by its project.json.
@@ -125,7 +130,12 @@ void takeOne(Loading& l, MapLoad& load) {
 
 void loadMaps(Loading& l) {
     std::vector<MapLoad> loads = mapsToLoad(l);
-    parallelFor(loads.size(), [&](size_t i) { readOne(l, loads[i]); });
+    std::atomic<size_t> done = 0;
+    parallelFor(loads.size(), [&](size_t i) {
+        if (!l.cancelled()) readOne(l, loads[i]);
+        if (l.control) l.control->setProgress(static_cast<double>(++done) / static_cast<double>(loads.size() + 1));
+    });
+    if (l.cancelled()) return;  // said by loadProject
     for (MapLoad& load : loads) takeOne(l, load);
     for (const FieldRef& f :
          allMaps(l.reader.project, l.reader.rows, true)) {  // a field is empty exactly when its file is
@@ -139,7 +149,7 @@ void checkFiles(Loading& l) {
     std::set<std::string> seen;
     for (const ConstFieldRef& f : allFiles(l.reader.project, l.reader.rows)) {
         const std::string& name = *static_cast<const std::string*>(f.value);
-        if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second) continue;
+        if (!seen.insert((f.row->isMesh ? "m:" : "i:") + name).second || l.cancelled()) continue;
         const Status s = checkNamedFile(l.dir, *f.row, name);
         if (s) continue;
         Error e = s.error();
@@ -150,8 +160,10 @@ void checkFiles(Loading& l) {
 }
 
 // `everything`: goes on to the maps when project.json has faults.
-Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool everything) {
+Loading load(const fs::path& given, std::span<const ComponentRow> rows, bool everything,
+             JobControl* control = nullptr) {
     Loading l;
+    l.control = control;
     l.dir = projectFolder(given);
     l.reader.rows = rows;
     if (Status s = finishSave(l.dir, 0); !s) logInfo(s.error().text() + "; read as it is");
@@ -179,12 +191,21 @@ Status checkNamedFile(const fs::path& dir, const FieldRow& row, const std::strin
     return file ? checkImage(*file) : Status(file.error());
 }
 
-Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, LoadReport* report) {
-    Loading l = load(dir, rows, false);
+namespace {
+Result<Project> projectOf(Loading l, LoadReport* report) {
+    if (l.cancelled()) return failed("reading was cancelled").at(l.dir);
     if (!l.reader.refused.empty()) return l.reader.refused.front();
     for (const Fault& f : l.reader.repaired) logWarning(f.where + ": " + f.message);
     if (report) report->repaired = std::move(l.reader.repaired);
     return std::move(l.reader.project);
+}
+}  // namespace
+
+Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, LoadReport* report) {
+    return projectOf(load(dir, rows, false), report);
+}
+Result<Project> loadProject(const fs::path& dir, std::span<const ComponentRow> rows, JobControl& control) {
+    return projectOf(load(dir, rows, false, &control), nullptr);
 }
 
 CheckReport checkProject(const fs::path& dir, std::span<const ComponentRow> rows) {

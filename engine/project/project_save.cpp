@@ -1,4 +1,5 @@
 #include "core/file.h"
+#include "core/jobs.h"
 #include "core/log.h"
 #include "core/save_folder.h"
 #include "maps/map_io.h"
@@ -71,7 +72,19 @@ struct Saving {
     std::map<std::string, FileStamp> known = {};  // of files on disk, when savedPlan was what they hold
     std::vector<SaveFile> files = {};
     std::vector<std::string> removed = {};
+    JobControl* control = nullptr;
+    size_t done = 0;  // of the maps and then of the files
+
+    // A map was compared, or a file written; false: to be left.
+    bool goOn(size_t of) {
+        if (control) control->setProgress(static_cast<double>(++done) / static_cast<double>(of));
+        return !control || !control->cancelled();
+    }
 };
+
+Error cancelledSave(const Saving& s) {
+    return failed("saving was cancelled: what is on disk is as before").at(s.p.dir);
+}
 
 FileStamp stampNow(const Project& p, const std::string& name) {
     const Result<fs::path> file = currentFile(p.dir, name);
@@ -115,11 +128,15 @@ Status checkMap(const PlannedMap& planned) {
 // Adds the maps that changed.
 Status addMaps(Saving& s) {
     for (const PlannedMap& planned : s.plan) {
+        if (!s.goOn(2 * s.plan.size())) return cancelledSave(s);
         if (Status ok = checkMap(planned); !ok) return ok;
         const auto same = [&](const SaveFile& f) { return f.path == planned.file; };
         if (std::any_of(s.files.begin(), s.files.end(), same) || !mapChanged(s, planned)) continue;
         if (const auto place = resolveInside(s.p.dir, planned.file); !place) return place.error();
-        s.files.push_back({planned.file, [map = planned.map](const fs::path& to) { return writeMap(to, *map); }});
+        s.files.push_back({planned.file, [&s, map = planned.map](const fs::path& to) -> Status {
+                               const Status written = writeMap(to, *map);
+                               return s.goOn(s.plan.size() + s.files.size()) ? written : Status(cancelledSave(s));
+                           }});
     }
     return {};
 }
@@ -271,6 +288,11 @@ std::map<std::string, FileStamp> changedOutside(const Project& p) {
 }
 
 Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved, const SaveWay& way) {
+    return saveProject(p, rows, saved, way, nullptr);
+}
+
+Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const Project* saved, const SaveWay& way,
+                                             JobControl* control) {
     if (p.dir.empty()) return failed("the project has no folder yet", "save it to a new folder");
     if (Status ok = checkValues(p, rows); !ok) return ok.error();
     std::error_code fault;
@@ -278,7 +300,7 @@ Result<std::vector<std::string>> saveProject(const Project& p, Rows rows, const 
     fs::create_directories(p.dir, fault);
     if (fault) return fileError("cannot be made", p.dir, fault.value());
     const bool sameFolder = saved && saved->dir == p.dir;
-    Saving s{.p = p, .rows = rows, .plan = planMaps(p, rows)};
+    Saving s{.p = p, .rows = rows, .plan = planMaps(p, rows), .control = control};
     if (sameFolder) s.savedPlan = planMaps(*saved, rows), s.known = saved->stamps;
     auto result = [&]() -> Result<std::vector<std::string>> {
         const Result<SaveLock> lock = SaveLock::take(p.dir, way.waitSeconds);

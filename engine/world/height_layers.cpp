@@ -221,14 +221,22 @@ const Map* HeightLayers::shown(const Project& p) {
 const std::vector<LayerNote>& HeightLayers::notes() const { return impl_->notes; }
 size_t HeightLayers::evaluatedTiles() const { return impl_->evaluated; }
 
+bool hasHeightLayers(const Project& p) {
+    const std::string heights = heightsPath(p);
+    return !heights.empty() && !layersOverHeights(p, heights).empty();
+}
+
 std::optional<Project> standingOnLayers(HeightLayers& layers, const Project& p, std::span<const ComponentRow> rows) {
     const Map* heights = layers.shown(p);
-    if (!heights) return std::nullopt;
+    return heights ? std::optional(standingOn(p, *heights, rows)) : std::nullopt;
+}
+
+Project standingOn(const Project& p, const Map& heights, std::span<const ComponentRow> rows) {
     Project out = snapshot(p, rows);
-    setLayeredHeights(out, *heights);
+    setLayeredHeights(out, heights);
     const std::string path = heightsPath(out), entity = path.substr(0, path.find('.'));
-    std::erase_if(out.registry.get<MapLayers>(findEntity(out, entity))->layers,
-                  [&](const MapLayer& l) { return layeredPath(entity, l) == path; });
+    if (MapLayers* of = out.registry.get<MapLayers>(findEntity(out, entity)))
+        std::erase_if(of->layers, [&](const MapLayer& l) { return layeredPath(entity, l) == path; });
     return out;
 }
 

@@ -43,8 +43,12 @@ class HeightLayers {
     std::unique_ptr<Impl> impl_;
 };
 
-// The project standing on its ground as layers leave it, with those layers taken off; none where no layer over the
-// heights does anything. For hands and feet: what is picked, placed and walked on.
+// Whether there are layers over the heights that may do something.
+bool hasHeightLayers(const Project& p);
+// The project standing on these heights, floats in metres, with the layers over its own taken off: for hands and feet,
+// what is picked, placed and walked on.
+Project standingOn(const Project& p, const Map& heights, std::span<const ComponentRow> rows);
+// On those that layers leave; none where no layer over the heights does anything.
 std::optional<Project> standingOnLayers(HeightLayers& layers, const Project& p, std::span<const ComponentRow> rows);
 
 }  // namespace sward

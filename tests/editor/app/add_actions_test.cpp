@@ -36,6 +36,7 @@ class AddMenu : public testing::Test {
     Project before;
     Selection selection;
     Messages messages;
+    Waiting waiting;
     ViewCamera view{{20, 5, 30}, {20, 0, 20}, 55, 0};
 };
 
@@ -77,7 +78,7 @@ TEST_F(AddMenu, FlowersAreWhatTheBrushPaintsNext) {
 }
 
 TEST_F(AddMenu, APondIsAHollowWithWaterBelowItsRim) {
-    addPond(doc, view, selection, messages);
+    addPond(doc, waiting, view, selection, messages);
     const Water& water = get<Water>("pond");
     const Terrain& ground = get<Terrain>("ground");
     EXPECT_LT(water.level, 0);
@@ -88,21 +89,21 @@ TEST_F(AddMenu, APondIsAHollowWithWaterBelowItsRim) {
 
 TEST_F(AddMenu, APondBelowLayersOfHeightsSaysSo) {
     ASSERT_TRUE(addLayer(doc, "ground.Terrain.height", LayerKind::Painted));
-    addPond(doc, view, selection, messages);
+    addPond(doc, waiting, view, selection, messages);
     EXPECT_EQ(messages.status, "new: pond, dug below 1 layer");
 }
 
 TEST_F(AddMenu, ASecondPondHasTheLevelOfTheFirst) {
-    addPond(doc, view, selection, messages);
+    addPond(doc, waiting, view, selection, messages);
     view = {{10, 5, 20}, {10, 0, 10}, 55, 0};
-    addPond(doc, view, selection, messages);
+    addPond(doc, waiting, view, selection, messages);
     EXPECT_FALSE(doc.project().entities.contains("pond-2"));
     EXPECT_LT(terrainHeight(get<Terrain>("ground"), 10, 10), get<Water>("pond").level - 0.8);
 }
 
 TEST_F(AddMenu, APondInTheSkyIsRefused) {
     view.target = {20, 50, 20};
-    addPond(doc, view, selection, messages);
+    addPond(doc, waiting, view, selection, messages);
     EXPECT_NE(messages.notice.find("no ground"), std::string::npos) << messages.notice;
     EXPECT_FALSE(doc.canUndo());
 }

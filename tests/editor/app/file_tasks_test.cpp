@@ -16,6 +16,13 @@ struct Desk {
     UnsavedDialog unsaved;
     OutsideDialog outside;
     Messages messages;
+    Waiting waiting;
+    SaveParts parts() { return {doc, files, outside, messages, waiting}; }
+    bool takeDisk() {
+        bool taken = false;
+        takeTheirs(outside, doc, waiting, [&] { taken = true; });
+        return taken;
+    }
     Desk() { EXPECT_TRUE(doc.create(dir / "p")); }
 };
 
@@ -51,10 +58,10 @@ TEST(FileTasks, SavingCountsFilesAndTakesTheBarDown) {
     Desk d;
     d.messages.notice = "an older error";
     ASSERT_TRUE(d.doc.addEntity("second"));
-    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
+    EXPECT_TRUE(saveNow(d.parts()));
     EXPECT_EQ(d.messages.status, "saved: 1 file written");
     EXPECT_EQ(d.messages.notice, "");
-    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
+    EXPECT_TRUE(saveNow(d.parts()));
     EXPECT_EQ(d.messages.status, "saved: nothing had changed");
 }
 
@@ -63,7 +70,7 @@ TEST(FileTasks, ASaveThatFailsRaisesTheBar) {
     ASSERT_TRUE(d.doc.addEntity("second"));
     std::filesystem::remove_all(d.dir / "p");
     test::writeText(d.dir / "p", "a file where the folder was");
-    EXPECT_FALSE(saveNow(d.doc, d.files, d.outside, d.messages));
+    EXPECT_FALSE(saveNow(d.parts()));
     EXPECT_NE(d.messages.notice, "");
     EXPECT_TRUE(d.doc.dirty());
 }
@@ -76,7 +83,7 @@ struct TwoDesks : Desk {
         EXPECT_TRUE(other.open(dir / "p"));
         EXPECT_TRUE(other.addEntity("theirs"));
         EXPECT_TRUE(other.save());
-        EXPECT_FALSE(saveNow(doc, files, outside, messages)) << "asked first";
+        EXPECT_FALSE(saveNow(parts())) << "asked first";
         EXPECT_TRUE(outside.files.contains("project.json"));
     }
     bool has(const char* entity) { return findEntity(doc.project(), entity) != kNoEntity; }
@@ -85,7 +92,7 @@ struct TwoDesks : Desk {
 TEST(FileTasks, WhatAnotherSavedIsNotReplacedUnasked) {
     TwoDesks d;
     d.outside.files.clear();  // cancelled
-    EXPECT_FALSE(saveNow(d.doc, d.files, d.outside, d.messages)) << "asked again: it would be lost";
+    EXPECT_FALSE(saveNow(d.parts())) << "asked again: it would be lost";
     d.outside.files.clear();
     EXPECT_FALSE(askOutside(d.outside, d.doc, false)) << "but not every second";
     Document disk(tables());
@@ -96,7 +103,7 @@ TEST(FileTasks, WhatAnotherSavedIsNotReplacedUnasked) {
 
 TEST(FileTasks, TheirsIsTakenInAStepThatUndoTakesBack) {
     TwoDesks d;
-    ASSERT_TRUE(takeTheirs(d.outside, d.doc));
+    ASSERT_TRUE(d.takeDisk());
     EXPECT_TRUE(d.has("theirs"));
     EXPECT_FALSE(d.has("mine"));
     EXPECT_FALSE(d.doc.dirty());
@@ -111,7 +118,7 @@ TEST(FileTasks, OnesOwnIsSavedOnceThatIsDecidedAndAskedAboutTheNextChange) {
     TwoDesks d;
     keepOwn(d.outside);
     EXPECT_FALSE(askOutside(d.outside, d.doc, false));
-    EXPECT_TRUE(saveNow(d.doc, d.files, d.outside, d.messages));
+    EXPECT_TRUE(saveNow(d.parts()));
     ASSERT_TRUE(d.other.open(d.dir / "p"));
     EXPECT_NE(findEntity(d.other.project(), "mine"), kNoEntity);
     ASSERT_TRUE(d.other.addEntity("more"));
@@ -122,7 +129,7 @@ TEST(FileTasks, OnesOwnIsSavedOnceThatIsDecidedAndAskedAboutTheNextChange) {
 TEST(FileTasks, TheirsThatCannotBeOpenedChangesNothing) {
     TwoDesks d;
     test::writeText(d.dir / "p" / "project.json", "{ broken");
-    EXPECT_FALSE(takeTheirs(d.outside, d.doc));
+    EXPECT_FALSE(d.takeDisk());
     EXPECT_NE(d.outside.error.find("project.json"), std::string::npos) << d.outside.error;
     EXPECT_TRUE(d.has("mine"));
     EXPECT_TRUE(d.doc.dirty());

@@ -20,13 +20,18 @@ class BrushShapeBar : public test::PanelStage {
     void SetUp() override {
         PanelStage::SetUp();
         name = "Brush";
-        draw = [this] { drawBrushBar({0, 0, 800, 60}, 0, doc, brushes, objects, edits, messages, images); };
+        draw = [this] { drawBrushBar({0, 0, 800, 60}, 0, doc, brushes, objects, edits, messages, images, waiting); };
         selectMap(doc, brushes, kLawn);
         frames(2);
     }
     void choose(const std::string& combo, const std::string& item) {
         click("Brush/" + combo);
         click("Brush/" + combo + "/" + item);
+    }
+    Status take(const std::filesystem::path& file) {
+        Status ended;
+        takeShape(waiting, brushes, file.string(), [&](const Status& s) { ended = s; });
+        return ended;
     }
     BrushBook brushes;
     ObjectTool objects;
@@ -57,14 +62,14 @@ TEST_F(BrushShapeBar, AFileBecomesAShapeAndIsOfferedToOtherTools) {
     Map map({8, 8, 1, PixelType::U8});
     map.set(3, 3, 0, 1);
     ASSERT_TRUE(writeMap(dir / "leaf.png", map));
-    ASSERT_TRUE(takeShape(brushes, (dir / "leaf.png").string()));
+    ASSERT_TRUE(take(dir / "leaf.png"));
     frames(2);
     EXPECT_EQ(value("Brush/Shape"), "leaf.png");
     selectTool(doc, brushes, messages, "subtract");
     choose("Shape", "leaf.png");
     ASSERT_TRUE(currentBrush(brushes).shape);
     EXPECT_EQ(currentBrush(brushes).shape->name, (dir / "leaf.png").string());
-    EXPECT_FALSE(takeShape(brushes, (dir / "none.png").string()));
+    EXPECT_FALSE(take(dir / "none.png"));
     std::filesystem::remove(dir / "leaf.png");
     selectTool(doc, brushes, messages, "smooth");
     choose("Shape", "leaf.png");

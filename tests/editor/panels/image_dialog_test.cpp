@@ -19,7 +19,9 @@ class ImageDialogPanel : public test::PanelStage {
         test::writeText(dir / "broken.png", "no image either");
         images.folder = dir.path;
         requestImage(images, doc, ImageTask::Map, "ground.Terrain.height");
-        draw = [this] { drawImageDialog(images, edits, [this](const ImageDialog& d) { return take(d); }); };
+        draw = [this] {
+            drawImageDialog(images, edits, [this](const ImageDialog& d, const auto& then) { then(take(d)); });
+        };
         frames(3);
     }
     Status take(const ImageDialog& d) {

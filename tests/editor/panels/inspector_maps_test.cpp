@@ -20,7 +20,7 @@ class InspectorMaps : public test::PanelStage {
         thumbnails.tables = &doc.tables();
         draw = [this] {
             FieldParts parts = fieldParts();
-            parts.files = &files, parts.images = &images, parts.brushes = &brushes;
+            parts.files = &files, parts.images = &images, parts.brushes = &brushes, parts.waiting = &waiting;
             drawMapField(parts, *findField(doc.project(), doc.tables().components, path));
         };
     }

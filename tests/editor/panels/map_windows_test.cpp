@@ -19,6 +19,11 @@ class MapWindows : public test::PanelStage {
         EXPECT_TRUE(writeMap(dir / "slope.png", ramp));
         return (dir / "slope.png").string();
     }
+    Status place(const std::string& file, bool flipX) {
+        Status ended;
+        beginPlacing(placing, doc, waiting, file, flipX, false, [&](const Status& s) { ended = s; });
+        return ended;
+    }
     double height(double x, double z) { return terrainHeight(*findGround(doc.project()).terrain, x, z); }
     MapHealthView health;
     HeightPlacing placing;
@@ -27,13 +32,13 @@ class MapWindows : public test::PanelStage {
 
 TEST_F(MapWindows, ALineOfAFindingFliesToWhereItIsWorst) {
     name = "Map health";
-    draw = [this] { drawMapHealth(health, doc, camera, edits); };
+    draw = [this] { drawMapHealth(health, doc, camera, edits, waiting); };
     Map cut({256, 256, 1, PixelType::U16});
     for (int y = 0; y < 256; ++y)
         for (int x = 0; x < 256; ++x)
             cut.set(x, y, 0, x > 200 && y > 200 ? 1.0f : 0.3f + 0.001f * static_cast<float>((x * 7 + y * 3) % 500));
     ASSERT_TRUE(doc.setMap("ground.Terrain.height", cut, "heights"));
-    checkMaps(health, doc);
+    checkMaps(health, doc, waiting);
     ASSERT_FALSE(health.findings.empty());
     EXPECT_FALSE(health.findings[0].meant) << "faults come first";
     frames(3);
@@ -55,9 +60,9 @@ TEST_F(MapWindows, ALineOfAFindingFliesToWhereItIsWorst) {
 
 TEST_F(MapWindows, HeightsAreTakenByAcceptAndDroppedByCancel) {
     name = "Place heights";
-    draw = [this] { drawHeightPlacing(placing, doc, edits, messages); };
-    EXPECT_FALSE(beginPlacing(placing, doc, (dir / "none.png").string(), false, false));
-    ASSERT_TRUE(beginPlacing(placing, doc, slope(), false, false));
+    draw = [this] { drawHeightPlacing(placing, doc, edits, messages, waiting); };
+    EXPECT_FALSE(place((dir / "none.png").string(), false));
+    ASSERT_TRUE(place(slope(), false));
     EXPECT_EQ(placing.place.at, glm::dvec2(10, 10));
     EXPECT_EQ(placing.place.size, glm::dvec2(20, 20));
     const size_t steps = doc.stepsDone();
@@ -65,7 +70,7 @@ TEST_F(MapWindows, HeightsAreTakenByAcceptAndDroppedByCancel) {
     click("Place heights/Cancel");
     EXPECT_TRUE(placing.file.empty());
     EXPECT_EQ(doc.stepsDone(), steps);
-    ASSERT_TRUE(beginPlacing(placing, doc, slope(), true, false));
+    ASSERT_TRUE(place(slope(), true));
     placing.place.low = 1, placing.place.high = 5;
     frames(3);
     click("Place heights/Accept");
@@ -73,7 +78,7 @@ TEST_F(MapWindows, HeightsAreTakenByAcceptAndDroppedByCancel) {
     EXPECT_EQ(doc.stepsDone(), steps + 1);
     EXPECT_NEAR(height(20, 20), 3, 0.1);
     EXPECT_GT(height(14, 20), height(26, 20)) << "flipped";
-    ASSERT_TRUE(beginPlacing(placing, doc, slope(), false, false));
+    ASSERT_TRUE(place(slope(), false));
     placing.place.at = {500, 0};
     frames(3);
     click("Place heights/Accept");
@@ -83,8 +88,8 @@ TEST_F(MapWindows, HeightsAreTakenByAcceptAndDroppedByCancel) {
 
 TEST_F(MapWindows, PlacedHeightsSayThatTheyGoBelowLayers) {
     name = "Place heights";
-    draw = [this] { drawHeightPlacing(placing, doc, edits, messages); };
-    ASSERT_TRUE(beginPlacing(placing, doc, slope(), false, false));
+    draw = [this] { drawHeightPlacing(placing, doc, edits, messages, waiting); };
+    ASSERT_TRUE(place(slope(), false));
     frames(2);
     EXPECT_FALSE(shown("Place heights/Below"));
     ASSERT_TRUE(addLayer(doc, "ground.Terrain.height", LayerKind::Rule));
@@ -96,13 +101,13 @@ TEST_F(MapWindows, TheListOfFindingsLiesWithinASmallWindow) {
     name = "Map health";
     float right = 1e9f, low = 1e9f;
     draw = [&] {
-        drawMapHealth(health, doc, camera, edits);
+        drawMapHealth(health, doc, camera, edits, waiting);
         ImGui::Begin("Map health");  // the same window once more
         right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth(),
         low = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
         ImGui::End();
     };
-    checkMaps(health, doc);
+    checkMaps(health, doc, waiting);
     frames(3);
     EXPECT_LE(right, 800);
     EXPECT_LE(low, 600);

@@ -12,6 +12,7 @@
 
 #include "app/edits.h"
 #include "app/messages.h"
+#include "app/waiting.h"
 #include "model/document.h"
 #include "panels/field_edit.h"
 #include "support.h"
@@ -93,6 +94,7 @@ class PanelStage : public testing::Test {
     Document doc{tables()};
     Edits edits;
     Messages messages;
+    Waiting waiting;
     InputQueue queue;
     FrameInput in;
     ui::WidgetBook book;

@@ -21,7 +21,8 @@ TEST_F(StartPanel, OpensASampleOrSaysWhyNot) {
     UnsavedDialog unsaved;
     int adopted = 0;
     draw = [&] {
-        drawStart({start, thumbnails, none, files, unsaved, edits, messages, [&] { ++adopted; }}, {0, 30, 800, 570});
+        drawStart({start, thumbnails, none, files, unsaved, edits, messages, waiting, [&] { ++adopted; }},
+                  {0, 30, 800, 570});
     };
     click("Panel/Start/Last opened/broken");
     EXPECT_FALSE(none.isOpen());
@@ -41,7 +42,9 @@ TEST_F(StartPanel, ATemplateOpensTheDialogNewWithItsOwnSize) {
     FileDialog files;
     Thumbnails thumbnails;
     UnsavedDialog unsaved;
-    draw = [&] { drawStart({start, thumbnails, none, files, unsaved, edits, messages, [] {}}, {0, 30, 800, 570}); };
+    draw = [&] {
+        drawStart({start, thumbnails, none, files, unsaved, edits, messages, waiting, [] {}}, {0, 30, 800, 570});
+    };
     click("Panel/Start/New/hills");
     EXPECT_EQ(files.task, FileTask::New);
     EXPECT_EQ(files.wish.name, "hills");

@@ -9,7 +9,7 @@ namespace {
 class UnsavedQuestion : public test::PanelStage {
   protected:
     UnsavedQuestion() {
-        draw = [this] { drawUnsavedDialog(unsaved, doc, outside, edits); };
+        draw = [this] { drawUnsavedDialog(unsaved, doc, outside, edits, waiting); };
     }
     void SetUp() override {
         PanelStage::SetUp();

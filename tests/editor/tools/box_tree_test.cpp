@@ -71,6 +71,35 @@ TEST(BoxTree, OfFiftyThousandBoxesARayLooksAtFewHundreds) {
     EXPECT_GT(most, 20u);
 }
 
+// The nodes follow boxes that move, and a ray still looks at few.
+TEST(BoxTree, BoxesThatMovedAreMetWhereTheyAreNow) {
+    std::vector<Box> boxes = scattered(5000, 2);
+    BoxTree tree(boxes);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(0, 1000), angle(-1, 1);
+    size_t most = 0;
+    int met = 0;
+    for (int round = 0; round < 40; ++round) {  // most of them in the end: made anew on the way
+        std::vector<std::pair<uint32_t, Box>> moved;
+        for (int k = 0; k < 100; ++k) {
+            const uint32_t i = static_cast<uint32_t>(random() % boxes.size());
+            const glm::dvec3 at(place(random), 10, place(random));
+            moved.emplace_back(i, boxes[i] = {at - 1.5, at + 1.5});
+        }
+        tree.follow(moved);
+        for (int ray = 0; ray < 20; ++ray) {
+            const glm::dvec3 way = glm::normalize(glm::dvec3(angle(random), 0.02 * angle(random), angle(random)));
+            const auto wanted = nearestOf(boxes, {500, 10, 500}, way);
+            size_t looked = 0;
+            ASSERT_EQ(castAt(tree, boxes, {500, 10, 500}, way, &looked), wanted) << round << " " << ray;
+            most = std::max(most, looked);
+            met += wanted.has_value();
+        }
+    }
+    EXPECT_GT(met, 400);
+    EXPECT_LT(most, 2500u) << "half of the boxes";
+}
+
 TEST(BoxTree, NothingIsMetInNoBoxesBehindTheEyeOrBeyondTheEnd) {
     const auto never = [](size_t, double far) {
         ADD_FAILURE();

@@ -138,6 +138,39 @@ TEST_F(Objects, ItFollowsWhatChanges) {
     EXPECT_EQ(hit({9, 0, 0}, {0, 0, -1}), "") << "what is hidden is not met";
 }
 
+// Among many each is met where it is, whoever moved, went or came in between, and on ground that rises.
+TEST_F(Objects, ItFollowsOneOfManyThatMoved) {
+    for (int i = 0; i < 30; ++i) add(fmt::format("ball-{:02}", i), {5.0 * i, 0, 0});
+    const auto below = [&](double x) { return hit({x, 50, 0}, {0, -1, 0}); };
+    EXPECT_EQ(below(50), "ball-10");
+    p.registry.get<Transform>(findEntity(p, "ball-10"))->position.x = 500;
+    ++revision;
+    EXPECT_EQ(below(50), "");
+    EXPECT_EQ(below(500), "ball-10");
+    EXPECT_EQ(below(55), "ball-11");
+    removeEntity(p, "ball-03");
+    add("ball-105", {700, 0, 0});
+    EXPECT_EQ(below(15), "");
+    EXPECT_EQ(below(20), "ball-04");
+    EXPECT_EQ(below(700), "ball-105");
+    const auto level = [](float metres) {
+        Map map({2, 2, 1, PixelType::F32});
+        for (int i = 0; i < 4; ++i) map.set(i % 2, i / 2, 0, metres);
+        return MapField{"heights", map};
+    };
+    Terrain t;
+    t.size = {800, 800};
+    t.height = level(30);
+    p.registry.add<Terrain>(*addEntity(p, "ground"), t);
+    p.registry.get<StaticMesh>(findEntity(p, "ball-04"))->onGround = true;
+    ++revision;
+    EXPECT_NEAR(objects.closest(p, revision, {20, 50, 0}, {0, -1, 0})->distance, 19, 0.1);
+    p.registry.get<Terrain>(findEntity(p, "ground"))->height = level(10);
+    ++revision;
+    EXPECT_NEAR(objects.closest(p, revision, {20, 50, 0}, {0, -1, 0})->distance, 39, 0.1);
+    EXPECT_NEAR(objects.closest(p, revision, {25, 50, 0}, {0, -1, 0})->distance, 49, 0.1) << "not on the ground";
+}
+
 TEST_F(Objects, WhatCannotBeReadIsNotMetAndHasNoBox) {
     add("one", {0, 0, -5});
     p.registry.get<StaticMesh>(findEntity(p, "one"))->file = "none.glb";
