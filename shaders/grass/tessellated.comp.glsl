@@ -13,7 +13,7 @@
 #include "shared/tess.h"
 
 const uint kVector = 8u;  // invocations that a software rasteriser runs at once: they take pieces that are neighbours
-const float kSnap = 1.0 / 200.0;  // pixels by which a rasteriser may move a vertex: half of 1/256, and rounding
+const float kSnap = 1.0 / 64.0;  // pixels by which a rasteriser may move a vertex: llvmpipe by more than 1 / 200
 layout(local_size_x = LIST_GROUP) in;
 layout(std430, binding = SSBO_VERTICES) writeonly buffer VertexBlock { uint words[]; };
 layout(std430, binding = SSBO_COMMANDS) writeonly buffer CommandBlock {
@@ -69,7 +69,8 @@ bool coversTriangle(vec2 a, vec2 b, vec2 c, float margin) {
         for (int i = 0; i < 3; ++i) {
             vec2 p = from[i], end = to[i], way = end - p;
             if ((y - p.y) * (y - end.y) > 0.0) continue;
-            float share = abs(way.y) > 1e-6 ? (y - p.y) / way.y : 0.5, aside = margin * (1.0 + abs(way.x) / max(abs(way.y), 1e-6));
+            float share = abs(way.y) > 1e-6 ? (y - p.y) / way.y : 0.5,
+                  aside = margin * (1.0 + abs(way.x) / max(abs(way.y), 1e-6));
             float x = p.x + share * way.x;
             left = min(left, max(x - aside, min(p.x, end.x) - margin));
             right = max(right, min(x + aside, max(p.x, end.x) + margin));
@@ -99,7 +100,8 @@ bool covers(TessBlade t) {
     vec4 one = root - aside, other = root + aside;
     if (!(min(one.w, other.w) > tess.near)) return true;
     vec2 size = 0.5 * n * frame.pixels;
-    return coversTriangle(size * (one.xy / one.w + 1.0), size * (other.xy / other.w + 1.0), size * (b + 1.0), n * kSnap);
+    return coversTriangle(size * (one.xy / one.w + 1.0), size * (other.xy / other.w + 1.0), size * (b + 1.0),
+                          n * kSnap);
 }
 
 // middle: relative to the root.

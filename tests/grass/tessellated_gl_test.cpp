@@ -261,7 +261,8 @@ TEST(Tessellated, IsTheSameNinetyThousandUnitsFromTheOrigin) {
 }
 
 // Of 416,025 blades that are thinner than a pixel most meet none of its samples, and half meet one's row and column
-// only.
+// Of 416,025 blades that are thinner than a pixel most meet no sample, and half meet one's row and column only. Half as
+// many again may be submitted as meet one: a rasteriser may move corners by a 64th of a pixel.
 TEST(Tessellated, OnlyTrianglesThatMeetASampleAreSubmitted) {
     NoGlErrors errors;
     auto p = loadProject(std::filesystem::path(SWARD_SOURCE_DIR) / "tests/scenes/plain", tables().components);
@@ -282,7 +283,7 @@ TEST(Tessellated, OnlyTrianglesThatMeetASampleAreSubmitted) {
     std::printf("%zu triangles, the boxes of %zu meet a sample, %zu do so themselves; submitted: %zu\n",
                 bare.of[kAll].size(), bare.of[kBoxes].size(), bare.of[kExact].size(), size_t{blades});
     EXPECT_GE(static_cast<double>(blades), 0.97 * static_cast<double>(bare.of[kExact].size()));
-    EXPECT_LE(static_cast<double>(blades), 1.25 * static_cast<double>(bare.of[kExact].size()));
+    EXPECT_LE(static_cast<double>(blades), 1.5 * static_cast<double>(bare.of[kExact].size()));
 }
 
 // Bare ground lies beyond the last blade as published; else the horizontal slice takes over while blades get lower.
