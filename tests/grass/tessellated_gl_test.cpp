@@ -260,7 +260,6 @@ TEST(Tessellated, IsTheSameNinetyThousandUnitsFromTheOrigin) {
     EXPECT_LE(worst, 1);
 }
 
-// Of 416,025 blades that are thinner than a pixel most meet none of its samples, and half meet one's row and column
 // Of 416,025 blades that are thinner than a pixel most meet no sample, and half meet one's row and column only. Half as
 // many again may be submitted as meet one: a rasteriser may move corners by a 64th of a pixel.
 TEST(Tessellated, OnlyTrianglesThatMeetASampleAreSubmitted) {
