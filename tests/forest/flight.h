@@ -40,21 +40,7 @@ inline Project smallWood() {
 // The changes of all tiles over so many frames to which meshes are drawn up to a distance.
 inline TileChanges flown(Renderer& r, Project& p, const Flight& f, float meshesTo, int frames) {
     p.registry.get<Forest>(findEntity(p, "trees"))->meshesTo = meshesTo;
-    const ViewSettings s = sized(160, 112);
-    TileChanges out;
-    std::vector<uint8_t> before;
-    ViewCamera c{f.from, f.target, 40, 0};
-    for (int i = 0; i <= frames; ++i, c.eye += f.way, c.target += f.way) {
-        if (!r.draw(p, c, s)) return {};
-        std::vector<uint8_t> now = r.readImage();
-        if (i > 0) {
-            const TileChanges t = tileChanges(before, now, s.width);
-            out.pixels.insert(out.pixels.end(), t.pixels.begin(), t.pixels.end());
-            out.means.insert(out.means.end(), t.means.begin(), t.means.end());
-        }
-        before = std::move(now);
-    }
-    return out;
+    return flight(r, p, {f.from, f.target, 40, 0}, f.way, frames, sized(160, 112));
 }
 // As trees become volumes, against all of them as meshes with all leaves, which flicker alike. Those are lit through
 // the air of the volumes, as near ones are.

@@ -144,11 +144,11 @@ inline double quantile(std::vector<double> values, double share) {
     return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
 }
 
-// The changes of all tiles over a walk of 1 cm steps along +x +z, frame by frame.
-inline TileChanges walk(Renderer& r, Project& p, ViewCamera c, int steps, const ViewSettings& s) {
+// The changes of all tiles, picture by picture, while the camera moves so many steps of its own.
+inline TileChanges flight(Renderer& r, Project& p, ViewCamera c, const glm::dvec3& step, int steps,
+                          const ViewSettings& s) {
     TileChanges out;
     std::vector<uint8_t> before;
-    const glm::dvec3 step = 0.01 * glm::normalize(glm::dvec3(1, 0, 1));
     for (int i = 0; i <= steps; ++i, c.eye += step, c.target += step) {
         if (!r.draw(p, c, s)) return {};
         std::vector<uint8_t> now = r.readImage();
@@ -160,6 +160,10 @@ inline TileChanges walk(Renderer& r, Project& p, ViewCamera c, int steps, const 
         before = std::move(now);
     }
     return out;
+}
+// Over a walk of 1 cm steps along +x +z.
+inline TileChanges walk(Renderer& r, Project& p, const ViewCamera& c, int steps, const ViewSettings& s) {
+    return flight(r, p, c, 0.01 * glm::normalize(glm::dvec3(1, 0, 1)), steps, s);
 }
 // How differently tiers change from blades; of a walk that stands still the shares are 1 and the times infinite.
 struct Restless {
