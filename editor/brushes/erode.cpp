@@ -25,38 +25,43 @@ struct Land {
     TileRange tiles;
     int x0 = 0, y0 = 0, width = 0, height = 0;  // texels of the map; width and height whole tiles
     double texelX = 1, texelY = 1;              // metres
-    std::unique_ptr<float[]> room;              // for the three below: one piece, which the next stamp finds again
-    std::span<float> before, now, weight;       // texels() each
+    float base = 0, unit = 1;                   // metres: subtracted of all; of one step of the map
+    std::unique_ptr<float[]> large;             // their memory, where it is more than is kept from stamp to stamp
+    std::span<float> now, weight;               // texels() each
     size_t texels() const { return stride() * size_t(height + 2); }
     size_t stride() const { return size_t(width) + 2; }
     // x from -1 to width, y from -1 to height.
     size_t at(int x, int y) const { return size_t(y + 1) * stride() + size_t(x + 1); }
 };
 
+// A height of the map in metres of the land.
+float metresOf(const Land& land, float steps) { return steps * land.unit - land.base; }
+
 template <class T>
-void readTile(const Map& map, int tx, int ty, float base, float unit, Land& land) {
+void readTile(const Map& map, int tx, int ty, Land& land) {
     const T* in = reinterpret_cast<const T*>(map.tile(tx, ty)->bytes.data());
     const int columns = std::min(kTileSize, map.info().width - tx * kTileSize),
               rows = std::min(kTileSize, map.info().height - ty * kTileSize);
     for (int y = 0; y < kTileSize; ++y) {
         const T* row = in + std::min(y, rows - 1) * kTileSize;
-        float* out = &land.before[land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y)];
-        for (int x = 0; x < kTileSize; ++x) out[x] = static_cast<float>(row[x]) * unit - base;
+        float* out = &land.now[land.at(tx * kTileSize - land.x0, ty * kTileSize - land.y0 + y)];
+        for (int x = 0; x < kTileSize; ++x) out[x] = metresOf(land, static_cast<float>(row[x]));
         std::fill(out + columns, out + kTileSize, out[columns - 1]);
     }
 }
 
-void readTile(const Map& map, int tx, int ty, float base, double scale, Land& land) {
-    const auto unit = [scale](double most) { return static_cast<float>(scale / most); };
+void readTile(const Map& map, int tx, int ty, Land& land) {
     switch (map.info().type) {
         case PixelType::U8:
-            return readTile<uint8_t>(map, tx, ty, base, unit(255), land);
+            return readTile<uint8_t>(map, tx, ty, land);
         case PixelType::U16:
-            return readTile<uint16_t>(map, tx, ty, base, unit(65535), land);
+            return readTile<uint16_t>(map, tx, ty, land);
         case PixelType::F32:
-            return readTile<float>(map, tx, ty, base, unit(1), land);
+            return readTile<float>(map, tx, ty, land);
     }
 }
+
+double stepsInOne(PixelType type) { return type == PixelType::U8 ? 255 : type == PixelType::U16 ? 65535 : 1; }
 
 // Calls body(tx, ty) for each tile, on all cores.
 template <class Body>
@@ -66,13 +71,21 @@ void eachTile(const TileRange& t, const Body& body) {
     });
 }
 
-// Room for all texels; those of the rim are 0.
-void takeRoom(Land& land) {
+// Memory that a thread keeps from stamp to stamp: new pages cost the system more than the stamp's own work on them.
+constexpr size_t kMostKept = 8 << 20;  // floats
+float* keptMemory(size_t floats) {
+    thread_local std::vector<float> kept;
+    if (kept.size() < floats) kept.resize(floats);
+    return kept.data();
+}
+
+// Memory for all texels; those of the rim are 0.
+void takeMemory(Land& land) {
     const size_t texels = land.texels(), stride = land.stride();
-    land.room = std::make_unique_for_overwrite<float[]>(3 * texels);
-    std::span<float>* parts[] = {&land.before, &land.now, &land.weight};
-    for (size_t i = 0; i < 3; ++i) {
-        const std::span<float> part = *parts[i] = {land.room.get() + i * texels, texels};
+    if (2 * texels > kMostKept) land.large = std::make_unique_for_overwrite<float[]>(2 * texels);
+    float* memory = land.large ? land.large.get() : keptMemory(2 * texels);
+    land.now = {memory, texels}, land.weight = {memory + texels, texels};
+    for (const std::span<float> part : {land.now, land.weight}) {
         std::fill_n(part.begin(), stride, 0.0f), std::fill_n(part.end() - static_cast<ptrdiff_t>(stride), stride, 0.0f);
         for (size_t at = 0; at < texels; at += stride) part[at] = part[at + stride - 1] = 0;
     }
@@ -86,17 +99,17 @@ Land readLand(const Map& map, const Stamp& stamp, const BrushSettings& brush) {
     land.width = (t.x1 - t.x0) * kTileSize, land.height = (t.y1 - t.y0) * kTileSize;
     land.texelX = static_cast<double>(brush.radius) / stamp.radiusX;
     land.texelY = static_cast<double>(brush.radius) / stamp.radiusY;
-    takeRoom(land);
+    takeMemory(land);
     const int cx = static_cast<int>(std::clamp(stamp.x, 0.0, map.info().width - 1.0)),
               cy = static_cast<int>(std::clamp(stamp.y, 0.0, map.info().height - 1.0));
-    const float base = static_cast<float>(static_cast<double>(map.at(cx, cy)) * brush.metres.y);
+    land.base = static_cast<float>(static_cast<double>(map.at(cx, cy)) * brush.metres.y);
+    land.unit = static_cast<float>(brush.metres.y / stepsInOne(map.info().type));
     eachTile(t, [&](int tx, int ty) {
-        readTile(map, tx, ty, base, brush.metres.y, land);
+        readTile(map, tx, ty, land);
         const StampWeights weights(map.info(), stamp, brush, tx, ty);
         for (int y = 0; y < kTileSize; ++y) {
             const size_t at = land.at(tx * kTileSize - land.x0, ty * kTileSize + y - land.y0);
             if (!weights.row(y, &land.weight[at])) std::fill_n(&land.weight[at], kTileSize, 0.0f);
-            std::copy_n(&land.before[at], kTileSize, &land.now[at]);
         }
     });
     return land;
@@ -184,21 +197,25 @@ void leave(const Land& land, const Place& p, float amount, std::vector<Move>& mo
 
 // Takes up to `amount` from around a place, the more the nearer, by the stamp's weight. Returns what came.
 float take(const Land& land, float x, float y, float amount, std::vector<Move>& moves) {
-    const int cx = static_cast<int>(std::lround(x)), cy = static_cast<int>(std::lround(y));
-    std::array<float, (2 * kReach + 1) * (2 * kReach + 1)> share{};
-    float sum = 0, taken = 0;
-    size_t i = 0;
-    for (int dy = -kReach; dy <= kReach; ++dy)
-        for (int dx = -kReach; dx <= kReach; ++dx, ++i) {
-            if (std::abs(dx) == kReach && std::abs(dy) == kReach) continue;  // a corner is always farther
-            const float ox = static_cast<float>(cx + dx) - x, oy = static_cast<float>(cy + dy) - y;
-            sum += share[i] = std::max(0.0f, static_cast<float>(kReach) - std::sqrt(ox * ox + oy * oy));
-        }
-    i = 0;
-    for (int ty = cy - kReach; ty <= cy + kReach; ++ty)
-        for (int tx = cx - kReach; tx <= cx + kReach; ++tx, ++i) {
-            if (share[i] <= 0 || tx < -1 || ty < -1 || tx > land.width || ty > land.height) continue;
-            const float metres = amount * share[i] / sum * land.weight[land.at(tx, ty)];
+    const int cx = static_cast<int>(x + 0.5f), cy = static_cast<int>(y + 0.5f);
+    constexpr int kSide = 2 * kReach + 1, kRow = 8;  // rows of whole vectors
+    float across[kRow], share[kSide][kRow], sum = 0, taken = 0;
+    for (int i = 0; i < kRow; ++i) {
+        const float ox = static_cast<float>(cx + i - kReach) - x;
+        across[i] = ox * ox;
+    }
+    for (int j = 0; j < kSide; ++j) {
+        const float oy = static_cast<float>(cy + j - kReach) - y, down = oy * oy;
+        for (int i = 0; i < kRow; ++i) share[j][i] = static_cast<float>(kReach) - std::sqrt(across[i] + down);
+    }
+    for (const auto& row : share)
+        for (int i = 0; i < kSide; ++i) sum += std::max(0.0f, row[i]);
+    const float each = amount / sum;
+    for (int j = 0; j < kSide; ++j)
+        for (int i = 0; i < kSide; ++i) {
+            const int tx = cx + i - kReach, ty = cy + j - kReach;
+            if (share[j][i] <= 0 || tx < -1 || ty < -1 || tx > land.width || ty > land.height) continue;
+            const float metres = each * share[j][i] * land.weight[land.at(tx, ty)];
             if (metres <= 0) continue;
             moves.push_back({static_cast<uint32_t>(land.at(tx, ty)), -metres});
             taken += metres;
@@ -255,31 +272,37 @@ void rain(Land& land, const Stamp& stamp, const BrushSettings& brush) {
 
 constexpr float kSlide = 0.12f;  // of what is too steep between two texels, that goes over; 8 of them: below 1
 
-// What a block of texels gets from its neighbours `to` texels on: what lies over the talus, less what they lie over it
-// themselves.
-void slideBlock(const Land& land, size_t at, ptrdiff_t to, float steepest, float* __restrict gain) {
-    const float *h = &land.now[at], *w = &land.weight[at], *other = h + to, *otherWeight = w + to;
-    for (int x = 0; x < kPaintBlock; ++x) {
-        const float over = other[x] - h[x], less = w[x] < otherWeight[x] ? w[x] : otherWeight[x];
-        const float notBelow = over > -steepest ? over : -steepest, stays = notBelow < steepest ? notBelow : steepest;
-        gain[x] += less * (over - stays);
-    }
-}
-
 // A texel beside another, and how much higher it may be, in metres, before it slides.
 struct Neighbour {
     ptrdiff_t to;
     float steepest;
 };
-std::vector<Neighbour> neighboursIn(const Land& land, const BrushSettings& brush) {
+using Neighbours = std::array<Neighbour, 8>;
+Neighbours neighboursIn(const Land& land, const BrushSettings& brush) {
     const double tangent = std::tan(std::clamp<double>(brush.talusDeg, 0, 89.9) * 3.14159265358979323846 / 180);
-    std::vector<Neighbour> around;
+    Neighbours around;
+    size_t n = 0;
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
             if (dx != 0 || dy != 0)
-                around.push_back({dy * static_cast<ptrdiff_t>(land.stride()) + dx,
-                                  static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY))});
+                around[n++] = {dy * static_cast<ptrdiff_t>(land.stride()) + dx,
+                               static_cast<float>(tangent * std::hypot(dx * land.texelX, dy * land.texelY))};
     return around;
+}
+
+// What a block of texels gets from its neighbours: what lies over the talus, less what they lie over it themselves. All
+// eight in one turn, so that a texel's own height is read once.
+void slideBlock(const Land& land, size_t at, const Neighbours& around, float* __restrict gain) {
+    const float *h = &land.now[at], *w = &land.weight[at];
+    for (int x = 0; x < kPaintBlock; ++x) {
+        const auto from = [&](const Neighbour& n) {
+            const float over = h[x + n.to] - h[x], other = w[x + n.to], less = w[x] < other ? w[x] : other;
+            const float notBelow = over > -n.steepest ? over : -n.steepest;
+            return less * (over - (notBelow < n.steepest ? notBelow : n.steepest));
+        };
+        gain[x] = from(around[0]) + from(around[1]) + from(around[2]) + from(around[3]) + from(around[4]) +
+                  from(around[5]) + from(around[6]) + from(around[7]);
+    }
 }
 
 }  // namespace
@@ -291,7 +314,7 @@ void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
     if (!sound) return;
     Land land = readLand(map, stamp, brush);
     rain(land, stamp, brush);
-    const std::vector<Neighbour> around = neighboursIn(land, brush);
+    const Neighbours around = neighboursIn(land, brush);
     const TileRange& t = land.tiles;
     std::vector<std::shared_ptr<const Tile>> painted(t.count());
     const auto slot = [&](int tx, int ty) { return size_t(ty - t.y0) * size_t(t.x1 - t.x0) + size_t(tx - t.x0); };
@@ -302,12 +325,14 @@ void applyErode(Map& map, const Stamp& stamp, const BrushSettings& brush) {
             const size_t from = land.at(row.x0 - land.x0, row.y - land.y0);
             eachBlock(row, [&](int x) {  // what has no weight neither gives nor takes
                 const size_t at = from + static_cast<size_t>(x);
-                alignas(64) float gain[kPaintBlock] = {};
-                for (const Neighbour& n : around) slideBlock(land, at, n.to, n.steepest, gain);
-                const float *now = &land.now[at], *before = &land.before[at];
-                for (int i = 0; i < kPaintBlock; ++i)
+                alignas(64) float gain[kPaintBlock];
+                slideBlock(land, at, around, gain);
+                const float* now = &land.now[at];
+                for (int i = 0; i < kPaintBlock; ++i) {
+                    const float before = metresOf(land, static_cast<float>(row.value[x + i]));
                     row.change[x + i] =
-                        (static_cast<Real>(now[i] + kSlide * gain[i]) - static_cast<Real>(before[i])) * steps;
+                        (static_cast<Real>(now[i] + kSlide * gain[i]) - static_cast<Real>(before)) * steps;
+                }
             });
         });
     });
