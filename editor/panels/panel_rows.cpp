@@ -142,7 +142,7 @@ void viewport(EditorApp& a) {
     }
     const Rect& r = a.hand.rect = layImage(a.areas.viewport);
     const RingParts rings = ringParts(a);
-    takeInput(a, rings, ImGui::IsItemHovered());
+    takeInput(a, rings, ImGui::IsItemHovered() && a.doc.isOpen());
     const auto before = std::chrono::steady_clock::now();
     if (a.doc.isOpen()) makePicture(a);
     a.pictureMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();

@@ -36,6 +36,26 @@ TEST_F(EditorUi, AStrokeInTheViewportPaintsAndIsOneUndoStep) {
     EXPECT_FALSE(doc.canRedo());
 }
 
+// The start screen does not fill a large window: there is nothing beside it that a hand could touch.
+TEST_F(EditorUi, WhereNoProjectIsOpenTheHandFindsNothing) {
+    Document none(tables());
+    EditorApp empty(none, *gpu, ui::makeHeadlessSurface(2560, 1440), false);
+    const auto driver = makeUiDriver(empty);
+    ok(driver->wait(2));
+    const Rect& r = empty.hand.rect;
+    ASSERT_GT(r.w, 1500);
+    for (const double x : {0.01, 0.5, 0.99})
+        for (const double y : {0.01, 0.99}) {
+            const double px = static_cast<double>(r.x) + static_cast<double>(r.w) * x,
+                         py = static_cast<double>(r.y) + static_cast<double>(r.h) * y;
+            ok(driver->drag(px, py, px + 20, py - 5));
+            EXPECT_FALSE(empty.hand.ground);
+        }
+    for (const char* key : {"g", "f", "v", "escape", "ctrl+z", "w", "r"}) ok(driver->key(key));
+    EXPECT_FALSE(none.isOpen());
+    EXPECT_EQ(gpu->errors, 0) << gpu->lastError;
+}
+
 TEST_F(EditorUi, ATapIsInThePictureOfTheFrameInWhichItIsPressed) {
     ok(ui->set("Brush/Mode", "Subtract"));
     const Rect& r = app->hand.rect;
