@@ -5,6 +5,7 @@
 namespace sward {
 
 void showError(Messages& messages, const Error& error) {
+    if (error.code == ExitCode::Interrupted) return say(messages, error.text());
     messages.notice = error.text();
     logError(messages.notice);
 }

@@ -13,7 +13,8 @@ struct Messages {
     std::string status;      // last message
 };
 
-// Logs the error and raises the red bar over the viewport; an older bar gives way.
+// Logs the error and raises the red bar over the viewport; an older bar gives way. What the person stopped
+// (ExitCode::Interrupted) is no fault: it is said in the status bar.
 void showError(Messages& messages, const Error& error);
 // For results of edits: shows the error if there is one. True if there was none.
 bool accept(Messages& messages, const Status& status);

@@ -9,7 +9,7 @@
 namespace sward {
 namespace {
 
-Error cancelled(const std::string& label) { return failed(label + ": cancelled", "nothing has changed"); }
+Error cancelled(const std::string& label) { return interruption(label + ": cancelled", "nothing has changed"); }
 
 Result<Taking> guarded(JobControl& control, const WaitedWork& work) try {
     return work(control);
@@ -17,12 +17,19 @@ Result<Taking> guarded(JobControl& control, const WaitedWork& work) try {
     return failed(e.what());
 }
 
+// Work that a person cancelled ends with an error of its own, at whatever it was doing.
+Error errorOf(const Waiting::Slot& slot) {
+    Error error = slot.result->error();
+    if (slot.cancelled()) error.code = ExitCode::Interrupted;
+    return error;
+}
+
 // Everything is let go of first: what follows may wait for other work.
 void end(Waiting& w) {
     const std::shared_ptr<Waiting::Slot> slot = std::exchange(w.slot, nullptr);
     const WaitedEnd then = std::exchange(w.then, nullptr);
     const Status done = !slot->result    ? Status(cancelled(w.label))  // before its turn
-                        : !*slot->result ? Status(slot->result->error())
+                        : !*slot->result ? Status(errorOf(*slot))
                                          : (**slot->result)();
     if (then) then(done);
 }

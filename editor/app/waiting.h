@@ -23,7 +23,7 @@ using Taking = std::function<Status()>;
 // Runs on another thread, on what it captured by value; tells its progress now and then, and ends early with any error
 // once it is cancelled.
 using WaitedWork = std::function<Result<Taking>(JobControl&)>;
-// Told how it ended, between frames. Cancelled work ends with an error, too.
+// Told how it ended, between frames. Cancelled work ends with an error of ExitCode::Interrupted.
 using WaitedEnd = std::function<void(const Status&)>;
 // What is done to the copy of a document.
 using WaitedEdit = std::function<Status(Document&, JobControl&)>;

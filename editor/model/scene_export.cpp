@@ -25,7 +25,7 @@ Result<SceneExport> startExport(const Document& document, const GlbOptions& opti
 std::optional<Result<GlbCounts>> finishExport(SceneExport& exporting) {
     if (!exporting.job.finished()) return {};
     std::optional<Result<GlbCounts>> made = exporting.job.take(0);
-    if (!made) return failed("the scene was not exported: it was cancelled").at(exporting.file.string());
+    if (!made) return interruption("the scene was not exported: it was cancelled").at(exporting.file.string());
     return made;
 }
 

@@ -13,6 +13,13 @@ TEST(Messages, AnErrorRaisesTheBarWithPlaceAndRemedy) {
     EXPECT_EQ(m.status, "");
 }
 
+TEST(Messages, WhatThePersonStoppedIsSaidWithoutTheBar) {
+    Messages m;
+    EXPECT_FALSE(accept(m, Status(interruption("Importing hills.png: cancelled", "nothing has changed"))));
+    EXPECT_EQ(m.notice, "");
+    EXPECT_EQ(m.status, "Importing hills.png: cancelled (nothing has changed)");
+}
+
 TEST(Messages, WhatSucceedsIsAcceptedInSilence) {
     Messages m;
     m.notice = "an older one";

@@ -154,6 +154,7 @@ TEST_F(WaitedWorks, AnEditThatIsCancelledOrFailsChangesNothing) {
     finish();
     ASSERT_FALSE(ended);
     EXPECT_NE(ended.error().text().find("cancelled"), std::string::npos) << ended.error().text();
+    EXPECT_EQ(ended.error().code, ExitCode::Interrupted);
     editBeside(
         waiting, doc, "Clearing", [](Document& d, JobControl&) { return clearMap(d, "no.such.map"); }, note());
     finish();
