@@ -7,6 +7,11 @@
 #include "core/file.h"
 #include "editor/editor_fixture.h"
 #include "maps/map_io.h"
+#include "mesh/mesh_io.h"
+#include "mesh/mesh_shapes.h"
+#include "model/assets.h"
+#include "model/scatter_edits.h"
+#include "model/species_presets.h"
 #include "panels/map_windows.h"
 #include "project/project_files.h"
 #include "tools/brush_target.h"
@@ -112,6 +117,32 @@ TEST_F(LongWork, WholeMapsAreChangedBesideTheFrames) {
     expectBrief("Pond", [&] { run("Pond"); });
     expectBrief("undo of all", [&] { EXPECT_TRUE(doc.jumpTo(0)); });
     expectBrief("and done again", [&] { EXPECT_TRUE(doc.jumpTo(doc.stepLabels().size())); });
+}
+
+// What is added begins with maps of its own, or with ground to be looked through.
+TEST_F(LongWork, WhatIsAddedHoldsNoFrame) {
+    for (const char* command : {"Flowers", "Forest", "New Path", "Lamp", "Camera"})
+        expectBrief(command, [&] { run(command); });
+    expectBrief("Species", [&] { EXPECT_TRUE(duplicateSpecies(doc, "lawn", "lawn")); });
+    const Solid box;
+    std::filesystem::create_directories(doc.project().dir / kAssetFolder);
+    test::writeText(doc.project().dir / kAssetFolder / "box.glb", *encodeGlb(makeMesh({&box, 1})));
+    std::string scattered;
+    expectBrief("Scatter", [&] {
+        const Result<std::string> made = addScatter(doc, {});
+        ASSERT_TRUE(made) << made.error().text();
+        scattered = *made + ".Scatter.";
+    });
+    expectBrief("scattered anew", [&] { ok(doc.setField(scattered + "distance", "2")); });
+    expectBrief("its objects", [&] { choose(app->selection, "scatter"); });
+    expectBrief("undo of all", [&] { EXPECT_TRUE(doc.jumpTo(0)); });
+}
+
+TEST_F(LongWork, PlayBeginsAndEndsWithinAFrame) {
+    expectBrief("start of play", [&] { run("Start or Stop"); });
+    EXPECT_TRUE(playing(doc));
+    expectBrief("end of play", [&] { run("Start or Stop"); });
+    EXPECT_FALSE(playing(doc));
 }
 
 }  // namespace
