@@ -9,7 +9,7 @@ namespace sward {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr uint64_t kMostBytes = 1 << 16;
+constexpr uint64_t kMostRecentBytes = 1 << 16;
 
 bool isProject(const fs::path& folder) {
     std::error_code error;
@@ -27,7 +27,7 @@ StartScreen loadStart(const fs::path& file, const fs::path& samples) {
         if (isProject(it->path())) start.samples.push_back(it->path());
     start.templates = projectTemplates(samples / "templates");
     std::sort(start.samples.begin(), start.samples.end());
-    const Result<std::string> text = readFile(file, kMostBytes);
+    const Result<std::string> text = readFile(file, kMostRecentBytes);
     std::istringstream lines(text ? *text : "");
     for (std::string line; start.recent.size() < kMostRecent && std::getline(lines, line);)
         if (fs::path(line).is_absolute() && isProject(line)) start.recent.push_back(line);

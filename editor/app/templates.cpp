@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace sward {
 namespace {
 
-constexpr uint64_t kMostBytes = 1 << 20;
+constexpr uint64_t kMostScriptBytes = 1 << 20;
 
 // "-- Title: what it is." and "-- 40 m, 0 m of relief" of a script's head; false if it has no title.
 bool readHead(const std::string& text, ProjectTemplate& t) {
@@ -31,7 +31,7 @@ bool readHead(const std::string& text, ProjectTemplate& t) {
 }
 
 Status runOn(Document& doc, const ProjectTemplate& from, const NewProject& wish) {
-    const Result<std::string> text = readFile(from.script, kMostBytes);
+    const Result<std::string> text = readFile(from.script, kMostScriptBytes);
     if (!text) return text.error();
     ScriptHost host{doc};
     host.print = [](const std::string&) {};
@@ -62,7 +62,7 @@ std::vector<ProjectTemplate> projectTemplates(const fs::path& folder) {
         t.name = t.script.stem().string();
         t.picture = t.name + ".png";
         const Result<std::string> text =
-            t.script.extension() == ".lua" ? readFile(t.script, kMostBytes) : std::string();
+            t.script.extension() == ".lua" ? readFile(t.script, kMostScriptBytes) : std::string();
         if (text && readHead(*text, t)) found.push_back(std::move(t));
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

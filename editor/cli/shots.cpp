@@ -1,12 +1,12 @@
 // Of what pictures are taken: cameras, or a way of one.
 #include "cli/cli.h"
+#include "model/film_plan.h"
 #include "world/camera_path.h"
 #include "world/view_camera.h"
 
 namespace sward {
 namespace {
 
-constexpr double kFilmRate = 25;  // pictures a second of a path, where none is given
 constexpr double kLongestFilm = 1e6;
 
 template <class C>

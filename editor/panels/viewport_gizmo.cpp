@@ -11,11 +11,8 @@
 namespace sward {
 namespace {
 
-constexpr double kFirstMotion = 2;  // pixels until a click is a drag
 constexpr ImU32 kAxes[] = {IM_COL32(235, 82, 72, 255), IM_COL32(128, 205, 70, 255), IM_COL32(84, 146, 250, 255)};
 constexpr ImU32 kPlain = IM_COL32(240, 240, 236, 255), kHot = IM_COL32(255, 222, 80, 255);
-
-ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 std::vector<Handle> handlesOf(const ObjectParts& parts) {
     const Project& p = parts.doc.project();

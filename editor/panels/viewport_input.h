@@ -2,6 +2,8 @@
 // paths.
 // Does not: draw.
 #pragma once
+#include <imgui.h>
+
 #include <optional>
 
 #include "accuracy/accuracy.h"
@@ -16,6 +18,8 @@
 #include "ui/input_queue.h"
 
 namespace sward {
+
+inline constexpr double kFirstMotion = 2;  // pixels until a click is a drag
 
 // What painting and dragging touch; all must outlive the call.
 struct PaintParts {
@@ -51,5 +55,6 @@ std::optional<glm::dvec3> groundAt(const Document& document, const FlyCamera& ca
 glm::dvec3 rayThrough(const FlyCamera& camera, const Rect& view, double x, double y);
 // Where a world point is on the screen (window coordinates), or nothing if it lies behind the eye.
 std::optional<glm::dvec2> projectPoint(const FlyCamera& camera, const Rect& view, const glm::dvec3& p);
+inline ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 }  // namespace sward

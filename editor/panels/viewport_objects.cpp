@@ -14,13 +14,11 @@
 namespace sward {
 namespace {
 
-constexpr double kClick = 4;                             // pixels until a click is a box
+constexpr double kBoxFrom = 4;                           // pixels until a click is a box
 constexpr double kIcon = 11;                             // radius of an icon, pixels
 constexpr size_t kMostRecorded = 500;                    // objects that scripts find by their names
 constexpr ImU32 kChosen = IM_COL32(255, 170, 60, 255);   // the one that the inspector shows
 constexpr ImU32 kOthers = IM_COL32(255, 215, 150, 220);  // the others
-
-ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 glm::dvec3 middleOf(const Corners& corners) { return (corners.front() + corners.back()) / 2.0; }
 
@@ -148,7 +146,7 @@ void drawChoosingBox(const ChoosingBox& box) {
               1.4f);
 }
 
-bool isBox(const ChoosingBox& box) { return glm::length(box.to - box.from) > kClick; }
+bool isBox(const ChoosingBox& box) { return glm::length(box.to - box.from) > kBoxFrom; }
 
 }  // namespace
 

@@ -16,14 +16,12 @@
 namespace sward {
 namespace {
 
-constexpr int kChords = 16;         // of a piece of the curve
-constexpr double kOnPoint = 10;     // pixels from a point at which the pointer is on it
-constexpr double kOnCurve = 7;      // and from the curve
-constexpr double kFirstMotion = 2;  // until a click is a drag
-constexpr double kAbove = 0.03;     // metres at which lines lie over the ground
+constexpr int kChords = 16;      // of a piece of the curve
+constexpr double kOnPoint = 10;  // pixels from a point at which the pointer is on it
+constexpr double kOnCurve = 7;   // and from the curve
+constexpr double kAbove = 0.03;  // metres at which lines lie over the ground
 constexpr ImU32 kInHand = IM_COL32(255, 200, 110, 255), kOther = IM_COL32(225, 225, 215, 150);
 
-ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 ImU32 faded(ImU32 color, double share) {
     return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(share * static_cast<double>(color >> IM_COL32_A_SHIFT))
                                             << IM_COL32_A_SHIFT;

@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kPoints = 192;          // of a ring
 constexpr double kTolerance = 8;      // pixels from a ring at which the pointer is on it
-constexpr double kFirstMotion = 2;    // pixels until a click is a drag
 constexpr double kFarthest = 100000;  // metres that a hand can drag to over a plain
 
 glm::dvec3 centreOf(const RingParts& p) { return p.tiers.pin.value_or(p.camera.eye); }
@@ -48,8 +47,6 @@ void layRing(const RingParts& p, const Ground& ground, size_t i, double distance
                    !(ground.terrain->height.present() && hiddenByGround(heightAt, p.camera.eye, *points[k], kSlack));
     }
 }
-
-ImVec2 vec(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 ImU32 faded(ImU32 color, float share) {
     return (color & ~IM_COL32_A_MASK) | static_cast<ImU32>(255 * share) << IM_COL32_A_SHIFT;

@@ -86,6 +86,9 @@ void stepPlay(PlayState& s, const PlayWorld& world, const PlayInput& in);
 // Over all that the next steps depend on, and the tick.
 uint64_t hashPlay(const PlayState& s);
 
+// Along x and z.
+inline glm::dvec2 across(const glm::dvec3& v) { return {v.x, v.z}; }
+
 // --- the ground; beyond the terrain it goes on as at its edge
 double groundHeight(const PlayWorld& world, glm::dvec2 at);
 // Rise over run along x and z, from what lies `reach` metres around.

@@ -15,8 +15,6 @@ struct Touch {
     double gap;  // metres above the ground; negative: in it
 };
 
-glm::dvec2 across(const glm::dvec3& v) { return {v.x, v.z}; }
-
 glm::dvec3 normalAt(const PlayWorld& world, glm::dvec2 at, double radius) {
     const glm::dvec2 slope = groundSlope(world, at, std::max(radius / 2, 0.05));
     return glm::normalize(glm::dvec3(-slope.x, 1, -slope.y));

@@ -8,8 +8,6 @@ constexpr double kGroundGrip = 20, kAirGrip = 3;  // m/s2 by which steering chan
 constexpr double kSlopeReach = 0.15;              // metres around a place that decide how steep it is
 constexpr double kStepDown = 0.02;                // metres that feet follow the ground down beyond its slope
 
-glm::dvec2 across(const glm::dvec3& v) { return {v.x, v.z}; }
-
 glm::dvec2 approach(glm::dvec2 from, glm::dvec2 to, double most) {
     const glm::dvec2 gap = to - from;
     const double length = glm::length(gap);

@@ -36,7 +36,7 @@ int sizeOption(lua_State* L, Options& options, const char* name) {
 }
 
 // map.create{path =, width =, height =, channels =, type =, value = 0}: replaces a map that is there.
-int create(lua_State* L, State& state) {
+int createMap(lua_State* L, State& state) {
     Options options(L, 1);
     const ConstFieldRef field = orRaise(L, findMap(openProject(L), state.rows(), options.text("path")));
     MapInfo info{sizeOption(L, options, "width"), sizeOption(L, options, "height"), field.row->map->channels,
@@ -281,7 +281,7 @@ int at(lua_State* L, State&) {
     return m.map.info().channels;
 }
 
-int hash(lua_State* L, State&) {
+int hashMap(lua_State* L, State&) {
     const NamedMap& m = readMapArg(L, 1);
     charge(L, texelCount(m.map) / 8);
     lua_pushstring(L, hashHex(m.map.hash()).c_str());
@@ -318,7 +318,7 @@ int exists(lua_State* L, State& state) {
 }  // namespace
 
 void openMapCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"create", luaCall<create>},
+    constexpr NamedCall calls[] = {{"create", luaCall<createMap>},
                                    {"fill", luaCall<fill>},
                                    {"noise", luaCall<noise>},
                                    {"blur", luaCall<blur>},
@@ -328,7 +328,7 @@ void openMapCalls(lua_State* L) {
                                    {"export", luaCall<exportTo>},
                                    {"mean", luaCall<mean>},
                                    {"at", luaCall<at>},
-                                   {"hash", luaCall<hash>},
+                                   {"hash", luaCall<hashMap>},
                                    {"size", luaCall<size>},
                                    {"exists", luaCall<exists>},
                                    {"clear", luaCall<changeWhole<clearMap>>},

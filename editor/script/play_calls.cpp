@@ -128,7 +128,7 @@ int walkAlong(lua_State* L, State& state) {
     return 0;
 }
 
-int hash(lua_State* L, State& state) {
+int hashPlayState(lua_State* L, State& state) {
     const std::string text = hashHex(hashPlay(playing(L, state).state()));
     lua_pushlstring(L, text.data(), text.size());
     return 1;
@@ -184,7 +184,7 @@ int stateTable(lua_State* L, State& state) {
 void openPlayCalls(lua_State* L) {
     constexpr NamedCall calls[] = {{"start", luaCall<start>},      {"stop", luaCall<stop>},
                                    {"pause", luaCall<pause>},      {"step", luaCall<step>},
-                                   {"input", luaCall<input>},      {"hash", luaCall<hash>},
+                                   {"input", luaCall<input>},      {"hash", luaCall<hashPlayState>},
                                    {"state", luaCall<stateTable>}, {"walkAlong", luaCall<walkAlong>}};
     registerCalls(L, "play", calls);
 }

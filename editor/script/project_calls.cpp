@@ -21,7 +21,7 @@ int pushList(lua_State* L, const std::vector<std::string>& items) {
 }
 
 // Without a folder the project lives in a temporary one until saveAs.
-int create(lua_State* L, State& state) {
+int createProject(lua_State* L, State& state) {
     const bool unnamed = lua_isnoneornil(L, 1);
     const fs::path dir = unnamed ? makeTempDir(L) / "unnamed" : writablePath(L, textArg(L, 1));
     orRaise(L, state.document().create(dir));
@@ -86,7 +86,7 @@ int name(lua_State* L, State&) {
     return 1;
 }
 // Reads every texel.
-int hash(lua_State* L, State& state) {
+int hashProject(lua_State* L, State& state) {
     const Project& p = openProject(L);
     charge(L, 1'000'000);
     pushText(L, hashHex(projectHash(p, state.rows())));
@@ -100,11 +100,11 @@ int dirty(lua_State* L, State& state) {
 }  // namespace
 
 void openProjectCalls(lua_State* L) {
-    constexpr NamedCall calls[] = {{"new", luaCall<create>},       {"open", luaCall<open>},
-                                   {"save", luaCall<save>},        {"saveAs", luaCall<saveAs>},
-                                   {"export", luaCall<exportGlb>}, {"tempCopy", luaCall<tempCopy>},
-                                   {"dir", luaCall<dir>},          {"name", luaCall<name>},
-                                   {"dirty", luaCall<dirty>},      {"hash", luaCall<hash>}};
+    constexpr NamedCall calls[] = {{"new", luaCall<createProject>}, {"open", luaCall<open>},
+                                   {"save", luaCall<save>},         {"saveAs", luaCall<saveAs>},
+                                   {"export", luaCall<exportGlb>},  {"tempCopy", luaCall<tempCopy>},
+                                   {"dir", luaCall<dir>},           {"name", luaCall<name>},
+                                   {"dirty", luaCall<dirty>},       {"hash", luaCall<hashProject>}};
     registerCalls(L, "project", calls);
 }
 

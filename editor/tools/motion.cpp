@@ -12,8 +12,8 @@
 namespace sward {
 namespace {
 
-constexpr double kFarthest = 1e8, kDeepest = 1e5;         // of positions and of water's levels, metres
-constexpr float kLeastScale = 0.001f, kMostScale = 1000;  // as StaticMesh.scale takes it
+constexpr double kFarthestPosition = 1e8, kDeepest = 1e5;         // of positions and of water's levels, metres
+constexpr float kLeastMeshScale = 0.001f, kMostMeshScale = 1000;  // as StaticMesh.scale takes it
 
 double wrappedDegrees(double degrees) { return std::remainder(degrees, 360.0); }
 
@@ -26,8 +26,9 @@ glm::dmat3 turnOf(const Motion& m) {
 // its bits.
 glm::dvec3 rounded(const glm::dvec3& before, glm::dvec3 after) {
     for (int i = 0; i < 3; ++i)
-        after[i] =
-            after[i] == before[i] ? after[i] : std::round(std::clamp(after[i], -kFarthest, kFarthest) * 1e3) / 1e3;
+        after[i] = after[i] == before[i]
+                       ? after[i]
+                       : std::round(std::clamp(after[i], -kFarthestPosition, kFarthestPosition) * 1e3) / 1e3;
     return after;
 }
 
@@ -54,8 +55,8 @@ void moveObject(const EntityStart& s, const Motion& m, const glm::dvec3& shift, 
         out.emplace_back(path + "rotationDeg",
                          text(s.mesh.rotationDeg, turnedDegrees(s.mesh.rotationDeg, m.axis, m.angle)));
     if (m.scale != 1)
-        out.emplace_back(path + "scale",
-                         shortestText(std::clamp(s.mesh.scale * static_cast<float>(m.scale), kLeastScale, kMostScale)));
+        out.emplace_back(path + "scale", shortestText(std::clamp(s.mesh.scale * static_cast<float>(m.scale),
+                                                                 kLeastMeshScale, kMostMeshScale)));
     const glm::dvec3 own = s.mesh.onGround ? glm::dvec3(shift.x, m.move.y, shift.z) : shift;
     out.emplace_back(s.handle.entity + ".Transform.position", text(s.transform.position, s.transform.position + own));
 }

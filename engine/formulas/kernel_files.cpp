@@ -36,7 +36,7 @@ std::string quoted(const std::string& text) {
     return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
 }
 
-Json number(double v) { return std::isfinite(v) ? Json(v) : Json(); }
+Json finiteOrNull(double v) { return std::isfinite(v) ? Json(v) : Json(); }
 Json numbers(const std::vector<double>& values) {
     Json j = Json::makeArray();
     for (const double v : values) j.push(Json(v));
@@ -91,15 +91,15 @@ Json kernelJson(const KernelRun& run) {
     for (const KernelRow& r : run.rows) {
         Json row;
         row["case"] = r.id, row["formula"] = r.formula, row["form"] = r.form, row["inputs"] = r.inputs,
-        row["tolerance"] = number(r.tolerance);
-        row["error"] = number(r.cpu.largest), row["error_at"] = numbers(r.cpu.at), row["not_finite"] = r.cpu.notFinite,
-        row["not_finite_at"] = numbers(r.cpu.fails);
-        row["ns_cpu"] = number(r.cpuTime.ns), row["ns_cpu_spread"] = number(r.cpuTime.spread),
-        row["times_cpu"] = number(r.cpuTime.times);
-        row["error_shader"] = number(orNone(run, r.shader.largest)),
-        row["not_finite_shader"] = number(orNone(run, r.shader.notFinite));
-        row["ns_shader"] = number(r.shaderTime.ns), row["ns_shader_spread"] = number(r.shaderTime.spread),
-        row["times_shader"] = number(r.shaderTime.times);
+        row["tolerance"] = finiteOrNull(r.tolerance);
+        row["error"] = finiteOrNull(r.cpu.largest), row["error_at"] = numbers(r.cpu.at),
+        row["not_finite"] = r.cpu.notFinite, row["not_finite_at"] = numbers(r.cpu.fails);
+        row["ns_cpu"] = finiteOrNull(r.cpuTime.ns), row["ns_cpu_spread"] = finiteOrNull(r.cpuTime.spread),
+        row["times_cpu"] = finiteOrNull(r.cpuTime.times);
+        row["error_shader"] = finiteOrNull(orNone(run, r.shader.largest)),
+        row["not_finite_shader"] = finiteOrNull(orNone(run, r.shader.notFinite));
+        row["ns_shader"] = finiteOrNull(r.shaderTime.ns), row["ns_shader_spread"] = finiteOrNull(r.shaderTime.spread),
+        row["times_shader"] = finiteOrNull(r.shaderTime.times);
         j["rows"].push(std::move(row));
     }
     return j;

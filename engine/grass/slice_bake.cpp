@@ -12,9 +12,9 @@
 namespace sward {
 namespace {
 
-constexpr int kOver = 4;    // samples a texel, each way
-constexpr int kStrips = 6;  // quads a blade
-constexpr int kLights = 5;  // vertical: facing, behind, side +, side -, above; horizontal: x+, x-, z+, z-, above
+constexpr int kSamplesAcross = 4;  // samples a texel, each way
+constexpr int kStrips = 6;         // quads a blade
+constexpr int kLights = 5;         // vertical: facing, behind, side +, side -, above; horizontal: x+, x-, z+, z-, above
 
 // --- samples of a slab -----------------------------------------------------------------------------------------------
 struct Sample {
@@ -241,16 +241,17 @@ struct Layer {
 };
 
 Layer resolve(const Shader& shader, const Slab& slab, const std::vector<Sample>& samples) {
-    Layer out{slab.width / kOver, slab.height / kOver, {}};
+    Layer out{slab.width / kSamplesAcross, slab.height / kSamplesAcross, {}};
     out.texels.resize(static_cast<size_t>(out.width) * out.height);
     const auto lights = lightsOf(slab);
     for (int y = 0; y < slab.height; ++y)
         for (int x = 0; x < slab.width; ++x) {
             const Sample& s = samples[static_cast<size_t>(y) * slab.width + x];
             if (s.blade >= 0)
-                out.texels[static_cast<size_t>(y / kOver) * out.width + x / kOver].add(shader.shade(slab, lights, s));
+                out.texels[static_cast<size_t>(y / kSamplesAcross) * out.width + x / kSamplesAcross].add(
+                    shader.shade(slab, lights, s));
         }
-    for (Shaded& t : out.texels) t.scale(1.0f / (kOver * kOver));
+    for (Shaded& t : out.texels) t.scale(1.0f / (kSamplesAcross * kSamplesAcross));
     return out;
 }
 
@@ -396,13 +397,13 @@ Result<SliceImages> bakeSlices(const SliceSpec& spec, JobControl& control) {
     };
     parallelFor(2 * static_cast<size_t>(n) + 1, [&](size_t i) {
         if (i == 0)
-            return drawSlab(
-                {0, 2, 1, spec.cellSize, spec.cellSize, farSize * kOver, farSize * kOver, 0, 0, spec.cellSize}, 0,
-                out.far);
+            return drawSlab({0, 2, 1, spec.cellSize, spec.cellSize, farSize * kSamplesAcross, farSize * kSamplesAcross,
+                             0, 0, spec.cellSize},
+                            0, out.far);
         const int layer = static_cast<int>(i) - 1, axis = layer < n ? 0 : 2;
-        drawSlab(
-            {2 - axis, 1, axis, spec.cellSize, out.top, width * kOver, height * kOver, layer % n, n, spec.cellSize},
-            static_cast<size_t>(layer), out.vertical);
+        drawSlab({2 - axis, 1, axis, spec.cellSize, out.top, width * kSamplesAcross, height * kSamplesAcross, layer % n,
+                  n, spec.cellSize},
+                 static_cast<size_t>(layer), out.vertical);
     });
     if (control.cancelled()) return interruption("the slices were cancelled");
     control.setProgress(1);  // threads may have told theirs out of order

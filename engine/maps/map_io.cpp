@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kNoTexel = std::numeric_limits<float>::quiet_NaN();
 
-using Range = std::optional<std::pair<double, double>>;
+using ValueRange = std::optional<std::pair<double, double>>;
 
 std::string extensionOf(const fs::path& file) {
     std::string ext = file.extension().string();
@@ -87,7 +87,7 @@ Result<Map> readPixels(const fs::path& file, const MapWish& wish, std::optional<
 // --- R16 ---------------------------------------------------------------------------------------------------------
 struct Sidecar {
     int width = 0, height = 0;
-    Range range;
+    ValueRange range;
 };
 
 fs::path sidecarOf(const fs::path& file) {
@@ -126,7 +126,7 @@ Result<Sidecar> readSidecar(const fs::path& r16) {
     return s;
 }
 
-Result<Map> readR16(const fs::path& file, const MapWish& wish, Range& range) {
+Result<Map> readR16(const fs::path& file, const MapWish& wish, ValueRange& range) {
     if (wish.channels > 1)
         return unsound(fmt::format("has 1 channel, not {}", wish.channels), "use PNG, EXR or TIFF").at(file);
     const Result<Sidecar> side = readSidecar(file);
@@ -168,7 +168,7 @@ std::string r16Bytes(const Map& map, const std::function<void(int, int, void*)>&
     return out;
 }
 
-Status writeSidecar(const fs::path& r16, const MapInfo& info, const Range& range) {
+Status writeSidecar(const fs::path& r16, const MapInfo& info, const ValueRange& range) {
     Json j = Json::makeObject();
     j["width"] = Json(info.width);
     j["height"] = Json(info.height);
@@ -220,7 +220,7 @@ Repaired repair(Map& map, const std::optional<double>& noData) {
 
 // --- writing -----------------------------------------------------------------------------------------------------
 // The map in a type that the format holds.
-Result<Map> mapForFormat(const fs::path& file, const std::string& ext, const Map& map, const Range& range) {
+Result<Map> mapForFormat(const fs::path& file, const std::string& ext, const Map& map, const ValueRange& range) {
     const PixelType type = map.info().type;
     if (ext == ".exr") return convertMap(map, PixelType::F32, range);
     if (ext == ".tif") return map;
@@ -262,8 +262,8 @@ Status writePlain(const fs::path& file, const char* format, const MapInfo& info,
 }  // namespace
 
 Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::string>* repaired) {
-    Range range = wish.range;
-    Range stated;  // by an R16's sidecar
+    ValueRange range = wish.range;
+    ValueRange stated;  // by an R16's sidecar
     std::optional<double> noData;
     Result<Map> map = extensionOf(file) == ".r16" ? readR16(file, wish, stated) : readPixels(file, wish, &noData);
     if (!map) return map;
@@ -276,13 +276,13 @@ Result<Map> readMap(const fs::path& file, const MapWish& wish, std::vector<std::
     return wish.type ? convertMap(*map, *wish.type, range) : std::move(*map);
 }
 
-Range sidecarRange(const fs::path& file) {
+ValueRange sidecarRange(const fs::path& file) {
     if (extensionOf(file) != ".r16") return {};
     const Result<Sidecar> side = readSidecar(file);
     return side ? side->range : std::nullopt;
 }
 
-Status writeMap(const fs::path& file, const Map& map, bool flip, const Range& range) {
+Status writeMap(const fs::path& file, const Map& map, bool flip, const ValueRange& range) {
     CHECK(!map.empty());
     const std::string ext = extensionOf(file);
     const Result<Map> fitting = mapForFormat(file, ext, map, range);

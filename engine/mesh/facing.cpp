@@ -8,7 +8,6 @@ namespace sward {
 namespace {
 
 constexpr int kTurns = 32;  // of a normal about the upright
-constexpr float kTurn = 6.2831853f;
 
 // Pieces: each vertex points to the least that it hangs together with.
 struct Pieces {
@@ -55,7 +54,7 @@ void eachNormal(const Facing& facing, const glm::vec3& light, const glm::vec3& e
         if (!(facing[static_cast<size_t>(b)] > 0)) continue;
         const float y = (static_cast<float>(b) + 0.5f) / kFacingBins, r = std::sqrt(1 - y * y);
         for (int k = 0; k < kTurns; ++k) {
-            const float turn = kTurn * (static_cast<float>(k) + 0.5f) / kTurns;
+            const float turn = kFullTurn * (static_cast<float>(k) + 0.5f) / kTurns;
             const glm::vec3 n(r * std::cos(turn), y, r * std::sin(turn));
             body(facing[static_cast<size_t>(b)], n, glm::dot(n, eye), glm::dot(n, light));
         }

@@ -8,6 +8,8 @@
 
 namespace sward {
 
+inline constexpr float kFullTurn = 6.2831853f;  // radians
+
 struct MeshVertex {
     glm::vec3 position;  // metres; y is up
     glm::vec3 normal;    // unit

@@ -11,8 +11,6 @@
 namespace sward {
 namespace {
 
-constexpr float kTurn = 6.2831853f;
-
 // What is built, around the origin; moved to its place at the end.
 struct Piece {
     std::vector<MeshVertex> vertices;
@@ -54,7 +52,7 @@ void box(Piece& out, const Solid& s) {
 void disc(Piece& out, float radius, float y, int sides, const glm::vec3& n) {
     const uint32_t middle = out.add({0, y, 0}, n);
     for (int i = 0; i <= sides; ++i) {
-        const float a = kTurn * static_cast<float>(i) / static_cast<float>(sides);
+        const float a = kFullTurn * static_cast<float>(i) / static_cast<float>(sides);
         const uint32_t at = out.add({radius * std::cos(a), y, radius * std::sin(a)}, n);
         if (i > 0)
             n.y > 0 ? out.indices.insert(out.indices.end(), {middle, at, at - 1})
@@ -66,7 +64,7 @@ void cylinder(Piece& out, const Solid& s) {
     const float bottom = s.size.x, height = s.size.y, top = s.size.z;
     const bool faceted = s.sides <= 8;  // so few are meant to be seen as edges
     for (int i = 0; i < s.sides; ++i) {
-        const auto angle = [&](float k) { return kTurn * k / static_cast<float>(s.sides); };
+        const auto angle = [&](float k) { return kFullTurn * k / static_cast<float>(s.sides); };
         const auto normal = [&](float k) {
             const float a = angle(faceted ? static_cast<float>(i) + 0.5f : k);
             return glm::normalize(glm::vec3(height * std::cos(a), bottom - top, height * std::sin(a)));
@@ -165,7 +163,7 @@ void ball(Piece& out, const Solid& s) {
 }
 
 glm::vec3 anyDirection(uint32_t h) {
-    const float y = 2 * f32::hashUnit(f32::hash2(h, 1)) - 1, a = kTurn * f32::hashUnit(f32::hash2(h, 2));
+    const float y = 2 * f32::hashUnit(f32::hash2(h, 1)) - 1, a = kFullTurn * f32::hashUnit(f32::hash2(h, 2));
     const float r = std::sqrt(std::max(1 - y * y, 0.0f));
     return {r * std::cos(a), y, r * std::sin(a)};
 }

@@ -10,7 +10,6 @@
 namespace sward {
 namespace {
 
-constexpr float kTurn = 6.2831853f;
 constexpr float kGoldenTurn = 2.3999632f;  // radians from branch to branch: no two lie over each other
 constexpr int kTints = 3;                  // of leaves
 
@@ -20,7 +19,7 @@ struct Dice {
     float unit() { return f32::hashUnit(f32::hash2(seed, at++)); }
     float in(float low, float high) { return low + (high - low) * unit(); }
     glm::vec3 direction() {
-        const float y = in(-1, 1), turn = in(0, kTurn), r = std::sqrt(std::max(1 - y * y, 0.0f));
+        const float y = in(-1, 1), turn = in(0, kFullTurn), r = std::sqrt(std::max(1 - y * y, 0.0f));
         return {r * std::cos(turn), y, r * std::sin(turn)};
     }
 };
@@ -47,7 +46,7 @@ struct Grower {
             glm::normalize(glm::cross(way, std::abs(way.y) > 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
         const glm::vec3 v = glm::cross(way, u);
         for (int i = 0; i <= sides; ++i) {
-            const float turn = kTurn * static_cast<float>(i) / static_cast<float>(sides);
+            const float turn = kFullTurn * static_cast<float>(i) / static_cast<float>(sides);
             const glm::vec3 out = u * std::cos(turn) + v * std::sin(turn);
             const uint32_t low = add(a + out * thick, out), high = add(b + out * thin, out);
             if (i > 0) indices[0].insert(indices[0].end(), {low - 2, low, high, low - 2, high, high - 2});

@@ -13,7 +13,7 @@
 namespace sward {
 namespace {
 
-struct Kind {
+struct FlowerKind {
     const Flowers* flowers = nullptr;
     TexelGrid image;
     bool made = true;
@@ -31,7 +31,7 @@ struct Meeting {
 
 struct RayFlowers {
     const Terrain* terrain = nullptr;
-    std::vector<Kind> kinds;
+    std::vector<FlowerKind> kinds;
     std::vector<StandingFlower> standing;
     DevicePtr device;
     ScenePtr scene;
@@ -39,7 +39,7 @@ struct RayFlowers {
 
 namespace {
 
-struct Query {
+struct FlowerQuery {
     RayContext context;  // first: Embree's
     const RayFlowers* all;
     glm::vec3 origin, way;
@@ -90,13 +90,14 @@ void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const Flo
     }
 }
 
-bool covers(const Query& q, const Kind& kind, const StandingFlower& s, const glm::vec2& uv) {
+bool covers(const FlowerQuery& q, const FlowerKind& kind, const StandingFlower& s, const glm::vec2& uv) {
     const float alpha = kind.image.at(static_cast<double>(uv.x), static_cast<double>(uv.y), false).w;
     return alpha > f32::hashUnit(f32::hash2(q.grain, s.grain));
 }
 
 // Nearest place in ]near, far[ where the ray meets one of its two pieces. `a` and `b` span a piece about `middle`.
-std::optional<glm::vec3> planeMet(const Query& q, const glm::vec3& middle, const glm::vec3& a, const glm::vec3& b) {
+std::optional<glm::vec3> planeMet(const FlowerQuery& q, const glm::vec3& middle, const glm::vec3& a,
+                                  const glm::vec3& b) {
     const glm::vec3 n = glm::cross(a, b);
     const float across = glm::dot(n, q.way);
     if (std::abs(across) < 1e-9f) return std::nullopt;
@@ -106,8 +107,8 @@ std::optional<glm::vec3> planeMet(const Query& q, const glm::vec3& middle, const
     return std::abs(out.y) <= 1 && std::abs(out.z) <= 1 ? std::optional(out) : std::nullopt;
 }
 
-std::optional<Meeting> flowerMet(const Query& q, const StandingFlower& s, float near, float far) {
-    const Kind& kind = q.all->kinds[s.kind];
+std::optional<Meeting> flowerMet(const FlowerQuery& q, const StandingFlower& s, float near, float far) {
+    const FlowerKind& kind = q.all->kinds[s.kind];
     const f32::FlowerFrame f = f32::flowerFrame(s.stem, s.facing, -q.way);
     std::optional<Meeting> found;
     const auto take = [&](const glm::vec3& met, const glm::vec2& uv, const glm::vec3& normal, float open) {
@@ -127,7 +128,7 @@ std::optional<Meeting> flowerMet(const Query& q, const StandingFlower& s, float 
 
 void meetClosest(const RTCIntersectFunctionNArguments* a) {
     if (!a->valid[0]) return;
-    Query& q = *reinterpret_cast<Query*>(a->context);
+    FlowerQuery& q = *reinterpret_cast<FlowerQuery*>(a->context);
     RTCRayHit& r = *reinterpret_cast<RTCRayHit*>(a->rayhit);
     const auto met = flowerMet(q, q.all->standing[a->primID], r.ray.tnear, r.ray.tfar);
     if (!met) return;
@@ -137,7 +138,7 @@ void meetClosest(const RTCIntersectFunctionNArguments* a) {
     r.hit.geomID = a->geomID, r.hit.primID = a->primID;
 }
 
-void boundsOf(const RTCBoundsFunctionArguments* a) {
+void flowerBounds(const RTCBoundsFunctionArguments* a) {
     const StandingFlower& s = static_cast<const RayFlowers*>(a->geometryUserPtr)->standing[a->primID];
     const glm::vec3 tip = s.root + s.stem, side(1.4143f * s.half);
     const glm::vec3 low = glm::min(s.root, tip) - side, high = glm::max(s.root, tip) + side;
@@ -152,7 +153,7 @@ bool makeScene(RayFlowers& f) {
     rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(f.standing.size()));
     rtcSetGeometryUserData(g, &f);
     rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
+        g, [](const RTCBoundsFunctionArguments* a) { flowerBounds(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, meetClosest);
     rtcCommitGeometry(g);
     rtcAttachGeometry(f.scene.get(), g);
@@ -222,12 +223,12 @@ std::optional<Surface> FlowerRays::closest(const Ray& ray) const {
     const RayFlowers& all = *flowers_;
     if (!all.scene) return std::nullopt;
     const glm::dvec3 from = ray.origin + ray.way * ray.near;
-    Query q{{}, &all, glm::vec3(from), glm::vec3(ray.way), ray.grain, 0, {}};
+    FlowerQuery q{{}, &all, glm::vec3(from), glm::vec3(ray.way), ray.grain, 0, {}};
     RTCRayHit hit{embreeRay(q.origin, q.way, 0, static_cast<float>(std::min(ray.far - ray.near, 1e30))), {}};
     closestHit(all.scene.get(), q.context, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const StandingFlower& one = all.standing[q.number];
-    const Kind& kind = all.kinds[one.kind];
+    const FlowerKind& kind = all.kinds[one.kind];
     Surface s;
     s.met = Met::Flower;
     s.t = ray.near + static_cast<double>(q.met.t);

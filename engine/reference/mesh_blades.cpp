@@ -233,7 +233,7 @@ std::optional<f32::RibbonHit> bladeMet(const ShellQuery& q, uint32_t blade, floa
 }
 
 // The curve lies in the hull of root, control and tip.
-void boundsOf(const RTCBoundsFunctionArguments* a) {
+void placedBounds(const RTCBoundsFunctionArguments* a) {
     const PlantedBlade& b = static_cast<const MeshShell*>(a->geometryUserPtr)->blades[a->primID];
     const glm::vec3 control = b.root + b.axes.outside(b.control), tip = b.root + b.axes.outside(b.tip);
     const float side = 0.5f * b.width + 1e-5f;
@@ -252,7 +252,7 @@ Status makeScene(MeshShell& s) {
     rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(s.blades.size()));
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
+        g, [](const RTCBoundsFunctionArguments* a) { placedBounds(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, (meetClosestBlade<ShellQuery, bladeMet>));
     rtcSetGeometryOccludedFunction(g, (meetAnyBlade<ShellQuery, bladeMet>));
     rtcCommitGeometry(g);

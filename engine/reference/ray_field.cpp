@@ -55,7 +55,7 @@ std::pair<glm::vec3, glm::vec3> leaningBounds(const Blade& b, const glm::vec2& l
 
 namespace {
 
-void boundsOf(const RTCBoundsFunctionArguments* a) {
+void cellBounds(const RTCBoundsFunctionArguments* a) {
     const BoxScene& s = *static_cast<const BoxScene*>(a->geometryUserPtr);
     const Blade& b = s.blades[a->primID];
     auto [low, high] = leaningBounds(b, s.lean, s.spread, s.scale);
@@ -173,7 +173,7 @@ RTCScene sceneFor(const Kind& kind, const SceneKey& key, std::span<const Blade> 
     rtcSetGeometryUserPrimitiveCount(g, static_cast<unsigned>(blades.size()));
     rtcSetGeometryUserData(g, &s);
     rtcSetGeometryBoundsFunction(
-        g, [](const RTCBoundsFunctionArguments* a) { boundsOf(a); }, nullptr);
+        g, [](const RTCBoundsFunctionArguments* a) { cellBounds(a); }, nullptr);
     rtcSetGeometryIntersectFunction(g, (meetClosestBlade<Query, bladeMet>));
     rtcSetGeometryOccludedFunction(g, (meetAnyBlade<Query, bladeMet>));
     rtcCommitGeometry(g);

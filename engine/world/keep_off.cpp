@@ -61,7 +61,7 @@ bool KeepOff::holds(double x, double z) const {
     return false;
 }
 
-KeepOff keepOffOf(const Project& p, const Ground& ground, const Scatter& s, Outlines& outlines) {
+KeepOff keepOffOf(const Project& p, const Ground& ground, const Scatter& s, Footprints& outlines) {
     KeepOff off;
     if (!ground.terrain) return off;
     off.gap = static_cast<double>(s.gap);
@@ -71,7 +71,7 @@ KeepOff keepOffOf(const Project& p, const Ground& ground, const Scatter& s, Outl
             strip.box = boxOf(strip.curve, strip.half);
             if (!strip.curve.pieces.empty()) off.paths.push_back(std::move(strip));
         }
-    Outlines kept;
+    Footprints kept;
     if (s.keepOffObjects)
         for (const PlacedMesh& placed : placedMeshes(p)) {
             const std::string key = outlineOf(p, ground, placed);

@@ -39,12 +39,12 @@ struct KeepOff {
     bool holds(double x, double z) const;
 };
 
-// Outlines by what they were made of, kept from call to call.
-using Outlines = std::map<std::string, std::shared_ptr<const Footprint>>;
+// Footprints by what they were made of, kept from call to call.
+using Footprints = std::map<std::string, std::shared_ptr<const Footprint>>;
 
 // What `scatter` of the project keeps off; nothing if it keeps off nothing. Objects whose files cannot be read are left
 // out: who draws them says so.
-KeepOff keepOffOf(const Project& project, const Ground& ground, const Scatter& scatter, Outlines& outlines);
+KeepOff keepOffOf(const Project& project, const Ground& ground, const Scatter& scatter, Footprints& outlines);
 // What it follows from, as a text: another one, another KeepOff.
 std::string keepOffInputs(const Project& project, const Ground& ground, const Scatter& scatter);
 

@@ -25,10 +25,10 @@ bool followsHeights(const MapLayer& layer) {
                        [](const MapMask& m) { return maskRows()[static_cast<size_t>(m.by)].followsHeights; });
 }
 
-using Places = std::function<float(double u, double v)>;  // an amount by shares of the terrain's sides
+using AmountAt = std::function<float(double u, double v)>;  // an amount by shares of the terrain's sides
 
 // Fails where a mask goes by something that is not there.
-Result<Places> rulePlaces(LayerScene& scene, const MapLayer& layer) {
+Result<AmountAt> rulePlaces(LayerScene& scene, const MapLayer& layer) {
     std::vector<std::pair<const MapMask*, Measure>> masks;
     for (const MapMask& m : layer.masks) {
         Result<Measure> measure = maskRows()[static_cast<size_t>(m.by)].measure(scene.masks, m);
@@ -40,7 +40,7 @@ Result<Places> rulePlaces(LayerScene& scene, const MapLayer& layer) {
         masks.emplace_back(&m, std::move(*measure));
     }
     const glm::dvec2 size = scene.masks.ground.terrain->size;
-    return Places([masks = std::move(masks), size, invert = layer.invert](double u, double v) {
+    return AmountAt([masks = std::move(masks), size, invert = layer.invert](double u, double v) {
         float share = 1;
         for (const auto& [mask, measure] : masks)
             if (share > 0) share *= maskShare(*mask, measure(u * size.x, v * size.y));
@@ -48,24 +48,24 @@ Result<Places> rulePlaces(LayerScene& scene, const MapLayer& layer) {
     });
 }
 
-Result<Places> mapPlaces(LayerScene&, const MapLayer& layer) {
+Result<AmountAt> mapPlaces(LayerScene&, const MapLayer& layer) {
     if (!layer.amounts.present()) {
         const bool lost = !layer.amounts.file.empty();
         return unsound(lost ? fmt::format("its file {} is not there", layer.amounts.file) : "it has no amounts yet",
                        lost ? "put the file back, or import it again" : "import an image into it, or paint on it");
     }
-    return Places([map = layer.amounts.map, invert = layer.invert](double u, double v) {
+    return AmountAt([map = layer.amounts.map, invert = layer.invert](double u, double v) {
         const float amount = map.sample(u, v);
         return invert ? 1 - amount : amount;
     });
 }
 
 // The weight of a path (scene/ground_path.h).
-Result<Places> pathPlaces(LayerScene& scene, const MapLayer& layer) {
+Result<AmountAt> pathPlaces(LayerScene& scene, const MapLayer& layer) {
     const Result<const GroundPath*> path = pathNamed(scene.masks, layer.path);
     if (!path) return path.error();
     const glm::dvec2 size = scene.masks.ground.terrain->size;
-    return Places([path = **path, curve = groundCurve(**path), size, invert = layer.invert](double u, double v) {
+    return AmountAt([path = **path, curve = groundCurve(**path), size, invert = layer.invert](double u, double v) {
         const auto weight = static_cast<float>(weightAt(path, curve, glm::dvec2(u, v) * size));
         return invert ? 1 - weight : weight;
     });
@@ -73,7 +73,7 @@ Result<Places> pathPlaces(LayerScene& scene, const MapLayer& layer) {
 
 struct KindRow {
     LayerKindRow shown;
-    Result<Places> (*places)(LayerScene&, const MapLayer&);
+    Result<AmountAt> (*places)(LayerScene&, const MapLayer&);
 };
 constexpr KindRow kKinds[] = {
     {{"where masks let it: by slope, height, noise, water or an object", false}, rulePlaces},
@@ -108,7 +108,7 @@ void lookAt(LayerScene& scene, const Project& p, const Ground& ground) {
 }
 
 Status updateCoverage(Coverage& c, LayerScene& scene, const MapLayer& layer, const MapInfo& wanted) {
-    const Result<Places> places = kKinds[static_cast<size_t>(layer.kind)].places(scene, layer);
+    const Result<AmountAt> places = kKinds[static_cast<size_t>(layer.kind)].places(scene, layer);
     if (!places) return places.error();
     std::string of = settingsOf(scene, layer);
     const bool fresh = c.map.info() != wanted || c.of != of;

@@ -92,7 +92,7 @@ void combineColours(const Map& painted, const std::vector<LayerOver>& layers, Ti
     }
 }
 
-constexpr LayeredKind kKinds[] = {
+constexpr LayeredKind kLayeredKinds[] = {
     {MapKind::Amounts, anyFits, zeroAmounts, combineAmounts},
     {MapKind::Colours, colourFits, zeroColours, combineColours},
 };
@@ -100,9 +100,9 @@ constexpr LayeredKind kKinds[] = {
 }  // namespace
 
 const LayeredKind* layeredKind(MapKind kind) {
-    const auto found =
-        std::find_if(std::begin(kKinds), std::end(kKinds), [&](const LayeredKind& k) { return k.kind == kind; });
-    return found == std::end(kKinds) ? nullptr : found;
+    const auto found = std::find_if(std::begin(kLayeredKinds), std::end(kLayeredKinds),
+                                    [&](const LayeredKind& k) { return k.kind == kind; });
+    return found == std::end(kLayeredKinds) ? nullptr : found;
 }
 
 glm::vec4 laidOver(const glm::vec4& below, const glm::vec3& color, float share) {

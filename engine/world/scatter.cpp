@@ -205,7 +205,7 @@ Scattering scatterOver(const Scatter& s, const Ground& ground, const KeepOff& of
 }
 
 Scattering scatterIn(const Project& p, const Scatter& s, const Ground& ground) {
-    Outlines outlines;
+    Footprints outlines;
     return scatterOver(s, ground, keepOffOf(p, ground, s, outlines));
 }
 

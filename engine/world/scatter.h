@@ -62,7 +62,7 @@ class ScatterMemory {
         std::shared_ptr<const Scattering> made;
     };
     std::map<std::string, Entry> entries_;
-    Outlines outlines_;
+    Footprints outlines_;
 };
 
 }  // namespace sward

@@ -11,18 +11,16 @@ constexpr double kGravity = 9.81;
 constexpr float kMirroredAt = 10;  // metres from the surface: what ripples move in the mirror is taken to be so far
 constexpr glm::vec3 kPureWater{0.264f, 0.0565f, 0.0101f};  // 1/m
 
-double wrapped(double x) { return x - std::floor(x); }
-
 // Its turns a metre and phase at the eye; its share of the slopes is every wave's.
 WaterWave waveOf(int i, const Water& water, const Wind& wind, const glm::dvec2& eye, double seconds, float slope) {
     const double share = static_cast<double>(i) / (WATER_WAVES - 1);
     const double length = static_cast<double>(water.rippleSize) * std::pow(kShortest, share);
-    const double off = (wrapped(0.5 + i * 0.6180339887498949) * 2 - 1) * kSpreadDeg;
+    const double off = (glm::fract(0.5 + i * 0.6180339887498949) * 2 - 1) * kSpreadDeg;
     const double angle = glm::radians(static_cast<double>(wind.azimuthDeg) + off);
     const glm::dvec2 k = glm::dvec2(std::sin(angle), -std::cos(angle)) / length;
     const double hertz = std::sqrt(kGravity / (2 * f64::kPi * length));
     const double phase = glm::dot(k, eye) - hertz * seconds + i * 0.7548776662466927;
-    return {k, static_cast<float>(wrapped(phase)), slope};
+    return {k, static_cast<float>(glm::fract(phase)), slope};
 }
 
 }  // namespace

@@ -13,7 +13,6 @@ constexpr double kAcross = 0.5;      // gusts are bands: twice as wide as they a
 constexpr double kOvertakes = 1.4;   // fine gusts go faster, so that the picture changes while it moves
 constexpr double kPhaseGrains = 20;  // c1 and c3 are whole numbers of 1/20 m
 
-double wrapped(double x) { return x - std::floor(x); }
 double inGrains(float c) { return std::round(static_cast<double>(c) * kPhaseGrains) / kPhaseGrains; }
 
 // Value noise that repeats after `cells` in both directions, in [0, 1].
@@ -29,7 +28,7 @@ float periodicNoise(float x, float y, int cells, uint32_t seed) {
 // Of a repeating picture, bilinear, as a GPU samples it.
 float sampleRepeated(const Map& m, const glm::vec2& uv) {
     const auto taps = [](float u, int n) {
-        const double x = wrapped(static_cast<double>(u)) * n - 0.5, low = std::floor(x);
+        const double x = glm::fract(static_cast<double>(u)) * n - 0.5, low = std::floor(x);
         const int i = static_cast<int>(low);
         return std::tuple{(i + n) % n, (i + 1) % n, static_cast<float>(x - low)};
     };
@@ -86,15 +85,15 @@ WindGlobals windGlobals(const Wind& w, const glm::dvec2& eye, double seconds) {
     WindGlobals g{};
     g.way = way;
     g.strength = w.strength, g.turbulence = w.turbulence;
-    g.coarseBegin = {wrapped((along - speed * seconds) * rate), wrapped(across * rate * kAcross)};
-    g.fineBegin = {wrapped((along - kOvertakes * speed * seconds) * fine), wrapped(across * fine)};
+    g.coarseBegin = {glm::fract((along - speed * seconds) * rate), glm::fract(across * rate * kAcross)};
+    g.fineBegin = {glm::fract((along - kOvertakes * speed * seconds) * fine), glm::fract(across * fine)};
     g.coarseRate = {rate, rate * kAcross}, g.fineRate = {fine, fine};
     g.c1 = static_cast<float>(inGrains(w.c1)), g.c2 = w.c2, g.c3 = static_cast<float>(inGrains(w.c3));
     g.epsilon = w.epsilon;
     // Equation 9 as printed moves at 1/pi metres a unit of time, against x.
     const f64::WindPhase phase = f64::windPhase(along, across, -f64::kPi * speed * seconds, inGrains(w.c1),
                                                 static_cast<double>(w.c2), inGrains(w.c3));
-    g.quiverPhase = static_cast<float>(wrapped(static_cast<double>(w.quiverHz) * seconds));
+    g.quiverPhase = static_cast<float>(glm::fract(static_cast<double>(w.quiverHz) * seconds));
     g.firstPhase = static_cast<float>(phase.first), g.secondPhase = static_cast<float>(phase.second);
     g.acrossPhase = static_cast<float>(phase.across);
     return g;

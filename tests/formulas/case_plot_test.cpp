@@ -9,7 +9,7 @@
 namespace sward {
 namespace {
 
-HardCase caseOf(const std::string& key) {
+HardCase plottedCase(const std::string& key) {
     for (HardCase& h : hardCases())
         if (h.key == key) return h;
     ADD_FAILURE() << "no case " << key;
@@ -43,7 +43,7 @@ TEST(CasePlot, EveryLineAndDotOfEveryCaseLiesInItsBox) {
 }
 
 TEST(CasePlot, NoonIsAMarkOfThePrintedFormAloneAtTheLeftEdge) {
-    const Plot plot = graphOf(caseOf("B-1"), CaseGraph::Errors);
+    const Plot plot = graphOf(plottedCase("B-1"), CaseGraph::Errors);
     const CaseColors colors;
     size_t marks = 0;
     for (const PlotDot& d : plot.dots)
@@ -56,7 +56,7 @@ TEST(CasePlot, NoonIsAMarkOfThePrintedFormAloneAtTheLeftEdge) {
 }
 
 TEST(CasePlot, ThePrintedLevelsCrossOursWhereTheyTurnRound) {
-    const Plot plot = graphOf(caseOf("B-8"), CaseGraph::Values);
+    const Plot plot = graphOf(plottedCase("B-8"), CaseGraph::Values);
     const CaseColors colors;
     const auto ends = [&](const std::string& color) {
         double left = kNothing, right = kNothing;
@@ -74,13 +74,13 @@ TEST(CasePlot, ThePrintedLevelsCrossOursWhereTheyTurnRound) {
 }
 
 TEST(CasePlot, TheMarkedValueHasALine) {
-    const HardCase h = caseOf("B-8");
+    const HardCase h = plottedCase("B-8");
     EXPECT_EQ(graphOf(h, CaseGraph::Errors, 20).lines.size(), graphOf(h, CaseGraph::Errors).lines.size() + 1);
     EXPECT_EQ(graphOf(h, CaseGraph::Errors, 20).lines.back().points[0].x, (kBox.left + kBox.right) / 2);
 }
 
 TEST(CasePlot, APictureHasBothGraphsAndIsNotEmpty) {
-    const Plot plot = casePlot(caseOf("B-20"), 600, 500);
+    const Plot plot = casePlot(plottedCase("B-20"), 600, 500);
     EXPECT_EQ(plot.width, 600);
     const std::vector<uint8_t> pixels = plotPixels(plot);
     ASSERT_EQ(pixels.size(), 600u * 500u * 3u);
@@ -91,12 +91,12 @@ TEST(CasePlot, APictureHasBothGraphsAndIsNotEmpty) {
 }
 
 TEST(CasePlot, TheTableHasALineAPointAndNamesWhatIsNoNumber) {
-    const HardCase h = caseOf("B-1");
+    const HardCase h = plottedCase("B-1");
     const std::vector<CasePoint> points = sweepCase(h, 10);
     const std::string csv = caseCsv(h, points);
     EXPECT_EQ(static_cast<size_t>(std::count(csv.begin(), csv.end(), '\n')), points.size() + 1);
     EXPECT_NE(csv.find("\n0,nan,0,0,nan,0\n"), std::string::npos) << csv;
-    const HardCase bare = caseOf("H-1.2");
+    const HardCase bare = plottedCase("H-1.2");
     EXPECT_NE(caseCsv(bare, sweepCase(bare, 10)).find(",,"), std::string::npos) << "it has no printed form";
 }
 

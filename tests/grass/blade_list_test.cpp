@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-struct Field {
+struct ListedField {
     Terrain terrain;
     FlatField grass;
     Patch patch;
@@ -20,7 +20,7 @@ struct Field {
     Frustum frustum = frustumOf(viewProjection({{10, 1.7, 10}, {16, 0, 15}, 55, 0}, 320, 240));
     glm::dvec3 eye{10, 1.7, 10};
 
-    Field() {
+    ListedField() {
         terrain.size = {20, 20};
         Species& s = grass.species[0];
         s.bladesPerM2 = 2000, s.height = 0.2f, s.segments = 4;
@@ -64,7 +64,7 @@ Seen listed(const BladeList& list, int segments) {
 }
 
 TEST(BladeList, HoldsEveryBladeThatIsSeenAndFewOthers) {
-    const Field f;
+    const ListedField f;
     const CellQuery q = f.query();
     const std::vector<CellDraw> cells = selectCells(q);
     uint64_t inRanges = 0;
@@ -82,7 +82,7 @@ TEST(BladeList, HoldsEveryBladeThatIsSeenAndFewOthers) {
 }
 
 TEST(BladeList, MoreSamplesShowMoreOfWhatFades) {
-    const Field f;
+    const ListedField f;
     const auto least = [&](Transparency way, int samples) {
         double sum = 0;
         for (const float l : leastShown(f.patch, way, samples)) sum += l;

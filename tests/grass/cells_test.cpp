@@ -18,7 +18,7 @@ Frustum everywhere() {
     return f;
 }
 
-struct Field {
+struct CellField {
     Terrain terrain;
     FlatField grass;
     Patch patch;
@@ -26,7 +26,7 @@ struct Field {
     Frustum frustum = everywhere();
     glm::dvec3 eye{10, 1.7, 10};
 
-    explicit Field(double size = 20, float bladesPerM2 = 400) {
+    explicit CellField(double size = 20, float bladesPerM2 = 400) {
         terrain.size = {size, size};
         grass.species[0].bladesPerM2 = bladesPerM2;
         grass.technique = nameOf(Technique::Geometry);
@@ -42,12 +42,12 @@ struct Field {
 };
 
 TEST(Cells, AllGeometryIsExactlyDensityTimesArea) {
-    Field f;
+    CellField f;
     EXPECT_EQ(countVisible(f.query()), 400u * 20 * 20);
 }
 
 TEST(Cells, BladesFollowTheDensityOfTheirRoot) {
-    Field f;
+    CellField f;
     f.grass.fade = 0;
     f.density([](int x, int) { return x < 20 ? 0.0f : 0.5f; });
     const uint64_t n = countVisible(f.query());
@@ -59,7 +59,7 @@ TEST(Cells, BladesFollowTheDensityOfTheirRoot) {
 }
 
 TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
-    Field f;
+    CellField f;
     f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = 2, f.grass.maxGeom = 7;
     f.density([](int x, int y) { return static_cast<float>((x * 7 + y * 13) % 40) / 39.0f; });
@@ -91,7 +91,7 @@ TEST(Cells, TheRangeOfACellHoldsEveryBladeThatHasAnyOpacity) {
 }
 
 TEST(Cells, NothingBeyondMaxGeomIsSubmittedAndFlatSubmitsNothing) {
-    Field f;
+    CellField f;
     f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = 2, f.grass.maxGeom = 4;
     for (const CellDraw& c : selectCells(f.query()))
@@ -101,7 +101,7 @@ TEST(Cells, NothingBeyondMaxGeomIsSubmittedAndFlatSubmitsNothing) {
 }
 
 TEST(Cells, EqualTierDistancesAreAStepAndInfinityNeverFades) {
-    Field f;
+    CellField f;
     f.grass.technique = nameOf(Technique::Hybrid);
     f.grass.minGeom = f.grass.maxGeom = 5;
     const uint64_t step = countVisible(f.query());
@@ -113,7 +113,7 @@ TEST(Cells, EqualTierDistancesAreAStepAndInfinityNeverFades) {
 TEST(Cells, NodesThatAreLookedAtDoNotGrowWithTheField) {
     uint64_t nodes[2];
     for (int i = 0; i < 2; ++i) {
-        Field f(i == 0 ? 100 : 100 * 32, 40);
+        CellField f(i == 0 ? 100 : 100 * 32, 40);
         f.grass.technique = nameOf(Technique::Hybrid);
         f.eye = {20, 1.7, 20};
         (void)selectCells(f.query(), &nodes[i]);
@@ -122,7 +122,7 @@ TEST(Cells, NodesThatAreLookedAtDoNotGrowWithTheField) {
 }
 
 TEST(Cells, TheFrustumCullsWhatIsBehindTheEye) {
-    Field f;
+    CellField f;
     f.frustum = frustumOf(viewProjection({f.eye, f.eye + glm::dvec3(0, -0.2, 1), 55, 0}, 320, 240));
     for (const CellDraw& c : selectCells(f.query())) EXPECT_GT(c.cellZ * 0.5 + 0.5 + 0.2, f.eye.z - 1);
     EXPECT_LT(countVisible(f.query()), 400u * 20 * 20 / 4);
@@ -130,7 +130,7 @@ TEST(Cells, TheFrustumCullsWhatIsBehindTheEye) {
 }
 
 TEST(Cells, OfCellsThatOnlyShadeWhatIsSeenNoBladesAreSeen) {
-    Field f;
+    CellField f;
     f.frustum = frustumOf(viewProjection({f.eye, f.eye + glm::dvec3(0, -0.2, 1), 55, 0}, 320, 240));
     CellQuery query = f.query();
     const std::vector<CellDraw> blades = selectCells(query);
@@ -163,7 +163,7 @@ TEST(Cells, DensityRangesContainEveryBilinearSample) {
 }
 
 TEST(Cells, SegmentsFollowTheSizeOnTheScreen) {
-    Field f;
+    CellField f;
     f.grass.species[0].segments = 6;
     f.grass.species[0].bend = 1;
     f.grass.species[0].height = 0.6f;

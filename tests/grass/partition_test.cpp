@@ -17,7 +17,7 @@ constexpr float kDensities[] = {0.0f, 0.1f, 0.25f, 0.5f, 0.6f, 0.9f, 1.0f};
 constexpr double kSide = 12;
 const glm::dvec3 kEye{6, 1.7, 6};
 
-Frustum everywhere() {
+Frustum unbounded() {
     Frustum f;
     f.planes.fill(glm::vec4(0, 0, 0, 1));
     return f;
@@ -44,7 +44,7 @@ Chosen choose(const FlatField& f, const Patch& patch, const Map& density) {
     Terrain ground;
     ground.size = {kSide, kSide};
     f.species[0].density = {"maps/d.png", density};
-    const Frustum all = everywhere();
+    const Frustum all = unbounded();
     const HeightBounds flat;
     const CellQuery q = cellQuery(queryOf(ground, flat, f, patch), {kEye, all, 200});
     Chosen c;

@@ -25,7 +25,7 @@ Project meadow(Technique technique) {
     p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
     return p;
 }
-ViewSettings sized(int width = 160, int height = 120, int msaa = 4) {
+ViewSettings raytracedView(int width = 160, int height = 120, int msaa = 4) {
     ViewSettings s;
     s.width = width, s.height = height, s.msaa = msaa;
     return s;
@@ -33,15 +33,16 @@ ViewSettings sized(int width = 160, int height = 120, int msaa = 4) {
 ViewCamera grazing() { return {{10, 1.2, 1}, {10, 0, 6}, 45, 0}; }
 ViewCamera steep() { return {{10, 2.5, 1}, {10, 0, 4}, 40, 0}; }
 
-std::vector<float> picture(Renderer& r, const Project& p, const ViewCamera& camera,
-                           const ViewSettings& settings = sized()) {
+std::vector<float> raytracedPicture(Renderer& r, const Project& p, const ViewCamera& camera,
+                                    const ViewSettings& settings = raytracedView()) {
     const Status drawn = r.draw(p, camera, settings);
     EXPECT_TRUE(drawn) << (drawn ? "" : drawn.error().text());
     return r.readLinear();
 }
-std::vector<float> picture(const Project& p, const ViewCamera& camera, const ViewSettings& settings = sized()) {
+std::vector<float> raytracedPicture(const Project& p, const ViewCamera& camera,
+                                    const ViewSettings& settings = raytracedView()) {
     Renderer r(gpu(), tables());
-    return picture(r, p, camera, settings);
+    return raytracedPicture(r, p, camera, settings);
 }
 bool isFinite(const std::vector<float>& pixels) {
     return std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
@@ -57,11 +58,11 @@ const PassStats& passOf(const Renderer& r, const std::string& name) {
 TEST(Raytraced, CoversAndShinesAsTheBladesThatItStandsFor) {
     NoGlErrors errors;
     for (const ViewCamera& camera : {grazing(), steep()}) {
-        const auto blades = picture(meadow(Technique::Geometry), camera),
-                   slices = picture(meadow(Technique::Slices), camera);
+        const auto blades = raytracedPicture(meadow(Technique::Geometry), camera),
+                   slices = raytracedPicture(meadow(Technique::Slices), camera);
         Project p = meadow(Technique::Raytraced);
         flatField(p).raytraced.steps = 16;
-        const auto rays = picture(p, camera);
+        const auto rays = raytracedPicture(p, camera);
         std::printf("covered: blades %.3f slices %.3f rays %.3f; bright: %.4f %.4f %.4f\n", covered(blades),
                     covered(slices), covered(rays), brightness(blades), brightness(slices), brightness(rays));
         EXPECT_NEAR(covered(rays), covered(blades), 0.12);
@@ -78,9 +79,9 @@ TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
     NoGlErrors errors;
     Project p = meadow(Technique::Raytraced);
     Renderer r(gpu(), tables());
-    const auto whole = picture(r, p, grazing());
+    const auto whole = raytracedPicture(r, p, grazing());
     flatField(p).species[0].density = {"maps/full.png", filled({4, 4, 1, PixelType::U16}, 1)};
-    const auto mapped = picture(r, p, grazing());
+    const auto mapped = raytracedPicture(r, p, grazing());
     EXPECT_EQ(whole, mapped);
     EXPECT_GT(covered(whole), 0.5);
 }
@@ -91,13 +92,13 @@ TEST(Raytraced, FewStepsAreAsBrightAsManyBecauseTheRestIsFilled) {
     Project p = meadow(Technique::Raytraced);
     FlatField f = flatField(p);
     f.raytraced.steps = 48;
-    const auto whole = picture(p, grazing());
+    const auto whole = raytracedPicture(p, grazing());
     f.raytraced.steps = 2;
-    const auto filled = picture(p, grazing());
+    const auto filled = raytracedPicture(p, grazing());
     EXPECT_NEAR(covered(filled), covered(whole), 0.05);
     EXPECT_NEAR(brightness(filled), brightness(whole), 0.12 * brightness(whole));
     f.raytraced.rest = RayRest::Nothing;
-    const auto open = picture(p, grazing());
+    const auto open = raytracedPicture(p, grazing());
     std::printf("bright: 48 steps %.4f, 2 filled %.4f, 2 open %.4f\n", brightness(whole), brightness(filled),
                 brightness(open));
     EXPECT_GT(std::abs(brightness(open) - brightness(whole)), 2 * std::abs(brightness(filled) - brightness(whole)))
@@ -110,7 +111,7 @@ TEST(Raytraced, FewerStepsFarAwayAreAsBrightAndCoverAsMuch) {
     Project p = meadow(Technique::Raytraced);
     const auto by = [&](float footprint) {
         flatField(p).raytraced.footprint = footprint;
-        return picture(p, far);
+        return raytracedPicture(p, far);
     };
     const auto all = by(0), fewer = by(2), few = by(64);
     EXPECT_NE(all, fewer);
@@ -128,9 +129,9 @@ TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
     FlatField f = flatField(p);
     f.minGeom = 2, f.maxGeom = 4, f.minBTF = 8, f.maxBTF = 12;
     Renderer r(gpu(), tables());
-    const double slices = brightness(picture(r, p, grazing()));
+    const double slices = brightness(raytracedPicture(r, p, grazing()));
     f.hybrid.middleTier = MiddleTier::Raytraced;
-    const auto rays = picture(r, p, grazing());
+    const auto rays = raytracedPicture(r, p, grazing());
     EXPECT_NEAR(brightness(rays), slices, 0.1 * slices);
     EXPECT_GT(passOf(r, "grass/raytraced").draws, 0u);
     for (const PassStats& pass : r.stats().passes) EXPECT_NE(pass.name, "grass/slices");
@@ -142,9 +143,9 @@ TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
     Project p = meadow(Technique::Raytraced);
     put<Wind>(p, "wind");
     Renderer r(gpu(), tables());
-    const ViewSettings s = sized(64, 48, 1);
+    const ViewSettings s = raytracedView(64, 48, 1);
     const auto sound = [&](const ViewCamera& c) {
-        const auto image = picture(r, p, c, s);
+        const auto image = raytracedPicture(r, p, c, s);
         EXPECT_TRUE(isFinite(image)) << c.eye.x << " " << c.eye.y << " " << c.eye.z;
         return image;
     };
@@ -160,7 +161,7 @@ TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
                20 + 80 * static_cast<float>(unit()), 0});
     }
     // A column that looks along x shows the lawn as its neighbours do.
-    const auto along = picture(r, p, {{2, 1, 10}, {12, 0, 10}, 50, 0}, sized(65, 48));
+    const auto along = raytracedPicture(r, p, {{2, 1, 10}, {12, 0, 10}, 50, 0}, raytracedView(65, 48));
     double middle = 0, beside = 0;
     for (size_t y = 30; y < 48; ++y)
         for (size_t x : {30u, 31u, 32u, 33u, 34u})
@@ -171,7 +172,7 @@ TEST(Raytraced, NoViewMakesAPixelThatIsNoNumber) {
 TEST(Raytraced, AnEyeInTheGrassSeesGrass) {
     NoGlErrors errors;
     const Project p = meadow(Technique::Raytraced);
-    const auto image = picture(p, {{10, 0.06, 10}, {14, 0.05, 11}, 60, 0});
+    const auto image = raytracedPicture(p, {{10, 0.06, 10}, {14, 0.05, 11}, 60, 0});
     const size_t pixels = image.size() / 3;
     size_t green = 0;
     for (size_t i = pixels / 2; i < pixels; ++i) green += image[3 * i + 1] > image[3 * i];
@@ -187,7 +188,7 @@ TEST(Raytraced, HidesWhatStandsBehindIt) {
         p.dir = folder.path;
         flatField(p).raytraced.visibility = visibility;
         putObject(p, "post", {{.size = {0.3, 0.2, 0.3}, .color = {0.9f, 0, 0}}}, {10, 0, z});
-        const auto image = picture(p, {{10, 0.5, 6}, {10, 0.05, 10}, 30, 0});
+        const auto image = raytracedPicture(p, {{10, 0.5, 6}, {10, 0.05, 10}, 30, 0});
         double n = 0;
         for (size_t i = 0; i < image.size(); i += 3) n += image[i] > 3 * image[i + 1];
         return n;
@@ -207,14 +208,14 @@ TEST(Raytraced, HidesWhatStandsBehindIt) {
 TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
     NoGlErrors errors;
     Renderer r(gpu(), tables());
-    ViewSettings s = sized();
+    ViewSettings s = raytracedView();
     s.measure = true;
     std::vector<uint64_t> fragments;
     for (const int slices : {16, 64, 256}) {
         Project p = meadow(Technique::Raytraced);
         flatField(p).slices = slices;
         flatField(p).sliceWidth = 32, flatField(p).sliceHeight = 16;
-        picture(r, p, grazing(), s);
+        raytracedPicture(r, p, grazing(), s);
         fragments.push_back(passOf(r, "grass/raytraced").fragments);
     }
     EXPECT_EQ(fragments[0], fragments[1]);
@@ -227,10 +228,10 @@ TEST(Raytraced, OneSetOfImagesForBothAxesTakesHalfTheMemoryAndLooksAlike) {
         for (const ViewCamera& camera : {grazing(), steep()}) {
             Project p = meadow(technique);
             Renderer r(gpu(), tables());
-            const auto each = picture(r, p, camera);
+            const auto each = raytracedPicture(r, p, camera);
             const auto eachBytes = gpu().ledger.at("grass/slices");
             flatField(p).sliced.sets = SliceSets::Shared;
-            const auto shared = picture(r, p, camera);
+            const auto shared = raytracedPicture(r, p, camera);
             EXPECT_LT(static_cast<double>(gpu().ledger.at("grass/slices")) / static_cast<double>(eachBytes), 0.55);
             EXPECT_NE(each, shared);
             std::printf("covered: %.3f, shared %.3f; bright: %.4f, %.4f\n", covered(each), covered(shared),
@@ -246,9 +247,9 @@ TEST(Raytraced, LeansWithTheWindAndStillDoesAfterAMonth) {
     put<Wind>(p, "wind", {.strength = 0.8f});
     Renderer r(gpu(), tables());
     const auto at = [&](double time) {
-        ViewSettings s = sized();
+        ViewSettings s = raytracedView();
         s.time = time;
-        return picture(r, p, grazing(), s);
+        return raytracedPicture(r, p, grazing(), s);
     };
     const double month = 30 * 86400.0;
     EXPECT_NE(at(0), at(0.5));
@@ -273,7 +274,7 @@ TEST(Raytraced, EverySettingAtItsEndsMakesASoundPicture) {
                                    .rest = rest,
                                    .visibility = visibility,
                                    .maxDistance = share > 0 ? std::numeric_limits<float>::infinity() : 0.1f};
-                    EXPECT_TRUE(isFinite(picture(r, p, grazing(), sized(64, 48))));
+                    EXPECT_TRUE(isFinite(raytracedPicture(r, p, grazing(), raytracedView(64, 48))));
                 }
 }
 
@@ -289,10 +290,10 @@ TEST(Raytraced, OnASlopeCoversAsOnTheLevel) {
         return p;
     };
     const ViewCamera camera{{10, 4, 1}, {10, 0.5, 5}, 40, 0};
-    const double flat =
-        covered(picture(meadow(Technique::Raytraced), camera)) / covered(picture(meadow(Technique::Geometry), camera));
-    const double hilly =
-        covered(picture(hill(Technique::Raytraced), camera)) / covered(picture(hill(Technique::Geometry), camera));
+    const double flat = covered(raytracedPicture(meadow(Technique::Raytraced), camera)) /
+                        covered(raytracedPicture(meadow(Technique::Geometry), camera));
+    const double hilly = covered(raytracedPicture(hill(Technique::Raytraced), camera)) /
+                         covered(raytracedPicture(hill(Technique::Geometry), camera));
     EXPECT_NEAR(hilly, flat, 0.15);
 }
 

@@ -16,7 +16,7 @@ namespace sward::test {
 namespace {
 
 // A dense lawn with small slices, soil that is not green.
-Project meadow(Technique technique) {
+Project slicedMeadow(Technique technique) {
     Project p = lawn();
     FlatField f = flatField(p, "grass");
     f.technique = nameOf(technique);
@@ -27,7 +27,7 @@ Project meadow(Technique technique) {
 }
 FlatField grassOf(Project& p) { return flatField(p, "grass"); }
 
-ViewSettings sized(int msaa = 4) {
+ViewSettings slicedView(int msaa = 4) {
     ViewSettings s = small();
     s.msaa = msaa;
     return s;
@@ -35,19 +35,21 @@ ViewSettings sized(int msaa = 4) {
 // Across the lawn, steep enough that only ground and grass are seen.
 ViewCamera across() { return {{10, 2.5, 1}, {10, 0, 4}, 40, 0}; }
 
-std::vector<float> picture(Project& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) {
+std::vector<float> picture(Project& p, const ViewCamera& camera = across(),
+                           const ViewSettings& settings = slicedView()) {
     Renderer r(gpu(), tables());
     const Status drawn = r.draw(p, camera, settings);
     EXPECT_TRUE(drawn) << drawn.error().text();
     return r.readLinear();
 }
-std::vector<float> picture(Project&& p, const ViewCamera& camera = across(), const ViewSettings& settings = sized()) {
+std::vector<float> picture(Project&& p, const ViewCamera& camera = across(),
+                           const ViewSettings& settings = slicedView()) {
     return picture(p, camera, settings);
 }
 double luminance(const std::vector<float>& pixels, size_t i) {
     return 0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2];
 }
-double brightness(const std::vector<float>& pixels) {
+double meanBrightness(const std::vector<float>& pixels) {
     double sum = 0;
     for (size_t i = 0; i < pixels.size(); i += 3) sum += luminance(pixels, i);
     return 3 * sum / static_cast<double>(pixels.size());
@@ -68,7 +70,7 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
     NoGlErrors errors;
     for (const LightWeighting weights : {GrassSlices{}.lightWeights, LightWeighting::Atan})
         for (const Technique technique : {Technique::Slices, Technique::Flat}) {
-            Project p = meadow(technique);
+            Project p = slicedMeadow(technique);
             grassOf(p).lightWeights = weights;
             const auto factored = picture(p);
             grassOf(p).lightWeights = LightWeighting::Atan;
@@ -81,10 +83,10 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
                 const std::string which =
                     fmt::format("{}, {}, {}: {:.4f} apart, {:.3f} of its brightness",
                                 kStorages[static_cast<int>(storage)], nameOf(technique), kLightWeights[weights],
-                                rmse(other, like), brightness(other) / brightness(factored));
+                                rmse(other, like), meanBrightness(other) / meanBrightness(factored));
                 std::printf("  %s\n", which.c_str());
                 EXPECT_LT(rmse(other, like), 0.015) << which;
-                EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored)) << which;
+                EXPECT_NEAR(meanBrightness(other), meanBrightness(factored), 0.1 * meanBrightness(factored)) << which;
             }
         }
 }
@@ -93,7 +95,7 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
 TEST(Slices, AreLitByALampHoweverTheyAreStored) {
     NoGlErrors errors;
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
-        Project p = meadow(technique);
+        Project p = slicedMeadow(technique);
         p.registry.get<Light>(findEntity(p, "sun"))->elevationDeg = -20;
         Light lamp;
         lamp.type = LightType::Point, lamp.intensity = 30;
@@ -101,11 +103,11 @@ TEST(Slices, AreLitByALampHoweverTheyAreStored) {
         put<Transform>(p, "lamp", {{10, 2, 5}});
         const auto factored = picture(p);
         p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 0;
-        const double dark = brightness(picture(p));
-        EXPECT_GT(brightness(factored), 2 * dark) << nameOf(technique);
+        const double dark = meanBrightness(picture(p));
+        EXPECT_GT(meanBrightness(factored), 2 * dark) << nameOf(technique);
         p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 30;
         grassOf(p).storage = Storage::Full;
-        const double share = (brightness(picture(p)) - dark) / (brightness(factored) - dark);
+        const double share = (meanBrightness(picture(p)) - dark) / (meanBrightness(factored) - dark);
         std::printf("  %s: full storage has %.3f of the lamp's light\n", nameOf(technique), share);
         EXPECT_NEAR(share, 1, 0.1) << nameOf(technique);
     }
@@ -113,11 +115,11 @@ TEST(Slices, AreLitByALampHoweverTheyAreStored) {
 
 TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
     NoGlErrors errors;
-    const auto blades = picture(meadow(Technique::Geometry));
+    const auto blades = picture(slicedMeadow(Technique::Geometry));
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
-        const auto slices = picture(meadow(technique));
+        const auto slices = picture(slicedMeadow(technique));
         EXPECT_NEAR(covered(slices), covered(blades), 0.12) << nameOf(technique);
-        const double off = std::abs(brightness(slices) / brightness(blades) - 1);
+        const double off = std::abs(meanBrightness(slices) / meanBrightness(blades) - 1);
         std::printf("  %s: %.3f of the blades' cover, brightness off by %.3f\n", nameOf(technique),
                     covered(slices) / covered(blades), off);
         if (technique == Technique::Slices)  // from steeply above wide blades: they hold no view from above
@@ -129,32 +131,34 @@ TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
 
 TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     NoGlErrors errors;
-    Project bare = meadow(Technique::Slices);
+    Project bare = slicedMeadow(Technique::Slices);
     bare.registry.remove<GrassField>(findEntity(bare, "grass"));
     EXPECT_LT(covered(picture(bare)), 0.001);
-    const auto blades = picture(meadow(Technique::Geometry));
+    const auto blades = picture(slicedMeadow(Technique::Geometry));
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
-        Project p = meadow(Technique::Slices);
+        Project p = slicedMeadow(Technique::Slices);
         grassOf(p).transparency = static_cast<Transparency>(way);
         const auto drawn = picture(p);
         // Blended nearest first, what lies behind is lost: 0.36 of the pixels show grass.
         EXPECT_GT(covered(drawn), 0.8 * covered(blades)) << kTransparencies[way];
-        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.25 * brightness(blades)) << kTransparencies[way];
+        EXPECT_NEAR(meanBrightness(drawn), meanBrightness(blades), 0.25 * meanBrightness(blades))
+            << kTransparencies[way];
     }
 }
 
 TEST(Slices, AreAsBrightWithAnyNumberOfSamples) {
     NoGlErrors errors;
-    const double four = brightness(picture(meadow(Technique::Slices), across(), sized(4)));
+    const double four = meanBrightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(4)));
     for (const int samples : {1, 2})
-        EXPECT_NEAR(brightness(picture(meadow(Technique::Slices), across(), sized(samples))), four, 0.03 * four)
+        EXPECT_NEAR(meanBrightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(samples))), four,
+                    0.03 * four)
             << samples;
 }
 
 TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
     NoGlErrors errors;
     const auto hill = [](Technique technique) {
-        Project p = meadow(technique);
+        Project p = slicedMeadow(technique);
         Map m({64, 64, 1, PixelType::F32});
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
@@ -163,8 +167,8 @@ TEST(Slices, OnAHillStandOnTheGroundWithoutGaps) {
         return p;
     };
     const ViewCamera camera{{10, 4, 1}, {10, 0.5, 5}, 40, 0};
-    const double flat =
-        covered(picture(meadow(Technique::Slices), camera)) / covered(picture(meadow(Technique::Geometry), camera));
+    const double flat = covered(picture(slicedMeadow(Technique::Slices), camera)) /
+                        covered(picture(slicedMeadow(Technique::Geometry), camera));
     const double hilly =
         covered(picture(hill(Technique::Slices), camera)) / covered(picture(hill(Technique::Geometry), camera));
     EXPECT_NEAR(hilly, flat, 0.15);
@@ -176,14 +180,14 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     NoGlErrors errors;
     const auto change = [](Technique technique) {
         const auto leant = [&](float x) {
-            Project p = meadow(technique);
+            Project p = slicedMeadow(technique);
             FlatField f = grassOf(p);
             f.species[0].leanDeg = 25;
             Map m({4, 4, 2, PixelType::U16});
             for (int i = 0; i < 16; ++i) m.set(i % 4, i / 4, 0, x), m.set(i % 4, i / 4, 1, 0.5f);
             f.orientation = field(m);
             *p.registry.get<Light>(findEntity(p, "sun")) = {.azimuthDeg = 90, .elevationDeg = 35};
-            return brightness(picture(p));  // the light comes from the side: as much soil is seen either way
+            return meanBrightness(picture(p));  // the light comes from the side: as much soil is seen either way
         };
         const double towards = leant(1), away = leant(0);
         return (towards - away) / (towards + away);
@@ -198,7 +202,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
 
 // Mean colour inside a disc of three metres that something pressed flat, seen from a distance.
 glm::dvec3 pressedColor(Technique technique, const Light& sun, double distance) {
-    Project p = meadow(technique);
+    Project p = slicedMeadow(technique);
     grassOf(p).species[0].bladesPerM2 = 1200;
     *p.registry.get<Light>(findEntity(p, "sun")) = sun;
     ForceSource disc;
@@ -238,10 +242,10 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
 
 TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
     NoGlErrors errors;
-    Project p = meadow(Technique::Slices);
+    Project p = slicedMeadow(Technique::Slices);
     grassOf(p).seed = 7;
     grassOf(p).sliceWidth = grassOf(p).farSize = 512;
-    ViewSettings beside = sized();
+    ViewSettings beside = slicedView();
     beside.background = true;
     Renderer r(gpu(), tables());
     ASSERT_TRUE(r.draw(p, across(), beside));
@@ -259,9 +263,9 @@ TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
 
 TEST(Slices, ABakeForOtherBladesIsCancelledAndCachedOnesComeAtOnce) {
     NoGlErrors errors;
-    Project p = meadow(Technique::Slices);
+    Project p = slicedMeadow(Technique::Slices);
     const auto known = picture(p);  // in the cache from here on
-    ViewSettings beside = sized();
+    ViewSettings beside = slicedView();
     beside.background = true;
     Renderer r(gpu(), tables());
     ASSERT_TRUE(r.draw(p, across(), beside));
@@ -351,7 +355,7 @@ TEST(Transparency, LayersOfSamplesHideWhatTheirOpacitySays) {
 TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
     NoGlErrors errors;
     const auto redness = [](bool tallFirst) {
-        Project p = meadow(Technique::Flat);
+        Project p = slicedMeadow(Technique::Flat);
         FlatField f = grassOf(p);
         Species low = f.species[0], tall = f.species[0];
         low.name = "low", low.height = 0.05f;

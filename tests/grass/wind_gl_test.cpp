@@ -13,8 +13,8 @@
 namespace sward::test {
 namespace {
 
-FlatField grassOf(Project& p) { return flatField(p, "grass"); }
-std::vector<uint8_t> pictureOf(Renderer& r, Project& p, const ViewCamera& camera, const ViewSettings& settings) {
+FlatField windyGrass(Project& p) { return flatField(p, "grass"); }
+std::vector<uint8_t> windyPicture(Renderer& r, Project& p, const ViewCamera& camera, const ViewSettings& settings) {
     const Status drawn = r.draw(p, camera, settings);
     EXPECT_TRUE(drawn) << drawn.error().text();
     return r.readImage();
@@ -40,7 +40,7 @@ const Way kWays[] = {{"hybrid", Technique::Hybrid},
 // Two species, of which the second is low; all tiers are in view, shadows on the ground too.
 Project windy(const Way& way) {
     Project p = lawn();
-    FlatField f = grassOf(p);
+    FlatField f = windyGrass(p);
     f.technique = nameOf(way.technique), f.tessellation = way.tessellation, f.population = way.population;
     f.minGeom = 2, f.maxGeom = 4, f.minBTF = 6, f.maxBTF = 9, f.maxDistance = 15;
     f.sliceWidth = f.sliceHeight = f.farSize = 32;
@@ -54,10 +54,10 @@ Project windy(const Way& way) {
 std::vector<uint8_t> windyPicture(Renderer& r, const Way& way, float strength, float first, float second) {
     Project p = windy(way);
     p.registry.get<Wind>(findEntity(p, "wind"))->strength = strength;
-    grassOf(p).species[0].stiffness = first, grassOf(p).species[1].stiffness = second;
+    windyGrass(p).species[0].stiffness = first, windyGrass(p).species[1].stiffness = second;
     ViewSettings s = small();
     s.time = 3;
-    return pictureOf(r, p, eyeHeight(), s);
+    return windyPicture(r, p, eyeHeight(), s);
 }
 
 TEST(Stiffness, OfTwoHalvesTheWindInEveryTechniqueForItsOwnSpecies) {
@@ -85,7 +85,7 @@ constexpr int kWidth = 192, kHeight = 72;
 // Upright blades in a strip that runs away from the eye, in a wind that blows evenly to the right.
 Project strip(Technique technique, float stiffness) {
     Project p = lawn();
-    FlatField f = grassOf(p);
+    FlatField f = windyGrass(p);
     f.technique = nameOf(technique);
     f.minGeom = 100, f.maxGeom = 200, f.minBTF = 300, f.maxBTF = 400;
     f.maxDistance = 400, f.thinning = 0, f.lowerFrom = 1, f.beyond = Beyond::Nothing;
@@ -130,9 +130,9 @@ double drawnLean(Renderer& r, Technique technique, float stiffness) {
     Project p = strip(technique, stiffness);
     ViewSettings s;
     s.width = kWidth, s.height = kHeight, s.mode = ViewMode::Tiers;
-    const auto with = pictureOf(r, p, along(), s);
+    const auto with = windyPicture(r, p, along(), s);
     p.registry.remove<GrassField>(findEntity(p, "grass"));
-    const auto without = pictureOf(r, p, along(), s);
+    const auto without = windyPicture(r, p, along(), s);
     return leanOf([&](size_t i) {
         return std::abs(with[3 * i] - without[3 * i]) + std::abs(with[3 * i + 1] - without[3 * i + 1]) +
                            std::abs(with[3 * i + 2] - without[3 * i + 2]) >
@@ -178,10 +178,10 @@ TEST(Stiffness, DoesNotHoldUpWhatAFootPresses) {
             Project p = strip(technique, stiffness);
             Map force({4, 4, 4, PixelType::U8});
             for (int i = 0; pressed && i < 16; ++i) force.set(i % 4, i / 4, 2, 1), force.set(i % 4, i / 4, 3, 1);
-            grassOf(p).forces = field(force, "maps/f.png");
+            windyGrass(p).forces = field(force, "maps/f.png");
             ViewSettings s;
             s.width = kWidth, s.height = kHeight;
-            return pictureOf(r, p, along(), s);
+            return windyPicture(r, p, along(), s);
         };
         const auto flat = picture(1, true);
         EXPECT_TRUE(flat == picture(100, true)) << nameOf(technique);

@@ -13,7 +13,8 @@
 namespace sward::test {
 namespace {
 
-constexpr int kWidth = 112, kHeight = 56, kFiner = 4;  // pixels; samples a pixel along each axis, with 4 in each
+constexpr int kPictureWidth = 112, kPictureHeight = 56,
+              kFiner = 4;  // pixels; samples a pixel along each axis, with 4 in each
 
 // Around what a person looks at, as many pixels a degree as 1024x768 at 55 degrees has.
 ViewCamera crop(double distance) {
@@ -26,13 +27,13 @@ using Linear = std::vector<glm::vec3>;
 
 // The mean over the samples of each pixel, in linear light.
 Linear converged(Renderer& r, Project& p, const ViewCamera& c) {
-    const Status drawn = r.draw(p, c, sized(kWidth * kFiner, kHeight * kFiner));
+    const Status drawn = r.draw(p, c, sized(kPictureWidth * kFiner, kPictureHeight * kFiner));
     EXPECT_TRUE(drawn) << drawn.error().text();
     const std::vector<float> fine = r.readLinear();
-    Linear out(static_cast<size_t>(kWidth * kHeight), glm::vec3(0));
+    Linear out(static_cast<size_t>(kPictureWidth * kPictureHeight), glm::vec3(0));
     for (size_t i = 0; i < fine.size() / 3; ++i) {
-        const size_t x = i % (kWidth * kFiner) / kFiner, y = i / (kWidth * kFiner) / kFiner;
-        out[y * kWidth + x] +=
+        const size_t x = i % (kPictureWidth * kFiner) / kFiner, y = i / (kPictureWidth * kFiner) / kFiner;
+        out[y * kPictureWidth + x] +=
             glm::vec3(fine[3 * i], fine[3 * i + 1], fine[3 * i + 2]) / static_cast<float>(kFiner * kFiner);
     }
     return out;
@@ -40,7 +41,7 @@ Linear converged(Renderer& r, Project& p, const ViewCamera& c) {
 Picture shown(const Linear& linear) {
     std::vector<float> rgb;
     for (const glm::vec3& c : linear) rgb.insert(rgb.end(), {c.x, c.y, c.z});
-    return pictureOfLinear(kWidth, kHeight, rgb);
+    return pictureOfLinear(kPictureWidth, kPictureHeight, rgb);
 }
 
 // A Gaussian of one pixel.
@@ -48,27 +49,28 @@ Linear blurred(const Linear& in) {
     Linear out = in;
     for (int pass = 0; pass < 2; ++pass) {
         const Linear from = out;
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kPictureHeight; ++y)
+            for (int x = 0; x < kPictureWidth; ++x) {
                 glm::vec3 sum(0);
                 float weights = 0;
                 for (int k = -3; k <= 3; ++k) {
                     const float w = std::exp(-static_cast<float>(k * k) / 2);
-                    const int u = pass == 0 ? std::clamp(x + k, 0, kWidth - 1) : x,
-                              v = pass == 1 ? std::clamp(y + k, 0, kHeight - 1) : y;
-                    sum += w * from[static_cast<size_t>(v * kWidth + u)], weights += w;
+                    const int u = pass == 0 ? std::clamp(x + k, 0, kPictureWidth - 1) : x,
+                              v = pass == 1 ? std::clamp(y + k, 0, kPictureHeight - 1) : y;
+                    sum += w * from[static_cast<size_t>(v * kPictureWidth + u)], weights += w;
                 }
-                out[static_cast<size_t>(y * kWidth + x)] = sum / weights;
+                out[static_cast<size_t>(y * kPictureWidth + x)] = sum / weights;
             }
     }
     return out;
 }
 Linear flatRows(const Linear& in) {
     Linear out = in;
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kPictureHeight; ++y) {
         glm::vec3 mean(0);
-        for (int x = 0; x < kWidth; ++x) mean += in[static_cast<size_t>(y * kWidth + x)] / static_cast<float>(kWidth);
-        for (int x = 0; x < kWidth; ++x) out[static_cast<size_t>(y * kWidth + x)] = mean;
+        for (int x = 0; x < kPictureWidth; ++x)
+            mean += in[static_cast<size_t>(y * kPictureWidth + x)] / static_cast<float>(kPictureWidth);
+        for (int x = 0; x < kPictureWidth; ++x) out[static_cast<size_t>(y * kPictureWidth + x)] = mean;
     }
     return out;
 }

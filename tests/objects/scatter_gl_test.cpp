@@ -10,7 +10,7 @@
 namespace sward::test {
 namespace {
 
-const PassStats* passNamed(const Renderer& r, const std::string& name) {
+const PassStats* scatterPass(const Renderer& r, const std::string& name) {
     for (const PassStats& p : r.stats().passes)
         if (p.name == name) return &p;
     return nullptr;
@@ -24,7 +24,7 @@ Project cubes(const std::filesystem::path& dir, const Scatter& rule) {
     return p;
 }
 Scatter rule() { return {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500, .distance = 3, .size = {0.3, 0.5}}; }
-ViewSettings measured() {
+ViewSettings measuredScatter() {
     ViewSettings s = small();
     s.measure = true;
     return s;
@@ -37,12 +37,12 @@ TEST(ScatteredObjects, AreDrawnByInstancesOfOneDraw) {
     const size_t there = scatterOver(rule(), findGround(p)).objects.size();
     ASSERT_GT(there, 8u);
     Renderer renderer(gpu(), tables());
-    ASSERT_TRUE(renderer.draw(p, {{10, 30, 11}, {10, 0, 10}, 55, 0}, measured()));
-    ASSERT_TRUE(passNamed(renderer, "objects/scatter"));
-    EXPECT_EQ(passNamed(renderer, "objects/scatter")->draws, 1u);
-    EXPECT_EQ(passNamed(renderer, "objects/scatter")->instances, there);
-    EXPECT_EQ(passNamed(renderer, "objects/mesh"), nullptr) << "no StaticMesh is there";
-    EXPECT_EQ(passNamed(renderer, "objects/shadow")->instances, 3 * there) << "in every map";
+    ASSERT_TRUE(renderer.draw(p, {{10, 30, 11}, {10, 0, 10}, 55, 0}, measuredScatter()));
+    ASSERT_TRUE(scatterPass(renderer, "objects/scatter"));
+    EXPECT_EQ(scatterPass(renderer, "objects/scatter")->draws, 1u);
+    EXPECT_EQ(scatterPass(renderer, "objects/scatter")->instances, there);
+    EXPECT_EQ(scatterPass(renderer, "objects/mesh"), nullptr) << "no StaticMesh is there";
+    EXPECT_EQ(scatterPass(renderer, "objects/shadow")->instances, 3 * there) << "in every map";
 }
 
 TEST(ScatteredObjects, LookAsTheSameObjectsOneByOne) {
@@ -104,8 +104,8 @@ TEST(ScatteredObjects, AMissingFileIsToldAndTheRestIsDrawn) {
     both.meshes.push_back({"gone", "gone.glb"});
     const Project p = cubes(dir.path, both);
     Renderer renderer(gpu(), tables());
-    ASSERT_TRUE(renderer.draw(p, {{10, 30, 11}, {10, 0, 10}, 55, 0}, measured()));
-    const uint64_t drawn = passNamed(renderer, "objects/scatter")->instances;
+    ASSERT_TRUE(renderer.draw(p, {{10, 30, 11}, {10, 0, 10}, 55, 0}, measuredScatter()));
+    const uint64_t drawn = scatterPass(renderer, "objects/scatter")->instances;
     EXPECT_GT(drawn, 0u);
     EXPECT_LT(drawn, scatterOver(both, findGround(p)).objects.size());
     EXPECT_FALSE(Solids::make(p, 0, JobControl{})) << "the truth does not leave anything out";

@@ -6,15 +6,14 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "scene/project.h"
-#include "techniques.h"
 #include "tests/maps/images.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace sward::test {
 namespace {
 
 namespace fs = std::filesystem;
-std::span<const ComponentRow> rows() { return tables().components; }
 // Ground and a meadow of two species.
 Project meadow() {
     Project p;

@@ -6,13 +6,13 @@
 #include "project/project_files.h"
 #include "scene/project.h"
 #include "techniques.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace sward::test {
 namespace {
 
 namespace fs = std::filesystem;
-std::span<const ComponentRow> rows() { return tables().components; }
 Project loaded(const fs::path& dir) {
     Result<Project> p = loadProject(dir, rows());
     EXPECT_TRUE(p) << (p ? "" : p.error().text());

@@ -11,6 +11,7 @@
 #include "scene/project.h"
 #include "techniques.h"
 #include "tests/maps/images.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -18,8 +19,6 @@ using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
-
 // A project of one entity "e", one component a line from line 3 on.
 std::string entity(const std::string& components) {
     return "{\"format\": 1, \"entities\": {\"e\": {\n\n" + components + "\n}}}";

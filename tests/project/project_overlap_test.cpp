@@ -5,6 +5,7 @@
 #include "core/save_folder.h"
 #include "project/project_files.h"
 #include "tests/project/kill_save.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -12,7 +13,6 @@ using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
 SaveWay waiting(double seconds) {
     SaveWay way;
     way.waitSeconds = seconds;

@@ -7,6 +7,7 @@
 #include "project/project_files.h"
 #include "scene/field_limits.h"
 #include "tests/project/kill_save.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -14,7 +15,6 @@ using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
 GrassField& lawnOf(Project& p) { return *p.registry.get<GrassField>(findEntity(p, "lawn")); }
 
 class UnreadableProjects : public testing::Test {

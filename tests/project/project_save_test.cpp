@@ -8,9 +8,9 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "scene/project.h"
-#include "techniques.h"
 #include "tests/maps/images.h"
 #include "tests/project/kill_save.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -18,8 +18,6 @@ using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
-
 // Every file under dir with its bytes.
 std::map<std::string, std::string> contents(const fs::path& dir) {
     std::map<std::string, std::string> out;

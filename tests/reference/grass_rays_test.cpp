@@ -13,22 +13,12 @@
 #include "reference/solids.h"
 #include "scene/unique.h"
 #include "support.h"
+#include "tests/reference/plain_image.h"
 #include "world/forces.h"
 #include "world/wind.h"
 
 namespace sward::test {
 namespace {
-
-const TempDir& folder() {
-    static const TempDir dir;
-    return dir;
-}
-// An image of one opaque grey of reflectance 1/2, which shaders double: what it covers is all there, in its own colour.
-std::string plainImage() {
-    const std::string name = "plain.png";
-    if (!std::filesystem::exists(folder() / name)) CHECK(writeImagePng(folder() / name, 1, 1, 4, {188, 188, 188, 255}));
-    return name;
-}
 
 // Blades of a patch where they stand in a cell, as thin triangles: what GrassRays finds without them.
 struct BruteForce {

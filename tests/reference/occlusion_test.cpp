@@ -6,18 +6,11 @@
 #include "mesh/mesh_io.h"
 #include "mesh/mesh_shapes.h"
 #include "support.h"
+#include "tests/reference/ray_scenes.h"
 
 namespace sward {
 namespace {
 
-Triangles quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-    return {{a, b, c, d}, {0, 1, 2, 0, 2, 3}};
-}
-RayScene sceneOf(std::vector<Triangles> meshes) {
-    auto made = RayScene::make(meshes);
-    EXPECT_TRUE(made);
-    return std::move(*made);
-}
 double seenFrom(const RayScene& rays, double x, double z, int samples = 16384) {
     TerrainSurface level;
     level.size = {100, 100};

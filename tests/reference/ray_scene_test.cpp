@@ -3,17 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/reference/ray_scenes.h"
+
 namespace sward {
 namespace {
-
-Triangles quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-    return {{a, b, c, d}, {0, 1, 2, 0, 2, 3}};
-}
-RayScene sceneOf(std::vector<Triangles> meshes) {
-    auto made = RayScene::make(meshes);
-    EXPECT_TRUE(made);
-    return std::move(*made);
-}
 
 TEST(RayScene, HitsWhatLiesAheadWithinReach) {
     const RayScene rays = sceneOf({quad({-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1})});

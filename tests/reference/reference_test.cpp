@@ -18,21 +18,12 @@
 #include "sky/exposure.h"
 #include "support.h"
 #include "techniques.h"
+#include "tests/reference/plain_image.h"
 #include "world/view_camera.h"
 
 namespace sward::test {
 namespace {
 
-const TempDir& folder() {
-    static const TempDir dir;
-    return dir;
-}
-// An image of one opaque grey of reflectance 1/2, which shaders double: what it covers is all there, in its own colour.
-std::string plainImage() {
-    const std::string name = "plain.png";
-    if (!std::filesystem::exists(folder() / name)) CHECK(writeImagePng(folder() / name, 1, 1, 4, {188, 188, 188, 255}));
-    return name;
-}
 const float kPlain = 2 * f32::srgbDecode(188.0f / 255);
 
 Truth traced(const Project& p, const ViewCamera& c, ReferenceSettings s) {

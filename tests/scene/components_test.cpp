@@ -9,16 +9,14 @@
 #include "project/project_files.h"
 #include "scene/map_layers.h"
 #include "scene/project.h"
-#include "techniques.h"
 #include "tests/maps/images.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
-
 void* at(void* base, const FieldRow& row) { return static_cast<std::byte*>(base) + row.offset; }
 
 template <class F>

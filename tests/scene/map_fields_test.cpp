@@ -1,15 +1,12 @@
 #include "scene/map_fields.h"
+#include "tests/rows.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "techniques.h"
-
 namespace sward {
 namespace {
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 // Calls f with each map's row and the table in which it stands, and that of the component that holds both.
 template <class F>

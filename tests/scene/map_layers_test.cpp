@@ -6,7 +6,7 @@
 #include "maps/map_io.h"
 #include "project/import.h"
 #include "project/project_files.h"
-#include "techniques.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 #include "tests/world/layered.h"
 
@@ -15,8 +15,6 @@ namespace {
 
 using namespace test;
 namespace fs = std::filesystem;
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 Project saved(const TempDir& dir, std::vector<MapLayer> layers) {
     Project p = rampLawn(40);

@@ -6,8 +6,8 @@
 #include "project/import.h"
 #include "project/project_files.h"
 #include "scene/project.h"
-#include "techniques.h"
 #include "tests/maps/images.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -15,8 +15,6 @@ using namespace sward;
 using namespace sward::test;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
-
 // Ground and a meadow of two species.
 Project meadow() {
     Project p;

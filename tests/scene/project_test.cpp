@@ -8,6 +8,7 @@
 #include "maps/map_io.h"
 #include "project/project_files.h"
 #include "techniques.h"
+#include "tests/rows.h"
 #include "tests/support.h"
 
 namespace fs = std::filesystem;
@@ -17,8 +18,6 @@ using sward::test::TempDir;
 using sward::test::writeText;
 
 namespace {
-std::span<const ComponentRow> rows() { return tables().components; }
-
 Project made(const fs::path& dir) {
     Result<Project> p = newProject(dir, tables().components);
     EXPECT_TRUE(p) << (p ? "" : p.error().text());

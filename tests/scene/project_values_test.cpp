@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "scene/project.h"
-#include "techniques.h"
+#include "tests/rows.h"
 
 namespace sward {
 namespace {
 
-std::span<const ComponentRow> rows() { return tables().components; }
 // Ground and a meadow of two species.
 Project meadow() {
     Project p;

@@ -11,13 +11,12 @@
 #include "scene/components.h"
 #include "scene/project.h"
 #include "techniques.h"
+#include "tests/rows.h"
 
 namespace sward {
 namespace {
 
 using namespace test;
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 TEST(SceneFeatures, EachComponentAsksForItsFeaturesAndTheirAbsenceForNone) {
     const auto featuresOf = [](const char* name, const void* value) {

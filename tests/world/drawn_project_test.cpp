@@ -6,11 +6,10 @@
 
 #include "core/numerics.h"
 #include "scenes.h"
+#include "tests/rows.h"
 
 namespace sward::test {
 namespace {
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 GroundPath across(float width, float falloff, double z = 10) {
     GroundPath p;

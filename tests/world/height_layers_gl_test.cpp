@@ -3,14 +3,13 @@
 #include "world/height_layers.h"
 
 #include "reference/reference.h"
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 
 namespace sward {
 namespace {
 
 using namespace test;
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 // Flat ground with a bank of 3 m across the view, of an imported picture.
 Project banked() {

@@ -2,6 +2,7 @@
 #include "world/height_layers.h"
 
 #include "scene/ground_path.h"
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 #include "world/ground.h"
 
@@ -10,10 +11,6 @@ namespace {
 
 using namespace test;
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
-std::span<const ComponentRow> rows() { return tables().components; }
-
-Terrain& terrain(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
 MapLayer over(const std::string& name, LayerKind kind, LayerOperation operation, float high = 1, float low = 0) {
     MapLayer layer;
     layer.name = name;

@@ -32,7 +32,7 @@ TEST(KeepOff, NothingStandsOnAnObjectOrWithinTheGapBesideIt) {
 TEST(KeepOff, WhatHangsHighIsInNobodysWay) {
     const TempDir dir;
     Project p = cubeScene(dir.path);
-    Outlines outlines;
+    Footprints outlines;
     const auto held = [&] { return keepOffOf(p, findGround(p), rule(), outlines).holds(10, 10); };
     EXPECT_TRUE(held());
     put<Transform>(p, "cube", {{10, 3, 10}});

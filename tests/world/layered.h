@@ -2,6 +2,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "scene/map_layers.h"
@@ -11,9 +12,11 @@
 
 namespace sward::test {
 
+inline constexpr float kInf = std::numeric_limits<float>::infinity();
 inline constexpr const char* kLayered = "GrassField.species[lawn].density";
 inline constexpr const char* kLayeredPath = "grass.GrassField.species[lawn].density";
 
+inline Terrain& terrain(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
 // Flat at 0 m up to x = 10, from there on rising by `slopeDeg`; 20 x 20 m, painted with `painted` everywhere.
 inline Project rampLawn(double slopeDeg, float painted = 0.8f) {
     Project p = lawn();

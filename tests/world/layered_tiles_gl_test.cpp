@@ -1,5 +1,6 @@
 // Layers over colours in the pictures: those of maps that were painted so, by every technique and by the truth.
 #include "reference/reference.h"
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 #include "world/layered_tiles.h"
 
@@ -7,8 +8,6 @@ namespace sward {
 namespace {
 
 using namespace test;
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 // Bare ground on the left, grass on the right; both coloured by rules, with nothing painted.
 Project coloured() {
@@ -40,12 +39,12 @@ Project by(Project p, const std::string& technique) {
     p.registry.get<GrassField>(findEntity(p, "grass"))->technique = technique;
     return p;
 }
-std::vector<uint8_t> picture(Renderer& r, const Project& p) {
+std::vector<uint8_t> layeredPicture(Renderer& r, const Project& p) {
     const Status drawn = r.draw(p, above(), small());
     EXPECT_TRUE(drawn) << drawn.error().text();
     return r.readImage();
 }
-std::vector<float> traced(const Project& p) {
+std::vector<float> layeredTrace(const Project& p) {
     ReferenceSettings s;
     s.width = 48, s.height = 32, s.samples = 2;
     JobControl control;
@@ -58,18 +57,20 @@ TEST(LayeredColours, AreThoseOfMapsThatWerePaintedSoByEveryTechnique) {
     const NoGlErrors none;
     for (const TechniqueRow& technique : tables().techniques) {
         Renderer a(gpu(), tables()), b(gpu(), tables());
-        const std::vector<uint8_t> shown = picture(a, by(coloured(), technique.name));
-        EXPECT_EQ(shown, picture(b, by(paintedSo(), technique.name))) << technique.name;
-        EXPECT_NE(shown, picture(b, by(without("ground"), technique.name))) << technique.name << ": the sand is seen";
-        EXPECT_NE(shown, picture(b, by(without("grass"), technique.name))) << technique.name << ": dry blades are seen";
+        const std::vector<uint8_t> shown = layeredPicture(a, by(coloured(), technique.name));
+        EXPECT_EQ(shown, layeredPicture(b, by(paintedSo(), technique.name))) << technique.name;
+        EXPECT_NE(shown, layeredPicture(b, by(without("ground"), technique.name)))
+            << technique.name << ": the sand is seen";
+        EXPECT_NE(shown, layeredPicture(b, by(without("grass"), technique.name)))
+            << technique.name << ": dry blades are seen";
     }
 }
 
 TEST(LayeredColours, HaveTheTruthOfMapsThatWerePaintedSo) {
-    const std::vector<float> truth = traced(coloured());
-    EXPECT_EQ(truth, traced(paintedSo()));
-    EXPECT_NE(truth, traced(without("ground")));
-    EXPECT_NE(truth, traced(without("grass")));
+    const std::vector<float> truth = layeredTrace(coloured());
+    EXPECT_EQ(truth, layeredTrace(paintedSo()));
+    EXPECT_NE(truth, layeredTrace(without("ground")));
+    EXPECT_NE(truth, layeredTrace(without("grass")));
 }
 
 }  // namespace

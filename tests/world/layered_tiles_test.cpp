@@ -3,6 +3,7 @@
 
 #include "core/numerics.h"
 #include "scene/ground_path.h"
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 
 namespace sward {
@@ -10,11 +11,8 @@ namespace {
 
 using namespace test;
 
-std::span<const ComponentRow> rows() { return tables().components; }
 constexpr glm::vec3 kSand{0.54f, 0.39f, 0.19f};
-constexpr float kInf = std::numeric_limits<float>::infinity();
 
-Terrain& terrain(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
 const Map& ground(const Project& p) { return findGround(p).terrain->terrainMap.map; }
 MapLayer colourLayer(const std::string& name, std::vector<MapMask> masks) {
     MapLayer layer = ruleLayer(name, std::move(masks), LayerOperation::Replace);

@@ -3,6 +3,7 @@
 
 #include "cost/frame_stats.h"
 #include "reference/reference.h"
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 #include "world/map_stacks.h"
 
@@ -11,20 +12,18 @@ namespace {
 
 using namespace test;
 
-std::span<const ComponentRow> rows() { return tables().components; }
-
 Project layered() {
     Project p = rampLawn(40);
     lay(p, {ruleLayer("not steep", {maskBy(MaskBy::Slope, 0, 35, 5)})});
     return p;
 }
 // The same without layers, its density painted as they leave it.
-Project paintedSo() {
+Project paintedStacks() {
     Project p = snapshot(*withLayers(layered(), rows()), rows());
     p.registry.remove<MapLayers>(findEntity(p, "grass"));
     return p;
 }
-std::vector<uint8_t> picture(Renderer& r, const Project& p) {
+std::vector<uint8_t> stackPicture(Renderer& r, const Project& p) {
     const Status drawn = r.draw(p, above(), small());
     EXPECT_TRUE(drawn) << drawn.error().text();
     return r.readImage();
@@ -33,35 +32,35 @@ std::vector<uint8_t> picture(Renderer& r, const Project& p) {
 TEST(LayeredPictures, AreThoseOfAMapThatWasPaintedSoToTheByte) {
     const NoGlErrors none;
     Renderer a(gpu(), tables()), b(gpu(), tables());
-    const std::vector<uint8_t> shown = picture(a, layered());
-    EXPECT_EQ(shown, picture(b, paintedSo()));
-    EXPECT_NE(shown, picture(b, rampLawn(40))) << "the layer is seen";
+    const std::vector<uint8_t> shown = stackPicture(a, layered());
+    EXPECT_EQ(shown, stackPicture(b, paintedStacks()));
+    EXPECT_NE(shown, stackPicture(b, rampLawn(40))) << "the layer is seen";
 }
 
 TEST(LayeredPictures, FollowAStrokeBelowAndAMutedLayer) {
     const NoGlErrors none;
     Renderer r(gpu(), tables()), fresh(gpu(), tables());
     Project p = layered();
-    const std::vector<uint8_t> before = picture(r, p);
+    const std::vector<uint8_t> before = stackPicture(r, p);
     for (int y = 60; y < 200; ++y)
         for (int x = 60; x < 120; ++x) painted(p).set(x, y, 0, 0);
-    const std::vector<uint8_t> after = picture(r, p);
+    const std::vector<uint8_t> after = stackPicture(r, p);
     EXPECT_NE(after, before);
-    EXPECT_EQ(after, picture(fresh, p));
+    EXPECT_EQ(after, stackPicture(fresh, p));
     p.registry.get<MapLayers>(findEntity(p, "grass"))->layers[0].muted = true;
     Project without = snapshot(p, rows());
     without.registry.remove<MapLayers>(findEntity(without, "grass"));
-    EXPECT_EQ(picture(r, p), picture(fresh, without));
+    EXPECT_EQ(stackPicture(r, p), stackPicture(fresh, without));
 }
 
 TEST(LayeredPictures, LeaveNothingWhereAProjectHasNoLayers) {
     const NoGlErrors none;
     Renderer r(gpu(), tables());
     const Project bare = rampLawn(40);
-    const std::vector<uint8_t> before = picture(r, bare);
+    const std::vector<uint8_t> before = stackPicture(r, bare);
     const uint64_t bytes = r.stats().gpuBytes;
-    picture(r, layered());
-    EXPECT_EQ(picture(r, bare), before);
+    stackPicture(r, layered());
+    EXPECT_EQ(stackPicture(r, bare), before);
     EXPECT_TRUE(r.layerNotes().empty());
     EXPECT_EQ(r.stats().gpuBytes, bytes);
     EXPECT_EQ(r.explain(bare, false).find("ayers"), std::string::npos);
@@ -92,7 +91,7 @@ TEST(LayeredPictures, HaveTheTruthAndTheCountsOfAMapThatWasPaintedSo) {
         EXPECT_TRUE(scene);
         return scene->trace(above(), s, control)->color;
     };
-    const Project a = layered(), b = paintedSo();
+    const Project a = layered(), b = paintedStacks();
     EXPECT_EQ(traced(a), traced(b));
     EXPECT_NE(traced(a), traced(rampLawn(40)));
     EXPECT_EQ(visibleBlades(a, tables(), above(), 160, 120), visibleBlades(b, tables(), above(), 160, 120));

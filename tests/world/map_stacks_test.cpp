@@ -1,14 +1,13 @@
 // What maps with layers come to: by kinds and operations, evaluated only where something changed, and nothing lost.
 #include "world/map_stacks.h"
 
+#include "tests/rows.h"
 #include "tests/world/layered.h"
 
 namespace sward {
 namespace {
 
 using namespace test;
-
-std::span<const ComponentRow> rows() { return tables().components; }
 
 MapLayer paintedLayer(const std::string& name, float amount, LayerOperation operation) {
     MapLayer layer = ruleLayer(name, {}, operation);

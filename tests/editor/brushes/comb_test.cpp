@@ -4,14 +4,15 @@
 #include <random>
 
 #include "brushes/brush.h"
+#include "tests/editor/brushes/stamped.h"
 #include "tools/stroke.h"
 
 namespace sward {
 namespace {
 
-constexpr PixelType kTypes[] = {PixelType::U8, PixelType::U16, PixelType::F32};
+using namespace test;
 
-float stepOf(PixelType type) {
+float combStep(PixelType type) {
     return type == PixelType::U8 ? 2.f / 255 : type == PixelType::U16 ? 2.f / 65535 : 1e-6f;
 }
 
@@ -28,24 +29,15 @@ void lay(Map& m, int x, int y, const glm::dvec2& lean) {
     m.set(x, y, 0, static_cast<float>(lean.x / 2 + 0.5));
     m.set(x, y, 1, static_cast<float>(lean.y / 2 + 0.5));
 }
-BrushSettings brushOf(float strength, float falloff = 0.5f) {
-    BrushSettings b;
-    b.strength = strength, b.falloff = falloff;
-    return b;
-}
-void paint(Map& m, const char* mode, const Stamp& stamp, const BrushSettings& brush) {
-    applyStamp(m, *findBrush(mode), stamp, brush);
-}
-
 TEST(Comb, LaysTheCoreAlongTheHeadingByItsStrength) {
     for (const PixelType type : kTypes)
         for (const float strength : {0.25f, 1.0f}) {
             Map m = upright(200, type);
             paint(m, "comb", {100, 100, 60, 60, 7, 3, -4}, brushOf(strength));
             const glm::dvec2 lean = leanAt(m, 100, 100);
-            EXPECT_NEAR(lean.x, 0.6 * strength, stepOf(type));
-            EXPECT_NEAR(lean.y, -0.8 * strength, stepOf(type));
-            EXPECT_NEAR(glm::length(leanAt(m, 100, 190)), 0, 2 * stepOf(type));
+            EXPECT_NEAR(lean.x, 0.6 * strength, combStep(type));
+            EXPECT_NEAR(lean.y, -0.8 * strength, combStep(type));
+            EXPECT_NEAR(glm::length(leanAt(m, 100, 190)), 0, 2 * combStep(type));
             const double edge = glm::length(leanAt(m, 100 + 45, 100));
             EXPECT_GT(edge, 0.1 * strength);
             EXPECT_LT(edge, 0.9 * strength);
@@ -115,7 +107,7 @@ TEST(Comb, SmoothingOppositeDirectionsGivesNoneAndNotAnother) {
         for (uint32_t i = 0; i < 40; ++i) paint(m, "smooth", {80, 80, 60, 60, i}, brushOf(1, 0));
         for (int x = 60; x < 100; ++x) {
             EXPECT_LT(glm::length(leanAt(m, x, 80)), 0.06) << x;
-            EXPECT_NEAR(leanAt(m, x, 80).y, 0, 2 * stepOf(type)) << x;
+            EXPECT_NEAR(leanAt(m, x, 80).y, 0, 2 * combStep(type)) << x;
         }
     }
 }
@@ -136,10 +128,10 @@ TEST(Comb, SubtractMakesBladesStandUpAgainWithoutTurningThem) {
         for (int y = 0; y < 96; ++y)
             for (int x = 0; x < 96; ++x) lay(m, x, y, {0.6, -0.8});
         paint(m, "subtract", {48, 48, 40, 40}, brushOf(0.5f));
-        EXPECT_NEAR(leanAt(m, 48, 48).x, 0.3, 2 * stepOf(type));
-        EXPECT_NEAR(leanAt(m, 48, 48).y, -0.4, 2 * stepOf(type));
+        EXPECT_NEAR(leanAt(m, 48, 48).x, 0.3, 2 * combStep(type));
+        EXPECT_NEAR(leanAt(m, 48, 48).y, -0.4, 2 * combStep(type));
         paint(m, "subtract", {48, 48, 40, 40}, brushOf(1));
-        EXPECT_NEAR(glm::length(leanAt(m, 48, 48)), 0, 2 * stepOf(type));
+        EXPECT_NEAR(glm::length(leanAt(m, 48, 48)), 0, 2 * combStep(type));
     }
 }
 
@@ -156,7 +148,7 @@ TEST(Comb, WhateverIsPaintedStaysFiniteAndNoLongerThanOne) {
                   b);
         }
         for (int y = 0; y < 180; ++y)
-            for (int x = 0; x < 180; ++x) ASSERT_LE(glm::length(leanAt(m, x, y)), 1 + 2 * stepOf(type));
+            for (int x = 0; x < 180; ++x) ASSERT_LE(glm::length(leanAt(m, x, y)), 1 + 2 * combStep(type));
     }
 }
 

@@ -7,7 +7,7 @@
 namespace sward::test {
 namespace {
 
-int run(std::vector<std::string> args) {
+int runReference(std::vector<std::string> args) {
     args.insert(args.begin(), "sward");
     std::vector<char*> argv;
     for (std::string& a : args) argv.push_back(a.data());
@@ -21,11 +21,11 @@ int run(std::vector<std::string> args) {
 TEST(ReferenceVerb, OneShardIsAPartAsAnyOther) {
     TempDir dir;
     const std::string project = (dir / "p").string(), whole = (dir / "whole.exr").string();
-    ASSERT_EQ(run({"new", project}), 0);
+    ASSERT_EQ(runReference({"new", project}), 0);
     const auto reference = [&](std::vector<std::string> more) {
         std::vector<std::string> args = {"reference", project, "--size", "24x16", "--samples", "1"};
         args.insert(args.end(), more.begin(), more.end());
-        return run(args);
+        return runReference(args);
     };
     ASSERT_EQ(reference({"--out", whole}), 0);
     for (const int shards : {1, 2}) {
@@ -38,7 +38,7 @@ TEST(ReferenceVerb, OneShardIsAPartAsAnyOther) {
         }
         const std::string joined = (dir / "joined.exr").string();
         merge.insert(merge.end(), {"--out", joined});
-        ASSERT_EQ(run(merge), 0);
+        ASSERT_EQ(runReference(merge), 0);
         EXPECT_EQ(readText(joined), readText(whole)) << shards << " shards";
     }
 }

@@ -14,7 +14,7 @@ namespace sward {
 namespace {
 
 using test::TempDir;
-constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
+constexpr const char* kLawnDensity = "lawn.GrassField.species[lawn].density";
 
 struct Fixture {
     TempDir dir;
@@ -22,10 +22,10 @@ struct Fixture {
     Fixture() { EXPECT_TRUE(doc.create(dir / "p")); }
     std::vector<std::string> names() {
         std::vector<std::string> out;
-        for (const LayerOf& l : layersOver(doc.project(), kDensity)) out.push_back(l.layer->name);
+        for (const LayerOf& l : layersOver(doc.project(), kLawnDensity)) out.push_back(l.layer->name);
         return out;
     }
-    const MapLayer& layer(size_t i) { return *layersOver(doc.project(), kDensity)[i].layer; }
+    const MapLayer& layer(size_t i) { return *layersOver(doc.project(), kLawnDensity)[i].layer; }
     bool hasComponent() { return doc.project().registry.get<MapLayers>(findEntity(doc.project(), "lawn")); }
 };
 using Names = std::vector<std::string>;
@@ -33,17 +33,18 @@ using Names = std::vector<std::string>;
 TEST(LayerEdits, AddEachKindInOneStepWithoutChangingWhatIsPainted) {
     Fixture f;
     const Map before =
-        static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kDensity)->value)->map;
+        static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kLawnDensity)->value)->map;
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Image, LayerKind::Painted})
-        ASSERT_TRUE(addLayer(f.doc, kDensity, kind));
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+        ASSERT_TRUE(addLayer(f.doc, kLawnDensity, kind));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     EXPECT_EQ(f.names(), (Names{"rule", "image", "painted", "rule 2"}));
     EXPECT_EQ(f.doc.stepsDone(), 4u);
     EXPECT_EQ(f.layer(0).map, "GrassField.species[lawn].density");
     EXPECT_EQ(f.layer(0).masks.size(), 1u);
     EXPECT_TRUE(f.layer(2).amounts.present());
     EXPECT_FALSE(f.layer(1).amounts.present());
-    const Map after = static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kDensity)->value)->map;
+    const Map after =
+        static_cast<const MapField*>(findMap(f.doc.project(), tables().components, kLawnDensity)->value)->map;
     EXPECT_TRUE(after.sameTiles(before));
     for (int i = 0; i < 4; ++i) EXPECT_TRUE(f.doc.undo());
     EXPECT_FALSE(f.hasComponent());
@@ -54,9 +55,9 @@ TEST(LayerEdits, AddEachKindInOneStepWithoutChangingWhatIsPainted) {
 
 TEST(LayerEdits, MoveAmongTheLayersOfTheirMap) {
     Fixture f;
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(addLayer(f.doc, "lawn.GrassField.bladeHeight", LayerKind::Rule));
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Image));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Image));
     const std::string image = "lawn.MapLayers.layers[image]", rule = "lawn.MapLayers.layers[rule]";
     const size_t steps = f.doc.stepsDone();
     ASSERT_TRUE(moveLayer(f.doc, image, false));
@@ -74,8 +75,8 @@ TEST(LayerEdits, MoveAmongTheLayersOfTheirMap) {
 
 TEST(LayerEdits, TheLastOneTakesTheComponentWithIt) {
     Fixture f;
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Painted));
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Painted));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(removeLayer(f.doc, "lawn.MapLayers.layers[painted]"));
     EXPECT_EQ(f.names(), Names{"rule"});
     ASSERT_TRUE(removeLayer(f.doc, "lawn.MapLayers.layers[rule]"));
@@ -88,10 +89,10 @@ TEST(LayerEdits, TheLastOneTakesTheComponentWithIt) {
 
 TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
     Fixture f;
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Painted));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Painted));
     const std::string amounts = "lawn.MapLayers.layers[painted].amounts";
-    EXPECT_EQ(stackedMap(f.doc.project(), amounts), kDensity);
-    EXPECT_EQ(stackedMap(f.doc.project(), kDensity), kDensity);
+    EXPECT_EQ(stackedMap(f.doc.project(), amounts), kLawnDensity);
+    EXPECT_EQ(stackedMap(f.doc.project(), kLawnDensity), kLawnDensity);
     BrushSettings b;
     b.mode = "subtract";
     b.map = amounts;
@@ -104,7 +105,7 @@ TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
     MapStacks stacks;
     const Project& shown = stacks.shown(f.doc.project(), tables().components);
     const auto mean = [](const Project& p) {
-        return static_cast<const MapField*>(findMap(p, tables().components, kDensity)->value)->map.mean();
+        return static_cast<const MapField*>(findMap(p, tables().components, kLawnDensity)->value)->map.mean();
     };
     EXPECT_LT(mean(shown), mean(f.doc.project()));
     EXPECT_TRUE(f.doc.undo());
@@ -113,7 +114,7 @@ TEST(LayerEdits, AStrokeOnALayerLeavesTheMapBelowAlone) {
 
 TEST(LayerEdits, ImportAnImageInOneStepAndRememberHow) {
     Fixture f;
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Image));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Image));
     Map map({4, 4, 1, PixelType::U8});
     map.set(0, 0, 0, 1);
     ASSERT_TRUE(writeMap(f.dir / "in.png", map));
@@ -128,7 +129,7 @@ TEST(LayerEdits, ImportAnImageInOneStepAndRememberHow) {
 
 TEST(LayerEdits, LayersFollowTheirSpeciesWhenItIsRenamed) {
     Fixture f;
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
     ASSERT_TRUE(f.doc.setField("lawn.GrassField.species[lawn].name", "clover"));
     EXPECT_EQ(layersOver(f.doc.project(), "lawn.GrassField.species[clover].density").size(), 1u);
     EXPECT_TRUE(f.doc.undo());
@@ -162,7 +163,7 @@ TEST(LayerEdits, OverHeightsBeginGently) {
     for (const LayerKind kind : {LayerKind::Rule, LayerKind::Painted}) ASSERT_TRUE(addLayer(f.doc, kHeights, kind));
     EXPECT_EQ(kindUnder(f.doc, kHeights), MapKind::Heights);
     EXPECT_EQ(kindUnder(f.doc, "ground.MapLayers.layers[painted].amounts"), MapKind::Heights);
-    EXPECT_EQ(kindUnder(f.doc, kDensity), MapKind::Amounts);
+    EXPECT_EQ(kindUnder(f.doc, kLawnDensity), MapKind::Amounts);
     const MapLayer& bumps = *layersOver(f.doc.project(), kHeights)[0].layer;
     EXPECT_EQ(bumps.operation, LayerOperation::Add);
     EXPECT_EQ(bumps.masks.at(0).by, MaskBy::Noise);
@@ -188,8 +189,8 @@ TEST(LayerEdits, WhoSculptsIsToldHowManyLayersLieAbove) {
     EXPECT_EQ(sculptsBelow(f.doc, "ground.MapLayers.layers[painted].amounts"), "") << "on a layer nothing is below";
     ASSERT_TRUE(f.doc.setField("ground.MapLayers.layers[rule].muted", "true"));
     EXPECT_EQ(sculptsBelow(f.doc, kHeights), "below 1 layer");
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Rule));
-    EXPECT_EQ(sculptsBelow(f.doc, kDensity), "") << "what is painted there is not seen as a height";
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Rule));
+    EXPECT_EQ(sculptsBelow(f.doc, kLawnDensity), "") << "what is painted there is not seen as a height";
 }
 
 TEST(LayerEdits, OverColoursBeginOnWhatIsSteep) {
@@ -216,7 +217,7 @@ TEST(LayerEdits, APathsLayerTakesTheFirstPath) {
     const MapLayer& level = *layersOver(f.doc.project(), kHeights)[0].layer;
     EXPECT_EQ(level.path, "way");
     EXPECT_EQ(level.operation, LayerOperation::Replace);
-    ASSERT_TRUE(addLayer(f.doc, kDensity, LayerKind::Path));
+    ASSERT_TRUE(addLayer(f.doc, kLawnDensity, LayerKind::Path));
     EXPECT_EQ(f.layer(0).operation, LayerOperation::Multiply);
 }
 

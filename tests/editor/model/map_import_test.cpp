@@ -11,7 +11,7 @@
 namespace sward {
 namespace {
 
-constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
+constexpr const char* kImportedMap = "lawn.GrassField.species[lawn].density";
 constexpr const char* kHeight = "ground.Terrain.height";
 
 class MapImports : public testing::Test {
@@ -43,12 +43,12 @@ TEST_F(MapImports, AnImageBecomesAMapFlippedAsAskedInOneStep) {
     ASSERT_TRUE(writeMap(dir / "a.png", image));
     for (const bool x : {false, true})
         for (const bool z : {false, true}) {
-            ASSERT_TRUE(importIntoMap(doc, kDensity, dir / "a.png", {.flip = z, .range = {}}, x));
-            EXPECT_EQ(map(kDensity).at(x ? 3 : 0, z ? 1 : 0), 1) << x << z;
-            EXPECT_EQ(map(kDensity).mean(), 1 / 8.0);
+            ASSERT_TRUE(importIntoMap(doc, kImportedMap, dir / "a.png", {.flip = z, .range = {}}, x));
+            EXPECT_EQ(map(kImportedMap).at(x ? 3 : 0, z ? 1 : 0), 1) << x << z;
+            EXPECT_EQ(map(kImportedMap).mean(), 1 / 8.0);
         }
     EXPECT_EQ(doc.stepsDone(), 4u);
-    const Status missing = importIntoMap(doc, kDensity, dir / "none.png");
+    const Status missing = importIntoMap(doc, kImportedMap, dir / "none.png");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().text().find("none.png"), std::string::npos);
     EXPECT_EQ(doc.stepsDone(), 4u);

@@ -12,7 +12,7 @@ namespace sward {
 namespace {
 
 using test::TempDir;
-constexpr const char* kDensity = "lawn.GrassField.species[lawn].density";
+constexpr const char* kWholeMap = "lawn.GrassField.species[lawn].density";
 constexpr const char* kPaint = "lawn.GrassField.vegetation";
 constexpr const char* kLean = "lawn.GrassField.orientation";
 
@@ -38,16 +38,16 @@ Map gradient(PixelType type, int channels, int side = 200) {
 
 TEST(WholeMap, FillsWithWhatTheBrushLaysAndUndoBringsAllBack) {
     Fixture f;
-    ASSERT_TRUE(f.doc.setMap(kDensity, gradient(PixelType::U16, 1), "test"));
-    const uint64_t before = f.map(kDensity).hash();
-    ASSERT_TRUE(fillMap(f.doc, f.brush(kDensity, 0.25f)));
-    const Map full = f.map(kDensity);
+    ASSERT_TRUE(f.doc.setMap(kWholeMap, gradient(PixelType::U16, 1), "test"));
+    const uint64_t before = f.map(kWholeMap).hash();
+    ASSERT_TRUE(fillMap(f.doc, f.brush(kWholeMap, 0.25f)));
+    const Map full = f.map(kWholeMap);
     EXPECT_NEAR(full.mean(), 0.25, 1e-5);
     for (const auto& [x, y] : {std::pair{0, 0}, {127, 127}, {128, 0}, {199, 199}, {5, 150}})
         EXPECT_NEAR(full.at(x, y), 0.25, 1e-5) << x << " " << y;
-    EXPECT_EQ(f.doc.undoLabel(), std::string("fill ") + kDensity);
+    EXPECT_EQ(f.doc.undoLabel(), std::string("fill ") + kWholeMap);
     ASSERT_TRUE(f.doc.undo());
-    EXPECT_EQ(f.map(kDensity).hash(), before);
+    EXPECT_EQ(f.map(kWholeMap).hash(), before);
     // Equal to the same map made texel by texel, beyond whose edge nothing lies.
     Map same({200, 200, 1, PixelType::U16});
     for (int y = 0; y < 200; ++y)
@@ -88,13 +88,13 @@ TEST(WholeMap, DirectionsAreFilledByTheAngleAndTurnedRound) {
 TEST(WholeMap, InvertingTwiceIsTheMapAgainForEveryTypeOfTexel) {
     for (const PixelType type : {PixelType::U8, PixelType::U16}) {
         Fixture f;
-        ASSERT_TRUE(f.doc.setMap(kDensity, gradient(type, 1), "test"));
-        const Map before = f.map(kDensity);
-        ASSERT_TRUE(invertMap(f.doc, kDensity));
-        EXPECT_NEAR(f.map(kDensity).mean(), 1 - before.mean(), 1e-5);
-        EXPECT_NE(f.map(kDensity).hash(), before.hash());
-        ASSERT_TRUE(invertMap(f.doc, kDensity));
-        EXPECT_EQ(f.map(kDensity).hash(), before.hash());
+        ASSERT_TRUE(f.doc.setMap(kWholeMap, gradient(type, 1), "test"));
+        const Map before = f.map(kWholeMap);
+        ASSERT_TRUE(invertMap(f.doc, kWholeMap));
+        EXPECT_NEAR(f.map(kWholeMap).mean(), 1 - before.mean(), 1e-5);
+        EXPECT_NE(f.map(kWholeMap).hash(), before.hash());
+        ASSERT_TRUE(invertMap(f.doc, kWholeMap));
+        EXPECT_EQ(f.map(kWholeMap).hash(), before.hash());
     }
 }
 

@@ -10,7 +10,7 @@
 namespace sward {
 namespace {
 
-CostRow row(const char* technique, const char* settings, double ms, double error) {
+CostRow plotRow(const char* technique, const char* settings, double ms, double error) {
     CostRow r;
     r.camera = "camera", r.technique = technique, r.settings = settings, r.msMedian = ms;
     r.metrics.appearance.distance = error;
@@ -23,8 +23,8 @@ class AccuracyPlot : public test::PanelStage {
         name = "Accuracy";
         run.emplace();
         run->floors.push_back({.camera = "camera"});
-        run->rows = {row("flat", "msaa=4", 9, 0.036), row("hybrid", "maxGeom=6", 160, 0.03),
-                     row("hybrid", "maxGeom=2", 38, 0.033)};
+        run->rows = {plotRow("flat", "msaa=4", 9, 0.036), plotRow("hybrid", "maxGeom=6", 160, 0.03),
+                     plotRow("hybrid", "maxGeom=2", 38, 0.033)};
         draw = [this] {
             if (auto setting = drawCostPlot(run, doc, false, {})) adopted = setting;
         };
@@ -52,8 +52,8 @@ TEST_F(AccuracyPlot, QuickerIsFartherLeftAndTruerLowerByTheLogarithm) {
 }
 
 TEST_F(AccuracyPlot, PointsLieWithinThePlotWhateverTheyAre) {
-    run->rows.push_back(row("flat", "msaa=1", 1e-4, 3));
-    run->rows.push_back(row("flat", "msaa=2", 1e6, 1e-7));
+    run->rows.push_back(plotRow("flat", "msaa=1", 1e-4, 3));
+    run->rows.push_back(plotRow("flat", "msaa=2", 1e6, 1e-7));
     frames(2);
     const ui::Widget plot = book.widgets.at("Accuracy/Plot");
     for (const char* of : {"flat msaa=1", "flat msaa=2", "flat msaa=4", "hybrid maxGeom=6"}) {
@@ -66,10 +66,10 @@ TEST_F(AccuracyPlot, PointsLieWithinThePlotWhateverTheyAre) {
 }
 
 TEST_F(AccuracyPlot, WhatWasNotDrawnOrHasNoTimeIsLeftOut) {
-    run->rows.push_back(row("flat", "skipped", 5, 0.05));
+    run->rows.push_back(plotRow("flat", "skipped", 5, 0.05));
     run->rows.back().skipped = "it takes longer than a frame may";
-    run->rows.push_back(row("flat", "unmeasured", std::numeric_limits<double>::quiet_NaN(), 0.05));
-    run->rows.push_back(row("flat", "exact", 5, 0));
+    run->rows.push_back(plotRow("flat", "unmeasured", std::numeric_limits<double>::quiet_NaN(), 0.05));
+    run->rows.push_back(plotRow("flat", "exact", 5, 0));
     frames(2);
     EXPECT_TRUE(shown("Accuracy/Point flat msaa=4"));
     for (const char* of : {"skipped", "unmeasured", "exact"})
@@ -87,7 +87,7 @@ TEST_F(AccuracyPlot, AClickHandsBackThePointsSettingsAndBesideItNothing) {
 }
 
 TEST_F(AccuracyPlot, WhatTheProjectIsAlreadyCannotBeAdopted) {
-    run->rows = {row("hybrid", kAsItIs, 20, 0.03), row("flat", "msaa=4", 9, 0.036)};
+    run->rows = {plotRow("hybrid", kAsItIs, 20, 0.03), plotRow("flat", "msaa=4", 9, 0.036)};
     click("Accuracy/Point hybrid " + std::string(kAsItIs));
     EXPECT_FALSE(adopted);
 }

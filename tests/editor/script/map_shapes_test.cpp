@@ -11,7 +11,7 @@
 namespace sward {
 namespace {
 
-Map filled(int width, int height, int channels, PixelType type, float value) {
+Map filledMap(int width, int height, int channels, PixelType type, float value) {
     Map map({width, height, channels, type});
     fillMap(map, {value, value, value, value});
     return map;
@@ -62,7 +62,7 @@ TEST(MapShapes, LongLinesMeanTheSameWhateverTilesTheyCross) {
 TEST(MapShapes, BlendModes) {
     const Shape all{ShapeKind::Rect, {{-9, -9}, {99, 99}}};
     const auto blended = [&](BlendMode mode, float value, double opacity) {
-        Map map = filled(4, 4, 1, PixelType::F32, 0.5f);
+        Map map = filledMap(4, 4, 1, PixelType::F32, 0.5f);
         drawShape(map, 30, 30, all, {{value, 0, 0, 0}, mode, opacity, 0});
         return map.at(2, 2);
     };
