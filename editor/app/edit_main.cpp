@@ -1,11 +1,14 @@
 #include "app/edit_main.h"
 
+#include <future>
+
 #include "app/app.h"
 #include "core/file.h"
 #include "core/log.h"
 #include "model/bakes.h"
 #include "model/scene_export.h"
 #include "playtest/playtest.h"
+#include "project/project_files.h"
 #include "script/script.h"
 #include "techniques.h"
 #include "ui/driver.h"
@@ -28,9 +31,19 @@ void tellWidgets(const std::filesystem::path& file, const ui::WidgetBook& book) 
         logWarning(written.error().text());
 }
 
+// While the window opens, its project is read.
+std::future<Result<Project>> readBeside(const std::filesystem::path& project) {
+    if (project.empty()) return {};
+    return std::async(std::launch::async, [project] { return loadProject(project, tables().components); });
+}
+Status showRead(Document& document, Result<Project> read) {
+    return read ? document.show(std::move(*read)) : Status(read.error());
+}
+
 }  // namespace
 
 int editMain(const std::filesystem::path& project, const std::filesystem::path& widgets) {
+    std::future<Result<Project>> reading = readBeside(project);
     auto window = ui::openWindow(1440, 900, "Sward");
     if (!window) return exitOf(window.error());
     ui::Surface& surface = **window;
@@ -38,8 +51,8 @@ int editMain(const std::filesystem::path& project, const std::filesystem::path& 
     if (!gpu) return exitOf(gpu.error());
     Document document(tables());
     document.setSaveWait(kSaveWaitSeconds);
-    if (!project.empty())
-        if (const Status opened = document.open(project); !opened) return exitOf(opened.error());
+    if (reading.valid())
+        if (const Status opened = showRead(document, reading.get()); !opened) return exitOf(opened.error());
     EditorApp app(document, **gpu, std::move(*window), true);
     app.autosave.on = true;
     ui::installClipboard(surface);

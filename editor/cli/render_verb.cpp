@@ -3,6 +3,7 @@
 #include "cli/cli.h"
 #include "core/file.h"
 #include "core/log.h"
+#include "cost/frame_estimate.h"
 #include "cost/frame_stats.h"
 #include "maps/map_io.h"
 #include "project/project_files.h"
@@ -99,6 +100,15 @@ Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, co
     return {};
 }
 
+// Before the work begins: that it will be long, and what makes it short. Ctrl+C ends it.
+void tellOfLongFrames(const Shot& shot, const std::string& camera) {
+    if (!shot.gpu.software) return;
+    const ViewSettings& s = shot.settings;
+    if (const std::string told = longFrameText(shot.project, tables(), shot.view, s.width, s.height, camera);
+        !told.empty())
+        logWarning(told + " (--set it, or choose --technique; Ctrl+C ends this)");
+}
+
 Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h, ViewMode mode) {
     const auto cameras = shotNames(o, project);
     if (!cameras) return cameras.error();
@@ -110,6 +120,7 @@ Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h
         shot.settings.width = w, shot.settings.height = h;
         shot.settings.msaa = o.msaa, shot.settings.mode = mode, shot.settings.time = o.time;
         const fs::path file = outputOf(o, project, name, several);
+        tellOfLongFrames(shot, name);
         if (o.fps > 0 && o.frames > 0) {
             if (Status s = writeFilm(shot, o, name, several ? fs::path(o.out) / name : fs::path(o.out), w, h); !s)
                 return s;

@@ -130,6 +130,18 @@ struct DepthCopy {
 
 ProgramSources sourcesOf(const ProgramRow& row);
 
+// Pictures that must be quick (detail below 1) of who may wait (background) begin with a sketch: grass is the
+// horizontal slice from the eye on, and stages that such a picture can be without are left out. Their programs are
+// compiled one a draw, so that somebody sees where he is after a few programs instead of all; what is drawn later is as
+// ever.
+struct Sketch {
+    bool on = false;                   // in this draw
+    int left = 0;                      // programs of such stages that this draw may still compile
+    std::vector<std::string> waiting;  // and those that it left to later draws, by their names
+};
+// Whether a sketch of this plan can be without a stage.
+bool sketchLeavesOut(Stage stage, const FramePlan& plan);
+
 struct DrawContext {
     Gpu& gpu;
     const Project& project;
@@ -150,6 +162,7 @@ struct DrawContext {
     EffectState* seen = nullptr;   // and what it keeps for this view
     PassStats* pass = nullptr;     // of the pass that runs
     const Pass* row = nullptr;
+    Sketch* sketch = nullptr;  // of the draw; never null within Renderer::draw
 
     // The state that the running effect's makeState made; S must be its type.
     template <class S>
@@ -164,6 +177,7 @@ struct DrawContext {
     // `constants`: more lines for its sources, such as "const int TRANSPARENCY = 0;\n". `features`: those
     // that it is compiled for, as featureConstants has them, where they are not the whole scene's.
     bool use(size_t program = 0, const std::string& constants = {}, const std::string* features = nullptr);
+    bool sketching() const { return sketch && sketch->on; }
     std::string error = {};  // the first program that failed
 };
 

@@ -161,7 +161,36 @@ ProgramSources sourcesOf(const ProgramRow& p) {
     return {p.name, p.vertex, p.fragment, p.compute, p.control, p.evaluation};
 }
 
+bool sketchLeavesOut(Stage stage, const FramePlan& plan) {
+    const bool flat = has(plan.features, Feature::GrassFar);
+    switch (stage) {
+        case Stage::Shadow:
+        case Stage::Flowers:
+        case Stage::GroundShadow:
+        case Stage::FarShadow:
+            return true;
+        case Stage::Blades:
+        case Stage::Slices:
+            return flat;  // which stands for them
+        default:
+            return false;
+    }
+}
+
+namespace {
+// Whether a sketch leaves a program to a later draw.
+bool waits(const DrawContext& ctx, const char* program) {
+    if (!ctx.sketching() || !ctx.row || !sketchLeavesOut(ctx.row->stage, ctx.plan)) return false;
+    const std::vector<std::string> there = ctx.programs.names();
+    if (std::binary_search(there.begin(), there.end(), program)) return false;
+    if (ctx.sketch->left-- > 0) return false;
+    ctx.sketch->waiting.push_back(program);
+    return true;
+}
+}  // namespace
+
 bool DrawContext::use(size_t index, const std::string& constants, const std::string* features) {
+    if (waits(*this, row->programs[index].name)) return false;
     auto program = programs.get(sourcesOf(row->programs[index]), (features ? *features : plan.constants) + constants);
     if (!program) {
         if (error.empty()) error = program.error().text();
@@ -247,6 +276,10 @@ struct Renderer::Impl {
     PopulationCount population;
     DrawnBeside drawn;
     bool beside = false;  // as the last draw was asked for
+    Sketch sketch;
+    bool sketched = false;     // the last draw made a sketch
+    bool programsWait = true;  // of what is planned some may not be there yet
+    bool begun = false;        // a sketch of what is planned was drawn
 
     Impl(Gpu& g, const Tables& t) : gpu(g), tables(t) { empty = makeVertexArray("frame/empty"); }
 
@@ -259,6 +292,7 @@ struct Renderer::Impl {
                          coarse = sceneFeatures(project.registry, tables, true);
         if (planned && features == main.plan.features && coarse == coarsePlanned) return;
         planned = true;
+        programsWait = true, begun = false;
         coarsePlanned = coarse;
         main.plan = planFrame(features, kViewMain, tables.effects);
         std::vector<std::string> programsKept = main.plan.programs();
@@ -296,6 +330,7 @@ struct Renderer::Impl {
         view.shared.ground = findGround(project);
         ctx.eye = camera.eye - view.shared.ground.origin;
         ctx.around = camera.eye;
+        ctx.sketch = &sketch;
         globals.eye = ctx.eye;
         const BrushDecal& d = settings.decal;
         globals.decalAt = {d.x - ctx.eye.x, d.z - ctx.eye.z};
@@ -325,6 +360,18 @@ struct Renderer::Impl {
         }
         glUseProgram(0);  // so that none is current that is deleted: what restores it would fail
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+
+    // The first sketch compiles nothing that it can be without, the next ones a program each; then there is none.
+    void beginSketch(const ViewSettings& s) {
+        const bool quick = s.background && s.detail < 1;
+        sketch = {quick && programsWait, begun ? 1 : 0, {}};
+        begun = begun || quick;
+    }
+    // What does not compile is told, and waited for no longer.
+    void endSketch(bool failed) {
+        sketched = sketch.on;
+        programsWait = !sketch.waiting.empty() && !failed;
     }
 
     // Every system ticks before the first pass.
@@ -426,9 +473,11 @@ Status Renderer::draw(const Project& painted, const ViewCamera& camera, const Vi
                  viewProjection(camera, wholeWidth(settings), wholeHeight(settings)),
              r.targets.samples);
     beginShared(r.main.shared, std::move(r.main.shared));
+    r.beginSketch(settings);
     DrawContext ctx = r.context(project, r.main, camera, settings, r.targets, globals, r.stats);
     r.maps.beginFrame();
     r.run(ctx, r.main);
+    r.endSketch(!ctx.error.empty());
     r.maps.endFrame();
     if (settings.measure) glFinish();
     if (settings.measure) r.describe(project);
@@ -450,6 +499,8 @@ std::vector<JobNews> Renderer::jobs() const {
     add(impl_->main.states);
     for (const auto& [row, view] : impl_->within) add(view.states);
     impl_->drawn.news(out);
+    // Finished: the next draw shows more.
+    if (impl_->sketched) out.push_back({"programs", 1, true});
     return out;
 }
 

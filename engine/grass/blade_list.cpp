@@ -101,6 +101,15 @@ CellList listCell(const BladeListQuery& q, const CellDraw& c) {
     return out;
 }
 
+// Cells hold at most so many indices. Where that is far more than can be listed, looking at each blade would only show
+// it once a gigabyte is full.
+size_t mostIndices(const BladeListQuery& q, std::span<const CellDraw> cells) {
+    size_t sum = 0;
+    for (const CellDraw& c : cells)
+        sum += size_t{bladesDrawn(c, q.share)} * 6 * static_cast<size_t>(q.shadows ? 1 : c.segments);
+    return sum;
+}
+
 }  // namespace
 
 std::vector<float> leastShown(const Patch& patch, Transparency way, int samples) {
@@ -128,6 +137,12 @@ void addStrip(std::vector<uint32_t>& indices, uint32_t blade, int quads, int seg
 }
 
 BladeList listBlades(const BladeListQuery& q, std::span<const CellDraw> cells) {
+    constexpr size_t kHopeless = 4 * kMostListed;
+    if (mostIndices(q, cells) > kHopeless) {
+        BladeList none;
+        none.tooMany = true;
+        return none;
+    }
     std::vector<CellList> lists(cells.size());
     std::atomic<size_t> indices = 0;
     parallelFor(cells.size(), [&](size_t i) {

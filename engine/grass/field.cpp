@@ -79,6 +79,11 @@ void publishSoil(DrawContext& ctx, GrassFields& grass) {
 }
 
 // --- fields ------------------------------------------------------------------------------------------------
+// The horizontal slice stands for all, from the eye on.
+void sketchTiers(FieldTiers& tiers) {
+    tiers.images = tiers.flat = fadeRange(0, 0);
+    tiers.flatFrom = -1;
+}
 void updateField(DrawContext& ctx, Field& field, const GrownField& grown, size_t number) {
     field.grown = &grown;
     field.number = number;
@@ -86,6 +91,7 @@ void updateField(DrawContext& ctx, Field& field, const GrownField& grown, size_t
     const FeatureSet features = featuresFor(ctx, own);
     field.view.emplace(GrassView{*grown.of, own, features, featureConstants(features),
                                  tiersOf(ctx.tables.techniques, *grown.of, ctx.settings.coarse)});
+    if (ctx.sketching() && field.draws(Feature::GrassFar)) sketchTiers(field.view->tiers);
     field.species.resize(grown.species.size());
     for (size_t i = 0; i < field.species.size(); ++i) {
         field.species[i].grown = grown.species[i].get();

@@ -45,8 +45,11 @@ void updateLampGains(const DrawContext& ctx, const GrownField& f, GrownSpecies& 
     if (l.shade) read.insert(read.end(), l.shade->rows.begin(), l.shade->rows.end());
     const uint64_t key = hashBytes(read.data(), read.size() * sizeof(float)) ^ s.lookKey;
     if (s.lampGains.id() && s.lampGainKey == key) return;
-    s.lampGainKey = key;
-    const LampGains gains = lampGainsOf(s.look, l);
+    if (ctx.sketching() && s.lampGains.id()) return;
+    s.lampGainKey = ctx.sketching() ? 0 : key;
+    LampGains gains;
+    gains.fill(glm::vec2(1));  // in a sketch
+    if (!ctx.sketching()) gains = lampGainsOf(s.look, l);
     if (!s.lampGains.id())
         s.lampGains = makeTexture3D(ctx.gpu, "grass/far", GL_RG16F, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS);
     glTextureSubImage3D(s.lampGains.id(), 0, 0, 0, 0, LAMP_AZIMUTHS, LAMP_ELEVATIONS, LAMP_ELEVATIONS, GL_RG, GL_FLOAT,

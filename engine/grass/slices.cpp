@@ -73,7 +73,16 @@ void startBake(GrownSpecies& s, const SliceSpec& spec, uint64_t key) {
                               [spec](JobControl& c) { return slicesOf(cacheDir(), spec, c); });
 }
 
-// What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown.
+void showDraft(DrawContext& ctx, const GrownField& f, size_t i, uint64_t wanted) {
+    GrownSpecies& s = *f.species[i];
+    if (s.sliceKey == ~wanted) return;
+    JobControl control;
+    upload(ctx, f, s, ~wanted,
+           *bakeSlices(sliceSpec(*f.of, i, s.bladeImage, slicesAreShaded(f.features), true), control));
+}
+
+// What was begun for other blades is cancelled. While slices are made beside, a draft of them is shown. A sketch takes
+// the draft: files are read, and baking begins, once there is something to see.
 void ensureSlices(DrawContext& ctx, const GrownField& f, size_t i) {
     GrownSpecies& s = *f.species[i];
     const FieldEntity& of = *f.of;
@@ -89,10 +98,10 @@ void ensureSlices(DrawContext& ctx, const GrownField& f, size_t i) {
         return;
     }
     if (s.bakeOf != key) s.bake = {};
+    if (ctx.sketching()) return showDraft(ctx, f, i, wanted);
     if (const auto there = slicesThere(ctx, s, spec, key)) return upload(ctx, f, s, wanted, *there);
     if (s.bake.active()) return;
-    JobControl control;
-    upload(ctx, f, s, ~wanted, *bakeSlices(sliceSpec(of, i, s.bladeImage, shaded, true), control));
+    showDraft(ctx, f, i, wanted);
     startBake(s, spec, key);
 }
 
