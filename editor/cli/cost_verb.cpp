@@ -9,6 +9,7 @@
 #include "core/file.h"
 #include "core/log.h"
 #include "cost/cost_files.h"
+#include "cost/cost_machine.h"
 #include "cost/cost_report.h"
 #include "formulas/kernels.h"
 #include "techniques.h"
@@ -160,6 +161,17 @@ int numericsVerb(const CostOptions& o) {
     return 0;
 }
 
+// Times of several machines make no one table: one each, NAME.HOST.csv.
+int writeTables(const CostRun& run, const fs::path& out) {
+    const auto tables = runsByMachine(run);
+    for (const auto& [machine, own] : tables) {
+        const fs::path file = tables.size() == 1 ? out : fs::path(out).replace_extension("." + machine + ".csv");
+        if (Status s = writeFileAtomic(file, costCsv(own)); !s) return report(s.error());
+        std::printf("%s\n", file.c_str());
+    }
+    return 0;
+}
+
 }  // namespace
 
 int costVerb(const CostOptions& o) {
@@ -204,8 +216,8 @@ int mergeCostVerb(const MergeCommand& o) {
     if (out.extension() != ".json" && out.extension() != ".csv")
         return report(usage("a joined sweep is written as .json or .csv", "name --out so").at(o.out));
     if (Status s = makeFolderOf(out); !s) return report(s.error());
-    if (Status s = writeFileAtomic(out, out.extension() == ".csv" ? costCsv(*whole) : writeJson(costJson(*whole))); !s)
-        return report(s.error());
+    if (out.extension() == ".csv") return writeTables(*whole, out);
+    if (Status s = writeFileAtomic(out, writeJson(costJson(*whole))); !s) return report(s.error());
     std::printf("%s\n", o.out.c_str());
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "core/jobs.h"
 #include "core/log.h"
 #include "cost/cost_files.h"
+#include "cost/cost_machine.h"
 #include "cost/cost_times.h"
 #include "cost/cost_truth.h"
 #include "cost/frame_stats.h"
@@ -325,7 +326,7 @@ Result<CostRun> runCost(const CostRequest& request, const Project& project, cons
     s.run.project = project.name, s.run.hash = s.hash, s.run.width = request.width, s.run.height = request.height,
     s.run.samples = request.truth.samples;
     s.run.lighting = kReferenceLightings[request.truth.lighting];
-    s.run.machines.push_back({gpu.renderer, "wall-finish", workerCount()});
+    s.run.machines.push_back(thisMachine(gpu.renderer, "wall-finish"));
     listRows(s);
     if (Status st = traceTruths(s); !st) return st.error();
     if (Status st = drawAll(s); !st) return st.error();

@@ -54,6 +54,7 @@ struct CostFloors {
 struct CostMachine {
     std::string renderer, timing;  // timing: "wall-finish"
     int cores = 0;
+    std::string host{}, cpu{};  // names; empty: unknown
 };
 struct CostRun {
     std::string project, hash;  // hash: of project, size, time and truth; parts of one sweep share it

@@ -1,5 +1,8 @@
 #include "cost/cost_files.h"
 
+#include "core/hash.h"
+#include "cost/cost_machine.h"
+
 namespace sward {
 namespace {
 
@@ -69,6 +72,14 @@ CostFloors floorsFrom(Reader r, std::string& missing) {
 
 std::string nameOf(const CostRow& r) { return r.camera + " " + r.technique + " " + r.settings; }
 
+constexpr const char* kDigest = "digest";
+
+// Hash of all values but the digest itself.
+std::string digestOf(Json j) {
+    j.object.erase(kDigest);
+    return hashHex(hashText(writeJson(j)));
+}
+
 }  // namespace
 
 std::string costCsv(const CostRun& run) {
@@ -131,6 +142,7 @@ Json costJson(const CostRun& run) {
     for (const CostMachine& m : run.machines) {
         Json one;
         one["renderer"] = m.renderer, one["timing"] = m.timing, one["cores"] = m.cores;
+        one["host"] = m.host, one["cpu"] = m.cpu;
         j["machines"].push(std::move(one));
     }
     for (const CostFloors& f : run.floors) {
@@ -141,6 +153,7 @@ Json costJson(const CostRun& run) {
         j["floors"].push(std::move(one));
     }
     for (const CostRow& row : run.rows) j["rows"].push(costRowJson(row));
+    j[kDigest] = digestOf(j);
     return j;
 }
 
@@ -154,7 +167,8 @@ Result<CostRun> costFrom(const Json& json, const std::string& file) {
     if (size.size() == 2) run.width = whole(size[0]), run.height = whole(size[1]);
     r.each("machines", [&](const Json& v) {
         Reader m{v, {}};
-        run.machines.push_back({m.text("renderer"), m.text("timing"), m.integer("cores")});
+        run.machines.push_back(
+            {m.text("renderer"), m.text("timing"), m.integer("cores"), m.text("host"), m.text("cpu")});
     });
     r.each("floors", [&](const Json& v) { run.floors.push_back(floorsFrom({v, {}}, r.missing)); });
     std::string bad;
@@ -179,6 +193,12 @@ Result<CostRun> readCost(const std::filesystem::path& file) {
     const std::filesystem::path at = std::filesystem::is_directory(file) ? file / "cost.json" : file;
     auto json = readJson(at);
     if (!json) return json.error();
+    const Json* digest = json->find(kDigest);
+    if (!digest || !digest->isString() || digest->text != digestOf(*json))
+        return unsound(digest ? "is damaged: its values do not have the hash that it names"
+                              : "is no result of a sweep, or of an older version: it names no hash of its values",
+                       "make it again with sward cost")
+            .at(at.string());
     return costFrom(*json, at.string());
 }
 
@@ -204,6 +224,7 @@ Result<CostRun> mergeCosts(const std::vector<CostRun>& parts) {
             return failed(fmt::format("row {} is in none of the parts", i), "name every part of 0/N to N-1/N");
     }
     keepDistinct(whole);
+    joinMachines(whole);
     return whole;
 }
 

@@ -19,10 +19,11 @@ Result<CostRow> costRowFrom(const Json& json);
 Json costJson(const CostRun& run);
 // Unsound error naming the file and what is missing.
 Result<CostRun> costFrom(const Json& json, const std::string& file);
-Result<CostRun> readCost(const std::filesystem::path& file);  // a cost.json, or the folder that holds one
+// A cost.json, or the folder that holds one. Unsound also: any value another than was written, by the hash it names.
+Result<CostRun> readCost(const std::filesystem::path& file);
 
 // The whole of a sharded sweep: rows in the order of the sweep, each with the machine that took its time; frontiers
-// stay those of each machine; of rows that draw the same picture the first is left. Failed: parts of different sweeps,
+// are those of each machine; of rows that draw the same picture the first is left. Failed: parts of different sweeps,
 // or a row that is there twice or nowhere, named.
 Result<CostRun> mergeCosts(const std::vector<CostRun>& parts);
 

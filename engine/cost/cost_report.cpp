@@ -138,7 +138,10 @@ std::string page(const CostRun& run, const fs::path& work, std::span<const Techn
         "are one.</p>\n<ul>\n",
         run.width, run.height, run.samples, run.lighting);
     for (const CostMachine& m : run.machines)
-        out += fmt::format("<li>{}, {} cores ({})\n", escaped(m.renderer), m.cores, m.timing);
+        out += fmt::format(
+            "<li>{}, {} cores ({})\n",
+            escaped(m.host + (m.host.empty() ? "" : ": ") + m.cpu + (m.cpu.empty() ? "" : ", ") + m.renderer), m.cores,
+            m.timing);
     out += "</ul>\n";
     for (const CostFloors& f : run.floors) out += cameraPart(run, f, work, techniques);
     return out + kSort + "</body></html>\n";

@@ -185,6 +185,7 @@ std::string frameStatsJson(const std::vector<FrameRecord>& records, const Projec
                            int height, int msaa) {
     if (records.size() == 1) return writeJson(recordJson(records[0], project, gpu, width, height, msaa));
     Json all;
+    all["renderer"] = gpu.renderer;
     all["cameras"] = Json::makeArray();
     for (const FrameRecord& r : records) all["cameras"].push(recordJson(r, project, gpu, width, height, msaa));
     return writeJson(all);

@@ -7,6 +7,7 @@
 #include "core/json.h"
 #include "cost/cost_files.h"
 #include "cost/cost_rows.h"
+#include "support.h"
 
 namespace sward::test {
 namespace {
@@ -84,6 +85,23 @@ TEST(CostFiles, SpoiltInAnyPlaceAreReadOrRefusedButNeverWorse) {
     }
     EXPECT_GT(read, 50) << "some edits spoil nothing";
     EXPECT_GT(refused, 500);
+}
+// A part of a sweep that was damaged on its way is refused: whichever byte it was, unless no value follows from it.
+TEST(CostFiles, AFileWithAnyOtherByteIsRefused) {
+    TempDir dir;
+    const std::string good = writeJson(costJson(run({row(0, 10, 0.1)}, 1)));
+    const auto file = dir / "cost.json";
+    writeText(file, good);
+    ASSERT_TRUE(readCost(file));
+    for (size_t i = 0; i < good.size(); ++i) {
+        if (std::isspace(static_cast<unsigned char>(good[i]))) continue;
+        std::string text = good;
+        text[i] = static_cast<char>(text[i] ^ 1);
+        writeText(file, text);
+        const auto back = readCost(file);
+        ASSERT_FALSE(back) << "byte " << i << ", '" << good[i] << "'";
+        EXPECT_EQ(back.error().code, ExitCode::Unsound);
+    }
 }
 TEST(CostFiles, NumbersThatNoFieldHoldsAreNone) {
     std::string text = writeJson(costJson(run({row(0, 10, 0.1)}, 1)));

@@ -1,0 +1,198 @@
+#!/usr/bin/env bash
+# Works of all kinds as job arrays on a Slurm of two nodes that runs here: tests/farm/farm_test.sh SWARD
+# Nodes are killed in the middle, jobs submitted twice, cancelled and resumed, parts damaged, inputs changed, disks full;
+# each result must be one machine's, bit for bit (of a sweep all but times). Prints a line a trial; ends with 1 at the
+# first that failed, with 77 where Slurm is not installed (--need: with 1).
+set -euo pipefail
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+SWARD=$(readlink -f "$1")
+export SWARD
+if ! command -v slurmctld slurmd sbatch munged >/dev/null; then
+    echo "Slurm is not installed: tools/install.sh third_party/packages-long.txt"
+    [ "${2-}" = --need ] && exit 1 || exit 77
+fi
+farm=$here/../../tools/farm
+. "$here/cluster.sh"
+work=$(mktemp -d)
+mkdir "$work/a studio" "$work/local"
+trap '[ -n "${KEEP-}" ] && echo "kept: $work" || { cluster_stop; rm -rf "$work"; }' EXIT
+export XDG_CACHE_HOME=$work/cache XDG_STATE_HOME=$work/state MESA_SHADER_CACHE_DISABLE=true
+export SWARD_FARM_LOCAL=$work/local SWARD_FARM_EVERY=0.3
+cd "$work/a studio"
+
+die() {
+    echo "$1" >&2
+    cat "$work/said" >&2 2>/dev/null || true
+    find . -path "*/failed/*" -type f -exec cat {} + >&2
+    exit 1
+}
+expect() { # expect CODE COMMAND...: what it says goes to $work/said
+    local wanted=$1 code=0
+    shift
+    "$@" >"$work/said" 2>&1 || code=$?
+    [ $code = "$wanted" ] || die "exit code $code instead of $wanted: $*"
+}
+says() { grep -q -- "$1" "$work/said" || die "it does not say \"$1\""; }
+same() { cmp -s "$1" "$2" || die "$1 and $2 differ"; }
+made_by() { sed -n 's/^slurm=//p' "$1"/parts/*/receipt | sort | uniq -c | awk '{ print $1 }' | paste -sd ' '; }
+# Until the program runs on a node: what dies then dies in the middle.
+running_on() { # running_on JOB NODE
+    local i pid
+    for ((i = 0; i < 400; ++i)); do
+        for pid in $(pgrep -x sward); do
+            grep -qzx "SLURMD_NODENAME=n$2" "/proc/$pid/environ" 2>/dev/null &&
+                grep -qz -- "--shard\|--first" "/proc/$pid/cmdline" 2>/dev/null && return 0
+        done
+        sleep 0.05
+    done
+    die "node n$2 gets nothing to do"
+}
+parts_there() { find "$1/parts" -mindepth 1 -maxdepth 1 -name '[0-9]*' | wc -l; }
+
+"$SWARD" new "the project" >/dev/null
+sed -i 's/"bladesPerM2": 4000/"bladesPerM2": 100/; s/"size": \[40, 40\]/"size": [12, 12]/' "the project/project.json"
+cluster_start "$work/slurm" 2
+echo "a Slurm of two nodes runs"
+
+# --- a reference, whose node dies: one part is lost, and made anew
+view=(--size 48x40 --samples 96)
+"$SWARD" reference "the project" "${view[@]}" --out whole.exr >/dev/null
+expect 0 "$farm" submit "a reference" reference "the project" --parts 5 --slurm --no-requeue -- "${view[@]}"
+running_on "a reference" 1
+node_kill 1
+expect 0 "$farm" submit "a reference" reference "the project" --parts 5 --slurm --no-requeue -- "${view[@]}"
+says "submitted before"
+expect 1 "$farm" submit "a reference" reference "the project" --parts 4 -- "${view[@]}"
+says "holds another job"
+expect 1 "$farm" watch "a reference"
+says "4/5 done, 0 running, 0 waiting, 1 lost"
+says "farm resume"
+expect 1 "$farm" merge "a reference" --out joined.exr
+says "is missing"
+node_start 1
+stat -c '%Y %i' "a reference"/parts/*/receipt >"$work/before"
+expect 0 "$farm" resume "a reference"
+says "1 of 5 parts submitted"
+expect 0 "$farm" watch "a reference"
+says "5/5 done"
+[ "$(made_by "a reference")" = "4 1" ] || die "parts by job: $(made_by "a reference") instead of 4 1"
+[ "$(stat -c '%Y %i' "a reference"/parts/*/receipt | grep -cFx -f "$work/before")" = 4 ] || die "other parts were made anew"
+expect 0 "$farm" merge "a reference" --out joined.exr
+same whole.exr joined.exr
+same whole.error.exr joined.error.exr
+echo "reference: a killed node cost 1 of 5 parts, the whole is one machine's"
+
+# --- parts that are damaged or of another job are refused and made anew
+part=$(echo "a reference"/parts/000002/*.part)
+printf '\x55' | dd of="$part" bs=1 seek=2000 conv=notrunc status=none
+expect 1 "$farm" merge "a reference" --out damaged.exr
+says "000002: the part is damaged"
+[ ! -e damaged.exr ] || die "damaged parts were merged"
+expect 0 "$farm" submit other reference "the project" --parts 5 -- --size 48x40 --samples 2
+expect 0 "$farm" watch other
+rm -r "a reference/parts/000003"
+cp -r other/parts/000003 "a reference/parts/"
+expect 1 "$farm" status "a reference"
+says "part 3 is stale"
+says "lost: parts 2-3"
+expect 0 "$farm" resume "a reference"
+says "2 of 5 parts submitted"
+expect 0 "$farm" watch "a reference"
+expect 0 "$farm" merge "a reference" --out joined2.exr
+same whole.exr joined2.exr
+echo "reference: 1 damaged part and 1 of another job were refused and made anew"
+
+# --- a disk that is full, and a project that changes
+mv "a reference/parts/000001" aside
+echo 1 >one
+expect 1 unshare -rm bash -c 'mount -t tmpfs -o size=16k farm "a reference/parts" && dd if=/dev/zero of="a reference/parts/full" bs=1k status=none
+    "$@"' - "$farm" part "a reference" one
+says "is the disk full? make room"
+[ -z "$(find "$work/local" -maxdepth 1 -name 'sward-farm-part*')" ] || die "a part that failed left a folder in $work/local"
+cp "the project/project.json" kept.json
+sed 's/"seed": 1,/"seed": 2,/' kept.json >"the project/project.json"
+! cmp -s kept.json "the project/project.json" || echo >>"the project/project.json"
+expect 3 "$farm" part "a reference" one
+says "is not what it was at the job's submission"
+expect 3 "$farm" resume "a reference"
+cp kept.json "the project/project.json"
+expect 0 "$farm" part "a reference" one
+expect 0 "$farm" part "a reference" one
+same aside/*.part "a reference"/parts/000001/*.part
+echo "a full disk and a changed project leave no part, and each names the remedy"
+
+# --- a sweep, cancelled in the middle
+sweep=(--size 32x24 --samples 2 --rounds 1 --technique raytraced --max-ms 1000000)
+"$SWARD" cost "the project" "${sweep[@]}" --out whole >/dev/null 2>&1
+expect 0 "$farm" submit sweep cost "the project" --parts 3 -- "${sweep[@]}"
+running_on sweep 0
+code=0
+timeout -s INT 1 "$farm" watch sweep >"$work/said" 2>&1 || code=$?
+says "the job goes on"
+expect 0 "$farm" cancel sweep
+for ((i = 0; i < 100; ++i)); do [ -z "$(squeue -h)" ] && break || sleep 0.2; done
+[ "$(parts_there sweep)" -lt 3 ] || die "it was cancelled too late to show anything"
+expect 1 "$farm" status sweep
+expect 0 "$farm" resume sweep
+expect 0 "$farm" watch sweep
+expect 0 "$farm" merge sweep --out joined
+timeless() { grep -v '"\(ms\|ms_median\|ms_p95\|ms_sigma\|on_frontier\|digest\)":' "$1" | grep -v '^ *[0-9.e-]*,\{0,1\}$'; }
+timeless whole/cost.json >whole.txt
+timeless joined/cost.json >joined.txt
+same whole.txt joined.txt
+[ "$(grep -c '"technique"' whole.txt)" -gt 3 ] || die "the sweep has too few rows to show anything"
+[ "$(grep -c '"host": "'"$(hostname)"'"' joined/cost.json)" = 1 ] || die "the machine's name is not there once"
+echo "cost: cancelled and resumed, $(grep -c '"technique"' whole.txt) rows are one machine's in all but times"
+
+# --- a film, whose node dies: Slurm gives its part to another
+film=(--size 48x32 --fps 10 --frames 9 --time 1)
+"$SWARD" render "the project" "${film[@]}" --out whole-film >/dev/null
+expect 0 "$farm" submit film film "the project" --parts 4 -- "${film[@]}"
+running_on film 1
+node_kill 1
+expect 0 "$farm" watch film
+says "4/4 done"
+expect 0 "$farm" merge film --out joined-film
+diff -r whole-film joined-film >"$work/said" || die "films differ"
+[ "$(find joined-film -type f | wc -l)" = 9 ] || die "it has not 9 frames"
+node_start 1
+echo "film: a killed node's part was made by another, 9 frames are one machine's"
+
+# --- frames of different renderers are not mixed unseen
+other=film/parts/000000/receipt
+{ sed '$d' $other | sed 's/^renderer=.*/renderer=another/'; } >receipt
+{ cat receipt; echo "receipt=$(sha256sum <receipt | cut -d ' ' -f 1)"; } >$other
+expect 1 "$farm" merge film --out mixed-film
+says "different renderers"
+expect 0 "$farm" merge film --out mixed-film --mixed
+
+# --- bakes of two projects
+cp -r "the project" second
+sed -i 's/"seed": 1,/"seed": 3,/' second/project.json
+mkdir one-machine
+cp -r "the project" second one-machine/
+bakes=(--samples 4 --size 16)
+for p in "the project" second; do
+    XDG_CACHE_HOME=$work/cache1 "$SWARD" bake "one-machine/$p" "${bakes[@]}" >/dev/null 2>&1
+done
+expect 0 "$farm" submit bakes bake "the project" second -- "${bakes[@]}"
+expect 0 "$farm" watch bakes
+says "4/4 done"
+expect 0 "$farm" merge bakes --out "$work/cache2"
+! grep -q "slices: .* MB (" "$work/said" || die "slices were made again"
+diff -r -x '.*' "one-machine/the project" "the project" >"$work/said" || die "baked projects differ"
+diff -r -x '.*' one-machine/second second >"$work/said" || die "baked projects differ"
+diff -r "$work/cache1/sward" "$work/cache2/sward" >"$work/said" || die "caches differ"
+echo "bake: 4 bakes of 2 projects are one machine's, project and cache"
+
+# --- what is wrong with a command
+expect 2 "$farm" submit bad film "the project" --parts 3 -- --fps 25
+expect 2 "$farm" submit bad reference "the project" --parts 0
+expect 2 "$farm" submit bad reference "the project" --parts 2 -- --shard 0/2
+expect 3 "$farm" submit bad reference nowhere --parts 2
+expect 2 "$farm" watch nowhere
+says "is no job"
+kill -9 "$(cat "$cluster/slurmctld.pid")"
+expect 1 "$farm" status film
+says "is slurmctld up"
+echo "farm: all trials held"
