@@ -33,7 +33,7 @@ struct Seen {
     const CostView& view;
     CostTruth truth;
 };
-struct Search {
+struct FitSearch {
     const FitRequest& request;
     const Project& project;
     const Tables& tables;
@@ -68,7 +68,7 @@ struct Drawing {
     ViewCamera camera;
     ViewSettings view;
 };
-Result<Drawing> drawingOf(Search& s, const CostSetting& setting, const CostView& from) {
+Result<Drawing> drawingOf(FitSearch& s, const CostSetting& setting, const CostView& from) {
     if (!s.progress(fmt::format("{} of at most {} candidates, {} settings in all", s.found.size(), s.request.candidates,
                                 s.seen.size()),
                     std::max(static_cast<double>(s.found.size()) / std::max(1, s.request.candidates),
@@ -80,14 +80,14 @@ Result<Drawing> drawingOf(Search& s, const CostSetting& setting, const CostView&
     if (Status st = applySetting(d.project, s.tables, setting, d.view); !st) return st.error();
     return d;
 }
-Result<double> frameMs(Search& s, Drawing& d) {
+Result<double> frameMs(FitSearch& s, Drawing& d) {
     const auto start = std::chrono::steady_clock::now();
     if (Status st = s.renderer.draw(d.project, d.camera, d.view); !st) return st.error();
     s.renderer.finish();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 // The median of some frames; of one alone, if that took longer than `most`.
-Result<double> medianMs(Search& s, Drawing& d, double most) {
+Result<double> medianMs(FitSearch& s, Drawing& d, double most) {
     if (auto warm = frameMs(s, d); !warm) return warm;
     std::vector<double> ms;
     double sum = 0;
@@ -99,7 +99,7 @@ Result<double> medianMs(Search& s, Drawing& d, double most) {
     }
     return quantileOf(ms, 0.5);
 }
-Result<Picture> pictureOf(Search& s, const CostSetting& setting, const CostView& view) {
+Result<Picture> pictureOf(FitSearch& s, const CostSetting& setting, const CostView& view) {
     auto d = drawingOf(s, setting, view);
     if (!d) return d.error();
     if (auto ms = frameMs(s, *d); !ms) return ms.error();
@@ -121,12 +121,12 @@ struct Scores {
     FitScore mean() const { return taken > 0 ? FitScore{sum / taken, std::sqrt(variance) / taken} : FitScore{}; }
 };
 // Milliseconds that its blades alone would take.
-double expectedMs(const Search& s, const Drawing& d) {
+double expectedMs(const FitSearch& s, const Drawing& d) {
     return s.msPerBlade * static_cast<double>(d.view.detail) *
            static_cast<double>(submittedBlades(d.project, s.tables, d.camera, d.view.width, d.view.height));
 }
 // Time and error from one camera, added to the candidate's; the error unless it is far too slow.
-Status measureFrom(Search& s, const Seen& v, FitCandidate& c, Scores& scores, double most) {
+Status measureFrom(FitSearch& s, const Seen& v, FitCandidate& c, Scores& scores, double most) {
     auto d = drawingOf(s, c.setting, v.view);
     if (!d) return d.error();
     if (const double expected = expectedMs(s, *d); expected > kSure * most) {
@@ -143,7 +143,7 @@ Status measureFrom(Search& s, const Seen& v, FitCandidate& c, Scores& scores, do
     return {};
 }
 // Each setting once; asked again it is remembered. One that takes far more than the budget from a camera has no error.
-Result<FitCandidate> measured(Search& s, const CostSetting& setting, bool whole = false) {
+Result<FitCandidate> measured(FitSearch& s, const CostSetting& setting, bool whole = false) {
     const auto key = std::pair(setting.technique, setting.values);
     if (const auto it = s.seen.find(key); it != s.seen.end()) return it->second;
     const double most = whole ? std::numeric_limits<double>::infinity() : kHopeless * s.request.budgetMs;
@@ -170,7 +170,7 @@ Knobs knobsOf(const FitTechnique& t, bool halved) {
         k.push_back(halved && row.factor ? std::max(row.start / kStep, row.least) : row.start);
     return k;
 }
-FitResult soFar(const Search& s) {
+FitResult soFar(const FitSearch& s) {
     FitResult r;
     r.fits = s.best.ms <= s.request.budgetMs;
     r.fitted = s.best, r.shipped = s.shipped;
@@ -179,7 +179,7 @@ FitResult soFar(const Search& s) {
     return r;
 }
 // Measured as one of the search's own.
-Result<FitCandidate> searched(Search& s, const FitTechnique& t, const Knobs& k) {
+Result<FitCandidate> searched(FitSearch& s, const FitTechnique& t, const Knobs& k) {
     const CostSetting setting = turnedSetting(s.project, t, k);
     const bool isNew = std::none_of(s.found.begin(), s.found.end(), [&](const FitCandidate& c) {
         return c.setting.technique == setting.technique && c.setting.values == setting.values;
@@ -210,7 +210,7 @@ std::vector<Knobs> around(const FitTechnique& t, const Knobs& k, double step) {
     return out;
 }
 // From a start: to the best neighbour as long as one is better, then with smaller steps.
-Status searchFrom(Search& s, const FitTechnique& t, Knobs at, FitCandidate here) {
+Status searchFrom(FitSearch& s, const FitTechnique& t, Knobs at, FitCandidate here) {
     for (double step = kStep; step >= kLeastStep && s.mayGoOn();) {
         std::optional<Knobs> next;
         for (const Knobs& k : around(t, at, step)) {
@@ -227,7 +227,7 @@ Status searchFrom(Search& s, const FitTechnique& t, Knobs at, FitCandidate here)
     return {};
 }
 // Every technique once, the field's own first; then from the best of them, from the next best and so on.
-Status search(Search& s, const std::vector<FitTechnique>& techniques) {
+Status search(FitSearch& s, const std::vector<FitTechnique>& techniques) {
     struct Start {
         const FitTechnique* technique;
         FitCandidate candidate;
@@ -265,7 +265,7 @@ std::vector<Knobs> gridPoints(const FitTechnique& t) {
     }
     return points;
 }
-Result<FitCandidate> gridBest(Search& s, const FitTechnique& own) {
+Result<FitCandidate> gridBest(FitSearch& s, const FitTechnique& own) {
     FitCandidate best;
     for (const Knobs& k : gridPoints(own)) {
         if (!s.inTime(kGridShare)) break;
@@ -278,7 +278,7 @@ Result<FitCandidate> gridBest(Search& s, const FitTechnique& own) {
 
 // --- truths
 // Of all samples asked for; where that takes longer than its share of the time, begun anew with as many as it allows.
-Result<CostTruth> truthInTime(Search& s, const CostView& view) {
+Result<CostTruth> truthInTime(FitSearch& s, const CostView& view) {
     const double begun = s.seconds(),
                  limit = kTruthShare * s.request.seconds / static_cast<double>(s.cost.views.size());
     double share = 0;
@@ -294,7 +294,7 @@ Result<CostTruth> truthInTime(Search& s, const CostView& view) {
     s.cost.truth.samples = std::max(kLeastSamples, static_cast<int>(0.8 * share * s.cost.truth.samples));
     return costTruthAlone(s.cost, s.project, s.tables, view, s.progress);
 }
-Status traceTruths(Search& s) {
+Status traceTruths(FitSearch& s) {
     for (const CostView& view : s.request.cost.views) {
         auto truth = truthInTime(s, view);
         if (!truth) return truth.error();
@@ -304,7 +304,7 @@ Status traceTruths(Search& s) {
 }
 
 // --- cameras that were not seen ----------------------------------------------------------------------------------
-Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
+Result<FitHeldOut> heldOut(FitSearch& s, const FitResult& found) {
     FitHeldOut out;
     if (!found.gridBest.known()) out.note = "no point of the grid fits the budget";
     Scores scores[3];
@@ -336,7 +336,7 @@ Result<FitHeldOut> heldOut(Search& s, const FitResult& found) {
 
 // --- all of it ---------------------------------------------------------------------------------------------------
 // The best that the search found, and the cheapest of all measured that are better still.
-void choose(const Search& s, FitResult& r) {
+void choose(const FitSearch& s, FitResult& r) {
     r.fitted = s.best;
     r.fits = r.fitted.ms <= s.request.budgetMs;
     for (const auto& [key, c] : s.seen)
@@ -346,7 +346,7 @@ void choose(const Search& s, FitResult& r) {
     r.tried = static_cast<int>(s.seen.size());
 }
 // By what the cameras of the search say, and by the others.
-void judge(const Search& s, FitResult& r) {
+void judge(const FitSearch& s, FitResult& r) {
     const auto scoreOf = [](const FitCandidate& c, bool takesPart) {
         return takesPart && std::isfinite(c.appearance) ? FitScore{c.appearance, c.sigma} : FitScore{};
     };
@@ -389,7 +389,7 @@ Result<FitResult> runFit(const FitRequest& request, const Project& project, cons
     std::error_code ec;
     std::filesystem::create_directories(request.cost.folder, ec);
     if (ec) return failed("cannot make the folder: " + ec.message(), "choose another").at(request.cost.folder);
-    Search s{.request = request, .project = project, .tables = tables, .gpu = gpu, .progress = progress};
+    FitSearch s{.request = request, .project = project, .tables = tables, .gpu = gpu, .progress = progress};
     const auto techniques = techniquesToFit(project, tables, request.technique);
     if (!techniques) return techniques.error();
     if (Status st = traceTruths(s); !st) return st.error();

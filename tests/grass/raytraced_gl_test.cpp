@@ -47,7 +47,7 @@ std::vector<float> raytracedPicture(const Project& p, const ViewCamera& camera,
 bool isFinite(const std::vector<float>& pixels) {
     return std::all_of(pixels.begin(), pixels.end(), [](float v) { return std::isfinite(v) && v >= 0; });
 }
-const PassStats& passOf(const Renderer& r, const std::string& name) {
+const PassStats& raytracedPass(const Renderer& r, const std::string& name) {
     for (const PassStats& pass : r.stats().passes)
         if (pass.name == name) return pass;
     static const PassStats none;
@@ -133,7 +133,7 @@ TEST(Raytraced, AsMiddleTierOfTheHybridIsAsBrightAsSlices) {
     f.hybrid.middleTier = MiddleTier::Raytraced;
     const auto rays = raytracedPicture(r, p, grazing());
     EXPECT_NEAR(brightness(rays), slices, 0.1 * slices);
-    EXPECT_GT(passOf(r, "grass/raytraced").draws, 0u);
+    EXPECT_GT(raytracedPass(r, "grass/raytraced").draws, 0u);
     for (const PassStats& pass : r.stats().passes) EXPECT_NE(pass.name, "grass/slices");
 }
 
@@ -216,7 +216,7 @@ TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
         flatField(p).slices = slices;
         flatField(p).sliceWidth = 32, flatField(p).sliceHeight = 16;
         raytracedPicture(r, p, grazing(), s);
-        fragments.push_back(passOf(r, "grass/raytraced").fragments);
+        fragments.push_back(raytracedPass(r, "grass/raytraced").fragments);
     }
     EXPECT_EQ(fragments[0], fragments[1]);
     EXPECT_EQ(fragments[0], fragments[2]);

@@ -10,7 +10,7 @@
 namespace sward::test {
 namespace {
 
-Rgba8 whiteBlade() { return {1, 1, std::vector<uint8_t>(4, 255)}; }
+Rgba8 whiteImage() { return {1, 1, std::vector<uint8_t>(4, 255)}; }
 
 // One blade in a cell of half a metre, straight and upright, its strip all there.
 SliceSpec lone(uint32_t seed) {
@@ -22,7 +22,7 @@ SliceSpec lone(uint32_t seed) {
     s.seed = seed;
     s.width = s.height = s.farSize = 64;
     s.slices = 5;
-    s.blade = whiteBlade();
+    s.blade = whiteImage();
     return s;
 }
 // A thousand blades of the default kind.

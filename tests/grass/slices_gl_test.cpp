@@ -25,7 +25,7 @@ Project slicedMeadow(Technique technique) {
     p.registry.get<Terrain>(findEntity(p, "ground"))->groundColor = {0.2f, 0.05f, 0.05f};
     return p;
 }
-FlatField grassOf(Project& p) { return flatField(p, "grass"); }
+FlatField slicedGrass(Project& p) { return flatField(p, "grass"); }
 
 ViewSettings slicedView(int msaa = 4) {
     ViewSettings s = small();
@@ -71,13 +71,13 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
     for (const LightWeighting weights : {GrassSlices{}.lightWeights, LightWeighting::Atan})
         for (const Technique technique : {Technique::Slices, Technique::Flat}) {
             Project p = slicedMeadow(technique);
-            grassOf(p).lightWeights = weights;
+            slicedGrass(p).lightWeights = weights;
             const auto factored = picture(p);
-            grassOf(p).lightWeights = LightWeighting::Atan;
+            slicedGrass(p).lightWeights = LightWeighting::Atan;
             const auto interpolated = picture(p);  // what stands for the cosine in full storage
-            grassOf(p).lightWeights = weights;
+            slicedGrass(p).lightWeights = weights;
             for (const Storage storage : {Storage::Full, Storage::Compressed}) {
-                grassOf(p).storage = storage;
+                slicedGrass(p).storage = storage;
                 const auto other = picture(p);
                 const auto& like = storage == Storage::Full ? interpolated : factored;
                 const std::string which =
@@ -106,7 +106,7 @@ TEST(Slices, AreLitByALampHoweverTheyAreStored) {
         const double dark = meanBrightness(picture(p));
         EXPECT_GT(meanBrightness(factored), 2 * dark) << nameOf(technique);
         p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 30;
-        grassOf(p).storage = Storage::Full;
+        slicedGrass(p).storage = Storage::Full;
         const double share = (meanBrightness(picture(p)) - dark) / (meanBrightness(factored) - dark);
         std::printf("  %s: full storage has %.3f of the lamp's light\n", nameOf(technique), share);
         EXPECT_NEAR(share, 1, 0.1) << nameOf(technique);
@@ -137,7 +137,7 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
     const auto blades = picture(slicedMeadow(Technique::Geometry));
     for (size_t way = 0; way < std::size(kTransparencies); ++way) {
         Project p = slicedMeadow(Technique::Slices);
-        grassOf(p).transparency = static_cast<Transparency>(way);
+        slicedGrass(p).transparency = static_cast<Transparency>(way);
         const auto drawn = picture(p);
         // Blended nearest first, what lies behind is lost: 0.36 of the pixels show grass.
         EXPECT_GT(covered(drawn), 0.8 * covered(blades)) << kTransparencies[way];
@@ -181,7 +181,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
     const auto change = [](Technique technique) {
         const auto leant = [&](float x) {
             Project p = slicedMeadow(technique);
-            FlatField f = grassOf(p);
+            FlatField f = slicedGrass(p);
             f.species[0].leanDeg = 25;
             Map m({4, 4, 2, PixelType::U16});
             for (int i = 0; i < 16; ++i) m.set(i % 4, i / 4, 0, x), m.set(i % 4, i / 4, 1, 0.5f);
@@ -203,7 +203,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
 // Mean colour inside a disc of three metres that something pressed flat, seen from a distance.
 glm::dvec3 pressedColor(Technique technique, const Light& sun, double distance) {
     Project p = slicedMeadow(technique);
-    grassOf(p).species[0].bladesPerM2 = 1200;
+    slicedGrass(p).species[0].bladesPerM2 = 1200;
     *p.registry.get<Light>(findEntity(p, "sun")) = sun;
     ForceSource disc;
     disc.radius = 3;
@@ -243,8 +243,8 @@ TEST(Slices, WhereTheyArePressedTheGroundIsAsGreenAsUnderBladesThatLie) {
 TEST(Slices, AreMadeBesideWithADraftShownUntilTheyAreThere) {
     NoGlErrors errors;
     Project p = slicedMeadow(Technique::Slices);
-    grassOf(p).seed = 7;
-    grassOf(p).sliceWidth = grassOf(p).farSize = 512;
+    slicedGrass(p).seed = 7;
+    slicedGrass(p).sliceWidth = slicedGrass(p).farSize = 512;
     ViewSettings beside = slicedView();
     beside.background = true;
     Renderer r(gpu(), tables());
@@ -272,11 +272,11 @@ TEST(Slices, ABakeForOtherBladesIsCancelledAndCachedOnesComeAtOnce) {
     EXPECT_TRUE(r.jobs().empty());
     EXPECT_EQ(r.readLinear(), known);
     for (const float height : {0.2f, 0.25f}) {
-        grassOf(p).species[0].height = height;
+        slicedGrass(p).species[0].height = height;
         ASSERT_TRUE(r.draw(p, across(), beside));
         EXPECT_EQ(r.jobs().size(), 1u) << "one at a time";
     }
-    grassOf(p).species[0].height = 0.15f;
+    slicedGrass(p).species[0].height = 0.15f;
     ASSERT_TRUE(r.draw(p, across(), beside));
     EXPECT_TRUE(r.jobs().empty()) << "made for blades that are gone";
     EXPECT_EQ(r.readLinear(), known);
@@ -356,7 +356,7 @@ TEST(Slices, TallGrassHidesLowGrassWhicheverIsListedFirst) {
     NoGlErrors errors;
     const auto redness = [](bool tallFirst) {
         Project p = slicedMeadow(Technique::Flat);
-        FlatField f = grassOf(p);
+        FlatField f = slicedGrass(p);
         Species low = f.species[0], tall = f.species[0];
         low.name = "low", low.height = 0.05f;
         tall.name = "tall", tall.height = 0.5f;

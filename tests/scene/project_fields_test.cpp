@@ -16,7 +16,7 @@ using namespace sward::test;
 
 namespace {
 // Ground and a meadow of two species.
-Project meadow() {
+Project fieldsMeadow() {
     Project p;
     p.registry.add<Terrain>(*addEntity(p, "ground"));
     GrassField field;
@@ -38,7 +38,7 @@ std::string mapOf(Project& p, const std::string& name) {
 }  // namespace
 
 TEST(Fields, AreAsChangeableAsTheProjectThatTheyAreFoundIn) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     const Result<FieldRef> ours = findField(p, rows(), "ground.Terrain.gridSpacing");
     const Result<ConstFieldRef> read = findField(std::as_const(p), rows(), "ground.Terrain.gridSpacing");
     ASSERT_TRUE(ours && read);
@@ -61,7 +61,7 @@ TEST(Entities, AreNamedOnceAndWithPlainNames) {
 }
 
 TEST(Fields, AreFoundByPathAndCanonicalPathsUseNames) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     EXPECT_EQ(pathOf(p, "ground.Terrain.size"), "ground.Terrain.size");
     EXPECT_EQ(pathOf(p, "meadow.GrassField.species[1].height"), "meadow.GrassField.species[weeds].height");
     EXPECT_EQ(pathOf(p, "meadow.GrassField.species[weeds].height"), "meadow.GrassField.species[weeds].height");
@@ -75,7 +75,7 @@ TEST(Fields, AreFoundByPathAndCanonicalPathsUseNames) {
 }
 
 TEST(Fields, WhatIsNotThereIsAUsageErrorThatListsWhatIs) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     for (const char* bad :
          {"", "ground", "ground.Terrain", "none.Terrain.size", "ground.Light.intensity", "ground.Terrain.sise",
           "ground.Terrain.size.x", "meadow.GrassField.species.height", "meadow.GrassField.species[none].height",
@@ -92,7 +92,7 @@ TEST(Fields, WhatIsNotThereIsAUsageErrorThatListsWhatIs) {
 }
 
 TEST(Maps, AreFoundByAnyTailThatMeansOne) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     EXPECT_NE(mapOf(p, "density").find("more than one map"), std::string::npos);
     EXPECT_EQ(mapOf(p, "height"), "ground.Terrain.height");
     EXPECT_EQ(mapOf(p, "[weeds].density"), "meadow.GrassField.species[weeds].density");
@@ -107,7 +107,7 @@ TEST(Maps, AreFoundByAnyTailThatMeansOne) {
 }
 
 TEST(Maps, FilesAreNamedAfterEntitySpeciesAndMap) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     EXPECT_EQ(mapFileFor(*findMap(p, rows(), "[weeds].density"), PixelType::U16), "maps/meadow.weeds.density.png");
     EXPECT_EQ(mapFileFor(*findMap(p, rows(), "height"), PixelType::F32), "maps/ground.height.exr");
     grassOf(p).species[1].name = "../../etc x";
@@ -119,7 +119,7 @@ TEST(Maps, FilesAreNamedAfterEntitySpeciesAndMap) {
 }
 
 TEST(Snapshots, ShareTilesAndNothingElse) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     p.unknown["meadow.Wings"] = "1";
     grassOf(p).species[0].density = {"maps/a.png", patternMap({300, 300, 1, PixelType::U16})};
     Project copy = snapshot(p, rows());
@@ -134,7 +134,7 @@ TEST(Snapshots, ShareTilesAndNothingElse) {
 }
 
 TEST(Population, IsDensityTimesAreaOverAllSpecies) {
-    Project p = meadow();
+    Project p = fieldsMeadow();
     p.registry.get<Terrain>(findEntity(p, "ground"))->size = {10, 20};
     grassOf(p).species[0].bladesPerM2 = 100;
     grassOf(p).species[1].bladesPerM2 = 50;

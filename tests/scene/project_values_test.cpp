@@ -8,7 +8,7 @@ namespace sward {
 namespace {
 
 // Ground and a meadow of two species.
-Project meadow() {
+Project valuesMeadow() {
     Project p;
     p.registry.add<Terrain>(*addEntity(p, "ground"));
     GrassField field;
@@ -20,7 +20,7 @@ Project meadow() {
 }
 
 TEST(FieldValues, AreSetFromTextAndKeepTheirValueWhenThatIsWrong) {
-    Project p = meadow();
+    Project p = valuesMeadow();
     const auto set = [&](const char* path, const char* text) {
         return bool(setFieldText(*findField(p, rows(), path), text));
     };

@@ -16,7 +16,7 @@ Terrain stepped(float step) {
     t.height = {"maps/height.exr", m};
     return t;
 }
-Forest everywhere() {
+Forest forestEverywhere() {
     Forest f;
     f.slopeDeg = {0, 90};
     return f;
@@ -25,7 +25,7 @@ ForestCount countOn(float step) {
     Project p;
     const Entity land = *addEntity(p, "land"), trees = *addEntity(p, "trees");
     p.registry.add<Terrain>(land, stepped(step));
-    p.registry.add<Forest>(trees, everywhere());
+    p.registry.add<Forest>(trees, forestEverywhere());
     const std::vector<ForestCount> all = countForests(p);
     EXPECT_EQ(all.size(), 1u);
     return all.at(0);
@@ -33,7 +33,7 @@ ForestCount countOn(float step) {
 
 TEST(ForestGround, CornersLieOnTheTerrainWhereTheLatticeHasThem) {
     const Terrain t = stepped(30);
-    const Forest rule = everywhere();
+    const Forest rule = forestEverywhere();
     const glm::dvec3 origin(1000, 5, -2000);
     const StandingForest f = standingForest(rule, {&t, origin});
     ASSERT_GT(f.triangles.size(), 100u);
