@@ -162,7 +162,8 @@ ProgramSources sourcesOf(const ProgramRow& p) {
 }
 
 bool sketchLeavesOut(Stage stage, const FramePlan& plan) {
-    const bool flat = has(plan.features, Feature::GrassFar);
+    const std::vector<const Pass*> passes = plan.passes();
+    const bool flat = std::any_of(passes.begin(), passes.end(), [](const Pass* p) { return p->stage == Stage::Far; });
     switch (stage) {
         case Stage::Shadow:
         case Stage::Flowers:
