@@ -27,8 +27,8 @@ struct FrameEstimate {
     double seconds = 0;
     std::vector<FieldEstimate> fields;  // slowest first
 };
-// Seconds that a software rasteriser takes for a frame from `camera`, and for which fields: from the blades of the cells
-// that are drawn one by one, at kSecondsABlade. Pixels of the view: width x height.
+// Seconds that a software rasteriser takes for a frame from `camera`, and for which fields: from the blades of the
+// cells that are drawn one by one, at kSecondsABlade. Pixels of the view: width x height.
 FrameEstimate estimateFrame(const Project& project, const Tables& tables, const ViewCamera& camera, int width,
                             int height);
 
