@@ -15,7 +15,7 @@ namespace sward {
 struct FitTechnique {
     const TechniqueRow* grass = nullptr;
     const ForestTechniqueRow* forest = nullptr;
-    // As the row calls it.
+    // That of the row which is there.
     const char* name() const { return grass ? grass->name : forest->name; }
     std::span<const KnobRow> knobs() const { return grass ? grass->knobs : forest->knobs; }
 };
