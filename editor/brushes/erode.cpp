@@ -254,17 +254,24 @@ void runDrop(const Land& land, Drop d, std::vector<Move>& moves) {
     if (carried > 0) leave(land, p, carried, moves);
 }
 
+// Adds what drops moved to the texels of [first, last), in the order of the drops.
+void settle(Land& land, std::span<const std::vector<Move>> moves, size_t first, size_t last) {
+    for (const std::vector<Move>& drop : moves)
+        for (const Move& m : drop)
+            if (m.texel >= first && m.texel < last) land.now[m.texel] += m.metres;
+}
+
 void rain(Land& land, const Stamp& stamp, const BrushSettings& brush) {
     const std::vector<Drop> drops = dropsOf(land, stamp, brush);
-    std::vector<std::vector<Move>> moves(std::min(kBatch, drops.size()));
+    thread_local std::vector<std::vector<Move>> kept(kBatch);
     for (size_t first = 0; first < drops.size(); first += kBatch) {
-        const size_t count = std::min(kBatch, drops.size() - first);
-        parallelFor(count, [&](size_t i) {
+        const std::span<std::vector<Move>> moves(kept.data(), std::min(kBatch, drops.size() - first));
+        parallelFor(moves.size(), [&](size_t i) {
             moves[i].clear();
             runDrop(land, drops[first + i], moves[i]);
         });
-        for (size_t i = 0; i < count; ++i)
-            for (const Move& m : moves[i]) land.now[m.texel] += m.metres;
+        const size_t parts = static_cast<size_t>(workerCount()), texels = land.texels();
+        parallelFor(parts, [&](size_t i) { settle(land, moves, texels * i / parts, texels * (i + 1) / parts); });
     }
 }
 

@@ -184,7 +184,7 @@ TEST(GrassPicture, PaintedLeanTurnsTheBlades) {
 }
 
 // Light of the lower half of the picture, without sky, with the sun at an azimuth; the camera looks along +x and +z.
-double brightness(Renderer& r, Project& p, float azimuthDeg) {
+double lightWithSunAt(Renderer& r, Project& p, float azimuthDeg) {
     Light& sun = *p.registry.get<Light>(findEntity(p, "sun"));
     sun.azimuthDeg = azimuthDeg;
     sun.elevationDeg = 20;
@@ -203,11 +203,11 @@ TEST(GrassPicture, AgainstTheSunTranslucentAndWaxyBladesShineMore) {
     grassOf(thin).species[0].translucency = 1;
     grassOf(waxy).species[0].gloss = 1;
     const float against = 135, behind = 315;
-    const double before = brightness(r, plain, against), with = brightness(r, plain, behind);
-    EXPECT_GT(brightness(r, thin, against), 1.1 * before);
-    EXPECT_GT(brightness(r, waxy, against), 1.1 * before);
-    EXPECT_GT(brightness(r, thin, against) / before, brightness(r, thin, behind) / with);
-    EXPECT_GT(brightness(r, waxy, against) / before, brightness(r, waxy, behind) / with);
+    const double before = lightWithSunAt(r, plain, against), with = lightWithSunAt(r, plain, behind);
+    EXPECT_GT(lightWithSunAt(r, thin, against), 1.1 * before);
+    EXPECT_GT(lightWithSunAt(r, waxy, against), 1.1 * before);
+    EXPECT_GT(lightWithSunAt(r, thin, against) / before, lightWithSunAt(r, thin, behind) / with);
+    EXPECT_GT(lightWithSunAt(r, waxy, against) / before, lightWithSunAt(r, waxy, behind) / with);
 }
 
 TEST(GrassPicture, BladesShadeBladesByDensityAndOnlyInLightThatCasts) {

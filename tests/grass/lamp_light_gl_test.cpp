@@ -28,7 +28,7 @@ Project night(const std::vector<glm::dvec3>& lamps) {
 }
 
 // Mean green below the horizon.
-double brightness(const std::vector<float>& image) {
+double meanGreenBelow(const std::vector<float>& image) {
     double sum = 0;
     const size_t pixels = image.size() / 3, first = pixels / 3;
     for (size_t i = first; i < pixels; ++i) sum += static_cast<double>(image[3 * i + 1]);
@@ -38,7 +38,7 @@ double drawn(Project& p, Technique technique) {
     grassIn(p).technique = nameOf(technique);
     Renderer r(gpu(), tables());
     EXPECT_TRUE(r.draw(p, kCamera, sized(kWidth, kHeight)));
-    return brightness(r.readLinear());
+    return meanGreenBelow(r.readLinear());
 }
 double traced(const Project& p) {
     JobControl control;
@@ -46,7 +46,7 @@ double traced(const Project& p) {
     EXPECT_TRUE(scene) << scene.error().text();
     ReferenceSettings s;
     s.width = kWidth, s.height = kHeight, s.samples = 16;
-    return brightness(scene->trace(kCamera, s, control)->color);
+    return meanGreenBelow(scene->trace(kCamera, s, control)->color);
 }
 
 struct Night {

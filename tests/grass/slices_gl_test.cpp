@@ -7,6 +7,7 @@
 #include "fields.h"
 #include "frame/draw_context.h"
 #include "missed.h"
+#include "pixels.h"
 #include "scenes.h"
 #include "support.h"
 #include "techniques.h"
@@ -46,20 +47,6 @@ std::vector<float> picture(Project&& p, const ViewCamera& camera = across(),
                            const ViewSettings& settings = slicedView()) {
     return picture(p, camera, settings);
 }
-double luminance(const std::vector<float>& pixels, size_t i) {
-    return 0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2];
-}
-double meanBrightness(const std::vector<float>& pixels) {
-    double sum = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3) sum += luminance(pixels, i);
-    return 3 * sum / static_cast<double>(pixels.size());
-}
-// Share of pixels in which green beats the soil's red.
-double covered(const std::vector<float>& pixels) {
-    size_t n = 0;
-    for (size_t i = 0; i < pixels.size(); i += 3) n += pixels[i + 1] > pixels[i];
-    return 3.0 * static_cast<double>(n) / static_cast<double>(pixels.size());
-}
 double rmse(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0;
     for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
@@ -83,10 +70,10 @@ TEST(Slices, AllWaysToStoreThemGiveNearlyTheSamePicture) {
                 const std::string which =
                     fmt::format("{}, {}, {}: {:.4f} apart, {:.3f} of its brightness",
                                 kStorages[static_cast<int>(storage)], nameOf(technique), kLightWeights[weights],
-                                rmse(other, like), meanBrightness(other) / meanBrightness(factored));
+                                rmse(other, like), brightness(other) / brightness(factored));
                 std::printf("  %s\n", which.c_str());
                 EXPECT_LT(rmse(other, like), 0.015) << which;
-                EXPECT_NEAR(meanBrightness(other), meanBrightness(factored), 0.1 * meanBrightness(factored)) << which;
+                EXPECT_NEAR(brightness(other), brightness(factored), 0.1 * brightness(factored)) << which;
             }
         }
 }
@@ -103,11 +90,11 @@ TEST(Slices, AreLitByALampHoweverTheyAreStored) {
         put<Transform>(p, "lamp", {{10, 2, 5}});
         const auto factored = picture(p);
         p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 0;
-        const double dark = meanBrightness(picture(p));
-        EXPECT_GT(meanBrightness(factored), 2 * dark) << nameOf(technique);
+        const double dark = brightness(picture(p));
+        EXPECT_GT(brightness(factored), 2 * dark) << nameOf(technique);
         p.registry.get<Light>(findEntity(p, "lamp"))->intensity = 30;
         slicedGrass(p).storage = Storage::Full;
-        const double share = (meanBrightness(picture(p)) - dark) / (meanBrightness(factored) - dark);
+        const double share = (brightness(picture(p)) - dark) / (brightness(factored) - dark);
         std::printf("  %s: full storage has %.3f of the lamp's light\n", nameOf(technique), share);
         EXPECT_NEAR(share, 1, 0.1) << nameOf(technique);
     }
@@ -119,7 +106,7 @@ TEST(Slices, CoverAndShineAboutAsTheBladesThatTheyStandFor) {
     for (const Technique technique : {Technique::Slices, Technique::Flat}) {
         const auto slices = picture(slicedMeadow(technique));
         EXPECT_NEAR(covered(slices), covered(blades), 0.12) << nameOf(technique);
-        const double off = std::abs(meanBrightness(slices) / meanBrightness(blades) - 1);
+        const double off = std::abs(brightness(slices) / brightness(blades) - 1);
         std::printf("  %s: %.3f of the blades' cover, brightness off by %.3f\n", nameOf(technique),
                     covered(slices) / covered(blades), off);
         if (technique == Technique::Slices)  // from steeply above wide blades: they hold no view from above
@@ -141,16 +128,16 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
         const auto drawn = picture(p);
         // Blended nearest first, what lies behind is lost: 0.36 of the pixels show grass.
         EXPECT_GT(covered(drawn), 0.8 * covered(blades)) << kTransparencies[way];
-        EXPECT_NEAR(meanBrightness(drawn), meanBrightness(blades), 0.25 * meanBrightness(blades))
+        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.25 * brightness(blades))
             << kTransparencies[way];
     }
 }
 
 TEST(Slices, AreAsBrightWithAnyNumberOfSamples) {
     NoGlErrors errors;
-    const double four = meanBrightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(4)));
+    const double four = brightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(4)));
     for (const int samples : {1, 2})
-        EXPECT_NEAR(meanBrightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(samples))), four,
+        EXPECT_NEAR(brightness(picture(slicedMeadow(Technique::Slices), across(), slicedView(samples))), four,
                     0.03 * four)
             << samples;
 }
@@ -187,7 +174,7 @@ TEST(Slices, PaintedLeanChangesTheirBrightnessAsItDoesThatOfBlades) {
             for (int i = 0; i < 16; ++i) m.set(i % 4, i / 4, 0, x), m.set(i % 4, i / 4, 1, 0.5f);
             f.orientation = field(m);
             *p.registry.get<Light>(findEntity(p, "sun")) = {.azimuthDeg = 90, .elevationDeg = 35};
-            return meanBrightness(picture(p));  // the light comes from the side: as much soil is seen either way
+            return brightness(picture(p));  // the light comes from the side: as much soil is seen either way
         };
         const double towards = leant(1), away = leant(0);
         return (towards - away) / (towards + away);
