@@ -122,6 +122,14 @@ void present(ui::Surface& surface, std::function<void(ui::Surface&)>& beforePres
     surface.present();
 }
 
+// Something was pressed while a piece of the picture was drawn: showing panels that were laid out before it would only
+// keep the frame that answers waiting.
+bool overtaken(EditorApp& app) {
+    if (!app.picture.refined || app.clock.fixed || app.beforePresent) return false;
+    app.surface->poll(app.queue, 0);
+    return app.queue.pending();
+}
+
 // Something is made beside that will show.
 bool waitsForWork(const EditorApp& app) {
     return waits(app.background.waiting) || app.background.occlusion || app.background.exporting ||
@@ -281,7 +289,7 @@ void runFrame(EditorApp& app, double waitSeconds) {
     ImGui::NewFrame();
     ui::beginBook(app.book);
     runShortcuts(app);
-    app.pictureMs = 0;
+    app.pictureMs = 0, app.picture.refined = false;
     const double widgets = clockSeconds();
     const glm::vec2 size(app.surface->width(), app.surface->height());
     drawPanels(app, app.layout, app.areas, size, app.brushBarRows, playing(app.doc));
@@ -290,7 +298,10 @@ void runFrame(EditorApp& app, double waitSeconds) {
     settleEdits(app);
     updateTitle(app.doc, *app.surface, app.shownTitle);
     showCursor(*app.surface);
-    present(*app.surface, app.beforePresent);
+    if (overtaken(app))
+        ImGui::EndFrame();
+    else
+        present(*app.surface, app.beforePresent);
     addFrame(app.frameTimes, {static_cast<float>(1000 * (clockSeconds() - begun)),
                               static_cast<float>(1000 * (built - widgets) - app.pictureMs)});
     if (app.afterFrame) app.afterFrame(app.book);

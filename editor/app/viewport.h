@@ -44,7 +44,8 @@ struct ViewportPicture {
     Resolution resolution;
     unsigned texture = 0, target = 0, source = 0;  // GL texture on the screen, and how it is written
     int width = 0, height = 0;
-    int skipped = 0;  // frames that showed an old image because input was waiting
+    int skipped = 0;       // frames that showed an old image because input was waiting
+    bool refined = false;  // in this frame pieces of the full picture were drawn
     // What the image on the screen shows.
     uint64_t drawnRevision = kNeverDrawn;
     ViewCamera drawnCamera;

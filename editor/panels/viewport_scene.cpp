@@ -186,6 +186,7 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
     if (plan.draw && v.hasImage && !clock.refineNow && (panelsFirst || (inputWaits && (refining || ++v.skipped < 6))))
         return;
     v.skipped = 0;
+    v.refined = refining;
     ensurePicture(v, wanted.width, wanted.height);
     v.drawnRevision = revision, v.drawnCamera = camera, v.drawnSettings = wanted;
     const double& last = parts.counts.lastMs;
