@@ -149,11 +149,11 @@ void followRuns(Accuracy& accuracy, FrameClock& clock, Messages& messages) {
     if (const auto code = endedRun(accuracy.fit, clock)) finishFit(accuracy.fit, messages, *code);
 }
 
-bool measuring(const Accuracy& accuracy) { return accuracy.sweep.child.running() || accuracy.fit.child.running(); }
+bool measuring(const Accuracy& accuracy) { return accuracy.sweep.running() || accuracy.fit.running(); }
 
 void stopSweep(Sweep& sweep) { stopRun(sweep); }
 void stopFit(Fit& fit) {
-    if (fit.child.running()) showSoFar(fit);
+    if (fit.running()) showSoFar(fit);
     stopRun(fit);
 }
 void stopRuns(Accuracy& accuracy) { stopSweep(accuracy.sweep), stopFit(accuracy.fit); }

@@ -136,7 +136,7 @@ bool waitsForWork(const EditorApp& app) {
            !app.background.making.empty() || makingThumbnails(app.thumbnails) ||
            comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy) ||
            checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) ||
-           app.effects.child.running() || app.effects.showDue;
+           app.effects.running() || app.effects.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <span>
 #include <sstream>
+#include <utility>
 
 #include "app/frame_clock.h"
 #include "app/time_left.h"
@@ -22,24 +25,43 @@ namespace {
 
 constexpr double kLookSeconds = 0.5;
 
-// Unsaved work included, and the view as a camera of that name; image files come from the project's folder.
-Status writeCopy(const Document& doc, const fs::path& to, const std::string& camera, const FlyCamera& from) {
-    std::error_code fault;
-    fs::remove_all(to, fault);
+// The project as it is now, unsaved work included, with the view as a camera of that name.
+Result<Project> seenFrom(const Document& doc, const std::string& camera, const FlyCamera& from) {
+    Project copy = snapshot(doc.project(), doc.tables().components);
+    if (findEntity(copy, camera) != kNoEntity) return copy;
+    const Result<Entity> added = addEntity(copy, camera);
+    if (!added) return added.error();
+    const ViewCamera view = viewOf(from);
+    Camera c;
+    c.eye = view.eye, c.target = view.target, c.fovDeg = view.fovDeg, c.exposure = view.exposure;
+    copy.registry.add<Camera>(*added, c);
+    return copy;
+}
+
+void removeFolder(const fs::path& folder) {
+    std::error_code ignored;
+    if (!folder.empty()) fs::remove_all(folder, ignored);
+}
+
+// Image files come from the project's folder.
+Status writeCopy(Project& copy, std::span<const ComponentRow> rows, const fs::path& to) {
+    removeFolder(to);
     if (Status s = makeFolderOf(to); !s) return s;
-    Project copy = snapshot(doc.project(), doc.tables().components), original;
-    original.dir = copy.dir;
-    copy.dir = to;
-    if (findEntity(copy, camera) == kNoEntity) {
-        const Result<Entity> added = addEntity(copy, camera);
-        if (!added) return added.error();
-        const ViewCamera view = viewOf(from);
-        Camera c;
-        c.eye = view.eye, c.target = view.target, c.fovDeg = view.fovDeg, c.exposure = view.exposure;
-        copy.registry.add<Camera>(*added, c);
-    }
-    const auto written = saveProject(copy, doc.tables().components, original.dir.empty() ? nullptr : &original);
+    Project original;
+    original.dir = std::exchange(copy.dir, to);
+    const auto written = saveProject(copy, rows, original.dir.empty() ? nullptr : &original);
     return written ? Status{} : Status{written.error()};
+}
+
+// A lane writes one copy after the other: what is left of one that was stopped is gone before the next begins.
+Job<bool> writtenBeside(Project project, std::span<const ComponentRow> rows, const fs::path& to) {
+    auto copy = std::make_shared<Project>(std::move(project));
+    return Job<bool>(Lane::Waited, "copy", 0, [copy, rows, to](JobControl& control) -> Result<bool> {
+        const Status written = writeCopy(*copy, rows, to);
+        if (!written || control.cancelled()) removeFolder(to);
+        if (!written) return written.error();
+        return true;
+    });
 }
 
 bool isNews(const std::string& line) { return line.find(" %  ") < 4; }
@@ -49,19 +71,26 @@ fs::path printed(const SideRun& run, const char* verb, const char* ending) {
 }
 
 void dropCopy(SideRun& run) {
-    std::error_code ignored;
-    if (!run.copy.empty()) fs::remove_all(run.copy, ignored);
+    removeFolder(run.copy);
     run.copy.clear();
 }
 
-Status start(SideRun& run, const MeasureParts& p, const char* verb, const std::vector<std::string>& more) {
-    if (Status s = writeCopy(p.doc, run.copy, run.camera, p.camera); !s) return s;
-    std::vector<std::string> args{p.program, verb, run.copy.string(), "--camera", run.camera};
-    args.insert(args.end(), more.begin(), more.end());
-    Result<ChildProcess> child = ChildProcess::start(args, printed(run, verb, ".out"), printed(run, verb, ".err"));
+Status startChild(SideRun& run) {
+    const char* verb = run.command[1].c_str();
+    Result<ChildProcess> child =
+        ChildProcess::start(run.command, printed(run, verb, ".out"), printed(run, verb, ".err"));
     if (!child) return child.error();
     run.child = std::move(*child);
     return {};
+}
+
+// Starts the program once its copy is there. False if that failed; `run.error` says why.
+bool followCopy(SideRun& run) {
+    const auto copied = run.copying.take(0);
+    if (!copied) return true;
+    const Status started = *copied ? startChild(run) : Status{copied->error()};
+    if (!started) run.error = started.error().text();
+    return bool(started);
 }
 
 }  // namespace
@@ -89,20 +118,24 @@ fs::path sideFolder(const Document& doc) {
 Status launchRun(SideRun& run, const MeasureParts& p, const char* verb, const std::string& camera,
                  const std::vector<std::string>& args) {
     if (!p.doc.isOpen()) return failed("no project is open", "open or create one first");
-    if (run.child.running()) return failed(std::string(verb) + " runs already", "stop it first");
+    if (run.running()) return failed(std::string(verb) + " runs already", "stop it first");
+    Result<Project> copy = seenFrom(p.doc, camera, p.camera);
+    if (!copy) return copy.error();
     run.camera = camera;
     run.folder = sideFolder(p.doc);
     run.copy = run.folder / (std::string("project-") + verb);
     run.started = p.clock.now;
     run.news = {.since = p.clock.now};
     run.error.clear();
-    const Status started = start(run, p, verb, args);
-    if (!started) dropCopy(run);
-    return started;
+    run.command = {p.program, verb, run.copy.string(), "--camera", camera};
+    run.command.insert(run.command.end(), args.begin(), args.end());
+    run.copying = writtenBeside(std::move(*copy), p.doc.tables().components, run.copy);
+    return {};
 }
 
 std::optional<int> endedRun(SideRun& run, FrameClock& clock) {
-    const std::optional<int> code = run.child.poll();
+    const bool started = followCopy(run);
+    const std::optional<int> code = started ? run.child.poll() : 1;
     if (!code) return {};
     dropCopy(run);
     clock.wanted = 4;
@@ -110,6 +143,7 @@ std::optional<int> endedRun(SideRun& run, FrameClock& clock) {
 }
 
 std::string failureOf(const SideRun& run, const char* verb, int code) {
+    if (!run.error.empty()) return run.error;
     const Result<std::string> text = readFile(printed(run, verb, ".err"), 1 << 20);
     std::string line, said;
     for (std::istringstream in(text ? *text : ""); std::getline(in, line);)
@@ -133,8 +167,10 @@ bool followNews(SideRun& run, const char* verb, double now) {
 }
 
 void stopRun(SideRun& run) {
+    const bool writing = run.copying.active();
+    run.copying = {};
     run.child.stop();
-    dropCopy(run);
+    if (!writing) dropCopy(run);
 }
 
 }  // namespace sward

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/child_process.h"
+#include "core/jobs.h"
 
 namespace sward {
 
@@ -28,12 +29,16 @@ std::optional<RunNews> newsFrom(const std::string& text);
 std::string newsText(const RunNews& news, double now);
 
 struct SideRun {
+    Job<bool> copying;  // of the project, beside the frames: maps of 4096 x 4096 texels take seconds to write
+    std::vector<std::string> command;  // that starts once the copy is there
     ChildProcess child;
     std::filesystem::path folder, copy;
     double started = 0;
     RunNews news;
     std::string camera;  // from which it measures
     std::string error;   // why it gave nothing; empty: it did, or runs still
+
+    bool running() const { return copying.active() || child.running(); }
 };
 // What a measurement is started from.
 struct MeasureParts {
@@ -46,17 +51,17 @@ struct MeasureParts {
 
 // Where runs of the project as it is now keep what they make: another state of it has another folder.
 std::filesystem::path sideFolder(const Document& document);
-// Starts `sward VERB COPY --camera CAMERA ARGS...`. `camera`: of the project; else the copy gets one of this name that
-// sees what is shown. Fails if no project is open, if it runs already, or if the copy cannot be written.
+// Starts `sward VERB COPY --camera CAMERA ARGS...` once the copy is written. `camera`: of the project; else the copy
+// gets one of this name that sees what is shown. Fails if no project is open or it runs already.
 Status launchRun(SideRun& run, const MeasureParts& parts, const char* verb, const std::string& camera,
                  const std::vector<std::string>& args);
-// Its exit code, once, when it has ended; its copy is gone then.
+// Once a frame: its exit code, once, when it has ended, and 1 if it could not be started; its copy is gone then.
 std::optional<int> endedRun(SideRun& run, FrameClock& clock);
-// What it said last that is no progress; else that it ended with this code.
+// Why it could not be started; else what it said last that is no progress; else that it ended with this code.
 std::string failureOf(const SideRun& run, const char* verb, int code);
 // Looks now and then at what it printed. True if it is further.
 bool followNews(SideRun& run, const char* verb, double now);
-// Kills it and drops its copy.
+// Kills it and drops its copy, which is gone a moment later where it was being written.
 void stopRun(SideRun& run);
 
 }  // namespace sward

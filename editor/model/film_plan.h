@@ -16,11 +16,11 @@ inline constexpr double kMostFilmFrames = 100'000;
 inline constexpr double kFilmRate = 25;  // pictures a second, where none is given
 
 struct FilmPlan {
-    bool film = false;           // else one picture
-    std::filesystem::path out;   // a film: the folder; else the file, .png or .exr
-    std::string format = "png";  // of a film: png (tone-mapped) or exr (linear)
+    bool film = false;               // else one picture
+    std::filesystem::path out = {};  // a film: the folder; else the file, .png or .exr
+    std::string format = "png";      // of a film: png (tone-mapped) or exr (linear)
     int width = 1920, height = 1080;
-    std::string path;  // a film: the entity whose CameraPath is followed; "": the view stands
+    std::string path = {};  // a film: the entity whose CameraPath is followed; "": the view stands
     double fps = kFilmRate;
     double from = 0;     // seconds at which it begins, of the scene's time and of the path
     double seconds = 0;  // how long; 0: to the path's end

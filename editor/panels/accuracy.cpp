@@ -74,7 +74,7 @@ void scores(const Comparison& c, const std::string& label) {
 }
 
 void sweepRow(Sweep& s, const MeasureParts& parts) {
-    if (s.child.running()) {
+    if (s.running()) {
         if (ui::button("Stop")) stopSweep(s);
         ImGui::SameLine(0, 8);
         const std::string news = newsText(s.news, parts.clock.now);
@@ -177,7 +177,7 @@ void fitColumn(Accuracy& accuracy, const MeasureParts& parts, Edits& edits) {
     ui::slider("Budget", f.budget, spec);
     ui::tooltip("What a frame of 320 x 240 may take on this machine, in milliseconds.");
     ui::beside(ImGui::CalcTextSize("Fit to budget").x + 2 * ImGui::GetStyle().FramePadding.x);
-    if (f.child.running()) {
+    if (f.running()) {
         if (ui::button("Stop fit")) stopFit(f);
         ui::tooltip("Ends the search. The best so far stays here, to be adopted.");
         ImGui::TextWrapped("%s", newsText(f.news, parts.clock.now).c_str());

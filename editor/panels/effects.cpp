@@ -26,7 +26,7 @@ std::string stateText(const EffectRun& run, const Document& doc) {
 
 void controls(const EffectParts& p) {
     EffectRun& run = p.run;
-    if (run.child.running()) {
+    if (run.running()) {
         if (ui::button("Stop")) stopRun(run);
         ImGui::SameLine(0, 8);
         const std::string news = newsText(run.news, p.measure.clock.now);

@@ -45,11 +45,11 @@ struct CostRow {
 // What scores are to be held against, by camera.
 struct CostFloors {
     std::string camera;
-    Appearance seed;        // the truth of the same field with other blades: nothing need be nearer
-    Appearance sampling;    // the truth at as few samples a pixel as techniques have: what noise alone makes
-    Appearance flat;        // the truth with each row of its grass at its mean colour: worse is worthless
-    double truthError = 0;  // mean standard error of the truth, linear
-    std::string image;      // the truth as a picture, relative to the sweep's folder
+    Appearance seed = {};      // the truth of the same field with other blades: nothing need be nearer
+    Appearance sampling = {};  // the truth at as few samples a pixel as techniques have: what noise alone makes
+    Appearance flat = {};      // the truth with each row of its grass at its mean colour: worse is worthless
+    double truthError = 0;     // mean standard error of the truth, linear
+    std::string image = {};    // the truth as a picture, relative to the sweep's folder
 };
 struct CostMachine {
     std::string renderer, timing;  // timing: "wall-finish"

@@ -16,9 +16,9 @@ struct Probe {
     const Tables& tables;
     Renderer whole, without;
     ViewSettings settings;
-    FeatureSet features;  // of the project as it is drawn
+    FeatureSet features = {};  // of the project as it is drawn
     const Project* drawn = nullptr;
-    EffectMap map;
+    EffectMap map = {};
 };
 
 ViewSettings settingsOf(const EffectRequest& r) {

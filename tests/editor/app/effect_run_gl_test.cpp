@@ -40,7 +40,7 @@ class EffectRunEditor : public EditorFixture {
     }
     void measure() {
         ok(ui->click("Effects/Measure"));
-        for (int i = 0; i < 2000 && (app->effects.child.running() || app->effects.effects.empty()); ++i)
+        for (int i = 0; i < 2000 && (app->effects.running() || app->effects.effects.empty()); ++i)
             ok(ui->wait(1));
         ok(ui->wait(3));
     }
@@ -80,7 +80,7 @@ TEST_F(EffectRunEditor, ItMeasuresTheShownViewAtTheViewportsSizeAndSaysWhyItFail
     EXPECT_LE(size.x, app->hand.rect.w);
     app->effects.program = "/bin/false";
     ok(ui->click("Effects/Measure"));
-    for (int i = 0; i < 2000 && app->effects.child.running(); ++i) ok(ui->wait(1));
+    for (int i = 0; i < 2000 && app->effects.running(); ++i) ok(ui->wait(1));
     EXPECT_NE(app->effects.error.find("exit code 1"), std::string::npos) << app->effects.error;
     EXPECT_TRUE(app->effects.effects.empty());
 }
@@ -93,9 +93,9 @@ TEST_F(EffectRunEditor, StopEndsTheProgramAndAnotherProjectDropsWhatWasMeasured)
     std::filesystem::permissions(slow, std::filesystem::perms::owner_all);
     app->effects.program = slow.string();
     ok(ui->click("Effects/Measure"));
-    EXPECT_TRUE(app->effects.child.running());
+    EXPECT_TRUE(app->effects.running());
     ok(ui->click("Effects/Stop"));
-    EXPECT_FALSE(app->effects.child.running());
+    EXPECT_FALSE(app->effects.running());
     EXPECT_TRUE(app->effects.copy.empty());
     ASSERT_TRUE(doc.create(dir / "other"));
     ok(ui->wait(3));

@@ -80,7 +80,8 @@ class LongWork : public test::EditorFixture {
             timed([&] { runFrame(*app); }, &app->pictureMs);
             const Waiting& w = app->background.waiting;
             if (waits(w) && w.shown && frames > 2) EXPECT_TRUE(app->book.widgets.contains("Waiting/Cancel")) << what;
-            const bool busy = waits(w) || app->images.reading.active() || app->background.exporting;
+            const bool busy = waits(w) || app->images.reading.active() || app->background.exporting ||
+                              app->accuracy.fit.running() || app->accuracy.sweep.running() || app->effects.running();
             quiet = busy ? 0 : quiet + 1;
             if (busy) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
@@ -136,6 +137,17 @@ TEST_F(LongWork, WhatIsAddedHoldsNoFrame) {
     expectBrief("scattered anew", [&] { ok(doc.setField(scattered + "distance", "2")); });
     expectBrief("its objects", [&] { choose(app->selection, "scatter"); });
     expectBrief("undo of all", [&] { EXPECT_TRUE(doc.jumpTo(0)); });
+}
+
+// What measures works on a copy, which is written beside.
+TEST_F(LongWork, MeasuringHoldsNoFrame) {
+    ok(doc.setMap(kHeights, uneven(1, PixelType::U16), "unsaved heights"));
+    const std::string program = "/bin/true";
+    const MeasureParts parts{doc, program, app->view.camera, app->clock, app->messages};
+    Accuracy& accuracy = app->accuracy;
+    expectBrief("Fit", [&] { startFit(accuracy.fit, parts); });
+    expectBrief("Measure", [&] { startSweep(accuracy.sweep, parts); });
+    expectBrief("Effects", [&] { startEffects(app->effects, parts, {160, 120}, 0); });
 }
 
 TEST_F(LongWork, PlayBeginsAndEndsWithinAFrame) {

@@ -69,5 +69,38 @@ TEST(SideRun, GetsACopyWithUnsavedWorkAndTheViewAndTellsWhyItFailed) {
     unsetenv("XDG_STATE_HOME");
 }
 
+TEST(SideRun, ACopyThatCannotBeWrittenIsToldAndAStoppedOneLeavesNothing) {
+    const test::TempDir dir;
+    setenv("XDG_STATE_HOME", (dir / "state").c_str(), 1);
+    Document doc(tables());
+    ASSERT_TRUE(doc.create(dir / "p"));
+    FlyCamera camera;
+    FrameClock clock;
+    Messages messages;
+    SideRun run;
+    const std::string file = "/bin/true";
+    const MeasureParts parts{doc, file, camera, clock, messages};
+    const auto end = [&] {
+        std::optional<int> code;
+        for (int i = 0; i < 1000 && !code; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+            code = endedRun(run, clock);
+        return code;
+    };
+    ASSERT_TRUE(launchRun(run, parts, "cost", "view", {}));
+    EXPECT_FALSE(launchRun(run, parts, "cost", "view", {})) << "it runs already";
+    const std::filesystem::path copy = run.copy;
+    stopRun(run);
+    EXPECT_FALSE(run.running());
+    ASSERT_TRUE(launchRun(run, parts, "cost", "view", {})) << "another may begin at once";
+    EXPECT_EQ(end(), 0) << failureOf(run, "cost", 1);
+    EXPECT_FALSE(std::filesystem::exists(copy));
+    std::filesystem::remove_all(run.folder);
+    test::writeText(run.folder, "a file where the folder of the copy is wanted");
+    ASSERT_TRUE(launchRun(run, parts, "cost", "view", {}));
+    EXPECT_EQ(end(), 1);
+    EXPECT_NE(failureOf(run, "cost", 1).find(run.folder.string()), std::string::npos) << failureOf(run, "cost", 1);
+    unsetenv("XDG_STATE_HOME");
+}
+
 }  // namespace
 }  // namespace sward
