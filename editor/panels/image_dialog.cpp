@@ -113,9 +113,11 @@ void body(ImageDialog& d, Edits& edits, const TakeImage& take) {
     ui::coloredText(ui::kErrorText, d.error.empty() ? " " : d.error.c_str());
     if (!d.error.empty()) ui::record("Error", ui::Kind::Label, d.error);
     const float width = ImGui::GetFontSize() * 6;
-    const bool pressed = ui::button(wordsOf(d.task).action, width, true);
+    ImGui::SetCursorPosX(std::max(ImGui::GetWindowContentRegionMax().x - 2 * width - 8, 0.f));
+    const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive());
     ImGui::SameLine(0, 8);
-    if (ui::button("Cancel", width) || (ui::escapePressed() && !ImGui::IsAnyItemActive())) d.task = ImageTask::None;
+    const bool pressed = ui::button(wordsOf(d.task).action, width, true);
+    if (cancelled) d.task = ImageTask::None;
     if (pressed) edits.deferred.push_back([&d, take] { act(d, take); });
 }
 

@@ -49,9 +49,11 @@ void drawRenameDialog(RenameDialog& d, Document& doc, Edits& edits,
         ImGui::PopTextWrapPos();
         ui::record("Error", ui::Kind::Label, d.error);
     }
-    if (ui::button("Rename", width, true) || entered) rename(d, doc, edits, renamed);
+    ImGui::SetCursorPosX(std::max(ImGui::GetWindowContentRegionMax().x - 2 * width - 8, 0.f));
+    const bool cancelled = ui::button("Cancel", width) || (ui::escapePressed() && !opening);
     ImGui::SameLine(0, 8);
-    if (ui::button("Cancel", width) || (ui::escapePressed() && !opening)) d.entity.clear();
+    if (ui::button("Rename", width, true) || entered) rename(d, doc, edits, renamed);
+    if (cancelled) d.entity.clear();
     ImGui::EndPopup();
 }
 
