@@ -46,6 +46,7 @@ void nextPiece(Resolution& r, ResolutionPlan& plan) {
         r.row = rowAt(0, r.pieceArea);
     }
     plan.draw = true;
+    plan.detail = r.most;
     plan.piece = r.row;
     // Whole columns of the grid, as many as may cost so little.
     const long left = std::lround(plan.piece.left * kPieceColumns);
@@ -74,8 +75,8 @@ void learnMoving(Resolution& r, const ResolutionPlan& plan, double ms) {
     if (r.fullMs <= 0) r.fullMs = ms / (plan.scale * plan.scale);
     const double ratio = kTargetMs / std::max(ms, 0.1);
     const bool slow = ms > kSlowMs, quick = ms < 0.6 * kTargetMs;
-    if ((slow && plan.scale <= kMinScale) || (quick && plan.detail < 1))
-        r.movingDetail = std::clamp(plan.detail * std::clamp(ratio, 0.4, 1.5), kMinDetail, 1.0);
+    if ((slow && plan.scale <= kMinScale) || (quick && plan.detail < r.most))
+        r.movingDetail = std::clamp(plan.detail * std::clamp(ratio, 0.4, 1.5), kMinDetail * r.most, r.most);
     else if (slow || quick)
         r.movingScale = std::clamp(plan.scale * std::sqrt(ratio), std::max(kMinScale, plan.scale * 0.5),
                                    std::min(1.0, plan.scale * 1.25));
@@ -85,7 +86,7 @@ void learnFull(Resolution& r, double ms) {
     r.fullMs = ms;
     r.drawnScale = 1;
     if (ms <= kSlowMs)
-        r.movingScale = r.movingDetail = 1;
+        r.movingScale = 1, r.movingDetail = r.most;
     else if (r.movingScale >= 1)
         r.movingScale = std::clamp(std::sqrt(kTargetMs / ms), kMinScale, 1.0);
 }
@@ -102,7 +103,8 @@ ResolutionPlan planDrawing(Resolution& r, double now, bool changed) {
     if (r.stale && moving) {
         plan.draw = true;
         plan.scale = quantized(r.movingScale);
-        plan.detail = r.movingDetail;
+        plan.detail = std::min(r.movingDetail, r.most);
+        plan.full = plan.scale >= 1 && plan.detail >= r.most;
     } else if (r.stale || (!moving && r.drawnScale < 1)) {
         nextPiece(r, plan);
     }
@@ -112,7 +114,7 @@ ResolutionPlan planDrawing(Resolution& r, double now, bool changed) {
 
 void learnDrawing(Resolution& r, const ResolutionPlan& plan, double ms) {
     r.stale = false;
-    if (plan.scale < 1 || plan.detail < 1) return learnMoving(r, plan, ms);
+    if (!plan.full) return learnMoving(r, plan, ms);
     learnPiece(r, plan.piece, ms);
     if (r.row.left < 1) {
         r.drawnScale = std::min(r.drawnScale, 0.999);
@@ -120,6 +122,15 @@ void learnDrawing(Resolution& r, const ResolutionPlan& plan, double ms) {
     }
     r.row.to = 0;
     learnFull(r, r.piecesMs);
+}
+
+void limitDetail(Resolution& r, double most) {
+    if (r.most == most) return;
+    r.movingDetail = std::min(r.movingDetail, most);
+    r.most = most;
+    r.stale = true;
+    r.fullMs = 0;
+    r.costs = Resolution::unknownCosts();
 }
 
 double secondsToRefine(const Resolution& r, double now) {

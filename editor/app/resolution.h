@@ -27,6 +27,7 @@ using PieceCosts = std::array<double, static_cast<std::size_t>(kPieceRows) * kPi
 struct Resolution {
     double movingScale = 1;   // side of the drawn image over the viewport's, learnt from what drawings cost
     double movingDetail = 1;  // share of the blades drawn then
+    double most = 1;          // share that the full picture has: below 1 where all blades would take too long
     double drawnScale =
         0;  // of the image on the screen; 0: none yet; below 1 until the last piece of the full one is there
     bool stale = true;         // what is on the screen is not what would be drawn now
@@ -49,12 +50,13 @@ struct ResolutionPlan {
     double scale = 1;
     int msaa = 4;
     double detail = 1;
+    bool full = true;  // of the full picture, or a piece of it
     PicturePiece piece = {};
     double expectedMs = 0;  // what a piece will cost by what lay there when it was last drawn
 };
 
 inline constexpr double kMinScale = 0.25;       // of the side
-inline constexpr double kMinDetail = 1.0 / 16;  // of the blades
+inline constexpr double kMinDetail = 1.0 / 16;  // of the full picture's blades
 inline constexpr double kSlowMs = 50;           // a drawing slower than this is coarsened while something moves
 inline constexpr double kTargetMs = 45;  // what a drawing may cost then: 15 frames a second with the rest of a frame
 inline constexpr double kPieceMs = 22;   // what a piece should cost: with a frame's panels an answer within 50 ms
@@ -66,6 +68,8 @@ inline constexpr double kRestSeconds = 0.25;              // without a change un
 ResolutionPlan planDrawing(Resolution& r, double now, bool changed);
 // What the drawing just made cost.
 void learnDrawing(Resolution& r, const ResolutionPlan& plan, double ms);
+// Sets the share of the blades that the full picture has, in (0, 1]. Another one: what is shown is stale.
+void limitDetail(Resolution& r, double most);
 // Seconds until a drawing will be wanted though nothing changes; negative: never.
 double secondsToRefine(const Resolution& r, double now);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/layout.h"
+#include "app/long_frame.h"
 #include "app/resolution.h"
 #include "cost/frame_stats.h"
 #include "frame/renderer.h"
@@ -42,6 +43,7 @@ inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);
 
 struct ViewportPicture {
     Resolution resolution;
+    LongFrame longFrame;  // live, on a software renderer
     unsigned texture = 0, target = 0, source = 0;  // GL texture on the screen, and how it is written
     int width = 0, height = 0;
     int skipped = 0;       // frames that showed an old image because input was waiting

@@ -64,7 +64,7 @@ double meanOf(const std::vector<float>& values) {
     return sum / static_cast<double>(std::max<size_t>(values.size(), 1));
 }
 
-struct Shot {
+struct TracedShot {
     const ReferenceOptions& options;
     const Project& project;
     const ReferenceScene& scene;
@@ -76,7 +76,7 @@ struct Shot {
     bool isPart() const { return !options.shard.empty(); }
 };
 
-uint64_t partHash(const Shot& s) {
+uint64_t partHash(const TracedShot& s) {
     const ReferenceSettings& r = s.settings;
     const std::string text =
         fmt::format("{} {} {} {}x{} {} {} {} {}", hashHex(projectHash(s.project, tables().components)), s.camera,
@@ -84,7 +84,7 @@ uint64_t partHash(const Shot& s) {
     return hashText(text);
 }
 
-Result<Json> trace(const Shot& s, const fs::path& file) {
+Result<Json> trace(const TracedShot& s, const fs::path& file) {
     const auto start = std::chrono::steady_clock::now();
     Job<Truth> job("reference " + s.camera, 0,
                    [&s](JobControl& control) { return s.scene.trace(s.view, s.settings, control); });

@@ -61,7 +61,7 @@ Status writePicture(const Renderer& r, const fs::path& file, int w, int h) {
     return usage("images are written as .png or .exr", "name --out so").at(file);
 }
 
-struct Shot {
+struct Drawing {
     Renderer& renderer;
     const Project& project;
     const Gpu& gpu;
@@ -69,7 +69,7 @@ struct Shot {
     ViewSettings settings;
 };
 
-Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
+Result<FrameRecord> measure(Drawing& shot, const std::string& camera, int frames) {
     FrameRecord record;
     record.camera = camera;
     ViewSettings s = shot.settings;
@@ -90,7 +90,7 @@ Result<FrameRecord> measure(Shot& shot, const std::string& camera, int frames) {
     return record;
 }
 
-Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, const fs::path& folder, int w, int h) {
+Status writeFilm(Drawing& shot, const RenderOptions& o, const std::string& name, const fs::path& folder, int w, int h) {
     for (int i = o.first; i < o.first + o.frames; ++i) {
         shot.settings.time = o.time + i / o.fps;
         shot.view = shotAt(o, shot.project, name, i / o.fps);
@@ -101,7 +101,7 @@ Status writeFilm(Shot& shot, const RenderOptions& o, const std::string& name, co
 }
 
 // Before the work begins: that it will be long, and what makes it short. Ctrl+C ends it.
-void tellOfLongFrames(const Shot& shot, const std::string& camera) {
+void tellOfLongFrames(const Drawing& shot, const std::string& camera) {
     if (!shot.gpu.software) return;
     const ViewSettings& s = shot.settings;
     if (const std::string told = longFrameText(shot.project, tables(), shot.view, s.width, s.height, camera);
@@ -116,7 +116,7 @@ Status renderAll(RenderOptions o, const Project& project, Gpu& gpu, int w, int h
     const bool several = cameras->size() > 1;
     std::vector<FrameRecord> records;
     for (const std::string& name : *cameras) {
-        Shot shot{renderer, project, gpu, shotAt(o, project, name, 0), {}};
+        Drawing shot{renderer, project, gpu, shotAt(o, project, name, 0), {}};
         shot.settings.width = w, shot.settings.height = h;
         shot.settings.msaa = o.msaa, shot.settings.mode = mode, shot.settings.time = o.time;
         const fs::path file = outputOf(o, project, name, several);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/bar_rows.h"
 #include "panels/panels.h"
 #include "ui/imgui_compat.h"
 #include "ui/theme.h"
@@ -15,12 +16,12 @@
 namespace sward {
 namespace {
 
+using bar::em;
+
 constexpr const char* kView = "the view, which stands";
 
-float em(float ems) { return ImGui::GetFontSize() * ems; }
-
 // The names stand in a column of their own.
-void caption(const char* text) {
+void columnCaption(const char* text) {
     ImGui::AlignTextToFramePadding();
     ui::coloredText(ui::kDimText, text);
     ImGui::SameLine(em(6.5f));
@@ -61,7 +62,7 @@ struct Preset {
 constexpr Preset kPresets[] = {{"1280 x 720", 1280, 720}, {"1920 x 1080", 1920, 1080}, {"3840 x 2160", 3840, 2160}};
 
 void size(FilmPlan& plan) {
-    caption("Size");
+    columnCaption("Size");
     side("Width", plan.width);
     ImGui::SameLine(0, 6);
     side("Height", plan.height);
@@ -79,22 +80,22 @@ void way(FilmPlan& plan, const Project& project) {
     names.insert(names.begin(), kView);
     const auto at = std::find(names.begin() + 1, names.end(), plan.path);
     int chosen = plan.path.empty() || at == names.end() ? 0 : static_cast<int>(at - names.begin());
-    caption("Along");
+    columnCaption("Along");
     ImGui::SetNextItemWidth(em(16.5f));
     if (ui::combo("Along", names, chosen)) plan.path = chosen == 0 ? "" : names[static_cast<size_t>(chosen)];
     ui::tooltip("A camera's path of the project; or the view, while wind and lights go on.");
-    caption("From");
+    columnCaption("From");
     numberLine("From", plan.from, {.softMax = 60, .hardMin = 0, .hardMax = 1e6, .unit = "s"},
                "The scene's second at which it begins; of a path also the place.");
-    caption("Length");
+    columnCaption("Length");
     numberLine("Length", plan.seconds, {.softMax = 60, .hardMin = 0, .hardMax = 1e6, .unit = "s"},
                "How long it is; 0: to the path's end.");
-    caption("Rate");
+    columnCaption("Rate");
     numberLine("Rate", plan.fps, {.softMin = 1, .softMax = 60, .hardMin = 0.01, .hardMax = 1000, .unit = "/s"},
                "Pictures a second.");
     const std::vector<std::string> formats{"png", "exr"};
     int format = plan.format == "exr" ? 1 : 0;
-    caption("Pictures");
+    columnCaption("Pictures");
     ImGui::SetNextItemWidth(em(8));
     if (ui::combo("Pictures", formats, format)) plan.format = formats[static_cast<size_t>(format)];
     ui::tooltip("png: as on the screen.  exr: linear, before tone mapping.");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/layer_edits.h"
+#include "panels/bar_rows.h"
 #include "panels/field_edit.h"
 #include "panels/panels.h"
 #include "scene/ground_path.h"
@@ -19,8 +20,7 @@
 namespace sward {
 namespace {
 
-float em(float ems) { return ImGui::GetFontSize() * ems; }
-
+using bar::em;
 using ui::beside;
 float wide(const char* text) { return ImGui::CalcTextSize(text).x; }
 float buttonWide(const char* text) { return wide(text) + 2 * ImGui::GetStyle().FramePadding.x; }

@@ -10,6 +10,7 @@
 #include "panels/field_edit.h"
 #include "panels/hardcase_gallery.h"
 #include "panels/image_dialog.h"
+#include "panels/long_frame.h"
 #include "panels/map_windows.h"
 #include "panels/overlay_legend.h"
 #include "panels/panels.h"
@@ -104,10 +105,24 @@ ViewSettings wantedSettings(EditorApp& a) {
     return s;
 }
 
+// Where all blades would take too long, the picture gets few of them. Scripts and screenshots wait.
+void foreseeLongFrames(EditorApp& a) {
+    if (a.clock.fixed || a.clock.refineNow) return;
+    const ViewSettings wanted = wantedSettings(a);
+    const ViewCamera camera = viewShown(a.doc, a.view.camera);
+    Resolution& r = a.picture.resolution;
+    const bool atRest = a.clock.now - r.lastChange > kRestSeconds && !a.doc.stroking();
+    followLongFrame(a.picture.longFrame,
+                    {projectShown(a.doc), a.doc.tables(), a.doc.revision(), camera, wanted.width, wanted.height},
+                    atRest);
+    limitDetail(r, shareOfBlades(a.picture.longFrame));
+}
+
 // A stamp is in the picture of the frame in which the hand made it.
 void makePicture(EditorApp& a) {
     constexpr double kStrokeMs = 4;  // of a frame, for stamps that wait
     if (a.doc.stroking()) a.doc.pumpStroke(kStrokeMs);
+    if (a.gpu.software) foreseeLongFrames(a);
     drawScene({a.doc, *a.renderer, a.picture, a.counts, a.clock, a.messages}, viewShown(a.doc, a.view.camera),
               wantedSettings(a), a.queue.pending());
     if (playing(a.doc)) return;
@@ -159,6 +174,7 @@ void viewport(EditorApp& a) {
                   r);
     }
     list.PopClipRect();
+    if (a.doc.isOpen() && !playing(a.doc)) drawLongFrame({a.picture.longFrame, a.doc, a.edits, a.messages}, r);
     drawErrorBar(a.messages.notice, r);
 }
 

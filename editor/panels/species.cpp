@@ -26,7 +26,7 @@ std::string densityOf(const std::string& field, const std::string& species) {
     return field + ".GrassField.species[" + species + "].density";
 }
 
-ui::TileSize tileSize() { return {ImGui::GetFontSize() * 5, ImGui::GetFontSize() * 5}; }
+ui::TileSize speciesTile() { return {ImGui::GetFontSize() * 5, ImGui::GetFontSize() * 5}; }
 
 // Chosen here, and painted from now on.
 void take(const Parts& p, const std::string& species) {
@@ -48,9 +48,9 @@ void ownSpecies(const Parts& p, const GrassField& field) {
     const ui::Scope scope("Own");
     const std::filesystem::path& dir = p.fields.doc.project().dir;
     for (const Species& s : field.species) {
-        ui::nextTile(tileSize(), &s == &field.species.front());
+        ui::nextTile(speciesTile(), &s == &field.species.front());
         const Thumbnail& picture = speciesThumbnail(*p.fields.thumbnails, s, dir);
-        if (ui::tile(s.name, s.name, shownOf(picture), tileSize(), p.palette.species == s.name)) take(p, s.name);
+        if (ui::tile(s.name, s.name, shownOf(picture), speciesTile(), p.palette.species == s.name)) take(p, s.name);
         ui::tooltip(picture.error.empty() ? s.name : picture.error);
     }
 }
@@ -59,9 +59,9 @@ void presets(const Parts& p) {
     const ui::Scope scope("Presets");
     bool first = true;
     for (const SpeciesPreset& preset : speciesPresets()) {
-        ui::nextTile(tileSize(), std::exchange(first, false));
+        ui::nextTile(speciesTile(), std::exchange(first, false));
         const Thumbnail& picture = speciesThumbnail(*p.fields.thumbnails, speciesOf(preset), presetFolder());
-        if (ui::tile(preset.name, preset.title, shownOf(picture), tileSize(), p.palette.preset == preset.name))
+        if (ui::tile(preset.name, preset.title, shownOf(picture), speciesTile(), p.palette.preset == preset.name))
             p.palette.preset = preset.name;
         ui::tooltip(picture.error.empty() ? preset.help : picture.error);
     }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPicture = "picture.png";  // of a sample, in its folder
 
-ui::TileSize tileSize() { return {ImGui::GetFontSize() * 10, ImGui::GetFontSize() * 6.25f}; }
+ui::TileSize projectTile() { return {ImGui::GetFontSize() * 10, ImGui::GetFontSize() * 6.25f}; }
 
 void open(const StartParts& p, const fs::path& project) {
     p.edits.deferred.push_back([&doc = p.doc, &waiting = p.waiting, &messages = p.messages, adopt = p.adopt, project] {
@@ -35,8 +35,8 @@ void templates(const StartParts& p) {
     if (p.start.templates.empty()) return;
     heading("New from");
     for (const ProjectTemplate& t : p.start.templates) {
-        ui::nextTile(tileSize(), &t == &p.start.templates.front());
-        if (!drawTemplate(t, p.thumbnails, tileSize(), false)) continue;
+        ui::nextTile(projectTile(), &t == &p.start.templates.front());
+        if (!drawTemplate(t, p.thumbnails, projectTile(), false)) continue;
         chooseTemplate(p.files.wish, t);
         requestTask(p.files, p.unsaved, p.doc, FileTask::New);
     }
@@ -47,10 +47,10 @@ void list(const StartParts& p, const char* title, const std::vector<fs::path>& p
     if (projects.empty()) return;
     heading(title);
     for (const fs::path& project : projects) {
-        ui::nextTile(tileSize(), &project == &projects.front());
+        ui::nextTile(projectTile(), &project == &projects.front());
         const std::string name = project.filename().string();
         const Thumbnail& picture = fileThumbnail(p.thumbnails, project, kPicture);
-        if (ui::tile(name, name, shownOf(picture), tileSize(), false)) open(p, project);
+        if (ui::tile(name, name, shownOf(picture), projectTile(), false)) open(p, project);
         ui::tooltip(project.string());
     }
 }
@@ -70,7 +70,7 @@ void drawStart(const StartParts& p, const Rect& r) {
     ImGui::GetWindowDrawList()->AddRectFilled({r.x, r.y}, {r.x + r.w, r.y + r.h},
                                               ImGui::GetColorU32(ImGuiCol_MenuBarBg));
     const float margin = std::min(ImGui::GetFontSize() * 2, r.w / 20);
-    const float across = tileSize().width + 6;
+    const float across = projectTile().width + 6;
     const float width = std::min(r.w - 2 * margin, 5 * across + ImGui::GetStyle().ScrollbarSize);
     if (width < 40 || r.h < 40) return;
     const ui::Scope scope("Start");

@@ -29,12 +29,12 @@ ResolutionPlan nextPlan(Resolution& r, const FrameClock& clock, bool measure, bo
     ResolutionPlan plan;
     if (!clock.fixed && !clock.refineNow) {
         plan = planDrawing(r, clock.now, changed);
-        if (measure && plan.scale >= 1 && plan.detail >= 1) plan.piece = {};  // numbers are of whole pictures
+        if (measure && plan.full) plan.piece = {};  // numbers are of whole pictures
         return plan;
     }
     plan.draw = changed || r.stale || (clock.refineNow && r.drawnScale < 1);
     if (clock.refineNow) return plan;
-    plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25;
+    plan.scale = kMinScale, plan.msaa = 1, plan.detail = 0.25, plan.full = false;
     return plan;
 }
 
@@ -181,7 +181,7 @@ void drawScene(const SceneParts& parts, const ViewCamera& camera, const ViewSett
         revision != v.drawnRevision || !sameCamera(camera, v.drawnCamera) || !sameSettings(wanted, v.drawnSettings);
     ResolutionPlan plan = nextPlan(v.resolution, clock, wanted.measure, changed);
     // Input first: pieces wait for it, and what moves is drawn now and then, so that it is seen to move.
-    const bool refining = plan.scale >= 1 && plan.detail >= 1 && !plan.piece.whole();
+    const bool refining = plan.full && !plan.piece.whole();
     const bool panelsFirst = refining && clock.wanted > 0;  // what was just pressed shows before another piece
     if (plan.draw && v.hasImage && !clock.refineNow && (panelsFirst || (inputWaits && (refining || ++v.skipped < 6))))
         return;

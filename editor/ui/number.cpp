@@ -17,8 +17,6 @@ namespace {
 
 constexpr const char* kNoText = " ";  // the widget's own text; ours is drawn over it
 
-WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
-
 std::string format(double value, const NumberSpec& spec) {
     const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
     if (std::isinf(value)) return "inf" + unit;
@@ -95,7 +93,7 @@ NumberEdit drag(const std::string& id, double& value, const NumberSpec& spec) {
 // The text line in the slider's place. Escape leaves the value as it was.
 NumberEdit type(const std::string& id, double value, const NumberSpec& spec) {
     NumberEdit edit;
-    WidgetBook& b = book();
+    WidgetBook& b = currentBook();
     if (b.editAge == 0) ImGui::SetKeyboardFocusHere();
     const bool entered = inputText((id + "#edit").c_str(), "", b.editText);
     const bool active = ImGui::IsItemActive();
@@ -112,7 +110,7 @@ NumberEdit type(const std::string& id, double value, const NumberSpec& spec) {
 }  // namespace
 
 NumberEdit number(const std::string& label, double& value, const NumberSpec& spec) {
-    WidgetBook& b = book();
+    WidgetBook& b = currentBook();
     const std::string path = b.scope + label, id = "##" + path;
     NumberEdit edit;
     if (b.editing == path) {

@@ -11,11 +11,12 @@
 #include "ui/words.h"
 
 namespace sward::ui {
+
+WidgetBook& currentBook() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
+
 namespace {
 
-WidgetBook& book() { return *static_cast<WidgetBook*>(ImGui::GetIO().UserData); }
-
-std::string pathOf(const std::string& label) { return book().scope + label; }
+std::string pathOf(const std::string& label) { return currentBook().scope + label; }
 
 // What is shown of a label: the part after the last '/', before "##".
 std::string shown(const std::string& label) {
@@ -49,15 +50,15 @@ void endBook(WidgetBook& b) {
     if (!b.editing.empty() && !b.widgets.count(b.editing)) b.editing.clear();
 }
 
-Scope::Scope(const std::string& name) : length_(book().scope.size()) { book().scope += name + "/"; }
-Scope::~Scope() { book().scope.resize(length_); }
+Scope::Scope(const std::string& name) : length_(currentBook().scope.size()) { currentBook().scope += name + "/"; }
+Scope::~Scope() { currentBook().scope.resize(length_); }
 
 Disabled::Disabled(bool disabled) {
     ImGui::BeginDisabled(disabled);
-    book().disabled.push_back(disabled);
+    currentBook().disabled.push_back(disabled);
 }
 Disabled::~Disabled() {
-    book().disabled.pop_back();
+    currentBook().disabled.pop_back();
     ImGui::EndDisabled();
 }
 
@@ -67,38 +68,38 @@ Widget& record(const std::string& label, Kind kind, const std::string& value) {
     const ImVec2 clipHigh = ImGui::GetWindowDrawList()->GetClipRectMax();
     const float x = (low.x + high.x) / 2, y = (low.y + high.y) / 2;
     const std::string path = pathOf(label);
-    if (book().reveal == path) {
+    if (currentBook().reveal == path) {
         ImGui::SetScrollFromPosY(y - ImGui::GetWindowPos().y, 0.5f);
-        book().reveal.clear();
+        currentBook().reveal.clear();
     }
-    Widget& w = book().next[path];
+    Widget& w = currentBook().next[path];
     w = {kind, low.x, low.y, high.x, high.y, value};
-    const std::vector<bool>& off = book().disabled;
+    const std::vector<bool>& off = currentBook().disabled;
     w.enabled = std::find(off.begin(), off.end(), true) == off.end();
     w.visible = x >= clipLow.x && x < clipHigh.x && y >= clipLow.y && y < clipHigh.y;
     return w;
 }
 
-void recordAt(const std::string& path, const Widget& widget) { book().next[path] = widget; }
+void recordAt(const std::string& path, const Widget& widget) { currentBook().next[path] = widget; }
 
 bool takeReveal(const std::string& path) {
-    const bool wanted = book().reveal == path;
-    if (wanted) book().reveal.clear();
+    const bool wanted = currentBook().reveal == path;
+    if (wanted) currentBook().reveal.clear();
     return wanted;
 }
 
 bool typing(const WidgetBook& b) { return !b.editing.empty() || !b.typing.empty(); }
 
 const std::string* errorAt(const std::string& label) {
-    const auto it = book().errors.find(pathOf(label));
-    return it == book().errors.end() ? nullptr : &it->second;
+    const auto it = currentBook().errors.find(pathOf(label));
+    return it == currentBook().errors.end() ? nullptr : &it->second;
 }
 
 void setError(const std::string& label, const std::string& message) {
     if (message.empty())
-        book().errors.erase(pathOf(label));
+        currentBook().errors.erase(pathOf(label));
     else
-        book().errors[pathOf(label)] = message;
+        currentBook().errors[pathOf(label)] = message;
 }
 
 void beside(float width, float gap) {
@@ -109,7 +110,7 @@ void beside(float width, float gap) {
 void tooltip(const std::string& text) {
     constexpr double kRestSeconds = 0.45;
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsAnyMouseDown()) return;
-    WidgetBook& b = book();
+    WidgetBook& b = currentBook();
     const ImVec2 corner = ImGui::GetItemRectMin();
     if (b.hoverX != corner.x || b.hoverY != corner.y)
         b.hoverX = corner.x, b.hoverY = corner.y, b.hoverSince = ImGui::GetTime();
@@ -174,7 +175,7 @@ bool input(const std::string& label, std::string& text, const char* hint, bool* 
 }
 
 std::optional<std::string> textField(const std::string& label, const std::string& value) {
-    WidgetBook& b = book();
+    WidgetBook& b = currentBook();
     const std::string path = pathOf(label);
     std::string shownText = value;
     std::string& text = b.typing == path ? b.typedText : shownText;
@@ -197,8 +198,8 @@ bool combo(const std::string& label, std::span<const std::string> items, int& ch
         return false;
     }
     // The button was met before its list; the last item is the list's window now.
-    const auto before = book().widgets.find(pathOf(label));
-    if (before != book().widgets.end()) (book().next[pathOf(label)] = before->second).open = true;
+    const auto before = currentBook().widgets.find(pathOf(label));
+    if (before != currentBook().widgets.end()) (currentBook().next[pathOf(label)] = before->second).open = true;
     closeOnEscape();
     bool changed = false;
     const Scope scope(label);
@@ -219,19 +220,19 @@ bool beginMenu(const std::string& label) {
     if (!open) record(label, Kind::Menu);
     if (open) {
         // The last item is now the menu's window; its button is what the mouse must find, and that was met before.
-        Widget& w = book().next[pathOf(label)];
-        const auto before = book().widgets.find(pathOf(label));
-        if (before != book().widgets.end()) w = before->second;
+        Widget& w = currentBook().next[pathOf(label)];
+        const auto before = currentBook().widgets.find(pathOf(label));
+        if (before != currentBook().widgets.end()) w = before->second;
         w.open = true;
         closeOnEscape();
-        book().scope += label + "/";
+        currentBook().scope += label + "/";
     }
     return open;
 }
 
 void endMenu() {
     ImGui::EndMenu();
-    std::string& scope = book().scope;
+    std::string& scope = currentBook().scope;
     const size_t slash = scope.rfind('/', scope.size() - 2);
     scope.resize(slash == std::string::npos ? 0 : slash + 1);
 }

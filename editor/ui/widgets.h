@@ -47,6 +47,8 @@ struct WidgetBook {
 void beginBook(WidgetBook& book);
 // What was recorded since beginBook is what scripts and tests find from now on.
 void endBook(WidgetBook& book);
+// That of the frame being built; only between the two.
+WidgetBook& currentBook();
 
 // Widgets inside are recorded as "Name/..." (nested scopes join).
 class Scope {

@@ -235,7 +235,7 @@ void fillView(FrameGlobals& g, const ViewCamera& camera, const ViewSettings& s, 
     g.mode = static_cast<int>(s.mode);
     g.exposure = std::exp2(camera.exposure);
     g.samples = samples;
-    g.widening = std::min(1 / std::clamp(s.detail, 0.01f, 1.0f), 6.0f);
+    g.widening = std::min(1 / std::clamp(s.detail, kLeastDetail, 1.0f), 6.0f);
 }
 
 // Starts a view's frame with what all views share.

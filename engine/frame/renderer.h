@@ -41,6 +41,8 @@ struct ViewPart {
     int wholeWidth = 0, wholeHeight = 0;
 };
 
+inline constexpr float kLeastDetail = 1.0f / 4096;  // share of the blades that is always drawn
+
 struct ViewSettings {
     int width = 1024, height = 768;
     int msaa = 4;  // clamped to what the driver has
@@ -48,8 +50,8 @@ struct ViewSettings {
     double time = 0;  // scene seconds
     BrushDecal decal;
     MapOverlay overlay;
-    float detail =
-        1;  // share of the blades drawn, ]0,1]; each wider by so much, at most 6 times: for views that must be quick
+    float detail = 1;     // share of the blades drawn, [kLeastDetail, 1]; each wider by so much, at most 6 times: for
+                          // views that must be quick
     ViewPart part;        // width and height are then the part's
     bool coarse = false;  // grass by its cheapest tiers, as in water: vertical slices from the eye on, else blades
     glm::vec2 jitter{

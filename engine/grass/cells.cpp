@@ -292,7 +292,8 @@ uint64_t countVisible(const CellQuery& q) {
 uint32_t firstStrip(int n) { return static_cast<uint32_t>(n * (n - 1) / 2 * 6); }
 
 uint32_t bladesDrawn(const CellDraw& c, float detail) {
-    return static_cast<uint32_t>(std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, 0.01f, 1.0f)));
+    return static_cast<uint32_t>(
+        std::ceil(static_cast<float>(c.last - c.first) * std::clamp(detail, kLeastDetail, 1.0f)));
 }
 
 DrawCommand drawCommand(const CellDraw& c, int quads, uint32_t strips, float detail, uint32_t instance,

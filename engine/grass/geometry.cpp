@@ -139,7 +139,7 @@ void selectThere(DrawContext& ctx, Selection& s, const CellQuery& query) {
     s.selected.clear();
     s.listed = {};
     chooseCells(ctx, s.chosen,
-                {query, s.mesh->key, 1, std::clamp(ctx.settings.detail, 0.01f, 1.0f), 0, kMaxPatchBlades, true},
+                {query, s.mesh->key, 1, std::clamp(ctx.settings.detail, kLeastDetail, 1.0f), 0, kMaxPatchBlades, true},
                 kOwner);
     writeBuffer(ctx.gpu, s.cells, kOwner, s.chosen.count * sizeof(CellInstance), nullptr);
     writeBuffer(ctx.gpu, s.commands, kOwner, 2 * s.chosen.count * sizeof(DrawCommand), nullptr);
@@ -196,8 +196,8 @@ void commandCells(const DrawContext& ctx, const Selection& s) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SSBO_COMMANDS, s.commands.id());
     glUniform1ui(0, s.chosen.count);
     glUniform1ui(1, s.chosen.patchBlades);
-    glUniform1f(2, std::clamp(ctx.settings.detail, 0.01f, 1.0f));
-    glUniform1f(3, std::clamp(s.shadowShare, 0.01f, 1.0f));
+    glUniform1f(2, std::clamp(ctx.settings.detail, kLeastDetail, 1.0f));
+    glUniform1f(3, std::clamp(s.shadowShare, kLeastDetail, 1.0f));
     glUniform1ui(4, s.shadowShare > 0 ? static_cast<GLuint>(std::min(s.mesh->segments, kShadowQuads)) : 0u);
     glDispatchCompute((s.chosen.count + 63) / 64, 1, 1);
 }

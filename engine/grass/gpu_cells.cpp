@@ -61,7 +61,8 @@ void nodesForGpu(DrawContext& ctx, ChosenCells& c, const CellWish& w, const char
     for (const CellNode& n : nodes) {
         const NodeBounds most = nodeBounds(w.query, n);
         addBounds(c, w, inField(n, fieldCells(w.query)),
-                  static_cast<uint32_t>(std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, 0.01f, 1.0f))),
+                  static_cast<uint32_t>(
+                      std::ceil(static_cast<float>(most.blades) * std::clamp(w.detail, kLeastDetail, 1.0f))),
                   most.quads, isPlain(most.quads, most.nearest, w));
     }
     c.count = static_cast<uint32_t>(nodes.size()) * kCellsInNode;
@@ -93,7 +94,7 @@ CullGlobals cullGlobals(const CellWish& w) {
     g.levelReach = q.levels.reach;
     g.sagittaPixels = q.sagitta * q.pixelsPerMetre;
     g.mostQuads = q.segments;
-    g.detail = std::clamp(w.detail, 0.01f, 1.0f);
+    g.detail = std::clamp(w.detail, kLeastDetail, 1.0f);
     g.plainFrom = w.plainFrom;
     if (q.density) g.texels = texelsPerCell(q);
     g.seed = q.seed;

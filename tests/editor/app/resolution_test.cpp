@@ -178,5 +178,24 @@ TEST(Resolution, AChangeThatWasNotDrawnYetIsNotForgotten) {
     EXPECT_TRUE(planDrawing(m.r, 5, false).draw);
 }
 
+// A picture whose blades take five minutes, at a share that takes a second.
+TEST(Resolution, WhereAllBladesTakeTooLongTheFullPictureHasFewOfThem) {
+    Machine m{5, 20, 300'000};
+    limitDetail(m.r, 1.0 / 300);
+    double now = 0;
+    for (int i = 0; i < 20; ++i) EXPECT_LE(m.step(now += 0.05, true), 1100);
+    EXPECT_LE(m.plan.detail, 1.0 / 300);
+    for (int i = 0; i < 2000 && m.r.drawnScale < 1; ++i) m.step(now += 0.3, false);
+    EXPECT_EQ(m.r.drawnScale, 1) << "it is refined";
+    EXPECT_EQ(m.plan.detail, 1.0 / 300);
+    limitDetail(m.r, 1.0 / 300);
+    EXPECT_FALSE(planDrawing(m.r, now += 1, false).draw) << "the same limit changes nothing";
+    m.bladeMs = 20;
+    limitDetail(m.r, 1);
+    EXPECT_EQ(secondsToRefine(m.r, now), 0) << "what is shown is stale";
+    for (int i = 0; i < 2000 && (i == 0 || m.r.drawnScale < 1); ++i) m.step(now += 0.3, false);
+    EXPECT_EQ(m.plan.detail, 1);
+}
+
 }  // namespace
 }  // namespace sward
