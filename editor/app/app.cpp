@@ -135,8 +135,8 @@ bool waitsForWork(const EditorApp& app) {
     return waits(app.background.waiting) || app.background.occlusion || app.background.exporting ||
            !app.background.making.empty() || makingThumbnails(app.thumbnails) ||
            comparing(app.accuracy.comparison, app.doc, app.clock) || measuring(app.accuracy) ||
-           checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) ||
-           app.effects.running() || app.effects.showDue;
+           checking(app.pictureRun) || app.pictureRun.showDue || walking(app.transitions) || app.effects.running() ||
+           app.effects.showDue;
 }
 
 bool moves(const Document& doc) { return playing(doc) && doc.play()->runs(); }

@@ -43,7 +43,7 @@ inline constexpr uint64_t kNeverDrawn = ~uint64_t(0);
 
 struct ViewportPicture {
     Resolution resolution;
-    LongFrame longFrame;  // live, on a software renderer
+    LongFrame longFrame;                           // live, on a software renderer
     unsigned texture = 0, target = 0, source = 0;  // GL texture on the screen, and how it is written
     int width = 0, height = 0;
     int skipped = 0;       // frames that showed an old image because input was waiting

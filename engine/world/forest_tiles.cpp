@@ -179,7 +179,7 @@ ForestTiles forestTiles(const Forest& forest) {
     for (auto& family : p.tiles.onEdge) family.resize(static_cast<size_t>(p.tiles.colors));
     p.tiles.inside.resize(static_cast<size_t>(p.tiles.cells()));
     if (!grows(forest)) return p.tiles;
-    const double area = p.tiles.edge * p.tiles.edge * kSlope / 2;  // of a tile
+    const double area = p.tiles.edge * p.tiles.edge * kSlope / 2;              // of a tile
     const double trees = static_cast<double>(forest.perHectare) / 1e4 * area;  // in a tile; half of each edge's counts
     const glm::dvec2 share = p.areas();
     const double inside = trees * share.x / (share.x + share.y), onEdge = (trees - inside) * 2 / 3;

@@ -128,8 +128,7 @@ TEST(Slices, EachWayWithPartCoveredPixelsCovers) {
         const auto drawn = picture(p);
         // Blended nearest first, what lies behind is lost: 0.36 of the pixels show grass.
         EXPECT_GT(covered(drawn), 0.8 * covered(blades)) << kTransparencies[way];
-        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.25 * brightness(blades))
-            << kTransparencies[way];
+        EXPECT_NEAR(brightness(drawn), brightness(blades), 0.25 * brightness(blades)) << kTransparencies[way];
     }
 }
 

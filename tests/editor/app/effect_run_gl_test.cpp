@@ -40,8 +40,7 @@ class EffectRunEditor : public EditorFixture {
     }
     void measure() {
         ok(ui->click("Effects/Measure"));
-        for (int i = 0; i < 2000 && (app->effects.running() || app->effects.effects.empty()); ++i)
-            ok(ui->wait(1));
+        for (int i = 0; i < 2000 && (app->effects.running() || app->effects.effects.empty()); ++i) ok(ui->wait(1));
         ok(ui->wait(3));
     }
 };
