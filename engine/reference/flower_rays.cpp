@@ -71,7 +71,7 @@ glm::vec2 leanOf(const Weather& w, const f32::Flower& f, const glm::dvec2& groun
     return f32::leanOf(stand, f.facing).lean;
 }
 
-float densityAt(const Terrain& t, const Flowers& f, const glm::dvec2& ground) {
+float flowersAt(const Terrain& t, const Flowers& f, const glm::dvec2& ground) {
     return f.density.present() ? tiledSample(f.density.map, tilingOf(t, f.densityTiling), ground.x, ground.y) : 1.0f;
 }
 
@@ -81,7 +81,7 @@ void standCell(RayFlowers& all, const Weather& weather, uint32_t kind, const Flo
     for (uint32_t i = 0; i < grid.most; ++i) {
         const f32::Flower one = f32::flowerOf(x, z, i, grid.expected, static_cast<uint32_t>(f.seed & 0xFFFFFF));
         const glm::dvec2 ground = (glm::dvec2(x, z) + glm::dvec2(one.place)) * grid.side, place = ground / t.size;
-        if (place.x > 1 || place.y > 1 || one.threshold > densityAt(t, f, ground)) continue;
+        if (place.x > 1 || place.y > 1 || one.threshold > flowersAt(t, f, ground)) continue;
         const glm::vec3 stem =
             f32::flowerStem(one, f.height * (1 + f.heightVariation * one.taller), leanOf(weather, one, ground, t));
         const glm::vec3 root(glm::dvec3(ground.x, terrainHeight(t, ground.x, ground.y), ground.y));

@@ -27,7 +27,7 @@ double tallestBlade(const Project& p) {
     return most;
 }
 
-double groundUnder(const Project& p, const glm::dvec3& at) {
+double groundBelow(const Project& p, const glm::dvec3& at) {
     const Ground ground = findGround(p);
     return ground.origin.y +
            (ground.terrain ? terrainHeight(*ground.terrain, at.x - ground.origin.x, at.z - ground.origin.z) : 0);
@@ -36,7 +36,7 @@ double groundUnder(const Project& p, const glm::dvec3& at) {
 // From the y of the turned mesh on it is higher than all blades; infinity: all of it is lower.
 float cutOf(const Project& p, const PlacedMesh& placed, const Mesh& mesh, const glm::mat3& tilt) {
     const double top =
-        (groundUnder(p, placed.at) + tallestBlade(p) - placed.at.y) / static_cast<double>(placed.mesh->scale);
+        (groundBelow(p, placed.at) + tallestBlade(p) - placed.at.y) / static_cast<double>(placed.mesh->scale);
     float highest = -std::numeric_limits<float>::infinity();
     for (const MeshVertex& v : mesh.vertices) highest = std::max(highest, (tilt * v.position).y);
     return top >= static_cast<double>(highest) ? std::numeric_limits<float>::infinity() : static_cast<float>(top);
@@ -88,7 +88,7 @@ std::shared_ptr<const Footprint> Outlines::of(const Project& p, const std::strin
     const PlacedMesh placed = placeMesh(p, findEntity(p, entity));
     const std::string key =
         fmt::format("{} {} {} {} {} {}", fileVersion(p.dir, mesh->file), mesh->rotationDeg.x, mesh->rotationDeg.z,
-                    mesh->scale, groundUnder(p, placed.at) - placed.at.y, tallestBlade(p));
+                    mesh->scale, groundBelow(p, placed.at) - placed.at.y, tallestBlade(p));
     const auto known = made_.find(key);
     if (known != made_.end()) {
         known->second.asked = true;

@@ -89,7 +89,7 @@ std::optional<Place> placeOf(const std::string& resource, std::string name, std:
     return at;
 }
 
-std::string nameOf(GLuint program, GLenum what, GLuint index) {
+std::string nameIn(GLuint program, GLenum what, GLuint index) {
     char text[256] = "";
     glGetProgramResourceName(program, what, index, sizeof(text), nullptr, text);
     return text;
@@ -107,7 +107,7 @@ struct Kind {
 constexpr Kind kKinds[] = {{GL_UNIFORM_BLOCK, GL_UNIFORM}, {GL_SHADER_STORAGE_BLOCK, GL_BUFFER_VARIABLE}};
 
 void compareMember(GLuint program, GLenum kind, GLuint index, const std::string& block, std::set<std::string>& seen) {
-    const std::string name = nameOf(program, kind, index);
+    const std::string name = nameIn(program, kind, index);
     ASSERT_TRUE(kBlocks.contains(block)) << block << ": say in this test which struct it holds";
     const std::string of = kBlocks.at(block);
     if (of.empty()) return;
@@ -125,7 +125,7 @@ void compare(GLuint program, std::set<std::string>& seen) {
         for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
             const GLint block = propertyOf(program, kind.member, i, GL_BLOCK_INDEX);
             if (block >= 0)
-                compareMember(program, kind.member, i, nameOf(program, kind.block, static_cast<GLuint>(block)), seen);
+                compareMember(program, kind.member, i, nameIn(program, kind.block, static_cast<GLuint>(block)), seen);
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include "fields.h"
 #include "grass/cells.h"
+#include "grass/comparison.h"
 #include "scenes.h"
 #include "techniques.h"
 #include "world/ground.h"
@@ -12,7 +13,6 @@ namespace {
 
 using namespace test;
 
-FlatField grassIn(Project& p) { return flatField(p, "grass"); }
 Terrain& groundIn(Project& p) { return *p.registry.get<Terrain>(findEntity(p, "ground")); }
 
 Map patches(int side, PixelType type) {
