@@ -62,10 +62,10 @@ MaxArraySize=${cluster_array:-1001}"
         done
         echo "PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP"
     } >"$SLURM_CONF"
-    # Newer daemons end where control groups are not theirs to make, as in containers.
-    echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf"
+    # Newer daemons end where control groups are not theirs to make, as in containers; older ones do not know the word.
+    [[ $(slurmctld -V) =~ \ (1|20|21|22|23)[0-9]*\. ]] || echo "CgroupPlugin=disabled" >"$cluster/cgroup.conf"
     slurmctld -f "$SLURM_CONF" -L "$cluster/log/slurmctld" >"$cluster/log/slurmctld.said" 2>&1
-    for ((n = 0; n < cluster_nodes; ++n)); do node_start $n; done
+    for ((n = 0; n < cluster_nodes; ++n)); do node_start $n || true; done  # told below
     for ((n = 0; n < 300 + 2 * cluster_nodes; ++n)); do
         [ "$(sinfo -h -N -o '%T' 2>/dev/null | grep -c '^idle$')" = "$cluster_nodes" ] && return 0
         sleep 0.2

@@ -60,6 +60,10 @@ running_on() { # running_on JOB NODE
 }
 # How many parts of a job's first array Slurm started anew.
 restarts() { scontrol show job -o "$(cat "$1/runs/0.id")" | sed 's/.* Restarts=\([0-9]*\) .*/\1/' | awk '{ n += $1 } END { print n + 0 }'; }
+forge() { # forge RECEIPT KEY VALUE: a receipt of another machine
+    { sed '$d' "$1" | sed "s/^$2=.*/$2=$3/"; } >receipt
+    { cat receipt; echo "receipt=$(sha256sum <receipt | cut -d ' ' -f 1)"; } >"$1"
+}
 parts_there() { find "$1/parts" -mindepth 1 -maxdepth 1 -name '[0-9]*' | wc -l; }
 
 "$SWARD" new "the project" >/dev/null
@@ -133,6 +137,22 @@ cp kept.json "the project/project.json"
 expect 0 "$farm" part "a reference" one
 expect 0 "$farm" part "a reference" one
 same aside/*.part "a reference"/parts/000001/*.part
+rm -r "a reference/parts/000001"
+"$farm" part "a reference" one >/dev/null 2>&1 &
+expect 0 "$farm" part "a reference" one
+wait $! || die "the second of two that make one part fails"
+same aside/*.part "a reference"/parts/000001/*.part
+[ -z "$(find "a reference/parts" -name '.*')" ] || die "two that made one part left something"
+printf '#!/usr/bin/env bash\n[ "$1" != reference ] || eval "${DURING-}"\nexec %q "$@"\n' "$SWARD" >program
+chmod +x program
+expect 0 env SWARD="$PWD/program" "$farm" submit changing reference "the project" --parts 5 -- "${view[@]}"
+expect 0 "$farm" watch changing
+rm -r changing/parts/000001
+expect 3 env DURING="echo >>'$PWD/the project/project.json'" "$farm" part changing one
+says "changed while the part was made"
+[ ! -e changing/parts/000001 ] || die "a part is there of a project that changed meanwhile"
+cp kept.json "the project/project.json"
+echo "two that make one part do no harm"
 echo "a full disk and a changed project leave no part, and each names the remedy"
 
 # --- a sweep, cancelled in the middle
@@ -141,7 +161,8 @@ sweep=(--size 32x24 --samples 2 --rounds 1 --technique raytraced --max-ms 100000
 expect 0 "$farm" submit sweep cost "the project" --parts 3 -- "${sweep[@]}"
 running_on sweep 0
 code=0
-timeout -s INT 1 "$farm" watch sweep >"$work/said" 2>&1 || code=$?
+timeout --preserve-status -s INT 1 "$farm" watch sweep >"$work/said" 2>&1 || code=$?
+[ $code = 130 ] || die "Ctrl+C ends watch with $code instead of 130"
 says "the job goes on"
 expect 0 "$farm" cancel sweep
 for ((i = 0; i < 100; ++i)); do [ -z "$(squeue -h)" ] && break || sleep 0.2; done
@@ -190,12 +211,14 @@ node_start 1
 echo "film: a killed node's part was made by another, 9 frames are one machine's"
 
 # --- frames of different renderers are not mixed unseen
-other=film/parts/000000/receipt
-{ sed '$d' $other | sed 's/^renderer=.*/renderer=another/'; } >receipt
-{ cat receipt; echo "receipt=$(sha256sum <receipt | cut -d ' ' -f 1)"; } >$other
+forge film/parts/000000/receipt renderer another
 expect 1 "$farm" merge film --out mixed-film
 says "different renderers"
 expect 0 "$farm" merge film --out mixed-film --mixed
+
+forge "a reference/parts/000000/receipt" cpu another
+expect 0 "$farm" merge "a reference" --out joined3.exr
+says "different machines (cpu)"
 
 # --- bakes of two projects
 cp -r "the project" second
@@ -214,6 +237,8 @@ expect 0 "$farm" merge bakes --out "$work/cache2"
 diff -r -x '.*' "one-machine/the project" "the project" >"$work/said" || die "baked projects differ"
 diff -r -x '.*' one-machine/second second >"$work/said" || die "baked projects differ"
 diff -r "$work/cache1/sward" "$work/cache2/sward" >"$work/said" || die "caches differ"
+expect 0 env XDG_CACHE_HOME="$work/cache3" "$farm" merge bakes --out -
+diff -r "$work/cache1/sward" "$work/cache3/sward" >"$work/said" || die "caches differ"
 echo "bake: 4 bakes of 2 projects are one machine's, project and cache"
 
 # --- what is wrong with a command
