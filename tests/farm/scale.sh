@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # What a farm takes, measured on this one machine: tests/farm/scale.sh SWARD [NODES [PARTS]]   (200 and 400; root)
-# First real parts: 1/NODES of a picture each, by the program, on a Slurm of two nodes; then their merge. Then NODES
-# daemons of Slurm, each a node, and PARTS parts for which a stand-in for the program sleeps as long as the real part
-# would compute; once undisturbed, once with a node killed in the middle. All but the program's computing is real: Slurm,
-# tools/farm, and the files; but this machine's cores stand for all nodes', so that overheads are upper bounds.
-# Prints a line a number, with how it was got. PROJECT, CAMERA, SIZE, SLEEP (s, the mean that parts sleep) are variables.
+# First a part by the program, 1/NODES of a picture, by samples. Then NODES daemons of Slurm, each a node, and PARTS parts
+# for which a stand-in for the program sleeps as long as the real part would compute; once undisturbed, once with a node
+# killed in the middle. Last NODES real parts, of a project that is quick, and their merge. Slurm, tools/farm and files are
+# real; but this machine's cores stand for all nodes', so that overheads are upper bounds.
+# Prints a line a number, with how it was got. PROJECT, CAMERA, SIZE, SLEEP (s, the mean that parts sleep) are variables;
+# ALONE is a file with the seconds of parts at 1 and 5 samples that an earlier run measured (it prints them).
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 sward=$(readlink -f "$1")
@@ -39,24 +40,28 @@ receipts() { # receipts JOB: a line a part: number, node, begin, seconds, when i
 gaps() { receipts "$1" | sort -k 2,2 -k 3,3g | awk '$2 == node { print $3 - end } { node = $2; end = $3 + $4 }'; }
 
 # --- a part alone: what it takes by samples, and what tools/farm adds to it
-one_part() { # one_part SAMPLES SHARD: sets `cpu`, seconds of all cores, which others' work on this machine leaves alone
-    local TIMEFORMAT='%U %S'
-    cpu=$({ time "$sward" reference "$project" --camera "$camera" --size "$size" --samples "$1" --shard "$2/$nodes" \
-        --out alone.part >/dev/null 2>said; } 2>&1 | awk '{ print $1 + $2 }')
+cpu_of() { # cpu_of COMMAND...: its seconds of the clock, in `seconds`, and of all cores, in `cpu`, which others' work leaves
+    local TIMEFORMAT='%R %U %S'
+    read -r seconds cpu < <({ time "$@" >said 2>&1; } 2>&1 | awk '{ print $1, $2 + $3 }')
+}
+one_part() { # one_part SAMPLES SHARD: sets `cpu`
+    cpu_of "$sward" reference "$project" --camera "$camera" --size "$size" --samples "$1" --shard "$2/$nodes" --out alone.part
     [ -s alone.part ] || { cat said >&2; exit 1; }
 }
 few=1 many=5 cores=$(nproc)
 tell "project, camera, size, nodes" "$(basename "$project"), $camera, $size, $nodes"
 tell "machine" "$(nproc) cores, $(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1), load $(cut -d ' ' -f 1 /proc/loadavg) at the start"
 one_part 1 0
-: >alone
+[ -z "${ALONE-}" ] || cp "$ALONE" alone
 for ((i = 0; i < 8; ++i)); do
+    [ -z "${ALONE-}" ] || break
     shard=$((i * nodes / 8))
     one_part $few $shard
     a=$cpu
     one_part $many $shard
     echo "$a $cpu" >>alone
 done
+tell "a part alone, s of one core at $few and $many samples" "$(paste -sd , alone)"
 read -r fixed slope < <(awk -v f=$few -v m=$many '{ s = ($2 - $1) / (m - f); k += s; c += $1 - f * s } END { print c / NR, k / NR }' alone)
 tell "a part alone: fixed, s of one core" "$(reckon "$fixed" 2) (8 parts at $few and $many samples; the line through the means)"
 tell "a part alone: a sample more, s of one core" "$(reckon "$slope" 4) (the same line)"
@@ -64,37 +69,9 @@ tell "a part of 1024 samples on an idle node of $cores cores, s" "$(reckon "$fix
 samples=$(reckon "($sleep - $fixed) * $cores / $slope" 0)
 tell "samples for a part of $sleep s" "$samples (= ($sleep - fixed) * $cores / a sample more)"
 
-# --- real parts, their sizes, and the merge
-export SWARD=$sward
-cluster_scheduler=sched_interval=1,sched_min_interval=0,batch_sched_delay=0
-cluster_start "$work/slurm2" 2
-began=$(now)
-"$farm" submit real reference "$project" --parts "$nodes" -- --camera "$camera" --size "$size" --samples 1 2>said
-SWARD_FARM_EVERY=5 "$farm" watch real >said 2>&1 || { cat said >&2; exit 1; }
-tell "$nodes real parts of 1 sample on two nodes, wall s" "$(reckon "$(now) - $began")"
-tell "  a part's making, s" "$(receipts real | awk '{ print $4 }' | median) (receipts)"
-tell "  between two parts of a node, s" "$(gaps real | median) (receipts)"
-took "$farm" status real
-tell "farm status of $nodes parts, s" "$seconds"
-took "$farm" merge real --out joined.exr
-tell "farm merge of $nodes parts, s" "$seconds"
-took "$sward" merge real/parts/*/*.part --out joined2.exr
-tell "  of it sward merge, s" "$seconds"
-took "$sward" reference "$project" --camera "$camera" --size "$size" --samples 1 --out whole.exr
-tell "the same picture by one machine, 1 sample, s" "$seconds"
-cmp joined.exr whole.exr && cmp joined.error.exr whole.error.exr
-tell "merged equals one machine's" "yes, bit for bit (cmp)"
-cluster_stop
-
-# --- what is shared and what is local
-tell "shared: program and shaders, KiB" "$(kib -L "$sward" "$(dirname "$sward")/../../shaders") (du --apparent-size)"
-tell "shared: project, KiB" "$(kib "$project")"
-tell "shared: job folder of $nodes parts, KiB" "$(kib real)"
-bytes=$(stat -c %s real/parts/*/*.part | sort -n | tail -n 1)
-tell "shared: the largest part, KiB" "$(reckon "$bytes / 1024")"
-tell "local: caches of a node after its parts, KiB" "$(kib local)"
-
 # --- NODES nodes, PARTS parts that sleep
+bytes=$(stat -c %s alone.part)
+tell "shared: a part, KiB" "$(reckon "$bytes / 1024")"
 mkdir -p sim/bin
 awk -v f=$few -v m=$many -v n="$samples" -v c="$cores" '{ s = ($2 - $1) / (m - f); print $1 - f * s + n * s / c }' alone >sim/sleeps
 cat >sim/bin/sward <<STANDIN
@@ -155,5 +132,24 @@ simulated undisturbed
 echo "the same, and node n3 dies in the middle of its first part:"
 simulated disturbed 3
 tell "shared: job folder of $parts parts, KiB" "$(kib undisturbed)"
-SWARD_FARM_EVERY=1 took "$farm" status undisturbed
-tell "farm status of $parts parts, s" "$seconds"
+cpu_of "$farm" status undisturbed
+tell "farm status of $parts parts (as resume and merge read them), s" "$seconds, $cpu s of one core"
+tell "local: what the parts left in the nodes' folder, KiB" "$(kib local)"
+cluster_stop
+
+# --- real parts of a project that is quick, since what joins them reads pixels alone: their sizes, and the merge
+export SWARD=$sward
+"$sward" new quick >/dev/null
+sed -i 's/"bladesPerM2": 4000/"bladesPerM2": 100/; s/"size": \[40, 40\]/"size": [12, 12]/' quick/project.json
+picture=(reference quick --size "$size" --samples 1)
+for ((i = 0; i < nodes; ++i)); do "$sward" "${picture[@]}" --shard "$i/$nodes" --out "real/$i.part" >/dev/null 2>&1; done
+cpu_of "$sward" merge real/*.part --out joined.exr
+tell "sward merge of $nodes real parts, s" "$seconds, $cpu s of one core"
+"$sward" "${picture[@]}" --out whole.exr >/dev/null
+cmp joined.exr whole.exr && cmp joined.error.exr whole.error.exr
+tell "merged equals one machine's" "yes, bit for bit (cmp)"
+
+# --- what is shared and what is local
+tell "shared: program and shaders, KiB" "$(kib -L "$sward" "$(dirname "$sward")/../../shaders") (du --apparent-size)"
+tell "shared: project, KiB" "$(kib "$project")"
+tell "shared: the $nodes real parts, KiB" "$(kib real)"
