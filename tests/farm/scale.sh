@@ -87,6 +87,7 @@ export SWARD=$work/sim/bin/sward
 # As Slurm comes, but for who is dead sooner than after 300 s: by 30.
 cluster_scheduler=${SCHEDULER-} cluster_timeout=30
 cluster_start "$work/slurm" "$nodes"
+left() { [ -n "$(squeue -h 2>&1 || true)" ]; }  # whether Slurm has anything left to do, or does not answer now
 ideal() { # the whole's seconds if all but the sleeping took none: each part goes to the node that is free first
     awk -v nodes="$nodes" -v parts="$parts" '{ t[NR - 1] = $1 } END {
         for (p = 0; p < parts; ++p) { b = 0; for (n = 1; n < nodes; ++n) if (free[n] + 0 < free[b] + 0) b = n
@@ -106,7 +107,7 @@ simulated() {
         killed=$(now)
         node_kill "$2"
     fi
-    while squeue -h -j "$id" 2>/dev/null | grep -q .; do sleep 2; done
+    while left; do sleep 2; done
     [ "$(find "$job/parts" -mindepth 2 -name receipt | wc -l)" = "$parts" ] || { "$farm" status "$job" >&2; exit 1; }
     receipts "$job" >"$job.receipts"
     local first=$((nodes < parts ? nodes : parts)) wall
@@ -125,7 +126,7 @@ simulated() {
 began=$(now)
 sbatch -o /dev/null --array="0-$((nodes - 1))" --exclusive -N 1 >/dev/null \
     < <(printf '#!/usr/bin/env bash\ndate +%%s.%%N >"%s/begun.$SLURM_ARRAY_TASK_ID"\nsleep 20\n' "$work")
-while squeue -h | grep -q .; do sleep 1; done
+while left; do sleep 1; done
 tell "Slurm alone, $nodes tasks of sleep 20: until the last began, s" "$(sort -g begun.* | tail -n 1 | awk -v b="$began" '{ printf "%.1f", $1 - b }')"
 echo "$parts parts on $nodes nodes, $(reckon "$(paste -sd + sim/sleeps | sed 's/.*/(&) \/ 8/')") s each in the mean:"
 simulated undisturbed
