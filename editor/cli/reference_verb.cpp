@@ -150,6 +150,7 @@ Result<ReferenceSettings> settingsOf(const ReferenceOptions& o) {
     if (!shard) return shard.error();
     std::tie(s.width, s.height) = *size;
     std::tie(s.shard, s.shards) = *shard;
+    s.bandRows = bandRowsFor(s.height, s.shards);
     s.samples = o.samples, s.seed = o.seed;
     if (o.samples < 1 || o.samples > kMaxReferenceSamples)
         return usage(fmt::format("{} samples a pixel make no picture", o.samples),

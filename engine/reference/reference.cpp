@@ -434,6 +434,8 @@ Status checkSettings(const ReferenceSettings& s) {
                      "at least 1x1, at most 2^26 pixels, such as 8192x8192");
     if (s.shards < 1 || s.shard < 0 || s.shard >= s.shards)
         return usage(fmt::format("there is no shard {} of {}", s.shard, s.shards), "write I/N, I from 0 to N-1");
+    if (s.bandRows < 1 || s.bandRows > kShardRows)
+        return usage(fmt::format("bands of {} rows are none", s.bandRows), fmt::format("1 to {}", kShardRows));
     return {};
 }
 
@@ -473,16 +475,16 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
     const size_t pixels = static_cast<size_t>(settings.width) * static_cast<size_t>(settings.height);
     Truth truth{settings.width, settings.height, std::vector<float>(3 * pixels), std::vector<float>(3 * pixels),
                 std::vector<float>(pixels)};
-    const int across = (settings.width + kBlockWidth - 1) / kBlockWidth,
-              down = (settings.height + kShardRows - 1) / kShardRows;
+    const int across = (settings.width + kBlockWidth - 1) / kBlockWidth, high = settings.bandRows,
+              down = (settings.height + high - 1) / high;
     MemoryPool memories;
     std::atomic<size_t> done{0};
     parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t block) {
         const int x0 = static_cast<int>(block) % across * kBlockWidth,
-                  y0 = static_cast<int>(block) / across * kShardRows;
+                  y0 = static_cast<int>(block) / across * high;
         if (control.cancelled() || !isOfShard(y0, settings)) return;
         auto memory = memories.take();
-        for (int y = y0; y < std::min(y0 + kShardRows, settings.height); ++y)
+        for (int y = y0; y < std::min(y0 + high, settings.height); ++y)
             for (int x = x0; x < std::min(x0 + kBlockWidth, settings.width); ++x) {
                 writePixel(truth, static_cast<size_t>(y) * static_cast<size_t>(settings.width) + static_cast<size_t>(x),
                            samplePixel(view, x, y, *memory, control), settings.samples);

@@ -9,6 +9,7 @@
 // the shaders' own. Does not: depth of field, motion blur, spectra. Cost: football's `human`, 640 x 480, 16 samples:
 // docs/accuracy.md.
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -23,18 +24,25 @@ namespace sward {
 enum class ReferenceLighting { Full, Direct };
 inline constexpr auto kReferenceLightings = enumNames<ReferenceLighting>("full", "direct");
 
+inline constexpr int kShardRows = 8;  // of a band of rows, unless many machines need lower ones
+
 struct ReferenceSettings {
     int width = 1024, height = 768;
     int samples = 16;   // a pixel, 1 to kMaxReferenceSamples
     uint32_t seed = 1;  // of the samples, never of the scene
     ReferenceLighting lighting = ReferenceLighting::Full;
-    int shard = 0, shards = 1;  // of several machines this one's bands of kShardRows rows: the others' pixels stay 0
+    int shard = 0, shards = 1;  // of several machines this one's bands: the others' pixels stay 0
+    int bandRows = kShardRows;  // of a band, 1 to kShardRows; no pixel depends on it
 };
 inline constexpr int kMaxReferenceSamples = 1 << 20;
 inline constexpr int64_t kMaxReferencePixels = int64_t(1) << 26;
-inline constexpr int kShardRows = 8;
-// Whether this machine traces a row of pixels (0 on top): bands of kShardRows go round among the shards.
-inline bool isOfShard(int row, const ReferenceSettings& s) { return row / kShardRows % s.shards == s.shard; }
+// Whether this machine traces a row of pixels (0 on top): bands go round among the shards.
+inline bool isOfShard(int row, const ReferenceSettings& s) { return row / s.bandRows % s.shards == s.shard; }
+// Rows of a band such that each of so many shards (at least 1) has four or more bands, where the image (height in
+// pixels) has rows enough: with one or two bands each some machines would trace twice what others do, or nothing.
+inline int bandRowsFor(int height, int shards) {
+    return static_cast<int>(std::clamp<int64_t>(height / (int64_t(4) * shards), 1, kShardRows));
+}
 
 struct Truth {
     int width = 0, height = 0;
@@ -52,8 +60,8 @@ class ReferenceScene {
     ReferenceScene(ReferenceScene&&) noexcept;
     ReferenceScene& operator=(ReferenceScene&&) noexcept;
     ~ReferenceScene();
-    // Failed when cancelled. Usage error: sizes below 1 or beyond kMaxReferencePixels, samples out of range, a shard
-    // that is not one of shards.
+    // Failed when cancelled. Usage error: sizes below 1 or beyond kMaxReferencePixels, samples or rows of a band out of
+    // range, a shard that is not one of shards.
     Result<Truth> trace(const ViewCamera& camera, const ReferenceSettings& settings, JobControl& control) const;
 
     struct Impl;

@@ -50,7 +50,7 @@ std::string firstLineOf(const ReferencePart& p, std::string_view pixels) {
     Json head;
     head["kind"] = kKind, head["camera"] = p.camera, head["of"] = hashHex(p.of);
     head["width"] = s.width, head["height"] = s.height, head["samples"] = s.samples, head["shard"] = s.shard,
-    head["shards"] = s.shards;
+    head["shards"] = s.shards, head["band"] = s.bandRows;
     const std::string unhashed = lineOf(head);
     Hasher hash;
     hash.add(unhashed.data(), unhashed.size());
@@ -93,11 +93,13 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     const auto width = numberIn(*head, "width", 1, 16384), height = numberIn(*head, "height", 1, 16384),
                samples = numberIn(*head, "samples", 1, kMaxReferenceSamples);
     const auto shards = numberIn(*head, "shards", 1, 1 << 20),
-               shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1);
-    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard ||
+               shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1),
+               band = numberIn(*head, "band", 1, kShardRows);
+    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard || !band ||
         !head->object.contains("of") || !head->object.contains("camera"))
         return broken(file, "the part's first line does not say what it is a part of");
-    s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards;
+    s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards,
+    s.bandRows = *band;
     p.camera = head->object.at("camera").text;
     p.of = std::strtoull(head->object.at("of").text.c_str(), nullptr, 16);
     const size_t pixels = static_cast<size_t>(s.width) * static_cast<size_t>(s.height),
@@ -126,6 +128,7 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
     std::vector<std::string> from;
     Truth whole;
     uint64_t of = 0;
+    int band = 0;
     for (const auto& file : files) {
         auto part = readPart(file);
         if (!part) return part.error();
@@ -133,9 +136,9 @@ Result<Truth> mergeParts(const std::vector<std::filesystem::path>& files) {
         const size_t shard = static_cast<size_t>(s.shard);
         if (from.empty()) {
             from.resize(static_cast<size_t>(s.shards));
-            whole = part->truth, of = part->of;
+            whole = part->truth, of = part->of, band = s.bandRows;
         }
-        if (part->of != of || from.size() != static_cast<size_t>(s.shards))
+        if (part->of != of || from.size() != static_cast<size_t>(s.shards) || s.bandRows != band)
             return failed("this part is of another image than " + files[0].string(),
                           "project, camera, size, samples, seed, lighting and the number of shards must be the same")
                 .at(file.string());

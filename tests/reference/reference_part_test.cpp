@@ -34,8 +34,10 @@ struct ReferenceParts : testing::Test {
         s.width = 21, s.height = 37, s.samples = 3, s.shard = shard, s.shards = shards;
         return s;
     }
-    std::filesystem::path part(int shard, int shards, const std::string& name, uint64_t of = 7) {
-        const ReferenceSettings s = settings(shard, shards);
+    std::filesystem::path part(int shard, int shards, const std::string& name, uint64_t of = 7,
+                               int bandRows = kShardRows) {
+        ReferenceSettings s = settings(shard, shards);
+        s.bandRows = bandRows;
         EXPECT_TRUE(writeFileAtomic(dir / name, encodePart({"eye", of, s, numbered(s)})));
         return dir / name;
     }
@@ -57,6 +59,31 @@ TEST_F(ReferenceParts, MergeInAnyOrderBitForBit) {
                     part(5, 9, "5"), part(6, 9, "6"), part(7, 9, "7"), part(8, 9, "8")}),
               "merged")
         << "shards without a row";
+}
+
+TEST_F(ReferenceParts, WithLowBandsMergeAndNeverWithOthers) {
+    const Truth whole = numbered(settings(0, 1));
+    const auto merged = mergeParts({part(0, 2, "a", 7, 1), part(1, 2, "b", 7, 1)});
+    ASSERT_TRUE(merged) << merged.error().text();
+    EXPECT_EQ(whole.color, merged->color);
+    EXPECT_NE(says({dir / "a", part(1, 2, "c", 7, 8)}).find("another image"), std::string::npos);
+}
+
+// As many machines as there are: none has over a quarter more rows than the mean, where there are rows enough.
+TEST_F(ReferenceParts, BandsLeaveNoShardWithMuchMore) {
+    EXPECT_EQ(bandRowsFor(1080, 1), kShardRows);
+    EXPECT_EQ(bandRowsFor(4, 1 << 20), 1);
+    for (const int height : {1080, 2160, 4320})
+        for (const int shards : {2, 7, 20, 100, 200}) {
+            std::vector<int> rows(static_cast<size_t>(shards));
+            for (int i = 0; i < shards; ++i) {
+                ReferenceSettings s = settings(i, shards);
+                s.bandRows = bandRowsFor(height, shards);
+                for (int y = 0; y < height; ++y) rows[static_cast<size_t>(i)] += isOfShard(y, s);
+            }
+            EXPECT_LE(*std::max_element(rows.begin(), rows.end()), std::ceil(1.25 * height / shards))
+                << height << " rows, " << shards << " shards";
+        }
 }
 
 TEST_F(ReferenceParts, WhatIsMissingTwiceOrForeignIsNamed) {
@@ -81,6 +108,8 @@ TEST_F(ReferenceParts, WhatIsDamagedIsRefused) {
                                    {"\"height\": 37", "\"height\": 1e9"},
                                    {"\"shards\": 2", "\"shards\": 0"},
                                    {"\"shard\": 1", "\"shard\": 2"},
+                                   {"\"band\": 8", "\"band\": 9"},
+                                   {"\"band\": 8", "\"bond\": 8"},
                                    {"\"samples\": 3", "\"samples\": \"3\""},
                                    {"\"of\"", "\"if\""},
                                    {"\"width\": 21", "\"width\": 20.5"}}) {

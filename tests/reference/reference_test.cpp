@@ -236,20 +236,24 @@ TEST(ReferenceSamples, CancellingWaitsForNoWholeBlock) {
 struct Parts : testing::Test {
     TempDir dir;
     Project p = lawn();
+    int bandRows = kShardRows;
     std::filesystem::path part(int shard, int shards, const std::string& name, uint64_t of = 7) {
         ReferenceSettings s = sized(50, 37, 2);
-        s.shard = shard, s.shards = shards;
+        s.shard = shard, s.shards = shards, s.bandRows = bandRows;
         EXPECT_TRUE(writeFileAtomic(dir / name, encodePart({"eye", of, s, traced(p, eyeHeight(), s)})));
         return dir / name;
     }
 };
 TEST_F(Parts, MergedEqualTheWholeBitForBit) {
     const Truth whole = traced(p, eyeHeight(), sized(50, 37, 2));
-    const auto merged = mergeParts({part(2, 3, "c"), part(0, 3, "a"), part(1, 3, "b")});
-    ASSERT_TRUE(merged) << merged.error().text();
-    EXPECT_EQ(whole.color, merged->color);
-    EXPECT_EQ(whole.error, merged->error);
-    EXPECT_EQ(whole.grass, merged->grass);
+    for (const int rows : {kShardRows, 3, 1}) {
+        bandRows = rows;
+        const auto merged = mergeParts({part(2, 3, "c"), part(0, 3, "a"), part(1, 3, "b")});
+        ASSERT_TRUE(merged) << merged.error().text();
+        EXPECT_EQ(whole.color, merged->color) << "bands of " << rows;
+        EXPECT_EQ(whole.error, merged->error) << "bands of " << rows;
+        EXPECT_EQ(whole.grass, merged->grass) << "bands of " << rows;
+    }
 }
 
 }  // namespace
