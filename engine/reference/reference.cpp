@@ -480,8 +480,7 @@ Result<Truth> ReferenceScene::trace(const ViewCamera& camera, const ReferenceSet
     MemoryPool memories;
     std::atomic<size_t> done{0};
     parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), [&](size_t block) {
-        const int x0 = static_cast<int>(block) % across * kBlockWidth,
-                  y0 = static_cast<int>(block) / across * high;
+        const int x0 = static_cast<int>(block) % across * kBlockWidth, y0 = static_cast<int>(block) / across * high;
         if (control.cancelled() || !isOfShard(y0, settings)) return;
         auto memory = memories.take();
         for (int y = y0; y < std::min(y0 + high, settings.height); ++y)

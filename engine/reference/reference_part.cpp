@@ -95,8 +95,8 @@ Result<ReferencePart> readPart(const std::filesystem::path& file) {
     const auto shards = numberIn(*head, "shards", 1, 1 << 20),
                shard = numberIn(*head, "shard", 0, shards.value_or(0) - 1),
                band = numberIn(*head, "band", 1, kShardRows);
-    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard || !band ||
-        !head->object.contains("of") || !head->object.contains("camera"))
+    if (!width || !height || int64_t(*width) * *height > kMaxReferencePixels || !samples || !shards || !shard ||
+        !band || !head->object.contains("of") || !head->object.contains("camera"))
         return broken(file, "the part's first line does not say what it is a part of");
     s.width = *width, s.height = *height, s.samples = *samples, s.shard = *shard, s.shards = *shards,
     s.bandRows = *band;
