@@ -14,6 +14,7 @@
 #include "grass/raytraced.h"
 #include "grass/slices.h"
 #include "grass/tessellated.h"
+#include "objects/lamp_shadow.h"
 #include "objects/mesh.h"
 #include "objects/scatter.h"
 #include "objects/shadow.h"
@@ -26,6 +27,7 @@
 #include "sky/wind.h"
 #include "techniques.h"
 #include "terrain/ground.h"
+#include "terrain/lamp_hills.h"
 #include "terrain/shade.h"
 #include "water/reflection.h"
 #include "water/surface.h"
@@ -34,15 +36,16 @@ namespace sward {
 
 std::span<const EffectRow> effectRows() {
     static const EffectRow kRows[] = {
-        sunEffect(),     skyEffect(),           hazeEffect(),         atmosphereEffect(),  lampsEffect(),  // light
-        windEffect(),    gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),  // ground
-        meshEffect(),    scatterEffect(),       shadowEffect(),                                            // objects
-        forestEffect(),  treesEffect(),         texcellsEffect(),                                          // forest
-        forcesEffect(),  forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
-        uniqueEffect(),  geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
-        slicesEffect(),  raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass
-        waterEffect(),   reflectionEffect(),                                                                 // water
-        farBlurEffect(), tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
+        sunEffect(),       skyEffect(),           hazeEffect(),         atmosphereEffect(),  lampsEffect(),  // light
+        windEffect(),      gustsEffect(),         groundEffect(),       groundDepthEffect(), shadeEffect(),
+        lampHillsEffect(),                                                                   // ground
+        meshEffect(),      scatterEffect(),       shadowEffect(),       lampShadowEffect(),  // objects
+        forestEffect(),    treesEffect(),         texcellsEffect(),                          // forest
+        forcesEffect(),    forceOutlinesEffect(), maskEffect(),         fieldEffect(),       farDarkeningEffect(),
+        uniqueEffect(),    geometryEffect(),      groundShadowEffect(), farEffect(),         farShadowEffect(),
+        slicesEffect(),    raytracedEffect(),     tessellatedEffect(),  meshGrassEffect(),   flowersEffect(),  // grass
+        waterEffect(),     reflectionEffect(),                                                                 // water
+        farBlurEffect(),   tonemapEffect(),       mapOverlayEffect(),   decalEffect(),  // the screen
     };
     return kRows;
 }

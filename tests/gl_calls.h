@@ -59,7 +59,7 @@ struct Hook<pointer> {
 // The functions counted; clang-format would step every row to the right.
 // clang-format off
 #define SWARD_GL_CALLS(X) \
-    X(glAttachShader) X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) \
+    X(glAttachShader) X(glBeginQuery) X(glBindBuffer) X(glBindBufferBase) X(glBindBuffersBase) X(glBindFramebuffer) X(glBindImageTexture) \
     X(glBindTextureUnit) X(glBindTextures) X(glBindVertexArray) X(glBlendEquation) X(glBlendEquationi) X(glBlendEquationSeparate) \
     X(glBlendFunc) X(glBlendFuncSeparate) X(glBlitNamedFramebuffer) X(glCheckNamedFramebufferStatus) X(glClear) \
     X(glClearColor) X(glClearDepth) X(glClearNamedBufferData) X(glClearNamedFramebufferfi) \

@@ -31,7 +31,7 @@ GizmoView viewOfGizmo(const ObjectParts& parts, const glm::dvec3& pivot) {
     return view;
 }
 
-Ray rayAt(const ObjectParts& parts, double x, double y) {
+GizmoRay rayAt(const ObjectParts& parts, double x, double y) {
     return {parts.camera.eye, rayThrough(parts.camera, parts.view, x, y)};
 }
 

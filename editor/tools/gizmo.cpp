@@ -160,7 +160,7 @@ double missed(const ScreenPart& s, const glm::dvec2& pointer) {
     return pixels <= kReach ? pixels : kNo;
 }
 
-std::optional<Motion> moved(const GizmoGrab& g, const Ray& ray, const GizmoSteps* steps) {
+std::optional<Motion> moved(const GizmoGrab& g, const GizmoRay& ray, const GizmoSteps* steps) {
     Motion m;
     m.pivot = g.pivot;
     if (g.part->shape == GizmoShape::Axis) {
@@ -219,7 +219,7 @@ const ScreenPart* partAt(std::span<const ScreenPart> parts, const glm::dvec2& po
     return best;
 }
 
-std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis, const Ray& ray) {
+std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis, const GizmoRay& ray) {
     const glm::dvec3 apart = pivot - ray.from;
     const double b = glm::dot(axis, ray.way), sine2 = 1 - b * b;
     if (sine2 < kParallel * kParallel) return std::nullopt;
@@ -229,7 +229,7 @@ std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis,
     return (b * r - a) / sine2;
 }
 
-std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& normal, const Ray& ray) {
+std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& normal, const GizmoRay& ray) {
     const glm::dvec3 apart = pivot - ray.from;
     const double sine = glm::dot(normal, ray.way);
     if (std::abs(sine) < kParallel) return std::nullopt;
@@ -241,7 +241,7 @@ std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& nor
 double snapped(double value, double step) { return step > 0 ? std::round(value / step) * step : value; }
 
 GizmoGrab grabPart(const ScreenPart& s, const glm::dvec3& pivot, const GizmoView& view, const glm::dvec2& pointer,
-                   const Ray& ray) {
+                   const GizmoRay& ray) {
     GizmoGrab g{s.part, pivot, view.project(pivot).value_or(pointer), pointer, ray, view.forward};
     if (s.part->shape != GizmoShape::Ring) return g;
     // The ring's line runs counter-clockwise about its axis: its way at the nearest point, as long as a radian there.
@@ -254,7 +254,8 @@ GizmoGrab grabPart(const ScreenPart& s, const glm::dvec3& pivot, const GizmoView
     return g;
 }
 
-std::optional<Motion> motionOf(const GizmoGrab& g, const glm::dvec2& pointer, const Ray& ray, const GizmoSteps* steps) {
+std::optional<Motion> motionOf(const GizmoGrab& g, const glm::dvec2& pointer, const GizmoRay& ray,
+                               const GizmoSteps* steps) {
     if (g.part->mode == GizmoMode::Move) return moved(g, ray, steps);
     Motion m;
     m.pivot = g.pivot;

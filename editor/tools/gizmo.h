@@ -51,13 +51,13 @@ std::vector<ScreenPart> screenParts(GizmoMode mode, std::span<const HandleKind> 
 const ScreenPart* partAt(std::span<const ScreenPart> parts, const glm::dvec2& pointer);
 
 // --- in the hand
-struct Ray {
+struct GizmoRay {
     glm::dvec3 from{0}, way{0, 0, -1};  // unit
 };
 // Metres along an axis through the pivot of its point nearest to the ray; nothing where a drag would run away.
-std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis, const Ray& ray);
+std::optional<double> alongAxis(const glm::dvec3& pivot, const glm::dvec3& axis, const GizmoRay& ray);
 // Where the ray meets a plane through the pivot; likewise.
-std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& normal, const Ray& ray);
+std::optional<glm::dvec3> onPlane(const glm::dvec3& pivot, const glm::dvec3& normal, const GizmoRay& ray);
 
 // Sizes to which a drag snaps while Ctrl is held.
 struct GizmoSteps {
@@ -70,15 +70,15 @@ struct GizmoGrab {
     const GizmoPart* part = nullptr;
     glm::dvec3 pivot{0};
     glm::dvec2 centre{0}, pointer{0};  // of the pivot and of the hand, on the screen
-    Ray ray;                           // through the hand
+    GizmoRay ray;                      // through the hand
     glm::dvec3 forward{0, 0, -1};      // of the eye
     glm::dvec2 tangent{1, 0};          // of a ring: pixels a radian on the screen
 };
 GizmoGrab grabPart(const ScreenPart& part, const glm::dvec3& pivot, const GizmoView& view, const glm::dvec2& pointer,
-                   const Ray& ray);
+                   const GizmoRay& ray);
 // What has been done since, with the hand at `pointer` and `ray` through it; nothing where a drag would run away: what
 // was done last stays. `steps`: null, or to which it snaps.
-std::optional<Motion> motionOf(const GizmoGrab& grab, const glm::dvec2& pointer, const Ray& ray,
+std::optional<Motion> motionOf(const GizmoGrab& grab, const glm::dvec2& pointer, const GizmoRay& ray,
                                const GizmoSteps* steps);
 // To the next multiple; a step of 0 or less changes nothing.
 double snapped(double value, double step);

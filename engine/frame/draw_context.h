@@ -81,11 +81,12 @@ struct SharedResources : SharedByViews {
     GroundMesh groundMesh;
     GrassFields* grass = nullptr;
     SoilGrowth soil;
-    std::vector<ShadowCaster> casters;  // of this frame
-    uint64_t castersHash = 0;           // equal: the same triangles at the same places; who appends adds its own to it
-    GLuint reflection = 0;              // what the water mirrors; 0: nothing
-    glm::vec2 reflectionScale{0};       // of its texture coordinates, a clip unit
-    LightsGlobals lights{};             // beside the sun, as bound to UBO_LIGHTS
+    std::vector<ShadowCaster> casters;   // of this frame
+    uint64_t castersHash = 0;            // equal: the same triangles at the same places; who appends adds its own to it
+    GLuint reflection = 0;               // what the water mirrors; 0: nothing
+    glm::vec2 reflectionScale{0};        // of its texture coordinates, a clip unit
+    LightsGlobals lights{};              // beside the sun, as bound to UBO_LIGHTS
+    std::vector<glm::dvec3> lampPlaces;  // theirs in the world; of directional ones: unit vectors towards them
 };
 
 // What to draw of a view within the view (ViewRow).

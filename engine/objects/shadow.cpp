@@ -1,6 +1,6 @@
 #include "objects/shadow.h"
 
-#include "frame/draw_context.h"
+#include "objects/shadow_maps.h"
 #include "shared/objects.h"
 
 namespace sward {
@@ -13,17 +13,14 @@ constexpr double kSlack = 0.1;           // share of the reach that the eye may 
 constexpr double kHalf = 1.02 + kSlack;  // half a map's side, as a share of the reach: and room for taps
 
 struct ShadowMap {
-    Framebuffer target;
     glm::dvec3 centre{0};   // in the world
     uint64_t drawn = 0;     // hash of what it shows; 0: nothing yet
     bool mirrored = false;  // drawn for what water mirrors, whose places round otherwise
 };
 struct ShadowState : EffectState {
-    GlName<TextureKind> maps;  // an array of SHADOW_CASCADES
-    Tally tally;
+    ShadowMaps maps;  // SHADOW_CASCADES
     ShadowMap map[SHADOW_CASCADES];
-    glm::vec3 right{0}, up{0}, sun{0};  // the sun's axes
-    glm::dvec3 origin{0};               // of the terrain in the world: texels lie at the same places of it
+    LightAxes axes;
 };
 // From a view's eye to the maps, which all views share.
 struct ShadowView : EffectState {
@@ -31,61 +28,15 @@ struct ShadowView : EffectState {
     ShadowGlobals values;
 };
 
-void makeMaps(Gpu& gpu, ShadowState& s) {
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
-    glTextureStorage3D(id, 1, GL_DEPTH_COMPONENT32F, kSide, kSide, SHADOW_CASCADES);
-    throwWithoutMemory();
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTextureParameteri(id, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);  // depth is reversed: the nearest to the sun is 1
-    glObjectLabel(GL_TEXTURE, id, -1, kOwner);
-    s.maps = GlName<TextureKind>(id);
-    s.tally = Tally(gpu, kOwner, size_t(4) * kSide * kSide * SHADOW_CASCADES);
-}
-
 std::unique_ptr<EffectState> makeState(DrawContext& ctx) {
     auto s = std::make_unique<ShadowState>();
-    makeMaps(ctx.gpu, *s);
-    for (int i = 0; i < SHADOW_CASCADES; ++i) {
-        GLuint id = 0;
-        glCreateFramebuffers(1, &id);
-        glNamedFramebufferTextureLayer(id, GL_DEPTH_ATTACHMENT, s->maps.id(), 0, i);
-        glNamedFramebufferDrawBuffer(id, GL_NONE);
-        glObjectLabel(GL_FRAMEBUFFER, id, -1, kOwner);
-        s->map[i].target = Framebuffer(id);
-    }
+    s->maps = makeShadowMaps(ctx.gpu, kOwner, kSide, SHADOW_CASCADES);
     return s;
 }
 std::unique_ptr<EffectState> makeView(DrawContext& ctx) {
     auto s = std::make_unique<ShadowView>();
     s->globals = makeBuffer(ctx.gpu, kOwner, sizeof(ShadowGlobals), nullptr);
     return s;
-}
-
-// Axes across the sun's rays: from nothing but its direction, so that they stay while the eye moves.
-void setAxes(ShadowState& s, const glm::vec3& sun) {
-    s.sun = sun;
-    s.right = glm::normalize(glm::cross(std::abs(sun.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0), sun));
-    s.up = glm::cross(sun, s.right);
-}
-
-// From eye-relative positions to a map around `centre`, its texels at the same places of the terrain whatever the
-// centre, and wherever the terrain stands.
-glm::mat4 toMap(const ShadowState& s, const glm::dvec3& centre, const glm::dvec3& eye, double half) {
-    const double texel = 2 * half / kSide;
-    const auto middle = [&](const glm::dvec3& axis) {
-        return std::round(glm::dot(centre - s.origin, axis) / texel) * texel - glm::dot(eye - s.origin, axis);
-    };
-    const double scale = 0.5 / half;
-    glm::mat4 m(0);
-    for (int c = 0; c < 3; ++c) m[c] = glm::vec4(s.right[c], s.up[c], s.sun[c], 0) * static_cast<float>(scale);
-    m[3] = glm::vec4(glm::dvec4(0.5 - middle(s.right) * scale, 0.5 - middle(s.up) * scale,
-                                0.5 - glm::dot(centre - eye, glm::dvec3(s.sun)) * scale, 1));
-    return m;
 }
 
 // around: what is shaded; both in the world.
@@ -96,7 +47,7 @@ void aimMap(ShadowState& s, ShadowGlobals& values, int i, const glm::dvec3& arou
         map.drawn = 0;
     }
     const double half = kReach[i] * kHalf;
-    values.cascades[i].toMap = toMap(s, map.centre, eye, half);
+    values.cascades[i].toMap = mapAround(s.axes, map.centre, eye, half, kSide);
     values.cascades[i].reach = static_cast<float>(kReach[i]);
     values.cascades[i].texel = static_cast<float>(2 * half / kSide);
 }
@@ -106,9 +57,8 @@ void aim(DrawContext& ctx) {
     ShadowView& view = ctx.ofView<ShadowView>();
     const glm::vec3 sun = ctx.globals.sunDirection;
     if (ctx.globals.sunIsUp > 0) {
-        if (s.sun != sun || s.origin != ctx.shared.ground.origin) {
-            setAxes(s, sun);
-            s.origin = ctx.shared.ground.origin;
+        if (s.axes.towards != sun || s.axes.origin != ctx.shared.ground.origin) {
+            s.axes = axesAcross(sun, ctx.shared.ground.origin);
             for (ShadowMap& map : s.map) map.drawn = 0;
         }
         for (int i = 0; i < SHADOW_CASCADES; ++i) aimMap(s, view.values, i, ctx.around, ctx.camera.eye);
@@ -116,32 +66,14 @@ void aim(DrawContext& ctx) {
         glNamedBufferSubData(view.globals.id(), 0, sizeof(ShadowGlobals), &view.values);
     }
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_SHADOW, view.globals.id());
-    glBindTextureUnit(TEX_SHADOW, s.maps.id());
-}
-
-// Whether something at the ball may shade what lies within reach of the eye.
-bool reaches(const ShadowState& s, const ShadowCaster& c, float reach) {
-    const glm::vec2 across(glm::dot(c.centre, s.right), glm::dot(c.centre, s.up));
-    return glm::length(across) < reach * 1.5f + c.radius && glm::dot(c.centre, s.sun) > -reach * 1.5f - c.radius;
+    glBindTextureUnit(TEX_SHADOW, s.maps.texture.id());
 }
 
 void drawMap(DrawContext& ctx, const ShadowState& s, int map) {
-    const float farthest = 0;
-    const GLuint target = s.map[map].target.id();
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glClearNamedFramebufferfv(target, GL_DEPTH, 0, &farthest);
+    beginShadowMap(s.maps, map);
     glUniform1i(1, map);
-    for (const ShadowCaster& c : ctx.shared.casters) {
-        if (!reaches(s, c, static_cast<float>(kReach[map]))) continue;
-        glUniform1f(0, c.image ? c.cutoff : 0.0f);
-        if (c.image) glBindTextureUnit(TEX_OBJECT, c.image);
-        glBindVertexArray(c.vertexArray);
-        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(c.indices), GL_UNSIGNED_INT,
-                                            reinterpret_cast<const void*>(size_t(c.firstIndex) * 4), c.instances,
-                                            c.instance);
-        ctx.pass->draws += 1;
-        ctx.pass->instances += static_cast<uint64_t>(c.instances);
-    }
+    for (const ShadowCaster& c : ctx.shared.casters)
+        if (shadesWithin(s.axes, c, static_cast<float>(kReach[map]))) drawCaster(ctx, c);
 }
 
 void draw(DrawContext& ctx) {

@@ -70,7 +70,7 @@ FeatureSet terrainFeatures(const void* component) {
     if (t.height.present()) s |= featureSet(Feature::TerrainHeights);
     if (t.terrainMap.present()) s |= featureSet(Feature::TerrainMap);
     if (t.beyond != LandBeyond::None) s |= featureSet(Feature::TerrainBeyond);
-    if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows);
+    if (t.height.present() && t.castShadows) s |= featureSet(Feature::TerrainShadows, Feature::LampHills);
     return s;
 }
 
@@ -255,7 +255,8 @@ constexpr FieldRow kStaticMeshFields[] = {
 FeatureSet staticMeshFeatures(const void* component) {
     const auto& m = *static_cast<const StaticMesh*>(component);
     if (m.file.empty()) return {};
-    return m.castShadows ? featureSet(Feature::Objects, Feature::ObjectShadows) : featureSet(Feature::Objects);
+    const FeatureSet s = featureSet(Feature::Objects);
+    return m.castShadows ? s | featureSet(Feature::ObjectShadows, Feature::LampShadows) : s;
 }
 
 // --- Rolling -----------------------------------------------------------------------------------------------------

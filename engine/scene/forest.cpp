@@ -85,7 +85,7 @@ FeatureSet featuresOf(const void* component) {
     FeatureSet s = featureSet(Feature::Forest);
     const bool meshes = meshesTo(f) > 0 || !f.placed.empty();
     if (meshes) s |= featureSet(Feature::ForestMeshes);
-    if (meshes && f.castShadows) s |= featureSet(Feature::ObjectShadows);
+    if (meshes && f.castShadows) s |= featureSet(Feature::ObjectShadows, Feature::LampShadows);
     if (f.perHectare > 0 && meshesTo(f) < std::numeric_limits<float>::infinity())
         s |= featureSet(Feature::ForestVolumes);
     return s;

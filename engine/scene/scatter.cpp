@@ -50,7 +50,8 @@ constexpr FieldRow kFields[] = {
 FeatureSet featuresOf(const void* component) {
     const auto& s = *static_cast<const Scatter*>(component);
     if (!scatters(s)) return {};
-    return s.castShadows ? featureSet(Feature::Scatter, Feature::ObjectShadows) : featureSet(Feature::Scatter);
+    const FeatureSet all = featureSet(Feature::Scatter);
+    return s.castShadows ? all | featureSet(Feature::ObjectShadows, Feature::LampShadows) : all;
 }
 
 std::vector<std::string> repair(void* component) {

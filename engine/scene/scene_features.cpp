@@ -38,6 +38,14 @@ FeatureSet entityFeatures(const Registry& registry, const Tables& tables, Entity
     if (has(all, Feature::Sun) && e != sun) all = (all & ~featureSet(Feature::Sun)) | featureSet(Feature::Lamps);
     return all;
 }
+// Whether a light beside the sun casts shadows.
+bool lampCasts(const Registry& registry, Entity sun) {
+    bool any = false;
+    registry.each<Light>([&](Entity e, const Light& light) {
+        any = any || (e != sun && light.castShadows && shines(light) && registry.get<Name>(e));
+    });
+    return any;
+}
 }  // namespace
 
 FeatureSet sceneFeatures(const Registry& registry, const Tables& tables, bool coarse) {
@@ -45,6 +53,7 @@ FeatureSet sceneFeatures(const Registry& registry, const Tables& tables, bool co
     const Entity sun = sunEntity(registry);
     registry.each<Name>([&](Entity e, const Name&) { all |= entityFeatures(registry, tables, e, sun, coarse); });
     if (!has(all, Feature::Sun)) all &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);  // of the sun
+    if (!lampCasts(registry, sun)) all &= ~featureSet(Feature::LampShadows, Feature::LampHills);
     return all;
 }
 

@@ -29,7 +29,7 @@ enum class Slot : uint8_t {
     Forces,       // the map in which that adds up
     Forests,      // which trees stand
     Casters,      // triangles that shade
-    Shadows,      // where the sun does not reach
+    Shadows,      // where sun and lamps do not reach
     Reflection,   // what water mirrors
     SceneColor,
     SceneDepth,

@@ -92,16 +92,16 @@ float balanceShare(bool inAir, float sunUp) {
     return inAir ? glm::mix(0.3f, 0.75f, glm::smoothstep(0.0f, 0.17f, sunUp)) : 0.75f;
 }
 
-LightGlobals directional(const Light& light, double time) {
+LightGlobals directional(const glm::dvec3& towards) {
     LightGlobals g{};
-    g.place = directionTo(light, time);
+    g.place = towards;
     g.color = glm::vec3(f32::horizonFade(g.place.y, kFadeSine));
     return g;
 }
 
-LightGlobals point(const Light& light, const glm::dvec3& centre, double time, const glm::dvec3& eye) {
+LightGlobals point(const Light& light, const glm::dvec3& at, const glm::dvec3& eye) {
     LightGlobals g{};
-    g.place = glm::vec3(placeOf(light, centre, time) - eye);
+    g.place = glm::vec3(at - eye);
     g.isPoint = 1;
     g.color = glm::vec3(1);
     g.beta = light.attenuation;
@@ -109,9 +109,24 @@ LightGlobals point(const Light& light, const glm::dvec3& centre, double time, co
 }
 
 struct Lamp {
-    LightGlobals globals;
-    bool casts;
+    const Light* light;
+    glm::dvec3 place;  // in the world; of a directional light: unit vector towards it
 };
+// Those that shine, at most MAX_LIGHTS, those that cast shadows first.
+std::vector<Lamp> lampsOf(const Project& project, double seconds) {
+    std::vector<Lamp> lamps;
+    const Entity sun = sunEntity(project.registry);
+    for (const auto& [name, e] : project.entities) {
+        const Light* light = project.registry.get<Light>(e);
+        if (!light || e == sun || !shines(*light) || lamps.size() == MAX_LIGHTS) continue;
+        const Transform* t = project.registry.get<Transform>(e);
+        const bool isPoint = light->type == LightType::Point;
+        lamps.push_back({light, isPoint ? placeOf(*light, t ? t->position : glm::dvec3(0), seconds)
+                                        : glm::dvec3(directionTo(*light, seconds))});
+    }
+    std::stable_partition(lamps.begin(), lamps.end(), [](const Lamp& l) { return l.light->castShadows; });
+    return lamps;
+}
 
 }  // namespace
 
@@ -160,26 +175,21 @@ void addHaze(FrameGlobals& g, const Project& p) {
 }
 
 LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure) {
-    std::vector<Lamp> lamps;
-    const Entity sun = sunEntity(project.registry);
-    for (const auto& [name, e] : project.entities) {
-        const Light* light = project.registry.get<Light>(e);
-        if (!light || e == sun || !shines(*light) || lamps.size() == MAX_LIGHTS) continue;
-        const Transform* t = project.registry.get<Transform>(e);
-        const bool isPoint = light->type == LightType::Point;
-        LightGlobals g =
-            isPoint ? point(*light, t ? t->position : glm::dvec3(0), seconds, eye) : directional(*light, seconds);
+    LightsGlobals all{};
+    for (const auto& [light, place] : lampsOf(project, seconds)) {
+        LightGlobals g = light->type == LightType::Point ? point(*light, place, eye) : directional(place);
         const glm::vec3 color = light->color * (light->intensity * kLampKlx * kExposure / kPi * exposure);
         g.color = f32::soundLight(color) * g.color;
-        lamps.push_back({g, light->castShadows});
-    }
-    std::stable_partition(lamps.begin(), lamps.end(), [](const Lamp& l) { return l.casts; });
-    LightsGlobals all{};
-    for (const Lamp& l : lamps) {
-        all.lights[all.count++] = l.globals;
-        all.casting += l.casts ? 1 : 0;
+        all.lights[all.count++] = g;
+        all.casting += light->castShadows ? 1 : 0;
     }
     return all;
+}
+
+std::vector<glm::dvec3> lampPlaces(const Project& project, double seconds) {
+    std::vector<glm::dvec3> places;
+    for (const Lamp& l : lampsOf(project, seconds)) places.push_back(l.place);
+    return places;
 }
 
 }  // namespace sward

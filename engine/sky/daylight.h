@@ -4,6 +4,7 @@
 // without one leaves it out.
 #pragma once
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "shared/frame.h"
 #include "shared/light.h"
@@ -34,5 +35,7 @@ void addSky(FrameGlobals& globals, const Project& project, double seconds, SkySu
 glm::vec3 sunKlx(const Project& project, const glm::vec3& sun);
 // Lights beside the sun, relative to the eye (sky/lamps.h).
 LightsGlobals lampsAround(const Project& project, const glm::dvec3& eye, double seconds, float exposure);
+// Where they are in the world, in that order; of directional lights: unit vectors towards them.
+std::vector<glm::dvec3> lampPlaces(const Project& project, double seconds);
 
 }  // namespace sward

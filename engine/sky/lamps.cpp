@@ -14,6 +14,7 @@ struct LampsView : EffectState {
 void runLamps(DrawContext& ctx) {
     LightsGlobals& all = ctx.shared.lights;
     all = lampsAround(ctx.project, ctx.camera.eye, ctx.settings.time, ctx.globals.exposure);
+    ctx.shared.lampPlaces = lampPlaces(ctx.project, ctx.settings.time);
     Buffer& block = ctx.ofView<LampsView>().block;
     writeBuffer(ctx.gpu, block, "sky/lamps", sizeof(all), &all);
     glBindBufferBase(GL_UNIFORM_BUFFER, UBO_LIGHTS, block.id());

@@ -88,8 +88,9 @@ void main() {
     stand.clump = clumpsHere(r, pixel);
     BladeLean l = leanOf(stand, vec2(0.0));
     float plain = slices.reflectScale * darkened(d) * l.lighter;
-    FarLit lit = FarLit(levelSun(), kLevel, position, slices.farAmbient * skyShare(uv), sunVisible(position, vec3(0.0)),
-                        plain * sliceGain(toEye, l.lean, laid.y, true), plain * laidGain(lookTap(toEye), laid.y));
+    FarLit lit = FarLit(levelSun(), kLevel, position, kOnGround, slices.farAmbient * skyShare(uv),
+                        sunVisible(position, kOnGround), plain * sliceGain(toEye, l.lean, laid.y, true),
+                        plain * laidGain(lookTap(toEye), laid.y));
     vec3 light = clamp(farRadiance(sliceLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     color = vec4(mix(light, hazeColor(position), hazeShare(d)), alpha);
     if (viewMode() == VIEW_TIERS) color.rgb = vec3(0.05, 0.75, 0.1);

@@ -4,6 +4,7 @@
 #include "lib/force.glsl"
 #include "lib/frame.glsl"
 #include "lib/heights.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
@@ -58,7 +59,7 @@ vec3 lightOn(vec3 at, vec3 n, float open, vec2 place) {
     if (SUN)
         sum += frame.sunLight * (flowerSends(n, frame.sunDirection) * frame.sunIsUp * sunVisible(at, vec3(0.0)) * open);
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, at);
+        LampHere l = lampReaching(i, at, vec3(0.0));
         sum += l.light * (flowerSends(n, l.direction) * open);
     }
     return sum;

@@ -113,7 +113,7 @@ void addFlat(inout Sum sum, Shell shell, SliceRay ray, BladeLean p, vec3 gain, v
     if (!(alpha > 0.004)) return;
     vec4 leaf = textureGrad(flatReflectance, r.texel, r.dx, r.dy);
     leaf.rgb = paintedOn(leaf.rgb, c, pixel);
-    FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, slices.farAmbient * open,
+    FarLit lit = FarLit(shell.sun, shell.toField, shell.start + shell.way * e.t, shell.raise, slices.farAmbient * open,
                         shell.visible * pastHorizon(shell, slices.farHeight), gain, shell.brighter);
     vec3 light = clamp(farRadiance(flatLight, r, leaf, stored.zw, lit), vec3(0.0), vec3(kBrightest));
     add(sum, light, alpha, e.t);
@@ -204,6 +204,7 @@ void main() {
     shell.gain = SUN ? shown * frame.sunLight * frame.sunIsUp : vec3(0.0);
     shell.ambient = shown * slices.ambient * open;
     shell.brighter = plain;
+    shell.raise = n;
     shell.visible = sunVisible(shell.start, n);
 
     uint grain = INSIDE ? grainAt(cells + rate * (ahead + far), seen.y, far) : grainAt(cells + rate * ahead, 0.0, far);

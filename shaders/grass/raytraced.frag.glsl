@@ -129,7 +129,8 @@ void main() {
 
     vec2 comesIn = toCells(shell.start.xz);
     uint grain = INSIDE ? grainAt(comesIn + way.xz, way.y, far) : grainAt(comesIn, 0.0, far);
-    shell.visible = sunVisible(shell.start, vec3(0.0));
+    shell.raise = kOnGround;
+    shell.visible = sunVisible(shell.start, kOnGround);
     SliceRay ray = sliceRay(entry, direction, slices.slices, slices.slices, height);
     float scene = 0.0;
     if (ENDS_AT_SCENE) {

@@ -41,7 +41,7 @@ SliceSpot spotHere() {
     s.lightLayer = lightLayer;
     s.gain = gain, s.brighter = brighter, s.ambient = ambient;
     s.lamp = lamp;
-    if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(at, axes, kLevel, s.lamp);
+    if (LAMPS && WEIGHTS_PER_PIXEL) lampsOnImages(at, axes, kLevel, kOnGround, s.lamp);
     s.fine = fine;
     return s;
 }

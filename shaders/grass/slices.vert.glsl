@@ -99,7 +99,7 @@ void main() {
     float hazed = hazeShare(length(position));
     haze = vec4(hazeColor(foot) * hazed, 1.0 - hazed);
     for (int c = 0; c < 3; ++c) lamp[c] = vec4(0.0);
-    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, kLevel, lamp);
+    if (LAMPS && !WEIGHTS_PER_PIXEL) lampsOnImages(position, axes, kLevel, kOnGround, lamp);
     cutAtWater(position.y);
     gl_Position = frame.viewProj * vec4(position, 1.0);
     if (CONSERVING && turned < 0.004) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);

@@ -5,6 +5,7 @@
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/leaf.glsl"
 #include "lib/light.glsl"
@@ -45,7 +46,7 @@ vec3 sunOn(Lit p) {
 vec3 lampsOn(Lit p) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, p.position);
+        LampHere l = lampReaching(i, p.position, vec3(0.0));
         float share = p.open;
         if (BLADE_SHADOWS && i < castingLamps())
             share = maskLightAtVertex(maskFor(p.fromRoot, p.facing, p.upright, l.direction), p.density);

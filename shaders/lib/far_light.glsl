@@ -3,6 +3,7 @@
 // const bool LIGHT_COSINE, SUN, LAMPS.
 #include "lib/far.glsl"
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/slices.glsl"
 
@@ -11,6 +12,7 @@ struct FarLit {
     SunSeen sun;
     mat3 toField;  // from the world's axes to the field's
     vec3 at;       // relative to the eye
+    vec3 raise;    // unit normal of the object on which it lies, 0 on the ground
     vec3 ambient;
     float visible;  // share of the sun that is seen from there
     vec3 gain;      // of the sun's and the sky's light
@@ -23,7 +25,7 @@ struct FarLamp {
     vec4 weights;
 };
 FarLamp farLamp(int i, FarLit here) {
-    LampHere l = lampAt(i, here.at);
+    LampHere l = lampReaching(i, here.at, here.raise);
     vec3 direction = here.toField * l.direction, toEye = here.toField * (-here.at / max(length(here.at), 1e-4));
     FarLamp lamp;
     lamp.light = l.light * here.brighter * lampGain(toEye, direction).y;

@@ -1,6 +1,7 @@
 // Light on soil under grass, and what is left of it in the shadow of one light. Needs: const bool SUN, LAMPS,
-// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS.
+// GROUND_SHADOWS, CASTING_LIGHTS, GRASS_HEIGHTS; what lib/lamp_shadow.glsl needs.
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "lib/light.glsl"
 #include "lib/shadow.glsl"
@@ -35,7 +36,7 @@ float lampLeft(SoilLeft left, float sine) {
 // Light of one light that casts shadows: 0 the sun, i lamp i - 1.
 vec3 castLight(int i, vec3 at, vec3 n) {
     if (i == 0) return sunLight(n) * sunVisible(at, vec3(0.0));
-    LampHere l = lampAt(i - 1, at);
+    LampHere l = lampReaching(i - 1, at, vec3(0.0));
     return l.light * max(dot(n, l.direction), 0.0);
 }
 // What grass leaves to soil of light from everywhere, of light in the mean, and of light from lights that cast its

@@ -4,6 +4,7 @@
 // (terrain/shade.h). Trees that are drawn as volumes: what they leave of the light on the ground
 // (forest/shade_map.h).
 #include "lib/frame.glsl"
+#include "lib/shadow_taps.glsl"
 #include "shared/bindings.h"
 #include "shared/objects.h"
 
@@ -12,17 +13,12 @@ layout(binding = TEX_SHADOW) uniform sampler2DArrayShadow shadowMap;
 layout(binding = TEX_SHADE) uniform sampler2D shadeMap;
 layout(binding = TEX_FOREST_SHADE) uniform sampler2D forestShade;
 
-// Share of light past objects by one map: four taps of two by two texels.
+// Share of light past objects by one map.
 float sunInMap(int map, vec3 position, vec3 normal) {
     float texel = shadow.cascades[map].texel;
     float facing = clamp(dot(normal, frame.sunDirection), 0.0, 1.0);
-    // Raised over its own surface by as much as the surface rises under the taps, and for facets under smooth normals.
-    vec3 p = position + normal * (texel * (2.2 * sqrt(1.0 - facing * facing) + 0.8));
-    vec3 at = (shadow.cascades[map].toMap * vec4(p, 1.0)).xyz;
-    vec2 d = vec2(0.75 * shadow.texelShare);
-    return 0.25 * (texture(shadowMap, vec4(at.xy + d, map, at.z)) + texture(shadowMap, vec4(at.xy - d, map, at.z)) +
-                   texture(shadowMap, vec4(at.xy + vec2(d.x, -d.y), map, at.z)) +
-                   texture(shadowMap, vec4(at.xy - vec2(d.x, -d.y), map, at.z)));
+    vec3 p = position + normal * (texel * shadowRaise(facing));
+    return shadowTaps(shadowMap, (shadow.cascades[map].toMap * vec4(p, 1.0)).xyz, float(map), shadow.texelShare);
 }
 
 // The finest map that reaches there, blended into the next over its last tenth; light beyond the last.

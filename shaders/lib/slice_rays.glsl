@@ -33,6 +33,7 @@ struct Shell {
     vec2 bend;     // curvature of the ground along the ray, 1/m, and by how much it grows a metre: 0 where it is level
     vec2 turned;   // share of the slices across x and across z that shows
     mat3 toField;  // from the world's axes to the field's
+    vec3 raise;    // unit normal of the object below, 0 on the ground
     SunSeen sun;
     vec3 gain, brighter, ambient;  // as SliceSpot has them
     float visible;  // share of the sun that is seen from where it comes in: shadows are larger than its way through
@@ -123,7 +124,7 @@ vec3 lightOf(Met m, Shell shell, vec3 at, float fine, float pixel, vec4 stored) 
     s.lightLayer = side > 0.0 ? 0.0 : float(slices.layers);
     s.gain = shell.gain, s.brighter = shell.brighter, s.ambient = shell.ambient;
     for (int c = 0; c < 3; ++c) s.lamp[c] = vec4(0.0);
-    if (LAMPS) lampsOnImages(at, vec4(side, mirror, float(axis)), shell.toField, s.lamp);
+    if (LAMPS) lampsOnImages(at, vec4(side, mirror, float(axis)), shell.toField, shell.raise, s.lamp);
     s.fine = fine;
     return clamp(sliceRadiance(s, leaf.rgb, leaf.a, stored), vec3(0.0), vec3(kBrightest));
 }

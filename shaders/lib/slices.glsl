@@ -4,6 +4,7 @@
 #include "lib/field.glsl"
 #include "lib/density.glsl"
 #include "lib/frame.glsl"
+#include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"
 #include "numerics/leaf.h"
 #include "numerics/opacity.h"
@@ -181,14 +182,15 @@ vec4 sunImages(SunSeen sun, int axis, float side, vec2 mirror) {
 
 // Over level ground a field's axes are the world's.
 const mat3 kLevel = mat3(1.0);
+const vec3 kOnGround = vec3(0.0);
 SunSeen levelSun() { return SunSeen(frame.sunDirection, slices.sunWeights); }
 
 // Light of all lamps on the images of a vertical slice at a point, with their gains. toField: from the world's axes to
-// the field's.
-void lampsOnImages(vec3 at, vec4 axes, mat3 toField, inout vec4 sum[3]) {
+// the field's; raise: unit normal of the object on which the grass stands, 0 on the ground.
+void lampsOnImages(vec3 at, vec4 axes, mat3 toField, vec3 raise, inout vec4 sum[3]) {
     vec3 toEye = toField * (-at / max(length(at), 1e-4));
     for (int i = 0; i < lampCount(); ++i) {
-        LampHere l = lampAt(i, at);
+        LampHere l = lampReaching(i, at, raise);
         vec3 direction = toField * l.direction;
         vec4 w = imagesOf(lampWeights(direction), axes) * (lampFade(direction) * lampGain(toEye, direction).x);
         for (int c = 0; c < 3; ++c) sum[c] += l.light[c] * w;

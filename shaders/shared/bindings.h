@@ -18,6 +18,7 @@
 #define UBO_CULL 12
 #define UBO_SOIL 13
 #define UBO_FOREST 14
+#define UBO_LAMP_SHADOW 15
 // Storage buffers
 #define SSBO_BLADES 0
 #define SSBO_CELLS 1
@@ -30,6 +31,8 @@
 #define SSBO_UP_TO 7
 #define SSBO_FOREST_TILES 1  // as cells: bound for each draw
 #define SSBO_FOREST_FEET 3
+// Images
+#define IMAGE_LAMP_HILLS 0
 // Textures
 #define TEX_HEIGHT 0
 #define TEX_TERRAIN_MAP 1
@@ -65,8 +68,10 @@
 #define TEX_FOREST_NEAREST 52
 #define TEX_SKY 53  // as TEX_SHADOW
 #define TEX_AIR 54
-#define TEX_LAMP_GAINS 55  // of the species that is drawn
-#define TEX_SHADOW 12      // bound by who makes them, for the whole frame
+#define TEX_LAMP_GAINS 55   // of the species that is drawn
+#define TEX_LAMP_SHADOW 56  // as TEX_SHADOW
+#define TEX_LAMP_HILLS 57
+#define TEX_SHADOW 12  // bound by who makes them, for the whole frame
 #define TEX_SHADE 13
 #define TEX_OBJECT 7  // as blades: bound for each draw
 #define TEX_MASK 14

@@ -1,7 +1,10 @@
-// The ground's pieces (terrain/lod.h). Does not: hold heights, which are a texture.
+// The ground's pieces (terrain/lod.h), and the size of maps of hills before lamps (terrain/lamp_hills.h). Does not:
+// hold heights, which are a texture.
 #pragma once
 #include "shared/types.h"
 #define NODES_PER_DRAW 256
+#define LAMP_HILLS_LINES 512  // side by side or around the lamp; whole groups of 32
+#define LAMP_HILLS_STEPS 512  // along each
 #ifdef __cplusplus
 namespace sward {
 #endif

@@ -79,6 +79,7 @@ TEST(SceneFeatures, AddingAndRemovingAComponentLeavesTheFeaturesAsBefore) {
         const bool nowhere = std::string(row.name) == "ForceSource";  // without a Transform it presses nothing
         FeatureSet asked = nowhere ? FeatureSet() : row.features(row.defaults()) | onEntity;
         if (!has(asked, Feature::Sun)) asked &= ~featureSet(Feature::ObjectShadows, Feature::TerrainShadows);
+        asked &= ~featureSet(Feature::LampShadows, Feature::LampHills);  // one light is the sun, or one lamp's alone
         EXPECT_EQ(sceneFeatures(p.registry, tables()), asked) << row.name;
         row.remove(p.registry, e);
         EXPECT_EQ(sceneFeatures(p.registry, tables()), before) << row.name;

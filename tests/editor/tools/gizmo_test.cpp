@@ -20,7 +20,7 @@ struct Seen {
         if (depth < 0.05) return std::nullopt;
         return glm::dvec2(400 + glm::dot(d, right) / depth * focal, 400 - glm::dot(d, up) / depth * focal);
     }
-    Ray ray(const glm::dvec2& at) const {
+    GizmoRay ray(const glm::dvec2& at) const {
         const glm::dvec3 up = glm::cross(right, forward);
         return {eye, glm::normalize(forward + right * ((at.x - 400) / focal) + up * ((400 - at.y) / focal))};
     }
