@@ -172,14 +172,23 @@ fs::path partPath(const fs::path& file) {
 fs::path cacheDir() { return userDir("XDG_CACHE_HOME", ".cache", "cache"); }
 fs::path stateDir() { return userDir("XDG_STATE_HOME", ".local/state", "state"); }
 
-Result<fs::path> resolveInside(const fs::path& root, const std::string& relative) {
+namespace {
+constexpr const char* kStayInside = "name a file inside the project's folder";
+}
+
+Status checkInside(const std::string& relative) {
     const fs::path given(relative);
-    const std::string remedy = "name a file inside the project's folder";
     if (relative.empty() || relative.find('\0') != std::string::npos)
-        return unsound("the path of a file is empty or not a path", remedy).at(root);
-    if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), remedy).at(root);
+        return unsound("the path of a file is empty or not a path", kStayInside);
+    if (given.is_absolute()) return unsound(fmt::format("\"{}\" is an absolute path", relative), kStayInside);
     for (const fs::path& part : given)
-        if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), remedy).at(root);
+        if (part == "..") return unsound(fmt::format("\"{}\" leaves the project", relative), kStayInside);
+    return {};
+}
+
+Result<fs::path> resolveInside(const fs::path& root, const std::string& relative) {
+    if (Status s = checkInside(relative); !s) return s.error().at(root);
+    const fs::path given(relative);
     std::error_code fault;
     fs::path base = fs::weakly_canonical(root.empty() ? fs::path(".") : root, fault);
     if (!base.has_filename()) base = base.parent_path();  // "folder/": its empty last part would match nothing
@@ -188,7 +197,7 @@ Result<fs::path> resolveInside(const fs::path& root, const std::string& relative
     if (fault) return unsound(fmt::format("\"{}\" cannot be resolved: {}", relative, fault.message())).at(root);
     const auto [end, ignored] = std::mismatch(base.begin(), base.end(), full.begin(), full.end());
     if (end != base.end())
-        return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), remedy).at(root);
+        return unsound(fmt::format("\"{}\" leaves the project over a symbolic link", relative), kStayInside).at(root);
     return root / given;
 }
 

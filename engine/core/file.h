@@ -48,6 +48,9 @@ std::filesystem::path cacheDir();
 // $XDG_STATE_HOME/sward, else $HOME/.local/state/sward; fallback as cacheDir.
 std::filesystem::path stateDir();
 
+// Whether a path stays inside whatever folder it is taken to, by its name alone: unsound error if it is empty, absolute
+// or contains "..". No file is looked at.
+Status checkInside(const std::string& relative);
 // `relative` as a path inside `root`. Unsound error if it is empty, absolute, contains "..", or leads out of the
 // root over a symbolic link. Need not exist.
 Result<std::filesystem::path> resolveInside(const std::filesystem::path& root, const std::string& relative);

@@ -188,6 +188,7 @@ Status checkBytes(std::string_view text, const std::string& file) {
 Result<Json> parseJson(std::string_view text, const std::string& file) {
     if (Status s = checkLength(text.size(), kMaxJsonBytes); !s) return s.error().at(file);
     if (Status s = checkBytes(text, file); !s) return s.error();
+    if (text.empty()) return unsound("unexpected end of input").at(file, 1, 1);  // libraries' words for it differ
     Builder builder(text, file);
     const CountingIterator begin{text.data(), &builder.furthest}, end{text.data() + text.size(), nullptr};
     if (!nlohmann::json::sax_parse(begin, end, &builder)) return builder.error;

@@ -113,7 +113,7 @@ bool readPath(ProjectReader& r, const std::string& path, const Json& j) {
         return false;
     }
     if (j.text.empty()) return true;
-    const auto inside = resolveInside(".", j.text);
+    const Status inside = checkInside(j.text);
     if (inside && !j.text.starts_with(".sward-")) return true;
     refuse(r, j, fmt::format("{}: {}", path, inside ? "names a file of Sward's own" : inside.error().message),
            "name a file inside the project's folder");

@@ -120,7 +120,7 @@ Status checkMap(const PlannedMap& planned) {
         return refuse(fits.error().message, fits.error().remedy);
     if (row.kind == MapKind::Heights && info.type == PixelType::U8)
         return refuse("heights of 8 bits cannot be saved", "use 16 bits or floats");
-    if (const auto inside = resolveInside(".", planned.file); !inside)
+    if (const Status inside = checkInside(planned.file); !inside)
         return refuse(inside.error().message, inside.error().remedy);
     return {};
 }

@@ -102,7 +102,7 @@ Status setString(const FieldRef& f, const std::string& text) {
         return refused(f, fmt::format("\"{}\" is not UTF-8 from byte {} on", utf8Text(text), *at + 1),
                        "write it in UTF-8, or give the file another name");
     if (f.row->isFile && !text.empty())
-        if (const auto inside = resolveInside(".", text); !inside)
+        if (const Status inside = checkInside(text); !inside)
             return refused(f, inside.error().message, inside.error().remedy);
     *static_cast<std::string*>(f.value) = text;
     return {};

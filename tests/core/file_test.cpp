@@ -105,4 +105,8 @@ TEST(Files, PathsStayInside) {
     EXPECT_TRUE(resolveInside(dir.path.string() + "/p/", "a.png")) << "a root that ends in a slash";
     EXPECT_TRUE(resolveInside(dir / "not-made", "a.png"));
     EXPECT_FALSE(resolveInside(dir / "p", std::string("a\0b", 3)));
+    EXPECT_TRUE(checkInside("up/a.png")) << "links are not looked at";
+    for (const std::string& bad :
+         {std::string(), std::string("/a.png"), std::string("maps/.."), std::string("a\0b", 3)})
+        EXPECT_FALSE(checkInside(bad)) << bad;
 }
