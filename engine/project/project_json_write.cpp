@@ -135,7 +135,7 @@ Status checkVector(const FieldRow& row, const std::string& path, const void* val
     return {};
 }
 
-Status checkFields(std::span<const FieldRow> rows, const void* base, const std::string& path);
+Status checkWritable(std::span<const FieldRow> rows, const void* base, const std::string& path);
 
 Status checkOne(const FieldRow& row, const void* value, const std::string& path) {
     switch (row.type) {
@@ -151,7 +151,7 @@ Status checkOne(const FieldRow& row, const void* value, const std::string& path)
             return checkVector<glm::vec3>(row, path, value);
         case FieldType::List:
             for (size_t i = 0; i < row.list->size(value); ++i)
-                if (Status s = checkFields(row.list->fields, row.list->at(value, i), fmt::format("{}[{}]", path, i));
+                if (Status s = checkWritable(row.list->fields, row.list->at(value, i), fmt::format("{}[{}]", path, i));
                     !s)
                     return s;
             return {};
@@ -160,7 +160,7 @@ Status checkOne(const FieldRow& row, const void* value, const std::string& path)
     }
 }
 
-Status checkFields(std::span<const FieldRow> rows, const void* base, const std::string& path) {
+Status checkWritable(std::span<const FieldRow> rows, const void* base, const std::string& path) {
     for (const FieldRow& row : rows)
         if (Status s = checkOne(row, at(base, row), path + "." + row.name); !s) return s;
     return {};
@@ -193,7 +193,7 @@ Status checkValues(const Project& p, std::span<const ComponentRow> rows) {
     for (const auto& [name, entity] : p.entities)
         for (const ComponentRow& row : rows)
             if (const void* component = row.get(p.registry, entity))
-                if (Status s = checkFields(row.fields, component, name + "." + row.name); !s) return s;
+                if (Status s = checkWritable(row.fields, component, name + "." + row.name); !s) return s;
     return {};
 }
 

@@ -192,6 +192,7 @@ const std::map<std::string, std::string> kSlotOf = {{"masks", "Masks"},
                                                     {"forceTarget", "ForceList"},
                                                     {"reflection", "Reflection"},
                                                     {"lights", "Lamps"},
+                                                    {"lampPlaces", "Lamps"},
                                                     {"reflectionScale", "Reflection"},
                                                     {"air", "Air"},
                                                     {"ground", ""}};
