@@ -15,6 +15,7 @@
 #include "scene/field_rows.h"
 #include "scene/technique.h"
 #include "tools/appear.h"
+#include "ui/imgui_compat.h"
 #include "ui/theme.h"
 
 namespace sward {
@@ -34,9 +35,10 @@ bool header(const std::string& path, const std::string& title, bool openAtFirst)
     ImGui::PushClipRect(
         ImGui::GetCursorScreenPos(),
         {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y + 1000}, true);
+    ui::allowOverlapOfNext();
     const bool open = ui::section(path, title, openAtFirst);
     ImGui::PopClipRect();
-    ImGui::SetItemAllowOverlap();
+    ui::allowOverlapOfLast();
     return open;
 }
 

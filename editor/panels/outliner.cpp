@@ -191,8 +191,9 @@ bool folderRow(const Parts& p, const std::string& folder, const std::vector<std:
     }
     const bool chosen = all(names, [&](const std::string& n) { return p.chosen.contains(n); });
     bool twice = false;
+    ui::allowOverlapOfNext();
     const bool pressed = ui::selectable(path, chosen, &twice);
-    ImGui::SetItemAllowOverlap();
+    ui::allowOverlapOfLast();
     const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(1);
     if (pressed || asked) choose(p.selection, names, ImGui::GetIO().KeyCtrl ? Choose::Add : Choose::Only);
     if (asked) p.menu = true;

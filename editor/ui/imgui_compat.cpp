@@ -136,6 +136,18 @@ bool escapePressed() {
 #endif
 }
 
+void allowOverlapOfNext() {
+#if IMGUI_VERSION_NUM >= 18970
+    ImGui::SetNextItemAllowOverlap();
+#endif
+}
+
+void allowOverlapOfLast() {
+#if IMGUI_VERSION_NUM < 18970
+    ImGui::SetItemAllowOverlap();
+#endif
+}
+
 void forgetClicks() {
     for (double& time : ImGui::GetIO().MouseClickedTime) time = -1e9;
 }

@@ -22,6 +22,10 @@ bool inputText(const char* id, const char* hint, std::string& text, const LineHe
 bool enterPressed();
 // Likewise for Escape.
 bool escapePressed();
+// What is drawn over the next item takes the pointer there: newer versions ask before the item, older ones after it.
+// Both are to be called.
+void allowOverlapOfNext();
+void allowOverlapOfLast();
 // The next press of a button is the first of a click, whenever it comes. After the context's last frame.
 void forgetClicks();
 // What copy and paste of the current context call, with `user`.

@@ -61,6 +61,14 @@ Status addObjects(tinygltf::Model& m, const Project& p, GlbCounts& counts) {
 // --- lights and cameras ------------------------------------------------------------------------------------------
 float brightest(const glm::vec3& c) { return std::max({c.x, c.y, c.z}); }
 
+// Newer versions of the library hold a node's light in a member, and write no other.
+template <class Node>
+void lightNode(Node& node, int light) {
+    node.extensions["KHR_lights_punctual"] =
+        tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(light)}});
+    if constexpr (requires { node.light = light; }) node.light = light;
+}
+
 // Colour at most 1, and its factor: lux of a directional light, candela of a point light.
 void addLight(tinygltf::Model& m, const std::string& name, const Light& light, const glm::dvec3& centre,
               const glm::vec3& strength, GlbCounts& counts) {
@@ -75,8 +83,7 @@ void addLight(tinygltf::Model& m, const std::string& name, const Light& light, c
     const glm::dvec3 at = isPoint ? placeOf(light, centre, 0) : glm::dvec3(0);
     tinygltf::Node& node = m.nodes[static_cast<size_t>(addNode(m, name, at))];
     if (!isPoint) turnNode(node, looking(-glm::dvec3(directionTo(light, 0))));
-    node.extensions["KHR_lights_punctual"] =
-        tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(static_cast<int>(m.lights.size()) - 1)}});
+    lightNode(node, static_cast<int>(m.lights.size()) - 1);
     ++counts.lights;
 }
 
