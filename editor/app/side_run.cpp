@@ -53,7 +53,12 @@ Status writeCopy(Project& copy, std::span<const ComponentRow> rows, const fs::pa
     return written ? Status{} : Status{written.error()};
 }
 
-// A lane writes one copy after the other: what is left of one that was stopped is gone before the next begins.
+// A lane does one thing after the other: what is left of a copy that was stopped is gone before the next begins.
+void dropInLane(const fs::path& copy) {
+    runInLane(Lane::Waited, std::make_shared<JobControl>(), [copy] { removeFolder(copy); });
+}
+
+// Removes what it wrote if it was stopped: when the program ends, what waits in the lane is not run.
 Job<bool> writtenBeside(Project project, std::span<const ComponentRow> rows, const fs::path& to) {
     auto copy = std::make_shared<Project>(std::move(project));
     return Job<bool>(Lane::Waited, "copy", 0, [copy, rows, to](JobControl& control) -> Result<bool> {
@@ -170,7 +175,8 @@ void stopRun(SideRun& run) {
     const bool writing = run.copying.active();
     run.copying = {};
     run.child.stop();
-    if (!writing) dropCopy(run);
+    if (writing) dropInLane(std::exchange(run.copy, {}));
+    dropCopy(run);
 }
 
 }  // namespace sward

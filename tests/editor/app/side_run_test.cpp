@@ -94,6 +94,16 @@ TEST(SideRun, ACopyThatCannotBeWrittenIsToldAndAStoppedOneLeavesNothing) {
     ASSERT_TRUE(launchRun(run, parts, "cost", "view", {})) << "another may begin at once";
     EXPECT_EQ(end(), 0) << failureOf(run, "cost", 1);
     EXPECT_FALSE(std::filesystem::exists(copy));
+    const auto wait = [](const auto& until) {
+        for (int i = 0; i < 1000 && !until(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return until();
+    };
+    ASSERT_TRUE(launchRun(run, parts, "cost", "view", {}));
+    ASSERT_TRUE(wait([&] { return run.copying.finished(); }));
+    EXPECT_TRUE(std::filesystem::exists(copy));
+    stopRun(run);
+    EXPECT_TRUE(run.copy.empty()) << "one that was written but not used yet is left behind";
+    EXPECT_TRUE(wait([&] { return !std::filesystem::exists(copy); }));
     std::filesystem::remove_all(run.folder);
     test::writeText(run.folder, "a file where the folder of the copy is wanted");
     ASSERT_TRUE(launchRun(run, parts, "cost", "view", {}));
