@@ -94,10 +94,13 @@ struct FlatField {
           &farDarkeningDistance = far.farDarkeningDistance;
 };
 
+// Pixels of a metre at one metre's distance: 768 of them over 60 degrees.
+inline constexpr float kPixelsPerMetre = 665;
+
 // What a cell query is of: a field's first species.
 inline QueryOf queryOf(const Terrain& terrain, const HeightBounds& bounds, const FlatField& field, const Patch& patch) {
     return {terrain,          bounds, field.grows,
-            field.species[0], patch,  tiersOf(tables().techniques, field.asField()).blades,
+            field.species[0], patch,  tiersOf(tables().techniques, field.asField(), kPixelsPerMetre).blades,
             field.fade};
 }
 

@@ -14,7 +14,7 @@
 namespace sward::test {
 namespace {
 
-FieldTiers nearTiers(const FieldEntity&) {
+FieldTiers nearTiers(const FieldEntity&, float) {
     FieldTiers t;
     t.blades = fadeRange(1, 3);
     return t;

@@ -38,10 +38,13 @@ FieldParts fieldParts(EditorApp& a) {
             &a.files, &a.images, &a.brushes,    &a.background.waiting};
 }
 MeasureParts measureParts(EditorApp& a) { return {a.doc, a.accuracy.program, a.view.camera, a.clock, a.messages}; }
+int shownHeight(const EditorApp& a) { return static_cast<int>(a.hand.rect.h * ui::densityOf(*a.surface)); }
+// Of the picture in the viewport, one metre away.
+float shownPixelsPerMetre(const EditorApp& a) { return pixelsPerMetre(viewOf(a.view.camera), shownHeight(a)); }
 RingParts ringParts(EditorApp& a) {
     const std::string entity = tierEntity(a.doc, a.tierView.field, shownEntity(a.selection));
     const bool shown = a.tierView.rings && openTab(a.layout) == "Tiers" && tierField(a.doc, entity);
-    return {a.doc, a.tierView, a.view.camera, a.hand.rect, entity, shown};
+    return {a.doc, a.tierView, a.view.camera, a.hand.rect, shownPixelsPerMetre(a), entity, shown};
 }
 
 void menuBar(EditorApp& a) {
@@ -95,7 +98,7 @@ void takeInput(EditorApp& a, const RingParts& rings, bool over) {
 ViewSettings wantedSettings(EditorApp& a) {
     ViewSettings s;
     const float dense = ui::densityOf(*a.surface);
-    s.width = static_cast<int>(a.hand.rect.w * dense), s.height = static_cast<int>(a.hand.rect.h * dense);
+    s.width = static_cast<int>(a.hand.rect.w * dense), s.height = shownHeight(a);
     s.mode = a.view.mode;
     s.time = timeShown(a.doc);
     s.measure = a.counts.measure;
@@ -182,7 +185,9 @@ void viewport(EditorApp& a) {
 
 void profiler(EditorApp& a) { drawProfiler(a.counts, a.frameTimes, a.picture.drawnSettings.measure, a.gpu.renderer); }
 void tiers(EditorApp& a) {
-    drawTiers(fieldParts(a), a.tierView, shownEntity(a.selection), a.view, a.counts, a.picture.drawnSettings.measure);
+    const FieldParts edit = fieldParts(a);
+    drawTiers({edit, shownPixelsPerMetre(a)}, a.tierView, shownEntity(a.selection), a.view, a.counts,
+              a.picture.drawnSettings.measure);
 }
 void effects(EditorApp& a) {
     const MeasureParts measure{a.doc, a.effects.program, a.view.camera, a.clock, a.messages};

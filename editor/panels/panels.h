@@ -105,8 +105,13 @@ void drawAssets(const Document& document, BrushBook& brushes, ObjectTool& object
 void drawSpecies(const FieldParts& parts, SpeciesPalette& palette, BrushBook& brushes, const std::string& selected);
 // The layers over the map that the brush paints. `notes`: of those that the last drawing showed.
 void drawLayers(const FieldParts& parts, BrushBook& brushes, LayerView& view, const std::vector<LayerNote>& notes);
+// What the panel of tiers changes, and for which picture: pixels that a metre is wide in it, one metre away.
+struct TierParts {
+    const FieldParts& edit;
+    float pixelsPerMetre;
+};
 // The distances of a hybrid field, how its tiers look and what they cost. `measured`: as in drawProfiler.
-void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
+void drawTiers(const TierParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& counts, bool measured);
 // `lastMs`: what the last drawing of the viewport took.
 void drawAccuracy(Accuracy& accuracy, const MeasureParts& parts, Edits& edits, double lastMs);

@@ -32,24 +32,20 @@ void showRefusal(const char* label, const char* help) {
     ImGui::GetWindowDrawList()->AddRect(low, high, ui::kErrorText, 3);
 }
 
-void setAll(const FieldParts& parts, const std::string& entity, const TierDistances& wanted) {
-    const TierDistances now = tiersOf(*tierField(parts.doc, entity));
-    parts.doc.beginGroup("set tiers of " + entity);
-    for (size_t i = 0; i < kTierCount; ++i)
-        if (static_cast<float>(wanted[i]) != static_cast<float>(now[i]))
-            accept(parts.messages, parts.doc.setField(tierPath(entity, i), ui::numberText(wanted[i])));
-    parts.doc.endGroup();
-}
-
 // Once this frame's widgets are built, unless the field is gone by then.
-void deferAll(const FieldParts& parts, const std::string& entity,
+void deferAll(const TierParts& parts, const std::string& entity,
               std::function<TierDistances(const TierDistances&)> change) {
-    parts.edits.deferred.push_back([parts, entity, change = std::move(change)] {
-        if (const HybridTiers* field = tierField(parts.doc, entity)) setAll(parts, entity, change(tiersOf(*field)));
-    });
+    parts.edit.edits.deferred.push_back(
+        [p = parts.edit, pixels = parts.pixelsPerMetre, entity, change = std::move(change)] {
+            const std::optional<FieldEntity> field = tierField(p.doc, entity);
+            if (!field) return;
+            p.doc.beginGroup("set tiers of " + entity);
+            setTiers(p.doc, p.messages, entity, pixels, change(tiersShown(*field, pixels)));
+            p.doc.endGroup();
+        });
 }
 
-void typeDistance(const FieldParts& parts, const std::string& entity, size_t i, const std::string& text,
+void typeDistance(const TierParts& parts, const std::string& entity, size_t i, const std::string& text,
                   const ui::NumberSpec& spec) {
     std::string error;
     const std::optional<double> value = ui::parseNumber(text, spec, error);
@@ -58,9 +54,9 @@ void typeDistance(const FieldParts& parts, const std::string& entity, size_t i, 
     deferAll(parts, entity, [i, v = *value](const TierDistances& now) { return pushedTiers(now, i, v); });
 }
 
-void distance(const FieldParts& parts, const std::string& entity, size_t i, const TierDistances& now) {
+void distance(const TierParts& parts, const std::string& entity, size_t i, const TierDistances& now) {
     const char* name = kTierFields[i];
-    const ConstFieldRef field = fieldNamed(parts.doc, entity, "HybridTiers", name);
+    const ConstFieldRef field = fieldNamed(parts.edit.doc, entity, "HybridTiers", name);
     const std::string help =
         fmt::format("{}\n{}\nDragged, it stops at its neighbours; typed, it pushes them.", field.row->help, field.path);
     ImGui::TableNextColumn();
@@ -78,7 +74,13 @@ void distance(const FieldParts& parts, const std::string& entity, size_t i, cons
     ui::NumberEdit edit = ui::number(name, value, spec);
     showRefusal(name, help.c_str());
     if (edit.typed) return typeDistance(parts, entity, i, *edit.typed, spec);
-    if (edit.changed) takeEdit(parts, field, edit, stoppedTier(now, i, value), std::string("Tiers/") + name);
+    if (!edit.changed) return;
+    holdEdit(parts.edit, field.path);
+    deferAll(parts, entity, [i, value](const TierDistances& t) {
+        TierDistances dragged = t;
+        dragged[i] = stoppedTier(t, i, value);
+        return dragged;
+    });
 }
 
 bool beginForm(const char* id, float left) {
@@ -86,12 +88,6 @@ bool beginForm(const char* id, float left) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFontSize() * left);
     ImGui::TableSetupColumn("value");
     return true;
-}
-
-void distances(const FieldParts& parts, const std::string& entity, const TierDistances& now) {
-    if (!beginForm("distances", 8.6f)) return;
-    for (size_t i = 0; i < kTierCount; ++i) distance(parts, entity, i, now);
-    ImGui::EndTable();
 }
 
 void chooseField(const Document& doc, std::string& chosenField, std::string& entity) {
@@ -115,7 +111,44 @@ void numberOf(const FieldParts& parts, const std::string& entity, const char* co
     takeEdit(parts, field, edit, value, std::string("Tiers/") + name);
 }
 
-void looks(const FieldParts& parts, std::string& chosenField, std::string& entity) {
+// What is shown stays as it is.
+void follow(const TierParts& parts, const std::string& entity, TiersBy by) {
+    parts.edit.edits.deferred.push_back([p = parts.edit, pixels = parts.pixelsPerMetre, entity, by] {
+        const std::optional<FieldEntity> field = tierField(p.doc, entity);
+        if (!field) return;
+        const TierDistances now = tiersShown(*field, pixels);
+        const BladeSize blades = bladeSize(field->grows);
+        p.doc.beginGroup(fmt::format("tiers of {} by {}", entity, kTiersBy[by]));
+        accept(p.messages, p.doc.setField(entity + ".HybridTiers.tiersBy", std::string(kTiersBy[by])));
+        editTiers(p.doc, p.messages, entity, tierEdits(now, by, blades, pixels));
+        p.doc.endGroup();
+    });
+}
+
+void followed(const TierParts& parts, const std::string& entity) {
+    const ConstFieldRef field = fieldNamed(parts.edit.doc, entity, "HybridTiers", "tiersBy");
+    int chosen = static_cast<int>(*static_cast<const TiersBy*>(field.value));
+    caption("Follow", field.row->help);
+    if (ui::combo("tiersBy", std::vector<std::string>(kTiersBy.begin(), kTiersBy.end()), chosen))
+        follow(parts, entity, static_cast<TiersBy>(chosen));
+}
+
+// By pixels: how wide and how high grass is where blades and slices end.
+void pixels(const FieldParts& parts, const std::string& entity, TiersBy by) {
+    if (by == TiersBy::Metres || !beginForm("pixels", 10)) return;
+    numberOf(parts, entity, "HybridTiers", "bladePixels", "Blades end at width");
+    numberOf(parts, entity, "HybridTiers", "slicePixels", "Slices end at height");
+    ImGui::EndTable();
+}
+
+void distances(const TierParts& parts, const std::string& entity, const TierDistances& now) {
+    if (!beginForm("distances", 8.6f)) return;
+    for (size_t i = 0; i < kTierCount; ++i) distance(parts, entity, i, now);
+    ImGui::EndTable();
+}
+
+void looks(const TierParts& p, std::string& chosenField, std::string& entity) {
+    const FieldParts& parts = p.edit;
     if (!beginForm("looks", 5)) return;
     chooseField(parts.doc, chosenField, entity);
     const ConstFieldRef technique = fieldNamed(parts.doc, entity, "GrassField", "technique");
@@ -127,6 +160,7 @@ void looks(const FieldParts& parts, std::string& chosenField, std::string& entit
         setField(parts, technique.path, items[static_cast<size_t>(chosen)], "Tiers/technique");
     numberOf(parts, entity, "GrassDrawing", "fade", "Fade");
     numberOf(parts, entity, "GrassSlices", "slices", "Slices");
+    followed(p, entity);
     ImGui::EndTable();
 }
 
@@ -184,7 +218,7 @@ void costs(ViewCounts& view, bool measured) {
     ui::record("Passes", ui::Kind::Label, line);
 }
 
-void orderHint(const FieldParts& parts, const std::string& entity, const TierDistances& now) {
+void orderHint(const TierParts& parts, const std::string& entity, const TierDistances& now) {
     if (tiersInOrder(now)) return;
     if (ui::button("Put in order", 0, true)) deferAll(parts, entity, orderedTiers);
     ImGui::SameLine(0, 8);
@@ -193,15 +227,15 @@ void orderHint(const FieldParts& parts, const std::string& entity, const TierDis
 
 }  // namespace
 
-void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
+void drawTiers(const TierParts& parts, TierView& tiers, const std::string& selected, ViewState& view,
                ViewCounts& viewCounts, bool measured) {
-    std::string entity = tierEntity(parts.doc, tiers.field, selected);
-    const HybridTiers* field = tierField(parts.doc, entity);
+    std::string entity = tierEntity(parts.edit.doc, tiers.field, selected);
+    const std::optional<FieldEntity> field = tierField(parts.edit.doc, entity);
     if (!field) {
         ImGui::TextDisabled("No entity has a GrassField.");
         return;
     }
-    const TierDistances now = tiersOf(*field);
+    const TierDistances now = tiersShown(*field, parts.pixelsPerMetre);
     ImGui::BeginChild("tiers");
     const float ems = ImGui::GetContentRegionAvail().x / ImGui::GetFontSize();
     const int columns = ems < 28 ? 1 : ems < 46 ? 2 : 3;  // what does not fit beside goes below
@@ -216,6 +250,7 @@ void drawTiers(const FieldParts& parts, TierView& tiers, const std::string& sele
         toggles(tiers, view);
         counts(viewCounts.stats);
         costs(viewCounts, measured);
+        pixels(parts.edit, entity, field->settings<HybridTiers>().tiersBy);
         orderHint(parts, entity, now);
         ImGui::EndTable();
     }

@@ -65,6 +65,14 @@ void strokeRing(const ScreenRing& ring, const std::vector<bool>& clear, ImU32 co
 
 std::string metres(double distance) { return std::isinf(distance) ? "never" : ui::numberText(distance) + " m"; }
 
+// "12 m, 0.2 px wide": where blades end, and how wide one is there; "40 m, 1.3 px high" of slices.
+std::string ringText(const RingParts& p, const FieldEntity& field, size_t i, double distance) {
+    const BladeSize blade = bladeSize(field.grows);
+    const double pixels = static_cast<double>((i < 2 ? blade.width : blade.height) * p.pixelsPerMetre) / distance;
+    if (i % 2 == 0 || !std::isfinite(pixels) || !(pixels > 0)) return metres(distance);
+    return fmt::format("{}, {:.2g} px {}", metres(distance), pixels, i < 2 ? "wide" : "high");
+}
+
 bool highlighted(const TierView& t, size_t i) {
     if (t.drag && t.drag->tier) return *t.drag->tier == i;
     const std::optional<RingHit>& hit = t.hover;
@@ -89,7 +97,7 @@ Rect roomFor(const Rect& view, ImVec2 grip, ImVec2 size, const std::vector<Rect>
 }
 
 // A grip on the ring and its name beside it; scripts find the grip as "Viewport/Ring maxGeom".
-void label(const TierView& t, const Rect& r, size_t i, double distance, std::vector<Rect>& taken) {
+void label(const TierView& t, const Rect& r, size_t i, const std::string& distance, std::vector<Rect>& taken) {
     ScreenRing seen = t.screen[i];
     for (size_t k = 0; k < seen.size(); ++k)
         if (!t.clear[i][k]) seen[k].reset();
@@ -100,12 +108,12 @@ void label(const TierView& t, const Rect& r, size_t i, double distance, std::vec
     if (!at) return;
     const ImVec2 grip = vec(*at);
     ui::recordAt(fmt::format("Viewport/Ring {}", kTierFields[i]),
-                 {ui::Kind::Area, grip.x - 6, grip.y - 6, grip.x + 6, grip.y + 6, metres(distance)});
+                 {ui::Kind::Area, grip.x - 6, grip.y - 6, grip.x + 6, grip.y + 6, distance});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = highlighted(t, i) ? 7.5f : 5.5f;
     list.AddCircleFilled(grip, radius + 1.5f, IM_COL32(0, 0, 0, 170));
     list.AddCircleFilled(grip, radius, kTierColors[i]);
-    const std::string text = fmt::format("{} {}", kTierTitles[i], metres(distance));
+    const std::string text = fmt::format("{} {}", kTierTitles[i], distance);
     const Rect room = roomFor(r, grip, ImGui::CalcTextSize(text.c_str()), taken);
     taken.push_back(room);
     list.AddRectFilled({room.x, room.y}, {room.x + room.w, room.y + room.h},
@@ -150,11 +158,34 @@ std::string tierEntity(const Document& document, const std::string& chosen, cons
     return "";
 }
 
-const HybridTiers* tierField(const Document& document, const std::string& entity) {
-    if (entity.empty()) return nullptr;
+std::optional<FieldEntity> tierField(const Document& document, const std::string& entity) {
+    if (entity.empty()) return std::nullopt;
     const Project& p = document.project();
     const Entity e = findEntity(p, entity);
-    return &FieldEntity{p.registry, e, *p.registry.get<GrassField>(e)}.settings<HybridTiers>();
+    return FieldEntity{p.registry, e, *p.registry.get<GrassField>(e)};
+}
+
+TierDistances tiersShown(const FieldEntity& field, float pixelsPerMetre) {
+    return tiersOf(tiersSeen(field, pixelsPerMetre));
+}
+
+void setTiers(Document& document, Messages& messages, const std::string& entity, float pixelsPerMetre,
+              const TierDistances& wanted) {
+    const std::optional<FieldEntity> field = tierField(document, entity);
+    const TierDistances now = tiersShown(*field, pixelsPerMetre);
+    const auto same = [](double a, double b) { return static_cast<float>(a) == static_cast<float>(b); };
+    if (std::equal(now.begin(), now.end(), wanted.begin(), same)) return;
+    editTiers(document, messages, entity,
+              tierEdits(wanted, field->settings<HybridTiers>().tiersBy, bladeSize(field->grows), pixelsPerMetre));
+}
+
+void editTiers(Document& document, Messages& messages, const std::string& entity, std::span<const TierEdit> edits) {
+    for (const TierEdit& e : edits) {
+        const std::string path = fmt::format("{}.HybridTiers.{}", entity, e.field);
+        const Result<ConstFieldRef> now = findField(document.project(), document.tables().components, path);
+        if (now && *static_cast<const float*>(now->value) == static_cast<float>(e.value)) continue;
+        accept(messages, document.setField(path, ui::numberText(e.value)));
+    }
 }
 
 std::string tierPath(const std::string& entity, size_t i) { return entity + ".HybridTiers." + kTierFields[i]; }
@@ -175,14 +206,15 @@ void drawRings(const RingParts& p) {
     for (ScreenRing& ring : t.screen) ring.clear();
     const Ground ground = p.doc.isOpen() ? p.doc.ground() : Ground{};
     if (!ground.terrain || !p.shown) return;
-    const TierDistances distances = tiersOf(*tierField(p.doc, p.entity));
+    const FieldEntity field = *tierField(p.doc, p.entity);
+    const TierDistances distances = tiersShown(field, p.pixelsPerMetre);
     for (size_t i = 0; i < kTierCount; ++i) layRing(p, ground, i, distances[i]);
     for (const bool shadow : {true, false})
         for (size_t i = 0; i < kTierCount; ++i)
             strokeRing(t.screen[i], t.clear[i], kTierColors[i], highlighted(t, i) ? 4.5f : 2.2f, shadow);
     drawPin(p, ground);
     std::vector<Rect> taken;
-    for (size_t i = 0; i < kTierCount; ++i) label(t, p.view, i, distances[i], taken);
+    for (size_t i = 0; i < kTierCount; ++i) label(t, p.view, i, ringText(p, field, i, distances[i]), taken);
     if (t.hover || t.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
 }
 
@@ -204,7 +236,7 @@ bool grabRing(const RingParts& p, const FrameInput& in, Edits& edits) {
 
 void dragRing(const RingParts& p, Messages& messages, double x, double y) {
     TierView& t = p.tiers;
-    const HybridTiers* field = tierField(p.doc, p.entity);
+    const std::optional<FieldEntity> field = tierField(p.doc, p.entity);
     if (!t.drag || !field) return;
     RingDrag& d = *t.drag;
     const glm::dvec2 at = glm::dvec2(x, y) + d.offset;
@@ -213,11 +245,10 @@ void dragRing(const RingParts& p, Messages& messages, double x, double y) {
     const auto ground = groundTowards(p, at.x, at.y, d.level);
     if (!ground) return;
     const double wanted = roundedTier(glm::length(*ground - centreOf(p)));
-    const TierDistances now = tiersOf(*field);
+    TierDistances now = tiersShown(*field, p.pixelsPerMetre);
     if (!d.tier) d.tier = ringMeant(d.hit, now[d.hit.rings.front()], wanted);
-    const double value = stoppedTier(now, *d.tier, wanted);
-    if (static_cast<float>(value) == static_cast<float>(now[*d.tier])) return;
-    accept(messages, p.doc.setField(tierPath(p.entity, *d.tier), ui::numberText(value)));
+    now[*d.tier] = stoppedTier(now, *d.tier, wanted);
+    setTiers(p.doc, messages, p.entity, p.pixelsPerMetre, now);
 }
 
 void releaseRing(TierView& tiers) { tiers.drag.reset(); }

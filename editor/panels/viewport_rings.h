@@ -3,6 +3,8 @@
 #pragma once
 #include <imgui.h>
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include "app/edits.h"
@@ -23,8 +25,15 @@ inline constexpr const char* kTierTitles[kTierCount] = {"All blades up to", "Bla
 // The entity whose distances panel and rings show: the one chosen in the panel, the selected, or the first; "" if none
 // has a GrassField.
 std::string tierEntity(const Document& document, const std::string& chosen, const std::string& selected);
-// Its distances; null for "".
-const HybridTiers* tierField(const Document& document, const std::string& entity);
+// The field; nothing for "".
+std::optional<FieldEntity> tierField(const Document& document, const std::string& entity);
+// Its distances in a picture in which a metre, one metre away, is so many pixels wide.
+TierDistances tiersShown(const FieldEntity& field, float pixelsPerMetre);
+// Gives it these distances there. What is refused is told.
+void setTiers(Document& document, Messages& messages, const std::string& entity, float pixelsPerMetre,
+              const TierDistances& wanted);
+// Sets those of its fields that are other than so. What is refused is told.
+void editTiers(Document& document, Messages& messages, const std::string& entity, std::span<const TierEdit> edits);
 // "lawn.HybridTiers.maxGeom"; `i` below kTierCount.
 std::string tierPath(const std::string& entity, size_t i);
 
@@ -33,9 +42,10 @@ struct RingParts {
     Document& doc;
     TierView& tiers;
     const FlyCamera& camera;
-    const Rect& view;    // of the image, window coordinates
-    std::string entity;  // by tierEntity
-    bool shown;          // there is a field, its panel is in sight, and the person wants them
+    const Rect& view;      // of the image, window coordinates
+    float pixelsPerMetre;  // of the picture, one metre away
+    std::string entity;    // by tierEntity
+    bool shown;            // there is a field, its panel is in sight, and the person wants them
 };
 
 // --- once a frame, around the drawing of the image

@@ -25,6 +25,20 @@ bool inOrder(size_t i, double a, double b) {
 
 TierDistances tiersOf(const HybridTiers& f) { return {f.minGeom, f.maxGeom, f.minBTF, f.maxBTF}; }
 
+std::vector<TierEdit> tierEdits(const TierDistances& wanted, TiersBy by, const BladeSize& blades,
+                                float pixelsPerMetre) {
+    std::vector<TierEdit> edits;
+    for (size_t i = 0; i < kTierCount; ++i) edits.push_back({kTierFields[i], wanted[i]});
+    const auto seen = [&](const char* field, float metres, double distance) {
+        const double pixels = static_cast<double>(metres * pixelsPerMetre) / distance;
+        if (by == TiersBy::Pixels && std::isfinite(pixels) && pixels > 0)
+            edits.push_back({field, std::clamp(pixels, 0.01, 1e3)});
+    };
+    seen("bladePixels", blades.width, wanted[1]);
+    seen("slicePixels", blades.height, wanted[3]);
+    return edits;
+}
+
 bool tiersInOrder(const TierDistances& t) {
     for (size_t i = 0; i + 1 < kTierCount; ++i)
         if (!inOrder(i, t[i], t[i + 1])) return false;

@@ -4,6 +4,7 @@
 // Does not: know widgets or undo.
 #pragma once
 #include <array>
+#include <vector>
 
 #include "grass/hybrid.h"
 
@@ -17,6 +18,14 @@ using TierDistances = std::array<double, kTierCount>;  // metres; infinity: neve
 
 // As the field has them, in order or not.
 TierDistances tiersOf(const HybridTiers& field);
+// One field of HybridTiers, and what it is to be.
+struct TierEdit {
+    const char* field;
+    double value;
+};
+// What gives a field of such blades these distances in a picture in which a metre, one metre away, is so many pixels
+// wide: the metres, and by pixels what is seen there.
+std::vector<TierEdit> tierEdits(const TierDistances& wanted, TiersBy by, const BladeSize& blades, float pixelsPerMetre);
 // Near to far, with room for each tier to fade.
 bool tiersInOrder(const TierDistances& t);
 // What a drag of tier i towards `wanted` gives: as near to it as its neighbours allow; nothing new where they leave no

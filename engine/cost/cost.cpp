@@ -137,7 +137,7 @@ std::optional<CostSetting> plainest(const Sweep& s, const Prepared& p) {
     const FieldEntity field = fields.front().second;
     const TechniqueRow* least = nullptr;
     for (const TechniqueRow& row : s.tables.techniques)
-        if (row.tiers(field).blades.max <= 0 &&
+        if (row.tiers(field, pixelsPerMetre(p.camera, p.view.height)).blades.max <= 0 &&
             (!least || row.features(field).count() < least->features(field).count()))
             least = &row;
     return least ? std::optional(CostSetting{least->name, {}}) : std::nullopt;

@@ -10,6 +10,8 @@ namespace {
 std::optional<std::pair<std::string, double>> amountOf(const std::string& value) {
     const auto v = settingValue(value);
     if (!v) return {};
+    for (const char* n : {"bladePixels", "slicePixels"})
+        if (v->name == n) return std::pair(v->entity + "." + n, 1 / std::atof(v->value.c_str()));
     for (const char* n : {"minGeom", "maxGeom", "minBTF", "maxBTF", "detail", "msaa"})
         if (v->name == n) return std::pair(v->entity + "." + n, v->value == "inf" ? 1e30 : std::atof(v->value.c_str()));
     return {};

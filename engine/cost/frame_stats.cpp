@@ -136,8 +136,9 @@ void overSpecies(const Counted& c, F&& each) {
         for (const Species& s : f.species) {
             const UniqueBlades own = isUnique(f) ? makeUnique(s, f, *ground.terrain) : UniqueBlades{};
             const Patch patch = isUnique(f) ? own.patch : makePatch(s, f.cellSize, static_cast<uint32_t>(f.seed));
-            CellQuery q = cellQuery(
-                {*ground.terrain, bounds, f, s, patch, tiersOf(c.techniques, field).blades, fadeOf(field)}, from);
+            CellQuery q = cellQuery({*ground.terrain, bounds, f, s, patch,
+                                     tiersOf(c.techniques, field, from.pixelsPerMetre).blades, fadeOf(field)},
+                                    from);
             if (!own.empty()) q.unique = &own;
             each(name, s, q);
         }

@@ -90,7 +90,8 @@ void updateField(DrawContext& ctx, Field& field, const GrownField& grown, size_t
     const FeatureSet own = fieldFeatures(ctx.tables.techniques, *grown.of, ctx.settings.coarse);
     const FeatureSet features = featuresFor(ctx, own);
     field.view.emplace(GrassView{*grown.of, own, features, featureConstants(features),
-                                 tiersOf(ctx.tables.techniques, *grown.of, ctx.settings.coarse)});
+                                 tiersOf(ctx.tables.techniques, *grown.of,
+                                         pixelsPerMetre(ctx.camera, wholeHeight(ctx.settings)), ctx.settings.coarse)});
     if (ctx.sketching() && field.draws(Feature::GrassFar)) sketchTiers(field.view->tiers);
     field.species.resize(grown.species.size());
     for (size_t i = 0; i < field.species.size(); ++i) {

@@ -11,6 +11,7 @@ namespace sward {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kSlicesReach = 1.1f;  // by pixels: of where blades end, so that slices have room to fade
 
 // --- distances -------------------------------------------------------------------------------------------------------
 // A pair of distances in order, so that a formula may divide by their difference. Both infinite: never fades, and is
@@ -36,28 +37,36 @@ std::vector<std::string> repairTiers(void* component) {
     return said;
 }
 
+// Metres at which something of `size` metres is `pixels` wide; `own`, where that says nothing.
+float seenTo(float own, float size, float pixelsPerMetre, float pixels) {
+    const bool follows = own > 0 && std::isfinite(own) && size > 0;
+    return follows ? size * pixelsPerMetre / pixels : own;
+}
+
+bool byPixels(const void* tiers) { return static_cast<const HybridTiers*>(tiers)->tiersBy == TiersBy::Pixels; }
+
 // --- what is drawn where ---------------------------------------------------------------------------------------------
 FeatureSet hybridFeatures(const FieldEntity& field) {
     const auto& t = field.settings<HybridTiers>();
     FeatureSet s;
     if (t.maxGeom > 0) s |= featureSet(Feature::GrassGeometry);
     if (std::isinf(t.minGeom)) return s;
-    if (t.maxBTF > t.minGeom)
+    if (t.maxBTF > t.minGeom || t.tiersBy == TiersBy::Pixels)
         s |= featureSet(t.middleTier == MiddleTier::Raytraced ? Feature::GrassRaytraced : Feature::GrassSlices);
     return s | featureSet(Feature::GrassFar);
 }
 // What all four have in common.
-FieldTiers flatTiers(const FieldEntity& field) {
-    const auto& t = field.settings<HybridTiers>();
+FieldTiers flatTiers(const FieldEntity& field, float pixelsPerMetre) {
+    const HybridTiers t = tiersSeen(field, pixelsPerMetre);
     FieldTiers tiers;
     tiers.flat = fadeRange(t.minBTF, t.maxBTF);
     tiers.soil = tiers.flat;
     tiers.shadowsTo = std::max(t.maxBTF, t.maxGeom);
     return tiers;
 }
-FieldTiers hybridTiers(const FieldEntity& field) {
-    const auto& t = field.settings<HybridTiers>();
-    FieldTiers tiers = flatTiers(field);
+FieldTiers hybridTiers(const FieldEntity& field, float pixelsPerMetre) {
+    const HybridTiers t = tiersSeen(field, pixelsPerMetre);
+    FieldTiers tiers = flatTiers(field, pixelsPerMetre);
     tiers.blades = tiers.images = fadeRange(t.minGeom, t.maxGeom);
     tiers.slicesFrom = tiers.flatFrom = t.minGeom;
     tiers.slicesTo = t.maxBTF;
@@ -67,8 +76,8 @@ FieldTiers hybridTiers(const FieldEntity& field) {
 bool hasMiddle(const FeatureSet& s) { return has(s, Feature::GrassSlices) || has(s, Feature::GrassRaytraced); }
 // The middle tier stands for what else is drawn blade by blade.
 FeatureSet withoutBlades(FeatureSet s) { return hasMiddle(s) ? s & ~featureSet(Feature::GrassGeometry) : s; }
-FieldTiers hybridCoarseTiers(const FieldEntity& field) {
-    FieldTiers tiers = hybridTiers(field);
+FieldTiers hybridCoarseTiers(const FieldEntity& field, float pixelsPerMetre) {
+    FieldTiers tiers = hybridTiers(field, pixelsPerMetre);
     if (!hasMiddle(hybridFeatures(field))) return tiers;
     tiers.images = fadeRange(0, 0);
     tiers.slicesFrom = tiers.flatFrom = -1;
@@ -76,16 +85,16 @@ FieldTiers hybridCoarseTiers(const FieldEntity& field) {
 }
 
 FeatureSet geometryFeatures(const FieldEntity&) { return featureSet(Feature::GrassGeometry); }
-FieldTiers geometryTiers(const FieldEntity& field) {
-    FieldTiers tiers = flatTiers(field);
+FieldTiers geometryTiers(const FieldEntity& field, float pixelsPerMetre) {
+    FieldTiers tiers = flatTiers(field, pixelsPerMetre);
     tiers.blades = {0, 0, kInf};
     tiers.soil = fadeRange(kInf, kInf);
     return tiers;
 }
 
 FeatureSet slicesFeatures(const FieldEntity&) { return featureSet(Feature::GrassSlices, Feature::GrassFar); }
-FieldTiers slicesTiers(const FieldEntity& field) {
-    FieldTiers tiers = flatTiers(field);
+FieldTiers slicesTiers(const FieldEntity& field, float pixelsPerMetre) {
+    FieldTiers tiers = flatTiers(field, pixelsPerMetre);
     tiers.flat = {0, 0, kInf};
     tiers.slicesTo = kInf;
     return tiers;
@@ -98,8 +107,17 @@ std::string scaled(const char* name, float own, double factor) {
     return std::string(name) + "=" +
            shortestText(static_cast<float>(std::round(static_cast<double>(own) * factor * 1000) / 1000));
 }
+// By pixels: what is half as wide in the picture is twice as far away.
+SettingValues scaledPixels(const HybridTiers& t, double near, double far) {
+    return {scaled("bladePixels", t.bladePixels, 1 / near), scaled("slicePixels", t.slicePixels, 1 / far)};
+}
 // Where blades give way to slices, and slices to the ground's one, as factors of the field's own distances.
 SettingValues scaledTiers(const HybridTiers& t, double near, double far, const char* msaa) {
+    if (t.tiersBy == TiersBy::Pixels) {
+        SettingValues out = scaledPixels(t, near, far);
+        out.push_back(msaa);
+        return out;
+    }
     const double least = std::isfinite(t.maxGeom) ? t.maxGeom * near / std::max(t.minBTF, 1e-3f) : 0;
     far = std::max(far, std::min(least, 1e3));
     return {scaled("minGeom", t.minGeom, near), scaled("maxGeom", t.maxGeom, near), scaled("minBTF", t.minBTF, far),
@@ -124,11 +142,14 @@ std::vector<SettingValues> geometrySweep(const FieldEntity&) {
         for (const char* msaa : {"msaa=1", "msaa=4"}) out.push_back({detail, msaa});
     return out;
 }
+SettingValues slicesScaled(const HybridTiers& own, double far, const char* msaa) {
+    if (own.tiersBy == TiersBy::Pixels) return {scaled("slicePixels", own.slicePixels, 1 / far), msaa};
+    return {scaled("minBTF", own.minBTF, far), scaled("maxBTF", own.maxBTF, far), msaa};
+}
 std::vector<SettingValues> slicesSweep(const FieldEntity& field) {
     const auto& own = field.settings<HybridTiers>();
     std::vector<SettingValues> out;
-    for (const double far : {0.5, 1.0, 2.0})
-        out.push_back({scaled("minBTF", own.minBTF, far), scaled("maxBTF", own.maxBTF, far), "msaa=4"});
+    for (const double far : {0.5, 1.0, 2.0}) out.push_back(slicesScaled(own, far, "msaa=4"));
     out.push_back({"msaa=1"});
     return out;
 }
@@ -158,28 +179,43 @@ std::string filteringTurned(const FieldEntity& field, double k) {
                     other = own == Filtering::Trilinear ? Filtering::Anisotropic : Filtering::Trilinear;
     return std::string("filtering=") + kFilterings[k < 0.5 ? own : other];
 }
-// Distances stay in order: blades begin to go before they are gone, and slices go no nearer than blades do.
-SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) {
-    const auto& own = field.settings<HybridTiers>();
+// Distances as knobs say, in order: blades begin to go before they are gone, and slices go no nearer than blades do.
+SettingValues tiersTurned(const HybridTiers& own, std::span<const double> k) {
+    if (own.tiersBy == TiersBy::Pixels)
+        return {rounded("bladePixels", std::clamp(own.bladePixels / k[kNear], 0.01, 1e3)),
+                rounded("slicePixels", std::clamp(own.slicePixels / k[kFar], 0.01, 1e3)),
+                rounded("minGeom", own.minGeom / k[kFade]), rounded("minBTF", own.minBTF / k[kFade])};
     const double maxGeom = std::clamp(own.maxGeom * k[kNear], 0.1, 1e5);
     const double minGeom = std::clamp(own.minGeom * k[kNear] / k[kFade], 0.0, maxGeom);
     const double maxBTF = std::max(own.maxBTF * k[kFar], maxGeom);
     const double minBTF = std::clamp(own.minBTF * k[kFar] / k[kFade], std::min(maxGeom, maxBTF), maxBTF);
-    return {rounded("minGeom", minGeom),     rounded("maxGeom", maxGeom),           rounded("minBTF", minBTF),
-            rounded("maxBTF", maxBTF),       sharpnessTurned(field, k[kSharpness]), samplesTurned(k[kSamples]),
-            filteringTurned(field, k.back())};
+    return {rounded("minGeom", minGeom), rounded("maxGeom", maxGeom), rounded("minBTF", minBTF),
+            rounded("maxBTF", maxBTF)};
+}
+SettingValues hybridTurned(const FieldEntity& field, std::span<const double> k) {
+    SettingValues out = tiersTurned(field.settings<HybridTiers>(), k);
+    out.push_back(sharpnessTurned(field, k[kSharpness]));
+    out.push_back(samplesTurned(k[kSamples]));
+    out.push_back(filteringTurned(field, k.back()));
+    return out;
 }
 SettingValues slicesTurned(const FieldEntity& field, std::span<const double> k) {
     const auto& own = field.settings<HybridTiers>();
-    return {rounded("minBTF", own.minBTF * k[kImagesFar]), rounded("maxBTF", own.maxBTF * k[kImagesFar]),
-            sharpnessTurned(field, k[kImagesSharpness]), samplesTurned(k[kImagesSamples]),
-            filteringTurned(field, k.back())};
+    SettingValues out;
+    if (own.tiersBy == TiersBy::Pixels)
+        out = {rounded("slicePixels", std::clamp(own.slicePixels / k[kImagesFar], 0.01, 1e3))};
+    else
+        out = {rounded("minBTF", own.minBTF * k[kImagesFar]), rounded("maxBTF", own.maxBTF * k[kImagesFar])};
+    out.push_back(sharpnessTurned(field, k[kImagesSharpness]));
+    out.push_back(samplesTurned(k[kImagesSamples]));
+    out.push_back(filteringTurned(field, k.back()));
+    return out;
 }
 SettingValues flatTurned(const FieldEntity& field, std::span<const double> k) {
     return {samplesTurned(k.front()), filteringTurned(field, k.back())};
 }
 
-constexpr const char* kFewBlades[] = {"minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"};
+constexpr const char* kFewBlades[] = {"tiersBy=metres", "minGeom=3", "maxGeom=6", "minBTF=6", "maxBTF=6"};
 constexpr const char* kHybridSettings[] = {"HybridTiers", "RaytracedGrass", "GrassSlices", "GrassDrawing", "FarLook"};
 constexpr const char* kAllSettings[] = {"HybridTiers", "GrassSlices", "GrassDrawing", "FarLook"};
 constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
@@ -187,7 +223,7 @@ constexpr const char* kBladeSettings[] = {"GrassDrawing", "FarLook"};
 }  // namespace
 
 ComponentRow hybridTiersRow() {
-    static constexpr Range kDistance{0, 1e6, 0, 200};
+    static constexpr Range kDistance{0, 1e6, 0, 200}, kPixels{0.01, 1e3, 0.1, 10};
     static constexpr FieldRow kFields[] = {
         titled("All blades up to", distance("minGeom", offsetof(HybridTiers, minGeom), kDistance,
                                             "up to here every blade is drawn by itself")),
@@ -200,12 +236,44 @@ ComponentRow hybridTiersRow() {
                         "from here only the horizontal slice is drawn; inf: vertical slices never fade")),
         choice("middleTier", &HybridTiers::middleTier, offsetof(HybridTiers, middleTier), kMiddleTiers,
                "what is drawn between: vertical slices as quads, or rays through them, pixel by pixel"),
+        titled("Distances follow",
+               choice("tiersBy", &HybridTiers::tiersBy, offsetof(HybridTiers, tiersBy), kTiersBy,
+                      "nothing: they are metres; or what the picture shows: farther where it is larger or the lens "
+                      "longer, with fades in proportion to the metres above")),
+        where(byPixels,
+              titled("Blades end at width", real("bladePixels", offsetof(HybridTiers, bladePixels), "px", kPixels,
+                                                 "no blade is drawn by itself from where one is narrower than this"))),
+        where(byPixels, titled("Slices end at height",
+                               real("slicePixels", offsetof(HybridTiers, slicePixels), "px", kPixels,
+                                    "only the horizontal slice is drawn from where grass is lower than this"))),
     };
     ComponentRow row = settingsRow<HybridTiers>(
         "HybridTiers", "From where to where grass is blades, slices, and one slice over the ground.", kFields,
         "GrassField");
     row.repair = repairTiers;
     return row;
+}
+
+BladeSize bladeSize(const GrassField& field) {
+    BladeSize sum;
+    float blades = 0;
+    for (const Species& s : field.species) {
+        sum.width += s.bladesPerM2 * s.width, sum.height += s.bladesPerM2 * s.height;
+        blades += s.bladesPerM2;
+    }
+    return blades > 0 ? BladeSize{sum.width / blades, sum.height / blades} : BladeSize{};
+}
+
+HybridTiers tiersSeen(const FieldEntity& field, float pixelsPerMetre) {
+    HybridTiers t = field.settings<HybridTiers>();
+    if (t.tiersBy == TiersBy::Metres) return t;
+    const BladeSize size = bladeSize(field.grows);
+    const HybridTiers own = t;
+    t.maxGeom = seenTo(own.maxGeom, size.width, pixelsPerMetre, own.bladePixels);
+    if (t.maxGeom != own.maxGeom) t.minGeom *= t.maxGeom / own.maxGeom;
+    t.maxBTF = std::max(seenTo(own.maxBTF, size.height, pixelsPerMetre, own.slicePixels), kSlicesReach * t.maxGeom);
+    if (std::isfinite(t.maxBTF) && own.maxBTF > 0) t.minBTF = std::max(own.minBTF * (t.maxBTF / own.maxBTF), t.maxGeom);
+    return t;
 }
 
 std::span<const TechniqueRow> hybridTechniques() {

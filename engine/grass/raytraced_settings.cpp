@@ -11,7 +11,7 @@ constexpr float kFadeFrom = 0.7f;  // share of maxDistance from which the horizo
 
 FeatureSet features(const FieldEntity&) { return featureSet(Feature::GrassRaytraced, Feature::GrassFar); }
 
-FieldTiers tiers(const FieldEntity& field) {
+FieldTiers tiers(const FieldEntity& field, float) {
     const float far = field.settings<RaytracedGrass>().maxDistance;
     FieldTiers t;
     t.flat = std::isinf(far) ? FadeRange{0, 0, kInf} : fadeRange(kFadeFrom * far, far);

@@ -15,9 +15,9 @@ FeatureSet features(const FieldEntity& field) {
                                                                        : blades;
 }
 
-FieldTiers tiers(const FieldEntity& field) {
+FieldTiers tiers(const FieldEntity& field, float pixelsPerMetre) {
     const auto& own = field.settings<TessellatedBlades>();
-    const auto& slices = field.settings<HybridTiers>();
+    const HybridTiers slices = tiersSeen(field, pixelsPerMetre);
     FieldTiers t;
     t.blades = {own.maxDistance, -1, own.maxDistance};
     t.images = fadeRange(own.lowerFrom * own.maxDistance, own.maxDistance);  // take over while blades get lower

@@ -39,10 +39,10 @@ std::string techniqueColor(std::span<const TechniqueRow> rows, std::string_view 
     return fmt::format("#{:06x}", techniqueRgb(rows, name).value_or(0x808080u));
 }
 
-FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, bool coarse) {
+FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, float pixelsPerMetre, bool coarse) {
     const TechniqueRow* row = findTechnique(rows, field.grows.technique);
     if (!row) return {};
-    return coarse && row->coarseTiers ? row->coarseTiers(field) : row->tiers(field);
+    return coarse && row->coarseTiers ? row->coarseTiers(field, pixelsPerMetre) : row->tiers(field, pixelsPerMetre);
 }
 
 std::vector<std::pair<std::string, FieldEntity>> fieldsOf(const Project& project) {

@@ -70,11 +70,12 @@ struct TechniqueRow {
     uint32_t color;     // in plots and panels: 0xRRGGBB; told apart by people who do not see red and green alike
     std::span<const char* const> settings;       // components that it reads, in the inspector's order
     FeatureSet (*features)(const FieldEntity&);  // how it is drawn, as features: what it asks of the scene
-    FieldTiers (*tiers)(const FieldEntity&);
+    // For a picture in which a metre, one metre away, is so many pixels wide.
+    FieldTiers (*tiers)(const FieldEntity&, float pixelsPerMetre);
     // Its coarse version, such as water mirrors: what is left of a field's features, and where that draws. Null: as it
     // is.
     FeatureSet (*coarse)(FeatureSet) = nullptr;
-    FieldTiers (*coarseTiers)(const FieldEntity&) = nullptr;
+    FieldTiers (*coarseTiers)(const FieldEntity&, float pixelsPerMetre) = nullptr;
     std::vector<SettingValues> (*sweep)(const FieldEntity&) =
         nullptr;                                  // settings that `cost` tries; null: the field's own alone
     std::span<const char* const> fewBlades = {};  // values by which it draws blades up to some metres, for `cost` to
@@ -93,8 +94,10 @@ std::optional<uint32_t> techniqueRgb(std::span<const TechniqueRow> rows, std::st
 // The same as "#rrggbb"; a grey for names that the tables lack, such as those in files of other versions.
 std::string techniqueColor(std::span<const TechniqueRow> rows, std::string_view name);
 
-// The tiers of a field by its technique; those of a technique that the table lacks are empty: nothing is drawn.
-FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, bool coarse = false);
+// The tiers of a field by its technique, for a picture in which a metre, one metre away, is so many pixels wide
+// (`pixelsPerMetre` of frame/renderer.h); those of a technique that the table lacks are empty: nothing is drawn.
+FieldTiers tiersOf(std::span<const TechniqueRow> rows, const FieldEntity& field, float pixelsPerMetre,
+                   bool coarse = false);
 // The project's fields in the order of their names, each with its entity's name.
 std::vector<std::pair<std::string, FieldEntity>> fieldsOf(const Project& project);
 

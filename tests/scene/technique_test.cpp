@@ -67,7 +67,7 @@ TEST(TechniqueTable, ItsRowsAskForWhatEffectsDraw) {
 TEST(TechniqueTable, AFieldOfATechniqueThatIsNotThereDrawsNothing) {
     FlatField f;
     f.technique = "felt";
-    const FieldTiers tiers = tiersOf(tables().techniques, f.asField());
+    const FieldTiers tiers = tiersOf(tables().techniques, f.asField(), kPixelsPerMetre);
     EXPECT_EQ(tiers.blades.max, 0);
     EXPECT_LT(tiers.slicesFrom, 0);
     EXPECT_LT(tiers.flatFrom, 0);

@@ -64,5 +64,32 @@ TEST_F(EditorTools, DistancesOutOfOrderAreOfferedToBePutInOrder) {
     EXPECT_EQ(tiers()[0], 12);
 }
 
+// By pixels nothing moves until the picture or a distance does; what is dragged or typed in metres turns pixels.
+TEST_F(EditorTools, DistancesFollowThePictureWhereTheyAreByPixels) {
+    const TierDistances before = tiers();
+    const auto shown = [&](size_t i) { return std::stod(get(std::string("Tiers/") + kTierFields[i])); };
+    ok(ui->set("Tiers/tiersBy", "pixels"));
+    EXPECT_EQ(field("lawn.HybridTiers.tiersBy"), "pixels");
+    for (size_t i = 0; i < kTierCount; ++i) EXPECT_NEAR(shown(i), before[i], 1e-3 * before[i]) << kTierFields[i];
+    const double wide = std::stod(get("Tiers/bladePixels")), lens = app->view.camera.fovDeg;
+    EXPECT_NE(get("Viewport/Ring maxBTF").find(" px high"), std::string::npos) << "rings show both";
+    app->view.camera.fovDeg = lens / 2;  // a longer lens sees the same blade farther away
+    ok(ui->wait(2));
+    const double longer = std::tan(lens * 0.00872664626) / std::tan(lens * 0.00436332313);
+    EXPECT_NEAR(shown(1), before[1] * longer, 1e-3 * shown(1));
+    EXPECT_NEAR(shown(0) / shown(1), before[0] / before[1], 1e-3);
+    ok(ui->set("Tiers/maxGeom", fmt::format("{}", shown(1) / 2)));
+    EXPECT_NEAR(std::stod(get("Tiers/bladePixels")), 2 * wide, 0.01 * wide);
+    app->view.camera.fovDeg = lens;
+    ok(ui->wait(2));
+    EXPECT_NEAR(shown(1), before[1] / 2, 1e-2 * before[1]);
+    ok(ui->set("Tiers/tiersBy", "metres"));
+    EXPECT_NEAR(tiers()[1], before[1] / 2, 1e-2 * before[1]);
+    EXPECT_FALSE(ui->exists("Tiers/bladePixels"));
+    for (int i = 0; i < 3; ++i) ok(ui->key("ctrl+z"));
+    EXPECT_EQ(tiers(), before);
+    EXPECT_FALSE(doc.canUndo());
+}
+
 }  // namespace
 }  // namespace sward

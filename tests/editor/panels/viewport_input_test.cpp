@@ -30,7 +30,7 @@ class HandInViewport : public test::PanelStage {
         hand.rect = kView;
         camera.eye = {20, 4, 20}, camera.pitch = -1.2;
         draw = [this] {
-            const RingParts rings{doc, tiers, camera, hand.rect, "", false};
+            const RingParts rings{doc, tiers, camera, hand.rect, 500, "", false};
             const ObjectParts objects{
                 doc, selection, tool, edits, messages, camera, hand.rect, 0, brushes.tool == kViewTool};
             viewportInput({in, 1.0 / 60, true}, camera, hand,

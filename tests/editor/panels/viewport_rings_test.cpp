@@ -9,7 +9,7 @@ namespace {
 
 class TierRings : public test::PanelStage {
   protected:
-    RingParts parts() { return {doc, tiers, camera, view, tierEntity(doc, tiers.field, ""), false}; }
+    RingParts parts() { return {doc, tiers, camera, view, 500, tierEntity(doc, tiers.field, ""), false}; }
     TierView tiers;
     FlyCamera camera;
     Rect view{0, 0, 400, 300};
@@ -27,7 +27,7 @@ TEST_F(TierRings, TheChosenFieldComesBeforeTheSelectedAndThatBeforeTheFirst) {
     EXPECT_EQ(tierPath("z", 1), "z.HybridTiers.maxGeom");
     Document none(tables());
     EXPECT_EQ(tierEntity(none, "", ""), "");
-    EXPECT_EQ(tierField(none, ""), nullptr);
+    EXPECT_FALSE(tierField(none, ""));
 }
 
 TEST_F(TierRings, AHandWithoutARingChangesNothing) {

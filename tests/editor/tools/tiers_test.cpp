@@ -23,6 +23,18 @@ TEST(Tiers, ADragStopsAtItsNeighbours) {
     EXPECT_EQ(stoppedTier({4, kInf, kInf, kInf}, 0, 900), 900);
 }
 
+TEST(Tiers, ByPixelsAnEditSaysWhatIsSeenThere) {
+    const BladeSize blades{0.004f, 0.1f};
+    EXPECT_EQ(tierEdits(kUsual, TiersBy::Metres, blades, 600).size(), kTierCount);
+    const std::vector<TierEdit> edits = tierEdits(kUsual, TiersBy::Pixels, blades, 600);
+    ASSERT_EQ(edits.size(), kTierCount + 2);
+    EXPECT_STREQ(edits[4].field, "bladePixels");
+    EXPECT_NEAR(edits[4].value, 0.2, 1e-6);  // 0.004 m * 600 / 12 m
+    EXPECT_NEAR(edits[5].value, 1.5, 1e-6);
+    EXPECT_EQ(tierEdits({kInf, kInf, kInf, kInf}, TiersBy::Pixels, blades, 600).size(), kTierCount);
+    EXPECT_EQ(tierEdits(kUsual, TiersBy::Pixels, {}, 600).size(), kTierCount) << "there is no blade to be seen";
+}
+
 TEST(Tiers, NeighboursOutOfOrderHoldNothingBack) {
     EXPECT_EQ(stoppedTier({20, 12, 5, 40}, 1, 13), 13);
     EXPECT_FALSE(tiersInOrder({20, 12, 5, 40}));
