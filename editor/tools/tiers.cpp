@@ -21,6 +21,11 @@ bool inOrder(size_t i, double a, double b) {
     return i == 1 ? a <= b : a < b;
 }
 
+double fourDigits(double v) {
+    const double step = std::pow(10, std::floor(std::log10(v)) - 3);
+    return std::round(v / step) * step;
+}
+
 }  // namespace
 
 TierDistances tiersOf(const HybridTiers& f) { return {f.minGeom, f.maxGeom, f.minBTF, f.maxBTF}; }
@@ -32,7 +37,7 @@ std::vector<TierEdit> tierEdits(const TierDistances& wanted, TiersBy by, const B
     const auto seen = [&](const char* field, float metres, double distance) {
         const double pixels = static_cast<double>(metres * pixelsPerMetre) / distance;
         if (by == TiersBy::Pixels && std::isfinite(pixels) && pixels > 0)
-            edits.push_back({field, std::clamp(pixels, 0.01, 1e3)});
+            edits.push_back({field, fourDigits(std::clamp(pixels, 0.01, 1e3))});
     };
     seen("bladePixels", blades.width, wanted[1]);
     seen("slicePixels", blades.height, wanted[3]);
