@@ -60,7 +60,7 @@ void folderChosen(Document& doc, Selection& selection, Messages& messages) {
     const std::string folder = freeFolder(doc.project());
     if (!accept(messages, moveToFolder(doc, selection.entities, folder))) return;
     selection.renaming = folder;
-    selection.folderName.clear();
+    selection.nameAge = 0;
     say(messages, fmt::format("{} in {}", told(selection.entities), folder));
 }
 

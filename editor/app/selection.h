@@ -15,7 +15,8 @@ struct Selection {
     std::string newEntity;              // being typed in the outliner
     std::string search;                 // likewise: rows without it are not listed
     std::set<std::string> closedFolders;
-    std::string renaming, folderName;  // a folder whose name is being typed, and the text; empty: none
+    std::string renaming;  // a folder whose name is being typed; empty: none
+    int nameAge = 0;       // frames since it was asked for; -1: the line has the keyboard
 };
 
 // How a click or a box chooses: these alone, these too, or each of them on and off.

@@ -3,6 +3,7 @@
 
 #include "app/console.h"
 #include "panels/panels.h"
+#include "ui/imgui_compat.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
@@ -47,7 +48,7 @@ void drawConsole(Console& console, bool inputWaits) {
                [&](const std::string& text) { return completed(console, text); }});
     if (!entered) return;
     enter(console);
-    if (!inputWaits) ImGui::SetKeyboardFocusHere(-1);  // else a click that waits would lose to it
+    if (!inputWaits) ui::focusLast();  // else a click that waits would lose to it
 }
 
 }  // namespace sward

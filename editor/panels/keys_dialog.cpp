@@ -117,7 +117,7 @@ bool drawKeysDialog(KeysDialog& d, Bindings& bindings, const FrameInput& in) {
     if (!ImGui::BeginPopupModal("Keys", &d.open, flags)) return false;
     const bool waited = !d.waiting.empty();
     ImGui::SetNextItemWidth(-ImGui::CalcTextSize("Close").x - 3 * ImGui::GetStyle().FramePadding.x - 8);
-    if (opening) ImGui::SetKeyboardFocusHere();
+    if (opening) ui::focusNext();
     ui::input("Search", d.search, "search a command or a key");
     ImGui::SameLine(0, 8);
     if (ui::button("Close") || (ui::escapePressed() && !opening && !waited)) d.open = false;

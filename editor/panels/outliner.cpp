@@ -164,19 +164,19 @@ void arrow(const Parts& p, const std::string& path, const std::string& folder, b
         d.AddTriangleFilled({at.x + a, at.y + a}, {at.x + b, at.y + m}, {at.x + a, at.y + b}, ui::kDimText);
 }
 
+constexpr int kFramesToFocus = 4;
 // The name as it is being typed, until Enter, Escape or a click elsewhere.
 void nameLine(const Parts& p, const std::string& path, const std::string& folder) {
     Selection& s = p.selection;
-    if (s.folderName.empty()) ImGui::SetKeyboardFocusHere();
+    if (s.nameAge == 0) ui::focusNext();
     ImGui::SetNextItemWidth(-1);
     const std::optional<std::string> typed = ui::textField(path + "/Name", folder);
     const bool typing = ImGui::IsItemActive();
     if (typed)
         deferEdit(p.fields, [&doc = p.fields.doc, folder, to = *typed] { return renameFolder(doc, folder, to); });
-    if (typed || (!typing && !s.folderName.empty()))
-        s.renaming.clear(), s.folderName.clear();
-    else if (typing)
-        s.folderName = folder;
+    if (typing) s.nameAge = -1;
+    const bool left = !typing && (s.nameAge < 0 || ++s.nameAge > kFramesToFocus);
+    if (typed || left) s.renaming.clear(), s.nameAge = 0;
 }
 
 // True while it is open.
@@ -197,7 +197,7 @@ bool folderRow(const Parts& p, const std::string& folder, const std::vector<std:
     const bool asked = ImGui::IsItemHovered() && ImGui::IsMouseReleased(1);
     if (pressed || asked) choose(p.selection, names, ImGui::GetIO().KeyCtrl ? Choose::Add : Choose::Only);
     if (asked) p.menu = true;
-    if (twice) p.selection.renaming = folder, p.selection.folderName.clear();
+    if (twice) p.selection.renaming = folder, p.selection.nameAge = 0;
     ui::tooltip(std::to_string(names.size()) + " in it; a click chooses all, a double click renames the folder");
     takeDrop(p, folder);
     hideAndLock(p, path, names);

@@ -64,7 +64,7 @@ std::optional<PaletteLine> drawPalette(Palette& palette, std::span<const Command
     ImGui::SetNextWindowSize({width, 0});
     palette.open = ImGui::BeginPopup("Palette");
     if (!palette.open) return {};
-    if (opening) ImGui::SetKeyboardFocusHere();
+    if (opening) ui::focusNext();
     ImGui::SetNextItemWidth(-1);
     bool entered = false;
     const std::string before = palette.text;

@@ -40,7 +40,7 @@ void drawRenameDialog(RenameDialog& d, Document& doc, Edits& edits,
     const float width = ImGui::GetFontSize() * 8;
     ImGui::Text("A new name for %s: letters, digits, '_' and '-'.", d.entity.c_str());
     ImGui::SetNextItemWidth(2 * width + 8);
-    if (opening) ImGui::SetKeyboardFocusHere();
+    if (opening) ui::focusNext();
     bool entered = false;
     ui::input("Name", d.name, "name", &entered);
     if (!d.error.empty()) {

@@ -4,6 +4,9 @@
 #include <GLFW/glfw3.h>
 
 #include <cstdint>
+#if IMGUI_VERSION_NUM == 19010
+#include <imgui_internal.h>
+#endif
 
 namespace sward::ui {
 namespace {
@@ -134,6 +137,27 @@ bool escapePressed() {
 #else
     return ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false);
 #endif
+}
+
+namespace {
+
+// Version 1.90.1 refuses the keyboard to items out of the scope that had it last, which later ones mended.
+void takeScope() {
+#if IMGUI_VERSION_NUM == 19010
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavFocusScopeId = context.CurrentFocusScopeId;
+#endif
+}
+
+}  // namespace
+
+void focusNext() {
+    takeScope();
+    ImGui::SetKeyboardFocusHere();
+}
+void focusLast() {
+    takeScope();
+    ImGui::SetKeyboardFocusHere(-1);
 }
 
 void allowOverlapOfNext() {

@@ -22,6 +22,9 @@ bool inputText(const char* id, const char* hint, std::string& text, const LineHe
 bool enterPressed();
 // Likewise for Escape.
 bool escapePressed();
+// The next input line gets the keyboard, or the last one. Once is enough: it has it in the next frame.
+void focusNext();
+void focusLast();
 // What is drawn over the next item takes the pointer there: newer versions ask before the item, older ones after it.
 // Both are to be called.
 void allowOverlapOfNext();

@@ -94,7 +94,7 @@ NumberEdit drag(const std::string& id, double& value, const NumberSpec& spec) {
 NumberEdit type(const std::string& id, double value, const NumberSpec& spec) {
     NumberEdit edit;
     WidgetBook& b = currentBook();
-    if (b.editAge == 0) ImGui::SetKeyboardFocusHere();
+    if (b.editAge == 0) focusNext();
     const bool entered = inputText((id + "#edit").c_str(), "", b.editText);
     const bool active = ImGui::IsItemActive();
     const bool left = entered || (b.editActive && !active) || (!active && ++b.editAge > 4);

@@ -82,7 +82,13 @@ TEST(Raytraced, GrassThatIsWholeLooksAsAFullMapHasIt) {
     const auto whole = raytracedPicture(r, p, grazing());
     flatField(p).species[0].density = {"maps/full.png", filled({4, 4, 1, PixelType::U16}, 1)};
     const auto mapped = raytracedPicture(r, p, grazing());
-    EXPECT_EQ(whole, mapped);
+    ASSERT_EQ(whole.size(), mapped.size());
+    size_t unlike = 0;  // two programs: compilers may round a few last digits otherwise
+    for (size_t i = 0; i < whole.size(); ++i) {
+        unlike += whole[i] != mapped[i];
+        EXPECT_NEAR(whole[i], mapped[i], 1.0f / 2048);
+    }
+    EXPECT_LE(unlike, whole.size() / 1000);
     EXPECT_GT(covered(whole), 0.5);
 }
 
@@ -218,8 +224,10 @@ TEST(Raytraced, LooksAtAsManyPixelsHoweverManySlicesThereAre) {
         raytracedPicture(r, p, grazing(), s);
         fragments.push_back(raytracedPass(r, "grass/raytraced").fragments);
     }
-    EXPECT_EQ(fragments[0], fragments[1]);
-    EXPECT_EQ(fragments[0], fragments[2]);
+    // Drivers that count after the depth test leave out what rays of the same pass hide: a few, by where these end.
+    for (const uint64_t n : fragments)
+        EXPECT_NEAR(static_cast<double>(n), static_cast<double>(fragments[0]),
+                    0.005 * static_cast<double>(fragments[0]));
 }
 
 TEST(Raytraced, OneSetOfImagesForBothAxesTakesHalfTheMemoryAndLooksAlike) {
