@@ -95,13 +95,13 @@ LampHere lampReaching(int i, vec3 at, vec3 normal) {
     here.light *= lampVisible(i, at, normal);
     return here;
 }
-// Diffuse light of all lamps on a surface that faces n, unit, and stands in the shadow maps itself.
-vec3 lampLight(vec3 at, vec3 n) {
+// Diffuse light of all lamps on a surface that faces n, unit; normal: as lampVisible has it.
+vec3 lampLight(vec3 at, vec3 n, vec3 normal) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {
         LampHere l = lampAt(i, at);
         float facing = dot(n, l.direction);
-        if (facing > 0.0) sum += l.light * (facing * lampVisible(i, at, n));
+        if (facing > 0.0) sum += l.light * (facing * lampVisible(i, at, normal));
     }
     return min(sum, vec3(kBrightest));
 }

@@ -20,7 +20,7 @@ void main() {
     if (texel.a < cutoff) discard;
     vec3 n = normalize(gl_FrontFacing ? normal : -normal);
     vec3 from = sunLight(n) * sunVisible(position, n);
-    if (LAMPS) from += lampLight(position, n);
+    if (LAMPS) from += lampLight(position, n, n);
     vec3 light = (from + ambientLight(n)) * texel.rgb * reflectance;
     color = objectColor(light, n, position);
 }
