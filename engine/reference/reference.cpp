@@ -272,8 +272,8 @@ Bounce bounceOff(const Surface& s, const glm::vec3& toEye, Dice& dice) {
     return {towards, sends(s, toEye, towards) / (cosine * (behind ? share : 1 - share))};
 }
 
-// What the surface of water itself shows: glints of sun and lamps; and of the light that enters, what its body sends back, as a
-// factor of the share that does not come through.
+// What the surface of water itself shows: glints of sun and lamps; and of the light that enters, what its body sends
+// back, as a factor of the share that does not come through.
 struct WaterShows {
     glm::vec3 glint{0}, body{0};
 };

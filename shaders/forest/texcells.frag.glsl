@@ -1,5 +1,6 @@
-// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by lamps
-// through the leaves on the way there, and by what shines through them, in the haze. Each tree stands on the ground at its own foot, whatever the slice's plane.
+// What a slice shows of the trees in its tile: leaves lit by sun and sky through the air above and around them, by
+// lamps through the leaves on the way there, and by what shines through them, in the haze. Each tree stands on the
+// ground at its own foot, whatever the slice's plane.
 #include "lib/canopy.glsl"
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"

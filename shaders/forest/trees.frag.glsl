@@ -33,8 +33,8 @@ vec3 skyAt(vec3 n) {
     return halvesLight(frame.groundLight * (shares.y * onGround), frame.skyLight * shares.x, n.y);
 }
 
-// What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as others
-// are, they would leave each other's shadow.
+// What the surface sends of all lamps' light; through: of what falls on its other side. Leaves are flat: raised as
+// others are, they would leave each other's shadow.
 vec3 lampsSent(vec3 n, vec3 own, vec3 through) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < lampCount(); ++i) {

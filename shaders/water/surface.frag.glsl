@@ -1,5 +1,5 @@
-// Water: what it mirrors, what is seen through it, and glints of sun and lamps (numerics/water.h). What lies under it is dimmed
-// where it was drawn, by a factor a colour (the second output); nothing is copied.
+// Water: what it mirrors, what is seen through it, and glints of sun and lamps (numerics/water.h). What lies under it
+// is dimmed where it was drawn, by a factor a colour (the second output); nothing is copied.
 #include "lib/frame.glsl"
 #include "lib/lamp_shadow.glsl"
 #include "lib/lamps.glsl"

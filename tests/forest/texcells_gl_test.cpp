@@ -121,9 +121,13 @@ TEST(Texcells, AreAsBrightInLampsLightAsMeshesAndNearlyAsTheTruth) {
     const ViewCamera eye{{80, 10, 215}, {80, 6, 80}, 40, 0};
     const std::pair<const char*, void (*)(Project&)> lights[] = {
         {"a lamp before the wood",
-         [](Project& p) { putLamp(p, "lamp", {80, 8, 172}, {.intensity = 20, .attenuation = 0.02f}); }},
+         [](Project& p) {
+             putLamp(p, "lamp", {80, 8, 172}, {.intensity = 20, .attenuation = 0.02f});
+         }},
         {"a lamp over it",
-         [](Project& p) { putLamp(p, "lamp", {80, 22, 140}, {.intensity = 40, .attenuation = 0.02f}); }},
+         [](Project& p) {
+             putLamp(p, "lamp", {80, 22, 140}, {.intensity = 40, .attenuation = 0.02f});
+         }},
         {"a moon", putMoon}};
     const std::pair<const char*, TreeKind> kinds[] = {
         {"conifers", TreeKind::Conifer}, {"broadleaves", TreeKind::Broadleaf}, {"birches", TreeKind::Birch}};
@@ -134,8 +138,7 @@ TEST(Texcells, AreAsBrightInLampsLightAsMeshesAndNearlyAsTheTruth) {
             putLight(far), putLight(near);
             const double truth = allGreenOf(tracedLight(far, eye, small(), 6)), volumes = allGreenOf(drawn(far, eye)),
                          meshes = allGreenOf(drawn(near, eye));
-            std::printf("%s: volumes %.3f of the truth, meshes %.3f\n", what.c_str(), volumes / truth,
-                        meshes / truth);
+            std::printf("%s: volumes %.3f of the truth, meshes %.3f\n", what.c_str(), volumes / truth, meshes / truth);
             EXPECT_GT(truth, 10) << what;
             EXPECT_NEAR(volumes / meshes, 1, 0.15) << what;
             if (what == "conifers, a lamp over it")  // what is farther off on the way than crowns are wide counts not

@@ -213,16 +213,14 @@ std::vector<Spot> onTheCube(double beside) {
     struct Face {
         glm::dvec3 middle, right, up;
     };
-    const Face faces[] = {{{10, 1, 11}, {1, 0, 0}, {0, 1, 0}},
-                          {{9, 1, 10}, {0, 0, 1}, {0, 1, 0}},
-                          {{10, 2, 10}, {1, 0, 0}, {0, 0, 1}}};
+    const Face faces[] = {
+        {{10, 1, 11}, {1, 0, 0}, {0, 1, 0}}, {{9, 1, 10}, {0, 0, 1}, {0, 1, 0}}, {{10, 2, 10}, {1, 0, 0}, {0, 0, 1}}};
     std::vector<Spot> spots;
     for (const auto& [middle, right, up] : faces)
         for (double x = -0.8; x <= 0.81; x += 0.1)
             for (double y = -0.8; y <= 0.81; y += 0.1) {
                 const glm::dvec3 at = middle + right * x + up * y;
-                spots.push_back(
-                    {at, {at + right * beside, at - right * beside, at + up * beside, at - up * beside}});
+                spots.push_back({at, {at + right * beside, at - right * beside, at + up * beside, at - up * beside}});
             }
     return spots;
 }
@@ -291,7 +289,7 @@ TEST(LampsOnObjects, ABoardInACornerOfAMapIsLitEvenly) {
     Project p = cubeAtNight(dir.path);
     Renderer r(gpu(), tables());
     const glm::dvec3 middle(10, 3, 10), n = glm::normalize(glm::dvec3(1, 1, 1)),
-        right = glm::normalize(glm::dvec3(1, 0, -1)), up = glm::cross(n, right);
+                                        right = glm::normalize(glm::dvec3(1, 0, -1)), up = glm::cross(n, right);
     putObject(p, "cube", {{.size = {2, 2, 0.02f}, .turnDeg = {-35.2644f, 45, 0}}}, middle);
     cubeOf(p).onGround = false;
     std::vector<Spot> spots;
@@ -341,8 +339,7 @@ TEST(LampsOnObjects, ScatteredOnesAndLampsThatCastNoShadows) {
     lampOf(p).castShadows = false;
     expectTruth("a lamp that casts none");
     removeEntity(p, "cube");
-    put<Scatter>(p, "cubes",
-                 {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500, .distance = 3, .size = {0.3, 0.5}});
+    put<Scatter>(p, "cubes", {.meshes = {{"cube", "cube.glb"}}, .perHectare = 500, .distance = 3, .size = {0.3, 0.5}});
     expectTruth("scattered, without shadows");
     lampOf(p).castShadows = true;
     expectTruth("scattered");
